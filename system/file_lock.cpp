@@ -115,7 +115,8 @@ Result<std::optional<FileLock>> FileLock::try_acquire(const std::string& path) {
 
 Result<bool> FileLock::signal_holder(const std::string& path, std::span<const int> signals) {
   auto file = open_lock(path, 0);
-  if (!file && access(path.c_str(), F_OK) != 0 && errno == ENOENT) return false;
+  const bool is_there = faccessat(AT_FDCWD, path.c_str(), F_OK, AT_SYMLINK_NOFOLLOW) == 0;
+  if (!file && !is_there && errno == ENOENT) return false;
   if (!file) return tl::unexpected(file.error());
   if (lock(file->get(), LOCK_EX | LOCK_NB)) return false;
   if (errno != EWOULDBLOCK) return cannot_lock(path, std::strerror(errno));

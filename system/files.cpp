@@ -241,6 +241,22 @@ Result<std::string> Files::read_from(const std::string& path, std::size_t offset
   return bytes;
 }
 
+Result<std::optional<std::string>> Files::read_if_there(const std::string& path,
+                                                        const ReadOptions& options,
+                                                        std::size_t offset) {
+  auto bytes = read_from(path, offset, options);
+  if (bytes) return std::move(*bytes);
+  if (!exists(path)) return std::nullopt;
+  const Error& error = bytes.error();
+  return fail(error.code == Errc::input ? Errc::damaged : error.code, error.what);
+}
+
+Result<std::vector<std::string>> Files::names_if_there(const std::string& folder) {
+  auto names = names_in(folder);
+  if (names || exists(folder)) return names;
+  return std::vector<std::string>{};
+}
+
 Result<std::string> Disk::read(const std::string& path, const ReadOptions& options) {
   return read_from(path, 0, options);
 }
@@ -296,7 +312,13 @@ Result<void> Disk::truncate(const std::string& path, std::size_t size) {
 }
 
 bool Disk::exists(const std::string& path) {
-  return access(path.c_str(), F_OK) == 0;
+  struct stat about {};
+  if (lstat(path.c_str(), &about) == 0 || errno != ENOENT) return true;
+  // Nothing has that name, unless a folder on the way is a link to a disk that is away.
+  const fs::path folder = fs::path(path).parent_path();
+  if (folder.empty() || folder == path) return false;
+  return lstat(folder.c_str(), &about) == 0 ? stat(folder.c_str(), &about) != 0
+                                            : exists(folder.string());
 }
 
 Result<void> Disk::make_folder(const std::string& path, Readers readers) {

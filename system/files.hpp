@@ -15,6 +15,7 @@
 #include "system/digest.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <sys/types.h>
@@ -97,6 +98,13 @@ class Files {
   virtual Result<std::string> read_from(const std::string& path, std::size_t offset,
                                         const ReadOptions& options);
 
+  // Reads a file that a program of ours keeps, or returns nothing if nothing has that name. The
+  // file may be there and not be readable, which is an error: Errc::damaged if it is of the wrong
+  // kind, too large or a link, and otherwise Errc::unavailable.
+  Result<std::optional<std::string>> read_if_there(const std::string& path,
+                                                   const ReadOptions& options,
+                                                   std::size_t offset = 0);
+
   // Replaces the file: writes a temporary file in the same folder, flushes it to disk, renames it
   // and flushes the folder. The temporary file has a name that nobody can guess and is always a new
   // one. If another user has put a link at `path`, the link is replaced and its target untouched.
@@ -114,6 +122,8 @@ class Files {
   // Cuts the file to its first `size` bytes.
   virtual Result<void> truncate(const std::string& path, std::size_t size) = 0;
 
+  // False only if nothing has that name. If the system cannot tell, or if a link on the way leads
+  // to nothing, it is true, and whoever reads the file gets the reason.
   virtual bool exists(const std::string& path) = 0;
 
   // Makes the folder and its missing parents. With Readers::owner the folder, but not its parents,
@@ -123,6 +133,9 @@ class Files {
 
   // Returns the names in a folder, sorted by their bytes.
   virtual Result<std::vector<std::string>> names_in(const std::string& folder) = 0;
+
+  // The same, and no names if nothing has the folder's name.
+  Result<std::vector<std::string>> names_if_there(const std::string& folder);
 
   // Removes a file, or a folder with everything in it. Links are removed and not followed. What is
   // not there is no error.

@@ -19,13 +19,13 @@ constexpr std::string_view drill_schema = "mirocup/drill/1";
 
 // The file of a start that is given as text: a path, or the name of a drill.
 std::string file_of(const std::string& word, const std::string& folder) {
-  std::error_code none;
+  system::Disk disk;
   if (word.find('/') == std::string::npos) {
     const std::string drill =
         (std::filesystem::path(system::drill_folder(folder)) / (word + ".json")).string();
-    if (std::filesystem::exists(drill, none)) return drill;
+    if (disk.exists(drill)) return drill;
   }
-  return std::filesystem::exists(word, none) ? word : "";
+  return disk.exists(word) ? word : "";
 }
 
 // The league that a document names, and the situation of a drill or the document itself.

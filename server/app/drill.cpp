@@ -26,13 +26,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> drills_in(const std::string& folder) {
+Result<std::vector<std::string>> drills_in(const std::string& folder) {
+  const auto names = system::Disk().names_in(folder);
+  if (!names) return tl::unexpected(names.error());
   std::vector<std::string> paths;
-  std::error_code none;
-  for (fs::directory_iterator at(folder, none), end; !none && at != end; at.increment(none)) {
-    if (at->path().extension() == ".json") paths.push_back(at->path().string());
+  for (const std::string& name : *names) {
+    if (name.ends_with(".json")) paths.push_back((fs::path(folder) / name).string());
   }
-  std::sort(paths.begin(), paths.end());
+  if (paths.empty()) return fail(Errc::unavailable, folder + ": there is no drill in it");
   return paths;
 }
 
@@ -42,16 +43,14 @@ Result<std::vector<std::string>> paths_of(const std::string& word) {
   const bool is_whole_folder = word == "all" || word == "list";
   std::error_code none;
   if (is_whole_folder || fs::is_directory(word, none)) {
-    const std::string folder = is_whole_folder ? own : word;
-    auto paths = drills_in(folder);
-    if (paths.empty()) return fail(Errc::unavailable, folder + ": there is no drill in it");
-    return paths;
+    return drills_in(is_whole_folder ? own : word);
   }
+  system::Disk disk;
   if (word.find('/') == std::string::npos) {
     const std::string path = (fs::path(own) / (word + ".json")).string();
-    if (fs::exists(path, none)) return std::vector<std::string>{path};
+    if (disk.exists(path)) return std::vector<std::string>{path};
   }
-  if (fs::exists(word, none)) return std::vector<std::string>{word};
+  if (disk.exists(word)) return std::vector<std::string>{word};
   return fail(Errc::input,
               "\"" + word + "\" is neither a drill nor a file; mirocup drill list has their names");
 }

@@ -121,6 +121,7 @@ Result<Folder> read_all(const std::string& folder) {
                                    " sources; name the folder of one team");
     }
   }
+  if (error) return fail(Errc::unavailable, folder + " cannot be searched: " + error.message());
   return all;
 }
 

@@ -6,7 +6,8 @@
 #include "system/files.hpp"
 
 #include <algorithm>
-#include <filesystem>
+#include <optional>
+#include <string>
 
 namespace mirocup::dds {
 
@@ -52,19 +53,25 @@ Result<void> set_credentials(dds_qos_t* qos, const std::string& folder) {
     dds_qset_prop(qos, (property + ".init").c_str(), l.init);
     dds_qset_prop(qos, (property + ".finalize").c_str(), l.finalize);
   }
+  system::Disk disk;
+  const auto is_there = [&](const File& f) {
+    return disk
+        .read_if_there(folder + "/" + f.name,
+                       {.max_size = system::size_limit::note, .links = system::Links::followed})
+        .map([](const std::optional<std::string>& text) { return text.has_value(); });
+  };
   for (const File& f : files) {
     const std::string path = folder + "/" + f.name;
-    std::error_code none;
-    if (!std::filesystem::is_regular_file(path, none)) {
+    const auto found = is_there(f);
+    if (!found) return tl::unexpected(found.error());
+    if (!*found)
       return fail(Errc::input, folder + " holds no credentials: " + path + " is not there");
-    }
     dds_qset_prop(qos, f.property, ("file:" + path).c_str());
   }
-  const std::string list = folder + "/" + revoked.name;
-  std::error_code none;
-  if (std::filesystem::is_regular_file(list, none)) {
-    dds_qset_prop(qos, revoked.property, ("file:" + list).c_str());
-  }
+  // Without the list everybody could join whose certificate was revoked.
+  const auto lists = is_there(revoked);
+  if (!lists) return tl::unexpected(lists.error());
+  if (*lists) dds_qset_prop(qos, revoked.property, ("file:" + folder + "/" + revoked.name).c_str());
   return {};
 }
 

@@ -51,8 +51,10 @@ std::optional<std::vector<std::size_t>> shape_of(std::string_view text) {
   }
   if (number) shape.push_back(*number);
   if (shape.size() > 4) return std::nullopt;
-  for (const std::size_t n : shape) product *= n;  // four factors of at most 2^26
-  if (product > max_array_bytes) return std::nullopt;
+  for (const std::size_t n : shape) {
+    product *= n;  // two factors of at most 2^26, so it cannot overflow
+    if (product > max_array_bytes) return std::nullopt;
+  }
   return shape;
 }
 
@@ -115,7 +117,7 @@ Result<Array> array_of(std::string_view bytes, const std::string& name) {
     return fail(Errc::damaged, name + ": its size is not that of its numbers");
   }
   array.numbers.resize(count);
-  std::memcpy(array.numbers.data(), data.data(), data.size());
+  if (count > 0) std::memcpy(array.numbers.data(), data.data(), data.size());
   return array;
 }
 

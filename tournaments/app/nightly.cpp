@@ -37,12 +37,13 @@ Result<std::vector<EntryBooked>> new_entries(system::Files& files, const LeagueS
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     const std::string& team = state.file.teams[i].name;
     if (state.teams[i].status == TeamStatus::withdrawn) continue;
-    const int number = playing_entry(files, store.folder(), team);
-    if (number == 0 || number == state.teams[i].entry) continue;
+    const auto number = playing_entry(files, store.folder(), team);
+    if (!number) return tl::unexpected(number.error());
+    if (*number == 0 || *number == state.teams[i].entry) continue;
     const auto library =
-        files.read(store.folder().library(team, number), {.max_size = system::size_limit::entry});
+        files.read(store.folder().library(team, *number), {.max_size = system::size_limit::entry});
     if (!library) return tl::unexpected(library.error());
-    entries.push_back({.team = team, .entry = number, .sha256 = system::sha256(*library)});
+    entries.push_back({.team = team, .entry = *number, .sha256 = system::sha256(*library)});
   }
   return entries;
 }
@@ -160,7 +161,9 @@ Result<void> tell_program(system::Files& files, const std::string& program, cons
     return {};
   }
   const std::string told = home + "/told";
-  if (files.exists(told)) return {};
+  const auto mark = files.read_if_there(told, {.max_size = system::size_limit::note});
+  if (!mark) return tl::unexpected(mark.error());
+  if (*mark) return {};
   const std::string folder = std::filesystem::absolute(home);
   const auto code = system::run_child({.arguments = {program, folder}, .log = ""});
   if (!code) return tl::unexpected(code.error());

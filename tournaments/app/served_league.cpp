@@ -299,16 +299,18 @@ std::map<std::string, int> ServedLeague::entries_that_play() {
   const auto now = std::chrono::steady_clock::now();
   if (now - entries_looked_up_at_ < entries_interval) return entries_that_play_;
   entries_looked_up_at_ = now;
-  entries_that_play_.clear();
+  std::map<std::string, int> entries;
   const LeagueState& state = store_.state();
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     const TeamConfig& team = state.file.teams[i];
     if (state.teams[i].status == TeamStatus::withdrawn || team.is_on_network()) continue;
     const int booked = state.teams[i].entry;
-    const int entry = booked > 0 ? booked : playing_entry(files_, store_.folder(), team.name);
-    if (entry > 0) entries_that_play_[team.name] = entry;
+    const auto entry =
+        booked > 0 ? Result<int>(booked) : playing_entry(files_, store_.folder(), team.name);
+    if (!entry) return entries_that_play_;  // those of before, until it can be read
+    if (*entry > 0) entries[team.name] = *entry;
   }
-  return entries_that_play_;
+  return entries_that_play_ = std::move(entries);
 }
 
 std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {

@@ -94,7 +94,9 @@ Result<int> HandInBook::take(WaitingHandIn handed,
     // `league submit` numbers entries, too.
     const auto lock = system::FileLock::acquire(folder_.submitting());
     if (!lock) return tl::unexpected(lock.error());
-    handed.entry = std::max(next_entry(*files_, folder_, team), queue_.last_entry(team) + 1);
+    const auto next = next_entry(*files_, folder_, team);
+    if (!next) return tl::unexpected(next.error());
+    handed.entry = std::max(*next, queue_.last_entry(team) + 1);
     const auto made = make_entries_folder(*files_, folder_, team).and_then([&] {
       return files_->make_folder(folder_.entry(team, handed.entry), Readers::owner);
     });

@@ -103,7 +103,8 @@ void CheckRunner::book(const Running& check, const system::Exit& exit) {
   const std::string& team = check.handed.team;
   const int entry = check.handed.entry;
   const std::string path = output_of(check.handed);
-  const std::string output = files_.read(path, {.max_size = system::size_limit::log}).value_or("");
+  const auto said = files_.read(path, {.max_size = system::size_limit::log});
+  const std::string output = said ? *said : said.error().what;
   const std::size_t end = output.find_last_not_of('\n');
   const std::size_t begin = end == std::string::npos ? end : output.rfind('\n', end);
   const record::ParsedJson answer = record::parse_json(

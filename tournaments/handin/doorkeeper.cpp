@@ -42,15 +42,10 @@ Doorkeeper::Doorkeeper(system::Files& files, Folder folder, ProxyTrust trust)
 
 Result<void> Doorkeeper::read_tokens_again() {
   const std::string path = tokens_path(folder_);
-  if (!files_.exists(path)) {
-    tokens_text_.clear();
-    tokens_ = {};
-    return {};
-  }
-  auto text = files_.read(path, {.max_size = system::size_limit::note});
+  auto text = files_.read_if_there(path, {.max_size = system::size_limit::note});
   if (!text) return tl::unexpected(text.error());
   if (*text == tokens_text_) return {};
-  auto tokens = parse_tokens(*text, path);
+  auto tokens = *text ? parse_tokens(**text, path) : TokenList{};
   if (!tokens) return tl::unexpected(tokens.error());
   tokens_text_ = std::move(*text);
   tokens_ = std::move(*tokens);

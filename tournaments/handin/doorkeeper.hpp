@@ -85,7 +85,7 @@ class Doorkeeper {
   system::Files& files_;
   Folder folder_;
   ProxyTrust trust_;
-  std::string tokens_text_;
+  std::optional<std::string> tokens_text_;  // nothing: there are no tokens
   TokenList tokens_;
   Sessions sessions_;
   WrongTokens wrong_;

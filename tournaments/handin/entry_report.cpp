@@ -42,12 +42,16 @@ CheckStep read_step(std::string_view line) {
 }
 
 // The verdict of an entry whose check has ended; null if there is none.
-Json verdict_of(system::Files& files, const Folder& folder, const std::string& team, int entry) {
+Result<Json> verdict_of(system::Files& files, const Folder& folder, const std::string& team,
+                        int entry) {
   if (!files.exists(folder.entry_file(team, entry))) return Json();
-  const auto text = files.read(folder.verdict(team, entry), {.max_size = system::size_limit::note});
-  if (!text) return Json();
-  record::ParsedJson parsed = record::parse_json(*text);
-  return parsed.problem || !parsed.value.is_object() ? Json() : std::move(parsed.value);
+  const std::string path = folder.verdict(team, entry);
+  const auto text = files.read_if_there(path, {.max_size = system::size_limit::note});
+  if (!text) return tl::unexpected(text.error());
+  if (!*text) return Json();
+  return record::read_json<Json>(**text, path, Errc::damaged, [](const record::JsonReader& json) {
+    return json.expect_object() ? json.json() : Json();
+  });
 }
 
 std::string verdict_text(const Json& object, const char* key) {
@@ -59,8 +63,9 @@ Json text_or_null(const std::string& text) {
   return text.empty() ? Json() : Json(text);
 }
 
-Json report_of(system::Files& files, const Folder& folder, const std::string& team, int entry,
-               const WaitingHandIn* waiting, int before, const CheckStep& step, bool is_whole) {
+Result<Json> report_of(system::Files& files, const Folder& folder, const std::string& team,
+                       int entry, const WaitingHandIn* waiting, int before, const CheckStep& step,
+                       bool is_whole) {
   const bool is_stored = files.exists(folder.entry_file(team, entry));
   if (waiting == nullptr && !is_stored) return Json();
   Json report{{"entry", entry}, {"team", team}};
@@ -69,11 +74,14 @@ Json report_of(system::Files& files, const Folder& folder, const std::string& te
     report["reason"] = Json();
     report["message"] = Json();
   } else {
-    const Json verdict = verdict_of(files, folder, team, entry);
-    const bool is_accepted = is_stored && is_accepted_entry(files, folder, team, entry);
-    report["state"] = to_string(waiting != nullptr ? waiting->state
-                                : is_accepted      ? HandInState::accepted
-                                                   : HandInState::refused);
+    const auto read = verdict_of(files, folder, team, entry);
+    if (!read) return read;
+    const Json& verdict = *read;
+    const auto is_accepted = is_accepted_entry(files, folder, team, entry);
+    if (!is_accepted) return tl::unexpected(is_accepted.error());
+    report["state"] = to_string(waiting != nullptr          ? waiting->state
+                                : is_stored && *is_accepted ? HandInState::accepted
+                                                            : HandInState::refused);
     const std::string message = waiting != nullptr ? waiting->message : "";
     const std::string reason = verdict_text(verdict, "reason");
     const bool has_reason = report["state"] != to_string(HandInState::accepted);
@@ -117,13 +125,15 @@ CheckStep last_step(std::string_view output) {
   }
 }
 
-Json entry_report(system::Files& files, const Folder& folder, const std::string& team, int entry,
-                  const WaitingHandIn* waiting, int before, const CheckStep& step) {
+Result<Json> entry_report(system::Files& files, const Folder& folder, const std::string& team,
+                          int entry, const WaitingHandIn* waiting, int before,
+                          const CheckStep& step) {
   return report_of(files, folder, team, entry, waiting, before, step, true);
 }
 
-Json entry_summary(system::Files& files, const Folder& folder, const std::string& team, int entry,
-                   const WaitingHandIn* waiting, int before, const CheckStep& step) {
+Result<Json> entry_summary(system::Files& files, const Folder& folder, const std::string& team,
+                           int entry, const WaitingHandIn* waiting, int before,
+                           const CheckStep& step) {
   return report_of(files, folder, team, entry, waiting, before, step, false);
 }
 

@@ -86,9 +86,10 @@ Result<void> FriendlyDesk::entry_accepted(const std::string& team, int entry, st
 web::Reply FriendlyDesk::ask(const std::string& team, const std::string& opponent,
                              std::int64_t now) {
   const auto teams = options_.teams();
-  const int entry = playing_entry(files_, folder_, team);
-  if (entry == 0) return problem_reply(403, team + " has no accepted entry to play with");
-  Friendly leg{.team = team, .entry = entry, .opponent = opponent, .at = now};
+  const auto entry = playing_entry(files_, folder_, team);
+  if (!entry) return host_failed(entry.error());
+  if (*entry == 0) return problem_reply(403, team + " has no accepted entry to play with");
+  Friendly leg{.team = team, .entry = *entry, .opponent = opponent, .at = now};
   if (is_house(opponent)) {
     const std::string name = opponent.substr(opponent.find(':') + 1);
     if (std::find(options_.house.begin(), options_.house.end(), name) == options_.house.end())
@@ -197,8 +198,9 @@ web::Reply FriendlyDesk::show(const std::string& visitor, std::string_view rest)
   if (!files_.exists(record)) return nothing();
   if (what == "log") {
     const std::string path = log_path(folder_, leg_of(*known, visitor));
-    const std::string log = files_.read(path, {.max_size = system::size_limit::log}).value_or("");
-    return {.status = 200, .bytes = system::printable(log, system::LineEnds::kept)};
+    const auto log = files_.read_if_there(path, {.max_size = system::size_limit::log});
+    if (!log) return host_failed(log.error());
+    return {.status = 200, .bytes = system::printable(log->value_or(""), system::LineEnds::kept)};
   }
   if (what != "replay") return nothing();
   auto page = options_.replay(record, own_side(leg_of(*known, visitor)));

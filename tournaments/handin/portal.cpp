@@ -218,7 +218,9 @@ web::Reply Portal::entry_reply(const std::string& team, std::string_view rest) {
   const std::size_t slash = std::min(rest.find('/'), rest.size());
   const auto number = number_of(rest.substr(0, slash));
   const std::string_view what = rest.substr(slash);
-  const Json entry = number ? report(team, *number, true) : Json();
+  const auto known = number ? report(team, *number, true) : Json();
+  if (!known) return host_failed(known.error());
+  const Json& entry = *known;
   if (!entry.is_null() && what.empty())
     return page_reply(200, entry_page(entry, options_.time_in_words));
   if (entry.is_null() || what != "/replay" || !entry.contains("replay"))
@@ -231,13 +233,18 @@ web::Reply Portal::entry_reply(const std::string& team, std::string_view rest) {
 web::Reply Portal::team_page(const std::string& team) {
   TeamDesk desk;
   desk.team = team;
-  desk.entries = reports(team);
+  auto entries = reports(team);
+  if (!entries) return host_failed(entries.error());
+  desk.entries = std::move(*entries);
   desk.legs = own_legs_json(files_, folder_, options_.legs(team), costs_);
   desk.friendlies = friendlies_->list(team, costs_);
   desk.opponents = friendlies_->opponents(team);
-  desk.playing = playing_entry(files_, folder_, team);
+  const auto playing = playing_entry(files_, folder_, team);
+  if (!playing) return host_failed(playing.error());
+  desk.playing = *playing;
   const auto known = read_hand_ins(files_, folder_, team);
-  desk.is_pinned = known && known->pinned > 0 && known->pinned == desk.playing;
+  if (!known) return host_failed(known.error());
+  desk.is_pinned = known->pinned > 0 && known->pinned == desk.playing;
   desk.statistics = options_.statistics(team);
   desk.time_in_words = options_.time_in_words;
   if (options_.digest) desk.digest = options_.digest(team);
@@ -263,8 +270,9 @@ web::Reply Portal::pin(const web::Request& request, const Visitor& visitor) {
   if (auto written = book_.pin(visitor.team, *entry, now); !written)
     return host_failed(written.error());
   ++version_;
-  return json_reply(200, {{"pinned", *entry > 0 ? Json(*entry) : Json()},
-                          {"playing", playing_entry(files_, folder_, visitor.team)}});
+  const auto playing = playing_entry(files_, folder_, visitor.team);
+  if (!playing) return host_failed(playing.error());
+  return json_reply(200, {{"pinned", *entry > 0 ? Json(*entry) : Json()}, {"playing", *playing}});
 }
 
 web::Reply Portal::friendly_reply(const web::Request& request, const Visitor& visitor) {
@@ -302,16 +310,21 @@ web::Reply Portal::api(const web::Request& request, const web::Body& body) {
   if (!is_good_name(team)) return problem_reply(400, "?team=NAME is expected");
   if (is_leg) return leg_reply(team, path.substr(legs_path.size()));
   std::string_view rest = path.substr(entries_path.size());
-  if (rest.empty()) return json_reply(200, {{"team", team}, {"entries", reports(team)}});
+  if (rest.empty()) {
+    const auto entries = reports(team);
+    if (!entries) return host_failed(entries.error());
+    return json_reply(200, {{"team", team}, {"entries", *entries}});
+  }
   if (!rest.starts_with("/")) return problem_reply(404, "there is nothing of this name here");
   rest.remove_prefix(1);
   const std::size_t slash = std::min(rest.find('/'), rest.size());
   const auto entry = number_of(rest.substr(0, slash));
   const std::string_view what = rest.substr(slash);
-  const Json known_entry = entry ? report(team, *entry, true) : Json();
-  if (known_entry.is_null() || (what != "" && what != "/events"))
+  const auto known_entry = entry ? report(team, *entry, true) : Json();
+  if (!known_entry) return host_failed(known_entry.error());
+  if (known_entry->is_null() || (what != "" && what != "/events"))
     return problem_reply(404, team + " has no entry of this number");
-  return what.empty() ? json_reply(200, known_entry) : events(team, *entry);
+  return what.empty() ? json_reply(200, *known_entry) : events(team, *entry);
 }
 
 // `rest` is what follows the path of all legs.
@@ -327,8 +340,9 @@ web::Reply Portal::leg_reply(const std::string& team, std::string_view rest) {
     for (const OwnLeg& leg : legs) {
       if (leg.record.empty() || rest != name_of_leg(leg) + std::string(log_end)) continue;
       const std::string path = log_path(folder_, leg);
-      const std::string log = files_.read(path, {.max_size = system::size_limit::log}).value_or("");
-      return {.status = 200, .bytes = system::printable(log, system::LineEnds::kept)};
+      const auto log = files_.read_if_there(path, {.max_size = system::size_limit::log});
+      if (!log) return host_failed(log.error());
+      return {.status = 200, .bytes = system::printable(log->value_or(""), system::LineEnds::kept)};
     }
   }
   return problem_reply(404, team + " has played no leg of this name");
@@ -476,7 +490,9 @@ web::Reply Portal::events(const std::string& team, int entry) {
     const std::uint64_t version = version_;
     if (version == seen) return {};
     seen = version;
-    const Json now = report(team, entry, true);
+    const auto known = report(team, entry, true);
+    if (!known) return {};
+    const Json& now = *known;
     std::string text = "event: state\ndata: " + record::json_text(now) + "\n\n";
     if (text == told) return {};
     told = text;
@@ -487,7 +503,7 @@ web::Reply Portal::events(const std::string& team, int entry) {
   return reply;
 }
 
-Json Portal::report(const std::string& team, int entry, bool is_whole) {
+Result<Json> Portal::report(const std::string& team, int entry, bool is_whole) {
   std::optional<WaitingHandIn> waiting;
   int before = 0;
   CheckStep step;
@@ -499,23 +515,26 @@ Json Portal::report(const std::string& team, int entry, bool is_whole) {
   }
   const WaitingHandIn* known = waiting ? &*waiting : nullptr;
   if (!is_whole) return entry_summary(files_, folder_, team, entry, known, before, step);
-  Json whole = entry_report(files_, folder_, team, entry, known, before, step);
-  if (!whole.is_null() && files_.exists(folder_.gate_leg(team, entry)))
-    whole["replay"] = std::string(entry_pages_path) + std::to_string(entry) + "/replay";
+  auto whole = entry_report(files_, folder_, team, entry, known, before, step);
+  if (whole && !whole->is_null() && files_.exists(folder_.gate_leg(team, entry)))
+    (*whole)["replay"] = std::string(entry_pages_path) + std::to_string(entry) + "/replay";
   return whole;
 }
 
 // Returns the summaries of all entries of a team, the latest first.
-Json Portal::reports(const std::string& team) {
-  std::set<int> numbers;
-  for (const int number : entries_of(files_, folder_, team)) numbers.insert(number);
+Result<Json> Portal::reports(const std::string& team) {
+  const auto entries = entries_of(files_, folder_, team);
+  if (!entries) return tl::unexpected(entries.error());
+  std::set<int> numbers(entries->begin(), entries->end());
   {
     const std::lock_guard lock(mutex_);
     for (const WaitingHandIn* handed : book_.queue().of_team(team)) numbers.insert(handed->entry);
   }
   Json list = Json::array();
   for (auto number = numbers.rbegin(); number != numbers.rend(); ++number) {
-    if (Json one = report(team, *number, false); !one.is_null()) list.push_back(std::move(one));
+    auto one = report(team, *number, false);
+    if (!one) return one;
+    if (!one->is_null()) list.push_back(std::move(*one));
   }
   return list;
 }

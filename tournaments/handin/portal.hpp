@@ -102,8 +102,8 @@ class Portal {
   web::Reply leg_reply(const std::string& team, std::string_view rest);
   web::Reply events(const std::string& team, int entry);
   std::optional<web::Reply> refused_now(const std::string& team);
-  Json report(const std::string& team, int entry, bool is_whole);
-  Json reports(const std::string& team);
+  Result<Json> report(const std::string& team, int entry, bool is_whole);
+  Result<Json> reports(const std::string& team);
   Json about(const Visitor& visitor);
 
   system::Files& files_;

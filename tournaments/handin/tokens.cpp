@@ -114,10 +114,9 @@ std::string tokens_path(const Folder& folder) {
 
 Result<TokenList> read_tokens(system::Files& files, const Folder& folder) {
   const std::string path = tokens_path(folder);
-  if (!files.exists(path)) return TokenList{};
-  const auto text = files.read(path, {.max_size = system::size_limit::note});
+  const auto text = files.read_if_there(path, {.max_size = system::size_limit::note});
   if (!text) return tl::unexpected(text.error());
-  return parse_tokens(*text, path);
+  return *text ? parse_tokens(**text, path) : TokenList{};
 }
 
 Result<TokenList> parse_tokens(const std::string& text, const std::string& path) {

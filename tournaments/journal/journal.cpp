@@ -47,19 +47,19 @@ Result<Journal> Journal::open(system::Files& files, std::string path, std::strin
 }
 
 Result<void> Journal::refresh() {
-  if (!files_->exists(path_)) return {};
-  const auto text = files_->read_from(
-      path_, size_, {.max_size = system::size_limit::journal, .growth = system::Growth::ignored});
-  if (!text) return tl::unexpected(text.error());
+  const auto there = files_->read_if_there(
+      path_, {.max_size = system::size_limit::journal, .growth = system::Growth::ignored}, size_);
+  if (!there) return tl::unexpected(there.error());
+  if (!*there) return {};
+  const std::string& text = **there;
   std::size_t begin = 0;
-  for (std::size_t end = text->find('\n'); end != std::string::npos;
-       end = text->find('\n', begin)) {
-    const auto line = std::string_view(*text).substr(begin, end - begin);
+  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
+    const auto line = std::string_view(text).substr(begin, end - begin);
     if (auto read = read_line(line); !read) return read;
     size_ += end + 1 - begin;
     begin = end + 1;
   }
-  is_torn_ = begin < text->size();
+  is_torn_ = begin < text.size();
   return {};
 }
 

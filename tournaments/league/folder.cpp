@@ -18,10 +18,11 @@ namespace {
 constexpr std::string_view house_prefix = "house:";
 
 // Returns the numbers of all folders of the team's entries, in their order.
-std::vector<int> numbers_in(system::Files& files, const Folder& folder, const std::string& team) {
+Result<std::vector<int>> numbers_in(system::Files& files, const Folder& folder,
+                                    const std::string& team) {
   std::vector<int> numbers;
-  const auto names = files.names_in(folder.entries() + "/" + team);
-  if (!names) return numbers;
+  const auto names = files.names_if_there(folder.entries() + "/" + team);
+  if (!names) return tl::unexpected(names.error());
   for (const std::string& name : *names) {
     int number = 0;
     const char* const end = name.data() + name.size();
@@ -37,7 +38,7 @@ std::vector<int> numbers_in(system::Files& files, const Folder& folder, const st
 Result<void> expect_league(system::Files& files, const Folder& folder) {
   if (files.exists(folder.config())) return {};
   // A folder that is closed to this user hides its league.json.
-  if (const auto names = files.names_in(folder.path); !names && files.exists(folder.path))
+  if (const auto names = files.names_if_there(folder.path); !names)
     return tl::unexpected(names.error());
   return fail(Errc::input, folder.path + " is not a league: there is no league.json in it");
 }
@@ -85,42 +86,59 @@ Result<void> add_entry(system::Files& files, const Folder& folder, const std::st
       });
 }
 
-std::vector<int> entries_of(system::Files& files, const Folder& folder, const std::string& team) {
-  std::vector<int> numbers = numbers_in(files, folder, team);
-  std::erase_if(numbers,
+Result<std::vector<int>> entries_of(system::Files& files, const Folder& folder,
+                                    const std::string& team) {
+  auto numbers = numbers_in(files, folder, team);
+  if (!numbers) return numbers;
+  std::erase_if(*numbers,
                 [&](int number) { return !files.exists(folder.entry_file(team, number)); });
   return numbers;
 }
 
-int next_entry(system::Files& files, const Folder& folder, const std::string& team) {
-  const std::vector<int> numbers = numbers_in(files, folder, team);
-  return numbers.empty() ? 1 : numbers.back() + 1;
-}
-
-int last_entry(system::Files& files, const Folder& folder, const std::string& team) {
-  const std::vector<int> numbers = entries_of(files, folder, team);
-  return numbers.empty() ? 0 : numbers.back();
-}
-
-bool is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,
-                       int number) {
-  const std::string verdict = folder.verdict(team, number);
-  if (!files.exists(verdict)) return true;  // stored by the host without a check
-  const auto text = files.read(verdict, {.max_size = system::size_limit::note});
-  if (!text) return false;
-  // A verdict that cannot be read is none.
-  return record::read_json<bool>(
-             *text, verdict, Errc::damaged,
-             [](const record::JsonReader& json) { return json.at("accepted").boolean(); })
-      .value_or(false);
-}
-
-int last_accepted_entry(system::Files& files, const Folder& folder, const std::string& team) {
-  const std::vector<int> numbers = entries_of(files, folder, team);
-  const auto last = std::find_if(numbers.rbegin(), numbers.rend(), [&](int number) {
-    return is_accepted_entry(files, folder, team, number);
+Result<int> next_entry(system::Files& files, const Folder& folder, const std::string& team) {
+  return numbers_in(files, folder, team).map([](const std::vector<int>& numbers) {
+    return numbers.empty() ? 1 : numbers.back() + 1;
   });
-  return last == numbers.rend() ? 0 : *last;
+}
+
+Result<int> last_entry(system::Files& files, const Folder& folder, const std::string& team) {
+  return entries_of(files, folder, team).map([](const std::vector<int>& numbers) {
+    return numbers.empty() ? 0 : numbers.back();
+  });
+}
+
+Result<std::string> sha256_of_entry(system::Files& files, const Folder& folder,
+                                    const std::string& team, int number) {
+  const std::string path = folder.entry_file(team, number);
+  const auto text = files.read_if_there(path, {.max_size = system::size_limit::note});
+  if (!text) return tl::unexpected(text.error());
+  if (!*text) return "";
+  return record::read_json<std::string>(
+      **text, path, Errc::damaged,
+      [](const record::JsonReader& json) { return json.at("sha256").text(); });
+}
+
+Result<bool> is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,
+                               int number) {
+  const std::string verdict = folder.verdict(team, number);
+  const auto text = files.read_if_there(verdict, {.max_size = system::size_limit::note});
+  if (!text) return tl::unexpected(text.error());
+  if (!*text) return true;  // stored by the host without a check
+  return record::read_json<bool>(
+      **text, verdict, Errc::damaged,
+      [](const record::JsonReader& json) { return json.at("accepted").boolean(); });
+}
+
+Result<int> last_accepted_entry(system::Files& files, const Folder& folder,
+                                const std::string& team) {
+  const auto numbers = entries_of(files, folder, team);
+  if (!numbers) return tl::unexpected(numbers.error());
+  for (auto number = numbers->rbegin(); number != numbers->rend(); ++number) {
+    const auto is_accepted = is_accepted_entry(files, folder, team, *number);
+    if (!is_accepted) return tl::unexpected(is_accepted.error());
+    if (*is_accepted) return *number;
+  }
+  return 0;
 }
 
 Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Folder& folder,
@@ -128,19 +146,22 @@ Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Fol
   std::vector<std::string> adopted;
   for (const TeamConfig& team : file.teams) {
     if (team.hands_in()) continue;
-    const int last = last_entry(files, folder, team.name);
+    const auto last = last_entry(files, folder, team.name);
+    if (!last) return tl::unexpected(last.error());
     const bool may_change = team.is_house() || team.is_firasim();
-    if (last > 0 && (!may_change || files.exists(folder.verdict(team.name, last)))) continue;
+    if (*last > 0 && (!may_change || files.exists(folder.verdict(team.name, *last)))) continue;
     const auto library = library_of(files, team, folder.path);
     if (!library) return tl::unexpected(library.error());
-    if (last > 0) {
-      const auto before =
-          files.read(folder.library(team.name, last), {.max_size = system::size_limit::entry});
-      if (before && *before == *library) continue;
+    if (*last > 0) {
+      const auto before = files.read_if_there(folder.library(team.name, *last),
+                                              {.max_size = system::size_limit::entry});
+      if (!before) return tl::unexpected(before.error());
+      if (*before == *library) continue;
     }
-    const int number = next_entry(files, folder, team.name);
-    if (auto added = add_entry(files, folder, team.name, number, *library); !added)
-      return tl::unexpected(added.error());
+    const auto added = next_entry(files, folder, team.name).and_then([&](int number) {
+      return add_entry(files, folder, team.name, number, *library);
+    });
+    if (!added) return tl::unexpected(added.error());
     adopted.push_back(team.name);
   }
   return adopted;

@@ -125,19 +125,26 @@ Result<void> make_entries_folder(system::Files& files, const Folder& folder,
                                  const std::string& team);
 
 // Returns the numbers of the entries that are kept, in the order in which they were handed in.
-std::vector<int> entries_of(system::Files& files, const Folder& folder, const std::string& team);
+Result<std::vector<int>> entries_of(system::Files& files, const Folder& folder,
+                                    const std::string& team);
 
 // Returns the number of the next entry: one more than the highest for which there is a folder, even
 // of an entry that does not exist because its check has not ended.
-int next_entry(system::Files& files, const Folder& folder, const std::string& team);
+Result<int> next_entry(system::Files& files, const Folder& folder, const std::string& team);
 
-// True if the entry passed its check, or was stored by the host without one.
-bool is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,
-                       int number);
+// Returns the SHA-256 of a kept entry; "" if there is none of that number.
+Result<std::string> sha256_of_entry(system::Files& files, const Folder& folder,
+                                    const std::string& team, int number);
+
+// True if the entry passed its check, or was stored by the host without one. A verdict that cannot
+// be read is an error, because the entry may be the one that plays.
+Result<bool> is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,
+                               int number);
 
 // Returns the number of the last entry that was handed in, and of the last that was not rejected;
 // 0 if there is none.
-int last_entry(system::Files& files, const Folder& folder, const std::string& team);
-int last_accepted_entry(system::Files& files, const Folder& folder, const std::string& team);
+Result<int> last_entry(system::Files& files, const Folder& folder, const std::string& team);
+Result<int> last_accepted_entry(system::Files& files, const Folder& folder,
+                                const std::string& team);
 
 }  // namespace mirocup::league

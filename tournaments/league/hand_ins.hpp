@@ -51,7 +51,7 @@ Result<void> write_hand_ins(system::Files& files, const Folder& folder, const st
 
 // Returns the entry that plays for a team from now on: the one that it has pinned, as long as that
 // is kept, or its last accepted one; 0 if there is none.
-int playing_entry(system::Files& files, const Folder& folder, const std::string& team);
+Result<int> playing_entry(system::Files& files, const Folder& folder, const std::string& team);
 
 // Adds a try, and forgets those that no quota needs.
 void add_try(HandIns& known, Try next);
@@ -65,7 +65,7 @@ Try* find_try(HandIns& known, int entry);
 int tries_in_last_hour(const HandIns& known, std::int64_t now, const std::optional<uid_t>& user);
 
 // The number of teams for which this user hands in or has tried to.
-int teams_of_user(system::Files& files, const Folder& folder, uid_t user);
+Result<int> teams_of_user(system::Files& files, const Folder& folder, uid_t user);
 
 // Removes versions beyond the quota, refused ones first, and the library of each refused version
 // but the newest. Versions in `played`, the one that is pinned, the last that was

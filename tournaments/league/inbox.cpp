@@ -42,7 +42,8 @@ Result<std::vector<Waiting>> waiting_in(system::Files& files, const std::string&
     if (end == ends_of_entries.end()) continue;
     const std::string path = inbox + "/" + name;
     const auto owner = system::owner_of(path);
-    if (!owner) continue;  // removed since
+    if (!owner && !files.exists(path)) continue;  // removed since
+    if (!owner) return fail(Errc::unavailable, path + " cannot be looked at");
     all.push_back(
         {.path = path, .team = name.substr(0, name.size() - end->size()), .turn = turns[*owner]++});
   }

@@ -78,11 +78,13 @@ std::string kept_program(const Folder& folder, const std::string& game) {
   return folder.programs() + "/" + game + "/mirocup";
 }
 
-std::string game_of_record(system::Files& files, const Folder& folder, const std::string& record) {
+Result<std::string> game_of_record(system::Files& files, const Folder& folder,
+                                   const std::string& record) {
   const std::string path = folder.path + "/" + record;
-  const auto text = files.read(path, {.max_size = system::size_limit::record});
-  if (!text) return "";
-  return record::read_json<std::string>(*text, path, Errc::damaged, read_game).value_or("");
+  const auto text = files.read_if_there(path, {.max_size = system::size_limit::record});
+  if (!text) return tl::unexpected(text.error());
+  if (!*text) return "";
+  return record::read_json<std::string>(**text, path, Errc::damaged, read_game);
 }
 
 Result<bool> is_trusted_program(const std::string& bytes) {

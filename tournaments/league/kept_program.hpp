@@ -23,9 +23,11 @@ inline constexpr std::uint64_t max_program = 256u << 20;
 // The path at which the copy of the match server of that behaviour (`game` in records) is kept.
 std::string kept_program(const Folder& folder, const std::string& game);
 
-// Returns the behaviour of the program that played a record, a path inside the folder; "" if the
-// record cannot be read, or is from before it was written down.
-std::string game_of_record(system::Files& files, const Folder& folder, const std::string& record);
+// Returns the behaviour of the program that played a record, a path inside the folder; "" if there
+// is no such record, or if it is from before the behaviour was written down. Errors: the record
+// cannot be read, or is damaged.
+Result<std::string> game_of_record(system::Files& files, const Folder& folder,
+                                   const std::string& record);
 
 // Whether this host's list holds the program with these bytes. Errors: the list cannot be read, or
 // others may write to it.

@@ -68,10 +68,11 @@ Result<void> set_colour(People& one, const std::string& colour) {
 }
 
 Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder) {
-  if (!files.exists(folder.people())) return PeopleOfTeams{};
-  const auto text = files.read(folder.people(), {.max_size = system::size_limit::league_file});
+  const auto text =
+      files.read_if_there(folder.people(), {.max_size = system::size_limit::league_file});
   if (!text) return tl::unexpected(text.error());
-  return record::read_json<PeopleOfTeams>(*text, folder.people(), Errc::input, read_teams_file);
+  if (!*text) return PeopleOfTeams{};
+  return record::read_json<PeopleOfTeams>(**text, folder.people(), Errc::input, read_teams_file);
 }
 
 Result<void> write_people(system::Files& files, const Folder& folder, const PeopleOfTeams& people) {

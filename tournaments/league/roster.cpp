@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/roster.hpp"
 
-#include "server/record/json_reader.hpp"
 #include "tournaments/league/hand_ins.hpp"
 
 #include <nlohmann/json.hpp>
@@ -9,22 +8,6 @@
 #include <map>
 
 namespace mirocup::league {
-
-namespace {
-
-std::string sha256_of_entry(system::Files& files, const Folder& folder, const std::string& team,
-                            int number) {
-  if (number == 0) return "";
-  const std::string path = folder.entry_file(team, number);
-  const auto text = files.read(path, {.max_size = system::size_limit::note});
-  if (!text) return "";
-  return record::read_json<std::string>(
-             *text, path, Errc::damaged,
-             [](const record::JsonReader& json) { return json.at("sha256").text(); })
-      .value_or("");
-}
-
-}  // namespace
 
 std::string RosterRow::state() const {
   if (handed_in.empty()) return last_entry > 0 ? "given by the host" : "nothing handed in";
@@ -47,8 +30,9 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
     row.playing_entry = state.teams[i].entry;
     rows.push_back(std::move(row));
   }
-  for (const std::string& name :
-       files.names_in(folder.entries()).value_or(std::vector<std::string>())) {
+  const auto names = files.names_if_there(folder.entries());
+  if (!names) return tl::unexpected(names.error());
+  for (const std::string& name : *names) {
     if (!is_good_name(name) || state.find_team(name)) continue;
     RosterRow row;
     row.team = name;
@@ -60,9 +44,15 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
     RosterRow& row = rows[i];
     if (const auto known = people->find(row.team); known != people->end())
       row.people = known->second;
-    row.last_entry = last_entry(files, folder, row.team);
-    row.last_accepted = league::playing_entry(files, folder, row.team);
-    row.sha256 = sha256_of_entry(files, folder, row.team, row.last_accepted);
+    const auto newest = last_entry(files, folder, row.team);
+    if (!newest) return tl::unexpected(newest.error());
+    const auto playing = playing_entry(files, folder, row.team);
+    if (!playing) return tl::unexpected(playing.error());
+    const auto sha256 = sha256_of_entry(files, folder, row.team, *playing);
+    if (!sha256) return tl::unexpected(sha256.error());
+    row.last_entry = *newest;
+    row.last_accepted = *playing;
+    row.sha256 = *sha256;
     if (!row.sha256.empty()) by_file[row.sha256].push_back(i);
     const auto known = read_hand_ins(files, folder, row.team);
     if (!known) return tl::unexpected(known.error());

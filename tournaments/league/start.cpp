@@ -19,7 +19,9 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
   const bool is_nightly = state.file.format.kind == FormatKind::nightly;
   int ready = 0;
   for (const TeamConfig& team : state.file.teams) {
-    if (last_accepted_entry(files, store.folder(), team.name) > 0) {
+    const auto accepted = last_accepted_entry(files, store.folder(), team.name);
+    if (!accepted) return tl::unexpected(accepted.error());
+    if (*accepted > 0) {
       ++ready;
     } else if (!is_nightly) {
       return fail(Errc::input, team.name + " has no entry that was accepted");
@@ -49,13 +51,15 @@ Result<void> book_entries(system::Files& files, LeagueStore& store) {
     if (booked.status == TeamStatus::withdrawn) continue;
     // A night books the entries of a nightly league.
     if (booked.entry == 0 && state.file.format.kind == FormatKind::nightly) continue;
-    const int number = booked.entry > 0 ? booked.entry : playing_entry(files, store.folder(), team);
-    const std::string path = store.folder().library(team, number);
+    const auto number =
+        booked.entry > 0 ? Result<int>(booked.entry) : playing_entry(files, store.folder(), team);
+    if (!number) return tl::unexpected(number.error());
+    const std::string path = store.folder().library(team, *number);
     const auto library = files.read(path, {.max_size = system::size_limit::entry});
     if (!library) return tl::unexpected(library.error());
     const std::string sha256 = system::sha256(*library);
     if (booked.entry == 0) {
-      if (auto written = store.write(EntryBooked{.team = team, .entry = number, .sha256 = sha256});
+      if (auto written = store.write(EntryBooked{.team = team, .entry = *number, .sha256 = sha256});
           !written) {
         return written;
       }

@@ -105,19 +105,6 @@ Result<void> add_team(system::Files& files, LeagueStore& store, const HandIn& ha
   return files.write(store.folder().config(), print_league_file(file));
 }
 
-// Returns the SHA-256 of a kept entry; "" if there is none.
-std::string sha256_of(system::Files& files, const Folder& folder, const std::string& team,
-                      int number) {
-  if (number == 0) return "";
-  const auto text =
-      files.read(folder.entry_file(team, number), {.max_size = system::size_limit::note});
-  if (!text) return "";
-  return record::read_json<std::string>(
-             *text, folder.entry_file(team, number), Errc::damaged,
-             [](const record::JsonReader& json) { return json.at("sha256").text(); })
-      .value_or("");
-}
-
 // Returns the entries of a team that the journal lets play, now or before.
 std::vector<int> played_entries(const LeagueStore& store, const std::string& team) {
   std::vector<int> numbers;
@@ -267,7 +254,9 @@ Result<void> let_play(system::Files& files, LeagueStore& store, const HandIn& ha
   // A later one may have been quicker, or this one was booked by a process that died.
   if (store.state().teams[*store.state().find_team(team)].entry >= number) return {};
   // A team that has pinned a version plays on with that.
-  if (playing_entry(files, store.folder(), team) != number) return {};
+  const auto playing = playing_entry(files, store.folder(), team);
+  if (!playing) return tl::unexpected(playing.error());
+  if (*playing != number) return {};
   return store.write(EntryBooked{.team = team, .entry = number, .sha256 = system::sha256(library)});
 }
 
@@ -309,16 +298,19 @@ Result<Found> examine(const HandIn& handed) {
 }
 
 // Returns why this user hands in nothing for the team; "" if the user may.
-std::string objection_to_user(system::Files& files, const Folder& folder, const std::string& team,
-                              const HandIns& known, const std::optional<uid_t>& user,
-                              const Quota& quota) {
+Result<std::string> objection_to_user(system::Files& files, const Folder& folder,
+                                      const std::string& team, const HandIns& known,
+                                      const std::optional<uid_t>& user, const Quota& quota) {
   if (!user || known.owner == user) return "";
   if (known.owner) {
     return "the file belongs to " + system::name_of_user(*user) + ", and " +
            system::name_of_user(*known.owner) + " hands in for " + team +
            "; league owner changes that";
   }
-  if (known.last_user != user && teams_of_user(files, folder, *user) >= quota.teams_per_user) {
+  if (known.last_user == user) return "";
+  const auto teams = teams_of_user(files, folder, *user);
+  if (!teams) return tl::unexpected(teams.error());
+  if (*teams >= quota.teams_per_user) {
     return system::name_of_user(*user) + " hands in for " + std::to_string(quota.teams_per_user) +
            " teams already, which is the most for one user";
   }
@@ -352,7 +344,7 @@ class Desk {
     result.message = handed_.team + ": not taken: " + why;
     return result;
   }
-  std::string objection(const Found& found) const;
+  Result<std::string> objection(const Found& found) const;
   const std::string& team() const { return handed_.team; }
   const Folder& folder() const { return store_.folder(); }
   bool has_verdict() const {
@@ -368,10 +360,10 @@ class Desk {
   HandIns known_;
 };
 
-std::string Desk::objection(const Found& found) const {
+Result<std::string> Desk::objection(const Found& found) const {
   std::string why = why_not_now(store_.state(), team(), utc_text(handed_.at));
-  if (why.empty()) why = objection_to_user(files_, folder(), team(), known_, found.user, quota_);
-  return why;
+  if (!why.empty()) return why;
+  return objection_to_user(files_, folder(), team(), known_, found.user, quota_);
 }
 
 void Desk::note_try(const Found& found) {
@@ -389,14 +381,20 @@ Result<std::optional<Submission>> Desk::receive(const Found& found) {
   if (!known) return tl::unexpected(known.error());
   known_ = std::move(*known);
   if (has_verdict()) return std::nullopt;
-  if (found.why_not.empty() && handed_.is_from_inbox &&
-      sha256_of(files_, folder(), team(), last_entry(files_, folder(), team())) ==
-          system::sha256(found.library)) {
-    Submission nothing;
-    nothing.is_news = false;
-    return nothing;
+  if (found.why_not.empty() && handed_.is_from_inbox) {
+    const auto last = last_entry(files_, folder(), team()).and_then([&](int number) {
+      return sha256_of_entry(files_, folder(), team(), number);
+    });
+    if (!last) return tl::unexpected(last.error());
+    if (*last == system::sha256(found.library)) {
+      Submission nothing;
+      nothing.is_news = false;
+      return nothing;
+    }
   }
-  if (const std::string why = objection(found); !why.empty()) return not_taken(why);
+  const auto why = objection(found);
+  if (!why) return tl::unexpected(why.error());
+  if (!why->empty()) return not_taken(*why);
   // An inbox that is read each minute finds a file that is refused again and again: one try.
   if (handed_.is_from_inbox && !found.why_not.empty() && known_.last_file == found.identity)
     return not_taken(found.why_not);
@@ -404,7 +402,11 @@ Result<std::optional<Submission>> Desk::receive(const Found& found) {
     return not_taken("it has had " + std::to_string(quota_.tries_per_hour) +
                      " tries in the last hour; hand it in later");
   }
-  if (number_ == 0 && found.why_not.empty()) number_ = next_entry(files_, folder(), team());
+  if (number_ == 0 && found.why_not.empty()) {
+    const auto next = next_entry(files_, folder(), team());
+    if (!next) return tl::unexpected(next.error());
+    number_ = *next;
+  }
   note_try(found);
   if (!found.why_not.empty()) return refuse(found);
   // Written before the check, so that a library that stops the check is a try, too.
@@ -420,8 +422,9 @@ Result<Submission> Desk::refuse(const Found& found) {
   known_.last_file = found.identity;
   known_.tries.back().message = result.message;
   // A name under which nobody has handed in a library gets no folder.
-  if (entries_of(files_, folder(), team()).empty() && !store_.state().find_team(team()))
-    return result;
+  const auto entries = entries_of(files_, folder(), team());
+  if (!entries) return tl::unexpected(entries.error());
+  if (entries->empty() && !store_.state().find_team(team())) return result;
   if (auto noted = write_hand_ins(files_, folder(), team(), known_); !noted)
     return tl::unexpected(noted.error());
   return result;
@@ -430,7 +433,10 @@ Result<Submission> Desk::refuse(const Found& found) {
 Result<Json> Desk::check(const Found& found) {
   const std::string stored = folder().library(team(), number_);
   if (has_verdict()) {
-    library_ = files_.read(stored, {.max_size = system::size_limit::entry}).value_or("");
+    // A refused version keeps no library.
+    auto library = files_.read_if_there(stored, {.max_size = system::size_limit::entry});
+    if (!library) return tl::unexpected(library.error());
+    library_ = std::move(*library).value_or("");
     return read_verdict(files_, folder(), team(), number_);
   }
   if (handed_.source.empty()) {
@@ -457,6 +463,8 @@ Result<Submission> Desk::conclude(const Found& found, Json verdict) {
   auto known = read_hand_ins(files_, folder(), team());
   if (!known) return tl::unexpected(known.error());
   known_ = std::move(*known);
+  const auto playing = playing_entry(files_, folder(), team());
+  if (!playing) return tl::unexpected(playing.error());
   // It may have been forgotten since.
   if (find_try(known_, number_) == nullptr) note_try(found);
   Submission result;
@@ -467,10 +475,9 @@ Result<Submission> Desk::conclude(const Found& found, Json verdict) {
                    (result.is_accepted ? " was accepted" : " was not accepted");
   if (!result.is_accepted) {
     const Json reason = result.verdict.value("reason", Json());
-    const int before = playing_entry(files_, folder(), team());
     result.message += ": " + (reason.is_string() ? reason.get<std::string>() : "");
-    if (before > 0) result.message += "; entry " + std::to_string(before) + " plays on";
-  } else if (known_.pinned > 0 && playing_entry(files_, folder(), team()) == known_.pinned) {
+    if (*playing > 0) result.message += "; entry " + std::to_string(*playing) + " plays on";
+  } else if (known_.pinned > 0 && *playing == known_.pinned) {
     result.message += "; entry " + std::to_string(known_.pinned) + " plays on, which is pinned";
   } else if (found.user && !known_.owner) {
     known_.owner = found.user;
@@ -510,25 +517,27 @@ Result<std::string> pin_entry(system::Files& files, const Folder& folder, const 
   if (!store) return tl::unexpected(store.error());
   if (const std::string why = why_not_now(store->state(), team, utc_text(now)); !why.empty())
     return why;
+  const auto is_accepted = is_accepted_entry(files, folder, team, number);
+  if (!is_accepted) return tl::unexpected(is_accepted.error());
   const bool is_kept = number == 0 || (files.exists(folder.entry_file(team, number)) &&
-                                       files.exists(folder.library(team, number)) &&
-                                       is_accepted_entry(files, folder, team, number));
+                                       files.exists(folder.library(team, number)) && *is_accepted);
   if (!is_kept) return team + " has no accepted entry " + std::to_string(number) + " any more";
   auto known = read_hand_ins(files, folder, team);
   if (!known) return tl::unexpected(known.error());
   known->pinned = number;
   if (auto noted = write_hand_ins(files, folder, team, *known); !noted)
     return tl::unexpected(noted.error());
-  const int playing = playing_entry(files, folder, team);
+  const auto playing = playing_entry(files, folder, team);
+  if (!playing) return tl::unexpected(playing.error());
   const LeagueState& state = store->state();
-  if (!state.is_started || playing == 0) return "";
+  if (!state.is_started || *playing == 0) return "";
   if (state.file.format.kind == FormatKind::nightly) return "";  // the next night takes it
-  if (state.teams[*state.find_team(team)].entry == playing) return "";
+  if (state.teams[*state.find_team(team)].entry == *playing) return "";
   const auto library =
-      files.read(folder.library(team, playing), {.max_size = system::size_limit::entry});
+      files.read(folder.library(team, *playing), {.max_size = system::size_limit::entry});
   if (!library) return tl::unexpected(library.error());
-  auto booked =
-      store->write(EntryBooked{.team = team, .entry = playing, .sha256 = system::sha256(*library)});
+  auto booked = store->write(
+      EntryBooked{.team = team, .entry = *playing, .sha256 = system::sha256(*library)});
   if (!booked) return tl::unexpected(booked.error());
   return "";
 }

@@ -27,17 +27,17 @@ class Backup {
       : files_(files), from_(from), to_(to) {}
 
   Result<BackupCount> run() {
-    if (const std::string why = objection_to_place(); !why.empty()) return fail(Errc::input, why);
+    if (auto fit = expect_place(); !fit) return tl::unexpected(fit.error());
     // Read before everything that they name.
     std::map<std::string, std::string> journals;
     for (const std::string& path : {from_.journal(), from_.hand_in_book()}) {
-      if (!files_.exists(path)) continue;
-      auto text = files_.read(
+      auto there = files_.read_if_there(
           path, {.max_size = system::size_limit::journal, .growth = system::Growth::ignored});
-      if (!text) return tl::unexpected(text.error());
+      if (!there) return tl::unexpected(there.error());
+      if (!*there) continue;
+      std::string& text = journals[fs::path(path).filename()] = std::move(**there);
       // A line that is being written has no end yet.
-      text->resize(text->rfind('\n') == std::string::npos ? 0 : text->rfind('\n') + 1);
-      journals[fs::path(path).filename()] = std::move(*text);
+      text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
     }
     if (auto same = expect_earlier(journals["journal.jsonl"]); !same)
       return tl::unexpected(same.error());
@@ -54,27 +54,28 @@ class Backup {
   }
 
  private:
-  // Returns why the copy cannot be there; "" if it can. In the league's own folder the journal of a
-  // moment ago would replace the present one, and each copy would have all earlier ones in it.
-  std::string objection_to_place() const {
+  // In the league's own folder the journal of a moment ago would replace the present one, and each
+  // copy would have all earlier ones in it.
+  Result<void> expect_place() const {
     std::error_code none;
     const fs::path league = fs::weakly_canonical(fs::absolute(from_.path), none);
     const fs::path copy = fs::weakly_canonical(fs::absolute(to_.path), none);
     const auto [end, same] = std::mismatch(league.begin(), league.end(), copy.begin(), copy.end());
-    if (end == league.end()) return to_.path + " is in the folder of the league itself";
-    const bool is_empty = !fs::exists(to_.path, none) || fs::is_empty(to_.path, none);
-    if (!is_empty && !files_.exists(to_.config()))
-      return to_.path + " is neither empty nor a copy of a league";
-    return "";
+    if (end == league.end())
+      return fail(Errc::input, to_.path + " is in the folder of the league itself");
+    const auto there = files_.names_if_there(to_.path);
+    if (!there) return tl::unexpected(there.error());
+    if (!there->empty() && !files_.exists(to_.config()))
+      return fail(Errc::input, to_.path + " is neither empty nor a copy of a league");
+    return {};
   }
 
   // An earlier copy knows the beginning of what this league has decided, and nothing else.
   Result<void> expect_earlier(const std::string& journal) const {
-    if (!files_.exists(to_.journal())) return {};
-    const auto there = files_.read(to_.journal(), {.max_size = system::size_limit::journal,
-                                                   .growth = system::Growth::ignored});
+    const auto there = files_.read_if_there(to_.journal(), {.max_size = system::size_limit::journal,
+                                                            .growth = system::Growth::ignored});
     if (!there) return tl::unexpected(there.error());
-    if (journal.starts_with(*there)) return {};
+    if (!*there || journal.starts_with(**there)) return {};
     return fail(Errc::input, to_.path +
                                  " is another league, or a copy that was played on: its journal is "
                                  "no beginning of this one; name a new folder");
@@ -98,6 +99,8 @@ class Backup {
       if (is_left_out(name) || name == skipped || name == skipped_too) continue;
       const std::string one = inside + name;
       const fs::file_status status = fs::symlink_status(from_.path + "/" + one, failed);
+      if (status.type() == fs::file_type::none)
+        return fail(Errc::unavailable, from_.path + "/" + one + ": " + failed.message());
       auto copied = fs::is_directory(status) ? folder(one + "/")
                     : fs::is_regular_file(status)
                         ? file(one, status.permissions(), inside == "records/")
@@ -125,17 +128,17 @@ class Backup {
       ++count_.known;
       return {};
     }
-    const auto text = files_.read(
+    const auto text = files_.read_if_there(
         from_.path + "/" + name,
         {.max_size = 4 * system::size_limit::replay, .growth = system::Growth::ignored});
+    if (!text) return tl::unexpected(text.error());
     // What ends between two looks is not there any more: the output of a check, a version that is
     // pruned.
-    if (!text && !files_.exists(from_.path + "/" + name)) return {};
-    if (!text) return tl::unexpected(text.error());
+    if (!*text) return {};
     const bool is_closed =
         (permissions & (fs::perms::group_all | fs::perms::others_all)) == fs::perms::none;
     auto written =
-        files_.write(to, *text, is_closed ? system::Readers::owner : system::Readers::everybody);
+        files_.write(to, **text, is_closed ? system::Readers::owner : system::Readers::everybody);
     if (!written) return written;
     if ((permissions & fs::perms::owner_exec) != fs::perms::none) {
       std::error_code failed;

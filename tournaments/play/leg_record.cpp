@@ -2,6 +2,7 @@
 #include "tournaments/play/leg_record.hpp"
 
 #include "core/field/team.hpp"
+#include "core/match/leg.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/team_parameters_json.hpp"
 
@@ -72,26 +73,26 @@ LegPlayed read_record(const LeagueFile& file, const LegId& id, const JsonReader&
   };
 }
 
-// Complains unless the record is of the seed and the teams, with the entries that they play with
-// now.
-void expect_same_leg(const LeagueState& state, const LegId& id, const JsonReader& record) {
-  const JsonReader seed = record.at("seed");
-  if (seed.integer<std::uint64_t>() != leg_seed(state, id)) seed.complain("another leg's seed");
+// True if the record is of the seed and the teams, with the entries that they play with now, and
+// its leg was decided.
+bool is_of_leg(const LeagueState& state, const LegId& id, const JsonReader& record) {
+  if (record.at("seed").integer<std::uint64_t>() != leg_seed(state, id)) return false;
   const int blue = blue_team(id.fixture, id.leg);
   const int yellow = blue == id.fixture.home ? id.fixture.away : id.fixture.home;
   for (const Team colour : both_teams) {
     const int team = colour == Team::blue ? blue : yellow;
     const JsonReader seat = record.at("teams").at(std::string(to_string(colour)));
-    if (seat.at("name").text() != state.name(team)) seat.complain("another team");
+    if (seat.at("name").text() != state.name(team)) return false;
     // A team over the network loads its library itself, so the record has no hash of it.
     if (state.file.teams[team].is_on_network()) continue;
-    if (seat.at("sha256").text() != state.teams[team].sha256) seat.complain("another entry");
+    if (seat.at("sha256").text() != state.teams[team].sha256) return false;
     match::TeamParameters parameters;
     if (seat.has("parameters")) {
       parameters = record::read_team_parameters(seat.at("parameters"));
     }
-    if (parameters != state.file.teams[team].parameters) seat.complain("other parameters");
+    if (parameters != state.file.teams[team].parameters) return false;
   }
+  return record.at("result").at("end").text() != to_string(match::OutcomeKind::void_);
 }
 
 }  // namespace
@@ -104,19 +105,23 @@ Result<LegPlayed> leg_played(const LeagueFile& file, const LegId& id, const Json
   return leg;
 }
 
-std::optional<LegPlayed> find_played_leg(system::Files& files, const Folder& folder,
-                                         const LeagueState& state, const LegId& id) {
+Result<std::optional<LegPlayed>> find_played_leg(system::Files& files, const Folder& folder,
+                                                 const LeagueState& state, const LegId& id) {
   const std::string path = folder.record(id.fixture, id.leg, id.version);
-  if (!files.exists(path)) return std::nullopt;
-  const auto text = files.read(path, {.max_size = system::size_limit::record});
-  if (!text) return std::nullopt;
-  const auto leg =
-      record::read_json<LegPlayed>(*text, path, Errc::damaged, [&](const JsonReader& record) {
-        expect_same_leg(state, id, record);
-        return read_record(state.file, id, record,
-                           Folder::record_name(id.fixture, id.leg, id.version));
+  const auto text = files.read_if_there(path, {.max_size = system::size_limit::record});
+  if (text && !*text) return std::nullopt;
+  const auto read = [&](const JsonReader& record) -> std::optional<LegPlayed> {
+    if (!is_of_leg(state, id, record)) return std::nullopt;
+    return read_record(state.file, id, record, Folder::record_name(id.fixture, id.leg, id.version));
+  };
+  return text
+      .and_then([&](const std::optional<std::string>& bytes) {
+        return record::read_json<std::optional<LegPlayed>>(*bytes, path, Errc::damaged, read);
+      })
+      .map_error([](Error error) {
+        error.what += "; the leg may have been played: mend the file, or remove it to play again";
+        return error;
       });
-  return leg ? std::optional(*leg) : std::nullopt;
 }
 
 }  // namespace mirocup::league

@@ -91,7 +91,7 @@ void compare_with_journal(const LeagueStore& store, const std::map<std::string, 
 }
 
 // Returns the behaviour of the program that played the last leg; "" if no record says so.
-std::string game_of_last_leg(system::Files& files, const LeagueStore& store) {
+Result<std::string> game_of_last_leg(system::Files& files, const LeagueStore& store) {
   const std::vector<Json>& lines = store.journal().lines();
   for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
     const auto event = read_event(*line);
@@ -125,7 +125,11 @@ Result<void> expect_program(system::Files& files, LeagueStore& store,
   ProgramChosen before = state.program;
   if (!state.is_started) return {};
   // Journals of earlier versions name the version only.
-  if (before.game.empty()) before.game = game_of_last_leg(files, store);
+  if (before.game.empty()) {
+    const auto game = game_of_last_leg(files, store);
+    if (!game) return tl::unexpected(game.error());
+    before.game = *game;
+  }
   const bool is_same = before.version == program.version &&
                        (before.game.empty() || before.game == program.behaviour_hash);
   if (is_same) return {};

@@ -46,8 +46,9 @@ std::optional<LegId> ResultRecorder::next_leg(const FixtureState& fixture) const
 
 Result<bool> ResultRecorder::book_if_played(const LegId& leg) {
   const auto played = find_played_leg(files_, folder(), state(), leg);
-  if (!played) return false;
-  if (auto booked = book_result(leg, *played); !booked) return tl::unexpected(booked.error());
+  if (!played) return tl::unexpected(played.error());
+  if (!*played) return false;
+  if (auto booked = book_result(leg, **played); !booked) return tl::unexpected(booked.error());
   return true;
 }
 

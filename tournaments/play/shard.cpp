@@ -25,7 +25,8 @@ class Shard {
 
   // False if the leg could not be played.
   Result<bool> play(const LegId& leg) {
-    if (is_played(leg)) return true;
+    const auto before = is_played(leg);
+    if (!before || *before) return before;
     if (processes_.is_asked_to_stop_within(0.0)) return stopped();
     const Folder& folder = store_.folder();
     const auto started = processes_.start(
@@ -43,8 +44,9 @@ class Shard {
     return fail(Errc::interrupted, "interrupted; the same command goes on from here");
   }
 
-  bool is_played(const LegId& leg) const {
-    return find_played_leg(files_, store_.folder(), store_.state(), leg).has_value();
+  Result<bool> is_played(const LegId& leg) const {
+    return find_played_leg(files_, store_.folder(), store_.state(), leg)
+        .map([](const std::optional<LegPlayed>& played) { return played.has_value(); });
   }
 
   system::Files& files_;

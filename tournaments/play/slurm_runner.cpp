@@ -140,7 +140,9 @@ Result<void> SlurmRunner::book_after(const std::vector<SlurmTask>& before, bool 
   for (const SlurmTask& task : before) {
     const bool is_gone = is_known && !holds(tasks_, task);
     if (!is_gone && !task.is_running) continue;
-    for (const std::string& fixture : fixtures_of(task)) {
+    const auto fixtures = fixtures_of(task);
+    if (!fixtures) return tl::unexpected(fixtures.error());
+    for (const std::string& fixture : *fixtures) {
       auto booked = is_gone ? book_lost(fixture, "task " + task.id + " has ended without it")
                             : book_records(fixture);
       if (!booked) return booked;
@@ -173,7 +175,9 @@ Result<void> SlurmRunner::book_lost(const std::string& fixture, const std::strin
 }
 
 Result<void> SlurmRunner::requeue(const SlurmTask& task) {
-  for (const std::string& fixture : fixtures_of(task)) {
+  const auto fixtures = fixtures_of(task);
+  if (!fixtures) return tl::unexpected(fixtures.error());
+  for (const std::string& fixture : *fixtures) {
     if (auto lost = book_lost(fixture, "task " + task.id + " has lost its node"); !lost)
       return lost;
   }
@@ -186,7 +190,9 @@ Result<void> SlurmRunner::requeue(const SlurmTask& task) {
 Result<std::vector<std::string>> SlurmRunner::unqueued_fixtures() {
   std::set<std::string> covered;
   for (const SlurmTask& task : tasks_) {
-    for (const std::string& id : fixtures_of(task)) covered.insert(id);
+    const auto planned = fixtures_of(task);
+    if (!planned) return planned;
+    covered.insert(planned->begin(), planned->end());
   }
   std::vector<std::string> fixtures;
   for (const std::string& id : open_shards(state())) {
@@ -250,19 +256,23 @@ void SlurmRunner::drain() {
   if (running() > 0) (void)run_slurm(scancel_command(ids_of(tasks_), CancelScope::after_leg));
 }
 
-std::vector<std::string> SlurmRunner::fixtures_of(const SlurmTask& task) {
-  const auto [plan, is_new] = plans_.try_emplace(task.plan);
-  if (is_new) {
-    std::istringstream text(
-        files_.read(plan_path(task.plan), {.max_size = system::size_limit::note}).value_or(""));
+// A task whose plan cannot be read may be playing any fixture, so no other may be submitted.
+Result<std::vector<std::string>> SlurmRunner::fixtures_of(const SlurmTask& task) {
+  if (!plans_.contains(task.plan)) {
+    const auto plan =
+        files_.read_if_there(plan_path(task.plan), {.max_size = system::size_limit::note});
+    if (!plan) return tl::unexpected(plan.error());
+    PlanLines& lines = plans_[task.plan];
+    std::istringstream text(plan->value_or(""));
     for (std::string line; std::getline(text, line);) {
       std::istringstream words(line);
-      plan->second.emplace_back();
-      for (std::string id; words >> id;) plan->second.back().push_back(id);
+      lines.emplace_back();
+      for (std::string id; words >> id;) lines.back().push_back(id);
     }
   }
-  const PlanLines& lines = plan->second;
-  if (task.line < 1 || task.line > static_cast<int>(lines.size())) return {};
+  const PlanLines& lines = plans_[task.plan];
+  if (task.line < 1 || task.line > static_cast<int>(lines.size()))
+    return std::vector<std::string>{};
   return lines[task.line - 1];
 }
 

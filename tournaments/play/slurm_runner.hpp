@@ -46,7 +46,7 @@ class SlurmRunner {
   Result<void> submit(const std::vector<std::string>& fixtures);
   Result<void> submit_array(const std::vector<std::string>& fixtures);
   void drain();
-  std::vector<std::string> fixtures_of(const SlurmTask& task);
+  Result<std::vector<std::string>> fixtures_of(const SlurmTask& task);
   std::string plan_path(int number) const;
   int running() const;
 

@@ -114,16 +114,16 @@ Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folde
   return failed;
 }
 
-// Writes the links of each page that has others by now. A page that cannot be read is left as it
-// is.
+// Writes the links of each page that has others by now.
 Result<void> link_pages(system::Files& files, const Folder& folder, const Overview& overview) {
   for (const FixtureState& f : overview.state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
       const std::string path = folder.site() + "/" + replay_page_of(record);
-      const auto page = files.read(path, {.max_size = system::size_limit::page});
-      if (!page) continue;
-      const std::string linked = with_league_links(*page, overview, record);
-      if (linked == *page) continue;
+      const auto page = files.read_if_there(path, {.max_size = system::size_limit::page});
+      if (!page) return tl::unexpected(page.error());
+      if (!*page) continue;
+      const std::string linked = with_league_links(**page, overview, record);
+      if (linked == **page) continue;
       if (auto written = files.write(path, linked); !written) return written;
     }
   }

@@ -30,11 +30,11 @@ Result<TuningFile> TuningFile::open(system::Files& files, const std::string& fol
                                     TuneJson identity) {
   if (auto made = files.make_folder(folder); !made) return tl::unexpected(made.error());
   TuningFile file(files, folder + "/tune.json", std::move(identity));
-  if (!files.exists(file.path_)) return file;
-  const auto text = files.read(file.path_, {.max_size = system::size_limit::record});
+  const auto text = files.read_if_there(file.path_, {.max_size = system::size_limit::record});
   if (!text) return tl::unexpected(text.error());
+  if (!*text) return file;
   const auto search = record::read_json<TuneJson>(
-      *text, file.path_, Errc::damaged,
+      **text, file.path_, Errc::damaged,
       [](const record::JsonReader& json) { return json.at("search").json(); });
   if (!search) return tl::unexpected(search.error());
   for (const auto& [key, value] : file.identity_.items()) {
@@ -43,7 +43,7 @@ Result<TuningFile> TuningFile::open(system::Files& files, const std::string& fol
                                  ": the folder holds another search; name a new folder");
   }
   auto marks = record::read_json<std::map<std::string, std::vector<Mark>>>(
-      *text, file.path_, Errc::damaged, read_marks);
+      **text, file.path_, Errc::damaged, read_marks);
   if (!marks) return tl::unexpected(marks.error());
   file.marks_ = std::move(*marks);
   return file;

@@ -9,7 +9,11 @@ set -euo pipefail
 cd "$(dirname "$0")/../../.."
 seconds=${1:-600}
 shift || true
-all=(elf firasim http journal league record replay scene trace)
+all=(archive drill elf firasim http journal league names npz pitch record recording replay scene situation thoughts trace)
+# Bytes that an input may have: as many as the reader takes, and 64 KiB of what comes over a network. Files of 256 MiB
+# would take all the memory that a reader may use here.
+declare -A most=([archive]=32 [drill]=4 [elf]=32 [journal]=32 [league]=4 [names]=32 [npz]=32 [pitch]=4 [record]=32
+  [recording]=32 [replay]=32 [scene]=32 [situation]=4 [thoughts]=32 [trace]=32)  # MiB
 readers=("$@")
 [ ${#readers[@]} -gt 0 ] || readers=("${all[@]}")
 
@@ -28,7 +32,8 @@ for reader in "${readers[@]}"; do
   if [ "$reader" = http ] && unshare -rn true 2>/dev/null; then
     alone=(unshare -rn sh -c 'ip link set lo up && exec "$@"' sh)
   fi
-  "${alone[@]}" "build/fuzz/${reader}_fuzz" -max_total_time="$seconds" -max_len=65536 -timeout=10 -rss_limit_mb=2048 \
+  max_len=$(((${most[$reader]:-0} << 20) + 65536))
+  "${alone[@]}" "build/fuzz/${reader}_fuzz" -max_total_time="$seconds" -max_len="$max_len" -timeout=10 -rss_limit_mb=2048 \
     -artifact_prefix="build/fuzz/finds/$reader-" -print_final_stats=1 "$corpus/$reader" || found=1
 done
 build/fuzz_corpus "$corpus" || found=1

@@ -3,12 +3,15 @@
 #
 # Makes the inputs that every reader begins with: seeds.py BUILD FOLDER writes FOLDER/READER/NAME. Whole files of each kind,
 # and one of each find: what once crashed a reader, or took its time or its memory.
+import io
 import json
 import os
 import struct
 import subprocess
 import sys
+import tarfile
 import tempfile
+import zipfile
 
 build, folder = sys.argv[1:3]
 
@@ -180,6 +183,136 @@ seed("replay", "empty_frame", b"\0\0mirocup/replay/2\n\x28\xb5\x2f\xfd\x20\x00\x
 seed("replay", "two_frames", b"\0\0mirocup/replay/2\n" + b"\x28\xb5\x2f\xfd\x20\x10\x81\x00\x00" + b"a" * 16 + b"\x28\xb5\x2f\xfd\x20\x00\x01\x00\x00")
 seed("replay", "skippable", b"\0\0mirocup/replay/2\n" + struct.pack("<II", 0x184D2A50, 4) + b"abcd")
 seed("replay", "claims_16_EB", b"\0\0mirocup/replay/2\n\x28\xb5\x2f\xfd\xe0" + b"\xff" * 8)
+
+# --- Names of functions: a library of sections only, with one table of symbols and its texts.
+def library_of(symbols, texts, shnum=3):
+    header = struct.pack("<16sHHIQQQIHHHHHH", b"\x7fELF\2\1\1", 3, 62, 1, 0, 0, 64, 0, 64, 56, 0, 64, shnum, 0)
+    tables = 64 + 3 * 64
+    sections = struct.pack("<IIQQQQIIQQ", *[0] * 10)
+    sections += struct.pack("<IIQQQQIIQQ", 0, 2, 0, 0, tables, len(symbols), 2, 0, 8, 24)
+    sections += struct.pack("<IIQQQQIIQQ", 0, 3, 0, 0, tables + len(symbols), len(texts), 0, 0, 1, 0)
+    return header + sections + symbols + texts
+
+
+function = struct.pack("<IBBHQQ", 1, 2, 0, 1, 0x1000, 0x1000)
+seed("names", "one", library_of(function, b"\0_ZN4Mine6decideEv\0"))
+seed("names", "within", library_of(function, b"\0_ZZN12_GLOBAL__N_14Mine6decideEvENKUlvE_clEv\0"))
+seed("names", "long_name", library_of(function, b"\0_ZN" + b"9999" * 5000))
+seed("names", "many_symbols", library_of(function.replace(b"\x10", b"\x7f") * (1 << 20), b"\0f\0"))
+seed("names", "sections_beyond_the_end", library_of(function, b"\0f\0", 65535))
+if os.path.exists(library):
+    with open(library, "rb") as whole:
+        seed("names", "idle", whole.read())
+
+# --- Archives of projects.
+sources = [("team/main.cpp", b"int main() {}\n"), ("team/src/a.hpp", b"#pragma once\n"), ("team/.git/x", b"x")]
+
+
+def tar_of(mode, members=(), files=sources):
+    with io.BytesIO() as out:
+        with tarfile.open(fileobj=out, mode=mode) as tar:
+            for path, data in files:
+                about = tarfile.TarInfo(path)
+                about.size = len(data)
+                tar.addfile(about, io.BytesIO(data))
+            for about in members:
+                tar.addfile(about)
+        return out.getvalue()
+
+
+def zip_of(files, mode=zipfile.ZIP_DEFLATED):
+    with io.BytesIO() as out:
+        with zipfile.ZipFile(out, "w", mode) as packed:
+            for path, data in files:
+                packed.writestr(zipfile.ZipInfo(path), data, mode)
+        return out.getvalue()
+
+
+def member(path, kind, target=""):
+    about = tarfile.TarInfo(path)
+    about.type, about.linkname = kind, target
+    return about
+
+
+seed("archive", "tar", tar_of("w"))
+seed("archive", "gzip", tar_of("w:gz"))
+seed("archive", "zip", zip_of(sources))
+seed("archive", "grows", tar_of("w:gz", files=[("a.c", b"\0" * (9 << 20))]))
+seed("archive", "links", tar_of("w", [member("l", tarfile.SYMTYPE, "/etc"), member("h", tarfile.LNKTYPE, "team/main.cpp")]))
+seed("archive", "devices", tar_of("w", [member("p", tarfile.FIFOTYPE), member("d", tarfile.CHRTYPE)]))
+for what, path in {"up": "../../x.c", "root": "/tmp/x.c", "empty": "", "deep": "d/" * 40 + "x.c", "control": "a\x1b[1m.c",
+                   "file_and_folder": "team/main.cpp/x.c"}.items():
+    seed("archive", "path_" + what, tar_of("w", files=sources + [(path, b"x")]))
+    seed("archive", "zip_path_" + what, zip_of(sources + [(path, b"x")]))
+
+# --- Arrays of a policy.
+def npy(kind, shape, data):
+    text = "{'descr': '%s', 'fortran_order': False, 'shape': %s, }" % (kind, shape)
+    return b"\x93NUMPY\1\0" + struct.pack("<H", len(text)) + text.encode() + data
+
+
+def npy_text(text):
+    return npy("<U%d" % len(text), "()", text.encode("utf-32-le"))
+
+
+arrays = [("schema.npy", npy_text("mirocup/policy/1")), ("spec.npy", npy_text('{"sight": "standard"}')),
+          ("activation.npy", npy_text("tanh")), ("w0.npy", npy("<f4", "(2, 3)", b"\0" * 24)),
+          ("b0.npy", npy("<f4", "(2,)", b"\0" * 8))]
+for what, mode in {"stored": zipfile.ZIP_STORED, "deflated": zipfile.ZIP_DEFLATED}.items():
+    seed("npz", what, zip_of(arrays, mode))
+seed("npz", "grows", zip_of([("w%d.npy" % i, npy("<f4", "(%d,)" % (4 << 20), b"\0" * (16 << 20))) for i in range(8)]))
+seed("npz", "shape_overflows", zip_of([("w0.npy", npy("<f4", "(67108864, 67108864, 67108864, 67108864)", b""))]))
+seed("npz", "shape_is_2_to_64", zip_of([("w0.npy", npy("<f4", "(4194304, 2097152, 2097152)", b""))]))
+seed("npz", "no_numbers", zip_of([("w0.npy", npy("<f4", "(0,)", b""))]))
+seed("npz", "many", zip_of([("%d.npy" % i, npy("<f4", "(1,)", b"\0" * 4)) for i in range(300)]))
+
+# --- Recordings of cameras.
+seed("recording", "lines", '{"schema": "mirocup/recording/1", "robots": 2, "period": 0.033, "pitch": "mirosot"}\n'
+     '{"t": 0, "ball": [0.1, -0.2], "blue": [[0, 0, 1.5], null], "commands": {"blue": [[1, 2], [3, 4]]}}\n'
+     '{"t": 0.033, "ball": null, "blue": [[0, 0, 1.5], [1, 1, 0]], "yellow": [null, [0.2, 0.2, 0]]}\n')
+seed("recording", "table", "ball_y,t,ball_x,blue0_x,blue0_y,blue0_heading,blue0_right,blue0_left\n"
+     "0.2,0.0,0.1,1,2,3,5,4\n,0.1,,1,2,3,,\n")
+seed("recording", "many_columns", "t," + ",".join("blue%d_x" % i for i in range(5000)) + "\n0\n1\n")
+seed("recording", "many_rows", "t,ball_x,ball_y\n" + "".join("%d,0,0\n" % i for i in range(30000)))
+seed("recording", "empty_rows", "t,ball_x,ball_y\n" + "\n" * 400000)
+
+# --- Thoughts: frames of zstd with one plain block, with and without their size.
+def frame(text, is_known=True):
+    head = b"\xa0" + struct.pack("<I", len(text)) if is_known else b"\x00\x58"
+    return b"\x28\xb5\x2f\xfd" + head + struct.pack("<I", len(text) << 3 | 1)[:3] + text
+
+
+seed("thoughts", "plain", frame(b'{"tick": 1, "shapes": []}\n'))
+seed("thoughts", "in_parts", frame(b'{"tick": 1, "shapes": []}\n', False))
+seed("thoughts", "two_frames", frame(b"a\n") * 2)
+seed("thoughts", "claims_4_GB", b"\x28\xb5\x2f\xfd\xa0\xff\xff\xff\xff")
+# Blocks of one repeated byte: 128 KiB of text from 4 bytes.
+seed("thoughts", "grows", b"\x28\xb5\x2f\xfd\x00\x58" + (struct.pack("<I", (1 << 17) << 3 | 2)[:3] + b"x") * 4000 + struct.pack("<I", 8 | 1 << 0)[:3] + b"x")
+
+# --- Drills, situations and pitches.
+drills = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "plugins", "drills")
+for drill in sorted(os.listdir(drills)):
+    with open(os.path.join(drills, drill), "rb") as whole:
+        text = whole.read()
+    seed("drill", drill, text)
+    if b'"from"' not in text:
+        seed("situation", drill, json.dumps(json.loads(text)["situation"]))
+ranges = {"from": 0, "to": 1}
+for _ in range(60):
+    ranges = {"from": ranges, "to": 1}
+seed("drill", "range_of_ranges", json.dumps({"schema": "mirocup/drill/1", "title": "t", "teaches": "t", "seconds": 5,
+                                             "situation": {"ball": {"position": [ranges, 0]}}, "success": []}))
+for preset in ("mirosot", "vsss", "simurosot"):
+    seed("pitch", preset, json.dumps(preset))
+    seed("pitch", preset + "_object", json.dumps({"preset": preset, "name": "ours"}))
+seed("pitch", "whole", json.dumps({
+    "preset": "vsss", "name": "ours", "parameters": {
+        "wheel_radius": {"value": 0.021, "low": 0.02, "high": 0.022},
+        "restitution": {"ball_wall": {"value": 0.5, "low": 0.4, "high": 0.6}}},
+    "motor": {"kind": "two_lags", "turn_time_constant": 0.03}, "outline": [[0.03, -0.03], [0.03, 0.03], [-0.03, 0.0]]}))
+for reader in ("drill", "situation", "pitch", "recording"):
+    for what, text in bad_json.items():
+        seed(reader, what, text)
 
 # --- HTTP.
 get = "GET %s HTTP/1.1\r\nHost: x\r\n\r\n"

@@ -267,5 +267,26 @@ TEST_F(DiskTest, ListsAndRemovesNamesOfAnyBytes) {
   EXPECT_FALSE(disk_.names_in(at("nowhere")));
 }
 
+TEST_F(DiskTest, TakesForAbsentOnlyWhatHasNoName) {
+  ASSERT_TRUE(disk_.write(at("file"), "x"));
+  for (const std::string name : {"absent", "absent/absent"}) {
+    EXPECT_FALSE(disk_.exists(at(name))) << name;
+    EXPECT_EQ(disk_.read_if_there(at(name), {.max_size = 1}), std::nullopt) << name;
+    EXPECT_EQ(disk_.names_if_there(at(name)), std::vector<std::string>{}) << name;
+  }
+  std::filesystem::create_symlink(at("loop"), at("loop"));
+  std::filesystem::create_symlink(at("absent"), at("away"));
+  std::filesystem::create_directory(at("folder"));
+  for (const std::string name : {"loop", "loop/x", "away", "away/x", "away/x/y", "file/x"}) {
+    EXPECT_TRUE(disk_.exists(at(name))) << name;
+    EXPECT_FALSE(disk_.read_if_there(at(name), {.max_size = 1})) << name;
+    EXPECT_FALSE(disk_.names_if_there(at(name))) << name;
+  }
+  EXPECT_EQ(disk_.read_if_there(at("folder"), {.max_size = 1}).error().code, Errc::damaged);
+  EXPECT_EQ(disk_.read_if_there(at("file"), {.max_size = 0}).error().code, Errc::damaged);
+  EXPECT_EQ(disk_.read_if_there(at("file"), {.max_size = 1}), std::string("x"));
+  EXPECT_FALSE(disk_.names_if_there(at("file")));
+}
+
 }  // namespace
 }  // namespace mirocup::system

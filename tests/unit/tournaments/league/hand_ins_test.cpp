@@ -91,7 +91,7 @@ class Pruning : public testing::Test {
     Quota quota;
     quota.versions = versions;
     EXPECT_TRUE(prune_versions(files_, folder_, "a", played, quota));
-    return entries_of(files_, folder_, "a");
+    return entries_of(files_, folder_, "a").value();
   }
 
   test_support::MemoryFiles files_;

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads any bytes as a library, and looks up the names of its functions.
+#include "plugins/host/function_names.hpp"
+#include "tests/security/fuzz/fuzz_target.hpp"
+
+#include <cstdint>
+
+MIROCUP_FUZZ_TARGET(names) {
+  const auto library = mirocup::fuzz::text_of(data, size);
+  for (const std::uint64_t address : {std::uint64_t{0}, std::uint64_t{0x1234}, ~std::uint64_t{0}})
+    (void)mirocup::plugins::function_at(library, address);
+  (void)mirocup::plugins::readable_name(library.substr(0, 4096));
+}

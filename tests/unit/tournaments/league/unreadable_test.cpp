@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches a reader of a league's folder that takes a file which cannot be read for one that is not
+// there, and decides by that: a verdict, a pin, tokens, books, lists of versions.
+#include "tests/support/unreadable.hpp"
+
+#include "tests/support/temporary_folder.hpp"
+#include "tournaments/handin/book.hpp"
+#include "tournaments/handin/entry_report.hpp"
+#include "tournaments/handin/friendly_book.hpp"
+#include "tournaments/handin/tokens.hpp"
+#include "tournaments/journal/journal.hpp"
+#include "tournaments/league/hand_ins.hpp"
+#include "tournaments/league/kept_program.hpp"
+#include "tournaments/league/people.hpp"
+#include "tournaments/publish/former_pages.hpp"
+#include "tournaments/tune/tuning_file.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <optional>
+
+namespace mirocup::league {
+namespace {
+
+using test_support::Unreadable;
+
+// What a reader says of the folder; nothing if it reads it.
+using Look = std::function<std::optional<Error>()>;
+
+template <class T>
+std::optional<Error> error_of(const Result<T>& result) {
+  return result ? std::nullopt : std::optional(result.error());
+}
+
+class FileOfALeague : public testing::Test {
+ protected:
+  FileOfALeague() {
+    for (int number = 1; number <= 2; ++number)
+      EXPECT_TRUE(add_entry(disk_, folder_, "a", number, "library", R"({"accepted": true})"));
+    HandIns known;
+    known.pinned = 1;
+    EXPECT_TRUE(write_hand_ins(disk_, folder_, "a", known));
+  }
+
+  // The reader must be content with the whole folder, and with no folder if the file may be
+  // missing. It must name the file once that cannot be read.
+  void expect_told(const std::string& path, const Look& look) {
+    EXPECT_FALSE(look()) << path;
+    for (const Unreadable way : test_support::ways_to_be_unreadable) {
+      test_support::make_unreadable(path, way);
+      const auto told = look();
+      ASSERT_TRUE(told) << path << " " << static_cast<int>(way);
+      EXPECT_NE(told->what.find(path), std::string::npos) << told->what;
+      EXPECT_GE(exit_code(told->code), 3) << told->what;
+    }
+    EXPECT_TRUE(disk_.remove(path));
+    EXPECT_FALSE(look()) << path << " is not there";
+  }
+
+  // A folder is read as what it is, so only links can stand in its place.
+  void expect_told_of_folder(const std::string& path, const Look& look) {
+    EXPECT_FALSE(look()) << path;
+    for (const Unreadable way : {Unreadable::is_loop_of_links, Unreadable::leads_to_nothing}) {
+      test_support::make_unreadable(path, way);
+      const auto told = look();
+      ASSERT_TRUE(told) << path << " " << static_cast<int>(way);
+      EXPECT_EQ(told->code, Errc::unavailable) << told->what;
+    }
+    EXPECT_TRUE(disk_.remove(path));
+    EXPECT_FALSE(look()) << path << " is not there";
+  }
+
+  const test_support::TemporaryFolder temporary_;
+  system::Disk disk_;
+  const Folder folder_{temporary_ / "league"};
+};
+
+TEST_F(FileOfALeague, VerdictIsNoRefusalIfItCannotBeRead) {
+  EXPECT_TRUE(disk_.remove(folder_.hand_ins("a")));
+  expect_told(folder_.verdict("a", 2),
+              [&] { return error_of(playing_entry(disk_, folder_, "a")); });
+  EXPECT_TRUE(disk_.write(folder_.verdict("a", 2), "{\"accepted\""));
+  EXPECT_EQ(playing_entry(disk_, folder_, "a").error().code, Errc::damaged);
+  EXPECT_FALSE(prune_versions(disk_, folder_, "a", {}, {})) << "it would be the first to go";
+  expect_told(folder_.verdict("a", 1),
+              [&] { return error_of(entry_report(disk_, folder_, "a", 1, nullptr, 0, {})); });
+}
+
+TEST_F(FileOfALeague, PinIsNotForgottenIfItCannotBeRead) {
+  ASSERT_EQ(playing_entry(disk_, folder_, "a"), 1);
+  expect_told(folder_.hand_ins("a"), [&] { return error_of(playing_entry(disk_, folder_, "a")); });
+  expect_told(folder_.hand_ins("a"), [&] { return error_of(teams_of_user(disk_, folder_, 1)); });
+}
+
+TEST_F(FileOfALeague, EntryStaysAnEntryIfItsFileCannotBeRead) {
+  expect_told(folder_.entry_file("a", 2),
+              [&] { return error_of(sha256_of_entry(disk_, folder_, "a", 2)); });
+  test_support::make_unreadable(folder_.entry_file("a", 2), Unreadable::is_loop_of_links);
+  EXPECT_EQ(last_entry(disk_, folder_, "a"), 2);
+}
+
+TEST_F(FileOfALeague, FoldersAreNotEmptyIfTheyCannotBeRead) {
+  const std::string entries = folder_.entries();
+  expect_told_of_folder(entries + "/a", [&] { return error_of(next_entry(disk_, folder_, "a")); });
+  expect_told_of_folder(entries, [&] { return error_of(teams_of_user(disk_, folder_, 1)); });
+  const std::string site = folder_.site();
+  expect_told_of_folder(site + "/replays",
+                        [&] { return error_of(remove_former_pages(disk_, site, "replays/", {})); });
+}
+
+TEST_F(FileOfALeague, BooksAreNotBegunAnewIfTheyCannotBeRead) {
+  expect_told(folder_.journal(),
+              [&] { return error_of(Journal::open(disk_, folder_.journal(), nullptr)); });
+  std::string notice;
+  expect_told(folder_.friendly_book(),
+              [&] { return error_of(FriendlyBook::open(disk_, folder_, &notice)); });
+  expect_told(folder_.hand_in_book(),
+              [&] { return error_of(HandInBook::open(disk_, folder_, &notice)); });
+}
+
+TEST_F(FileOfALeague, ListsOfPeopleAndTokensAreNotEmptyIfTheyCannotBeRead) {
+  expect_told(tokens_path(folder_), [&] { return error_of(read_tokens(disk_, folder_)); });
+  expect_told(folder_.people(), [&] { return error_of(read_people(disk_, folder_)); });
+}
+
+TEST_F(FileOfALeague, RecordNamesItsProgramOrIsAnError) {
+  expect_told(folder_.path + "/records/x.json",
+              [&] { return error_of(game_of_record(disk_, folder_, "records/x.json")); });
+}
+
+TEST_F(FileOfALeague, SearchIsNotBegunAnewIfItsFileCannotBeRead) {
+  expect_told(temporary_ / "tune/tune.json", [&] {
+    return error_of(TuningFile::open(disk_, temporary_ / "tune", nlohmann::ordered_json::object()));
+  });
+}
+
+}  // namespace
+}  // namespace mirocup::league
