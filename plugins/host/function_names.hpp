@@ -3,7 +3,8 @@
 // The names of the functions of a library, from the tables of symbols in its file.
 //
 // The bytes come from a stranger, as for elf.hpp: every offset is checked, nothing is run, and the
-// work of all loops together is bounded: each symbol is read once, whatever the file claims. The debugging information, which has the lines, is left to addr2line.
+// work of all loops together is bounded: each symbol is read once, whatever the file claims. The
+// debugging information, which has the lines, is left to addr2line.
 #pragma once
 
 #include <cstddef>
