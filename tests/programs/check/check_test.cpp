@@ -121,12 +121,6 @@ TEST(Check, AcceptsATeamThatMeasuresTime) {
   EXPECT_EQ(check(program("honest/clocks.so")).exit_code, 0);
 }
 
-// 3 ms of processor time for each tick: more than a long leg gives, but not more than a short one.
-TEST(Check, AcceptsASlowTeamForShortLegs) {
-  const Examined examined = check(hostile("slow_every_tick"), {}, "1");
-  EXPECT_EQ(examined.exit_code, 0) << examined.report["reason"];
-}
-
 TEST(Check, ReportsAnErrorForAMissingFile) {
   const Outcome outcome = run({program("mirocup"), "check", "/no/such/file.so"});
   EXPECT_EQ(outcome.exit_code, 3);

@@ -161,6 +161,12 @@ TEST(Check, RefusesATeamThatWouldLoseEachLegByItsBudget) {
   EXPECT_GT(examined.report["timing"]["leg_share"], 1.25);
 }
 
+// 1.5 ms for each tick: more than a long leg gives, but not more than a short one.
+TEST(Check, AcceptsASlowTeamForShortLegs) {
+  const Answer examined = check_team_with(Mistake::a_little_slow, "1");
+  EXPECT_EQ(examined.exit_code, 0) << examined.report["reason"];
+}
+
 // Catches a check that accepts what no goal has asked for: in so short legs none falls.
 TEST(Check, LetsGoalsFallForBothTeams) {
   for (const Mistake mistake : {Mistake::throws_when_trailing, Mistake::throws_after_a_goal}) {
