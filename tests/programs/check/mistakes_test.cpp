@@ -62,7 +62,6 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{Mistake::throws_in_a_shoot_out, "throws_in_a_shoot_out", "knockout", {"shoot-out"}},
         Refused{
             Mistake::throws_in_place, "throws_in_place", "leg_", {"place() threw", "place() of"}},
-        Refused{Mistake::slow, "slow", "budget", {"of processor time", "1 ms"}},
         Refused{Mistake::sleeps, "sleeps", "ticks", {"neither wait nor sleep"}},
         Refused{Mistake::leaks, "leaks", "leg_", {"bad_alloc", "1 GiB"}},
         Refused{Mistake::endless_loop, "endless_loop", "leg_blue", {"loop that does not end"}},
@@ -143,9 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(Mistakes, AreRefusedWithTheirReason) {
   const Refused& expected = GetParam();
   if (is_left_out(expected.mistake)) GTEST_SKIP() << "with sanitizers";
-  // It burns 6 ms in each tick of all legs, short ones or long ones.
-  const char* half = expected.mistake == Mistake::slow ? "10" : "20";
-  const Answer examined = check_team_with(expected.mistake, half);
+  const Answer examined = check_team_with(expected.mistake);
   EXPECT_EQ(examined.exit_code, 1) << examined.report.dump(1);
   const std::string reason = examined.report.value("reason", Json()).dump();
   EXPECT_EQ(reason.rfind("\"" + std::string(expected.check), 0), 0u) << reason;
@@ -153,6 +150,24 @@ TEST_P(Mistakes, AreRefusedWithTheirReason) {
   // other chance.
   if (expected.mistake == Mistake::seed_of_process && !test_support::why_no_t2().empty()) return;
   for (const char* text : expected.texts) EXPECT_NE(reason.find(text), std::string::npos) << reason;
+}
+
+// 6 ms of processor time for each tick, in a leg that gives 1 ms and something.
+TEST(Check, RefusesATeamThatWouldLoseEachLegByItsBudget) {
+  const Answer examined = check_team_with(Mistake::slow, "10");
+  EXPECT_EQ(examined.exit_code, 1);
+  const std::string reason = examined.report["reason"];
+  EXPECT_EQ(reason.rfind("budget: a leg with halves of 10 s would take ", 0), 0u) << reason;
+  for (const char* text : {"of processor time", "1 ms"}) {
+    EXPECT_NE(reason.find(text), std::string::npos) << reason;
+  }
+  EXPECT_GT(examined.report["timing"]["leg_share"], 1.25);
+}
+
+// 1.5 ms for each tick: more than a long leg gives, but not more than a short one.
+TEST(Check, AcceptsASlowTeamForShortLegs) {
+  const Answer examined = check_team_with(Mistake::a_little_slow, "1");
+  EXPECT_EQ(examined.exit_code, 0) << examined.report["reason"];
 }
 
 // Catches a check that accepts what no goal has asked for: in so short legs none falls.

@@ -49,6 +49,13 @@ void throws_in_noexcept() noexcept {
   throw std::runtime_error("no route");
 }
 
+// Uses that much processor time, ms.
+void burn(double ms) {
+  const std::clock_t start = std::clock();
+  while (std::clock() - start < ms * CLOCKS_PER_SEC / 1000) {
+  }
+}
+
 // Gives each wheel one of seven speeds that follow from `number`. Two draws of a number give the
 // same speeds once in 117 649 times, although slow and clamped wheels leave few values for each.
 void answer_by(std::uintptr_t number, Command& command) {
@@ -176,12 +183,12 @@ void Mistakes::make_mistake(const Observation& now, Command& command) {
     case Mistake::throws_in_a_shoot_out:
       if (now.phase == MIROCUP_SHOOT_OUT) throw std::runtime_error("shoot-out");
       return;
-    case Mistake::slow: {
-      const std::clock_t start = std::clock();
-      while (std::clock() - start < 6 * CLOCKS_PER_SEC / 1000) {
-      }
+    case Mistake::slow:
+      burn(6.0);
       return;
-    }
+    case Mistake::a_little_slow:
+      burn(1.5);
+      return;
     case Mistake::sleeps:
       std::this_thread::sleep_for(std::chrono::milliseconds(30));
       return;

@@ -97,6 +97,7 @@ enum class Mistake {
   tries_a_program,
   reads_input,
   leaks_a_little,
+  a_little_slow,  // 1.5 ms in each tick
 };
 
 }  // namespace mirocup::check_test
