@@ -18,7 +18,7 @@ target_compile_options(mirocup_options INTERFACE
   # None of these changes a result. No program replaces our functions when it starts, asks errno about a square root, or traps
   # a floating-point exception: calls may be inlined, and branches be turned into selections.
   -fno-semantic-interposition -fno-math-errno -fno-trapping-math)
-# g++ looks for memory to give back from 128 MB on, which takes a fifth of its time. The largest sources need 1.5 GB without.
+# g++ begins at 128 MB to look for memory to give back, which takes a fifth of its time. The largest groups of sources need 1.4 GB.
 target_compile_options(mirocup_options INTERFACE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=1000000>)
 if(MIROCUP_WERROR)
   target_compile_options(mirocup_options INTERFACE -Werror)

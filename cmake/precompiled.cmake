@@ -1,10 +1,10 @@
 # The headers of the large libraries, parsed once for all sources that include them.
 #
 # mirocup_precompile(TARGET) gives a target these headers and, in a release build, little optimization, because g++ takes headers
-# only for the level that they were made for. Core, the programs of a team's process, house teams and prediction, which a leg goes
-# through, are compiled without. mirocup_precompile(TARGET TESTS) adds GoogleTest's headers, and expects that the target links
-# mirocup_unoptimized. The option is off by default if the compiler has a launcher, because ccache
-# does not cache sources that use precompiled headers, and in the preset clang, which is there to find missing includes.
+# only for the level that they were made for. What a leg goes through is compiled without them: core, the programs of a team's
+# process, house teams, prediction. mirocup_precompile(TARGET TESTS) adds GoogleTest's headers, and expects that the target links
+# mirocup_unoptimized. The option is off by default if the compiler has a launcher, because ccache does not cache sources that use
+# precompiled headers, and in the preset clang, which is there to find missing includes.
 if(CMAKE_UNITY_BUILD AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT MIROCUP_CORE_ONLY)
   set(precompile_by_default ON)
 else()
