@@ -111,37 +111,39 @@ void CheckRunner::book(const Running& check, const system::Exit& exit) {
       std::string_view(output).substr(begin == std::string::npos ? 0 : begin + 1));
   const bool is_answer = exit.signal == 0 && (exit.code == exit_yes || exit.code == exit_no) &&
                          !answer.problem && answer.value.is_object();
+  Result<void> booked;
   if (is_answer) {
     const bool is_accepted = exit.code == exit_yes;
     if (check.compile_seconds > 0)
       compile_time_.note(team, is_accepted || check.is_compiled, check.processor);
     const std::string message = answer.value.value("message", "");
     tell_(message);
-    const auto state = is_accepted ? HandInState::accepted : HandInState::refused;
-    if (auto booked = portal_.close(team, entry, state, message); !booked) {
-      tell_(booked.error().what);
-      rests_until_ = steady_clock::now() + rest_time;
-    }
+    booked = portal_.close(team, entry, is_accepted ? HandInState::accepted : HandInState::refused,
+                           message);
   } else {
-    book_no_answer(check, exit, output);
+    booked = book_no_answer(check, exit, output);
+  }
+  if (!booked) {
+    tell_(booked.error().what);
+    rests_until_ = steady_clock::now() + rest_time;
   }
   (void)files_.remove(path);
 }
 
-void CheckRunner::book_no_answer(const Running& check, const system::Exit& exit,
-                                 const std::string& output) {
+Result<void> CheckRunner::book_no_answer(const Running& check, const system::Exit& exit,
+                                         const std::string& output) {
   const std::string& team = check.handed.team;
   const int entry = check.handed.entry;
   const std::string name = team + ": entry " + std::to_string(entry) + ": ";
-  Result<void> booked;
+  const double most = most_processor(check);
+  const NoAnswer why = check.is_spent    ? NoAnswer::spent
+                       : check.gives_way ? NoAnswer::gave_way
+                                         : NoAnswer::host_failed;
   if (check.is_spent) {
-    const double most = most_processor(check);
     tell_(name + "its check was stopped after " + std::to_string(static_cast<int>(most)) +
           " s of processor time");
-    booked = portal_.spend(team, entry, most);
   } else if (check.gives_way) {
     tell_(name + "its check gives way to that of another team");
-    portal_.give_way(team, entry);
   } else {
     constexpr std::size_t enough = 500;  // bytes
     tell_(name + "its check ended with " +
@@ -149,11 +151,8 @@ void CheckRunner::book_no_answer(const Running& check, const system::Exit& exit,
                             : "code " + std::to_string(exit.code)) +
           " " + output.substr(0, enough));
     rests_until_ = steady_clock::now() + (exit.signal != 0 ? 0s : rest_time);
-    booked = portal_.wait_again(team, entry);
   }
-  if (booked) return;
-  tell_(booked.error().what);
-  rests_until_ = steady_clock::now() + rest_time;
+  return portal_.wait_again(team, entry, why, most);
 }
 
 void CheckRunner::look_at_checks() {

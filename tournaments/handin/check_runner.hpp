@@ -60,7 +60,8 @@ class CheckRunner {
   void book(const Running& check, const system::Exit& exit);
   void look_at_checks();
   void make_room(const std::vector<RunningCheck>& uses);
-  void book_no_answer(const Running& check, const system::Exit& exit, const std::string& output);
+  Result<void> book_no_answer(const Running& check, const system::Exit& exit,
+                              const std::string& output);
   double most_processor(const Running& check) const {
     return limits_.processor + check.compile_seconds;
   }
