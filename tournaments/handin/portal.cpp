@@ -514,11 +514,10 @@ Result<Json> Portal::report(const std::string& team, int entry, bool is_whole) {
     if (const auto found = steps_.find({team, entry}); found != steps_.end()) step = found->second;
   }
   const WaitingHandIn* known = waiting ? &*waiting : nullptr;
-  if (!is_whole) return entry_summary(files_, folder_, team, entry, known, before, step);
-  auto whole = entry_report(files_, folder_, team, entry, known, before, step);
-  if (whole && !whole->is_null() && files_.exists(folder_.gate_leg(team, entry)))
-    (*whole)["replay"] = std::string(entry_pages_path) + std::to_string(entry) + "/replay";
-  return whole;
+  auto json = entry_report(files_, folder_, team, entry, known, before, step, is_whole);
+  if (is_whole && json && !json->is_null() && files_.exists(folder_.gate_leg(team, entry)))
+    (*json)["replay"] = std::string(entry_pages_path) + std::to_string(entry) + "/replay";
+  return json;
 }
 
 // Returns the summaries of all entries of a team, the latest first.

@@ -6,13 +6,10 @@
 #include "system/locations.hpp"
 #include "system/trusted_program.hpp"
 
-#include <filesystem>
 #include <unistd.h>
 #include <utility>
 
 namespace mirocup::league {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -38,13 +35,12 @@ Result<std::string> read_list() {
   if (system::state_folder().empty())
     return fail(Errc::unavailable,
                 "there is no place for this host's list of programs: set XDG_STATE_HOME");
-  std::error_code none;
-  if (fs::symlink_status(list_path(), none).type() == fs::file_type::not_found) return "";
+  system::Disk disk;
+  if (!disk.exists(list_path())) return "";
   const auto real = system::trusted_path(list_path());
   if (!real)
     return fail(real.error().code,
                 "the list " + list_path() + " is not read: " + real.error().what);
-  system::Disk disk;
   return disk.read(*real, {.max_size = system::size_limit::note});
 }
 
@@ -81,8 +77,7 @@ Result<void> trust_program(const std::string& bytes) {
 
 Result<std::vector<std::string>> trust_kept_programs(system::Files& files, const Folder& folder) {
   std::vector<std::string> trusted;
-  if (!files.exists(folder.programs())) return trusted;
-  const auto games = files.names_in(folder.programs());
+  const auto games = files.names_if_there(folder.programs());
   if (!games) return tl::unexpected(games.error());
   for (const std::string& game : *games) {
     const std::string path = kept_program(folder, game);
