@@ -54,7 +54,6 @@ void FriendlyRunner::look_at_time() {
 bool FriendlyRunner::give_way() {
   const auto now = std::chrono::steady_clock::now();
   for (auto& [tag, leg] : running_) {
-    if (leg.gives_way) return true;
     if (now - leg.begun < turn) continue;
     ::kill(leg.pid, SIGKILL);
     leg.gives_way = true;
