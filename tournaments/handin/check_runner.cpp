@@ -155,9 +155,9 @@ Result<void> CheckRunner::book_no_answer(const Running& check, const system::Exi
 
 void CheckRunner::look_at_checks() {
   const auto now = steady_clock::now();
-  if (now - looked_at_ < look_interval) return;
-  const double since_last = std::chrono::duration<double>(now - looked_at_).count();
-  looked_at_ = now;
+  if (now - last_look_ < look_interval) return;
+  const double since_last = std::chrono::duration<double>(now - last_look_).count();
+  last_look_ = now;
   std::vector<pid_t> pids;
   for (const auto& [tag, check] : running_) pids.push_back(check.pid);
   const auto used = pids.empty() ? std::map<pid_t, system::TreeUse>() : system::use_of_trees(pids);

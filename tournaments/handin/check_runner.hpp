@@ -77,7 +77,7 @@ class CheckRunner {
   std::map<int, Running> running_;  // by tag
   FriendlyRunner friendlies_;
   int next_tag_ = 0;
-  std::chrono::steady_clock::time_point looked_at_{};
+  std::chrono::steady_clock::time_point last_look_{};
   std::chrono::steady_clock::time_point rests_until_{};  // after a fault of the host
 };
 

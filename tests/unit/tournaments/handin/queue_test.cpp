@@ -64,8 +64,8 @@ TEST(HandInQueue, LetsNobodyPassByHandingInAgainAtOnce) {
   EXPECT_EQ(order_of(queue).substr(0, 5), "b1 c1");
 }
 
-// A queue of two processors on a clock of its own. Each hand-in needs some seconds of processor time
-// for its check; one that gives way begins anew.
+// A queue of two processors on a clock of its own. Each hand-in needs some seconds of processor
+// time for its check; one that gives way begins anew.
 class Hall {
  public:
   void hand_in_at(double time, const std::string& team, int entry, double needed) {
