@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -175,6 +176,18 @@ Result<OpenFile> open_file(const std::string& path, const ReadOptions& options) 
   file.inode = about.st_ino;
   file.changed = ns_of(about.st_ctim);
   file.modified = ns_of(about.st_mtim);
+  return file;
+}
+
+Result<Descriptor> sealed_copy(std::string_view bytes) {
+  constexpr unsigned executable = 0x10;  // MFD_EXEC, which kernels before 6.3 do not know
+  constexpr unsigned flags = MFD_CLOEXEC | MFD_ALLOW_SEALING;
+  constexpr int seals = F_SEAL_SEAL | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE;
+  Descriptor file(memfd_create("mirocup", flags | executable));
+  if (!file.is_open() && errno == EINVAL) file.reset(memfd_create("mirocup", flags));
+  if (!file.is_open() || !write_all(file.get(), bytes) ||
+      fcntl(file.get(), F_ADD_SEALS, seals) != 0)
+    return fail(Errc::unavailable, std::string("no copy of it can be made: ") + strerror(errno));
   return file;
 }
 

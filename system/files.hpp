@@ -79,6 +79,10 @@ Result<OpenFile> open_file(const std::string& path, const ReadOptions& options);
 // and nothing can stand beside it. If another user has made the name, the answer is false.
 bool is_written_in_place(const std::string& path);
 
+// Returns a copy of the bytes in memory: a file without a name that can be run, and that nobody can
+// change any more. Errors: Errc::unavailable.
+Result<Descriptor> sealed_copy(std::string_view bytes);
+
 // Reads the file from `offset` to the size that it had when it was opened.
 Result<std::string> read_file(const OpenFile& file, std::uint64_t offset = 0);
 

@@ -38,7 +38,9 @@ std::string house_team(const std::string& name);
 // The same for a library that another program has loaded: `folder` is the library's.
 std::string house_team(const std::string& name, const std::string& folder);
 
-// Returns the names of all house teams, sorted.
-std::vector<std::string> house_teams();
+// The folder in which programs remember what belongs to this computer and not to a league.
+// Returns $STATE_DIRECTORY, which systemd sets, $XDG_STATE_HOME/mirocup or ~/.local/state/mirocup;
+// "" if no variable names an absolute path. The folder may not be there.
+std::string state_folder();
 
 }  // namespace mirocup::system

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "system/process_tree.hpp"
 
-#include <array>
-#include <charconv>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <unistd.h>
 
@@ -23,22 +22,21 @@ struct Process {
 // Reads /proc/PID/stat. Nothing if the process has gone.
 std::optional<Process> read_process(const std::filesystem::path& folder) {
   std::ifstream file(folder / "stat");
-  std::string line;
-  if (!std::getline(file, line)) return std::nullopt;
-  // The name is in parentheses, and may have any characters.
-  const std::size_t name_end = line.rfind(')');
+  std::string text;
+  std::getline(file, text, '\0');
+  // The name is in parentheses, and may have any characters, also ends of lines.
+  const std::size_t name_end = text.rfind(')');
   if (name_end == std::string::npos) return std::nullopt;
-  std::istringstream fields(line.substr(name_end + 1));
   Process process;
-  std::string state, skipped;
-  fields >> state >> process.parent;
-  process.is_runnable = state == "R" || state == "D";
-  for (int i = 0; i < 9; ++i) fields >> skipped;
-  std::array<double, 4> ticks{};  // user and system time, then those of its children
-  for (double& tick : ticks) fields >> tick;
-  if (!fields) return std::nullopt;
-  const auto per_second = static_cast<double>(sysconf(_SC_CLK_TCK));
-  process.seconds = (ticks[0] + ticks[1] + ticks[2] + ticks[3]) / per_second;
+  char state = 0;
+  double ticks[4] = {};  // user and system time, then those of its children
+  const int read = std::sscanf(text.c_str() + name_end,
+                               ") %c %d %*s %*s %*s %*s %*s %*s %*s %*s %*s %lf %lf %lf %lf",
+                               &state, &process.parent, &ticks[0], &ticks[1], &ticks[2], &ticks[3]);
+  if (read != 6) return std::nullopt;
+  process.is_runnable = state == 'R' || state == 'D';
+  process.seconds =
+      (ticks[0] + ticks[1] + ticks[2] + ticks[3]) / static_cast<double>(sysconf(_SC_CLK_TCK));
   return process;
 }
 
@@ -47,11 +45,9 @@ std::map<pid_t, Process> all_processes() {
   std::error_code error;
   for (std::filesystem::directory_iterator at("/proc", error), end; !error && at != end;
        at.increment(error)) {
-    const std::string name = at->path().filename();
-    pid_t pid = 0;
-    const auto read = std::from_chars(name.data(), name.data() + name.size(), pid);
-    if (read.ec != std::errc() || read.ptr != name.data() + name.size()) continue;
-    if (const auto process = read_process(at->path())) processes[pid] = *process;
+    const pid_t pid = std::atoi(at->path().filename().c_str());  // 0: it is no process
+    const auto process = pid > 0 ? read_process(at->path()) : std::nullopt;
+    if (process) processes[pid] = *process;
   }
   return processes;
 }

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "system/trusted_program.hpp"
 
-#include "system/descriptor.hpp"
 #include "system/users.hpp"
 
-#include <climits>
-
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <sys/stat.h>
@@ -52,29 +48,18 @@ void put_in_front(std::vector<std::string>& left, const fs::path& path) {
   left.insert(left.end(), names.rbegin(), names.rend());
 }
 
-Result<struct statx> look_at(const Descriptor& opened, const std::string& path) {
-  struct statx about {};
-  if (!opened.is_open() || statx(opened.get(), "", AT_EMPTY_PATH, STATX_BASIC_STATS, &about) != 0)
-    return fail(Errc::unavailable, path + " cannot be read: " + std::strerror(errno));
-  return about;
-}
-
-Result<fs::path> target_of(const Descriptor& link, const std::string& path) {
-  std::string target(PATH_MAX, '\0');
-  const ssize_t size = readlinkat(link.get(), "", target.data(), target.size());
-  if (size < 0) return fail(Errc::unavailable, path + " cannot be read: " + std::strerror(errno));
-  target.resize(static_cast<std::size_t>(size));
-  return fs::path(target);
+tl::unexpected<Error> cannot_be_read(const fs::path& path, const std::error_code& why) {
+  return fail(Errc::unavailable, path.string() + " cannot be read: " + why.message());
 }
 
 }  // namespace
 
+// Names are looked at by their whole path: nobody else can change the part that was looked at.
 Result<std::string> trusted_path(const std::string& path) {
   std::error_code failed;
   std::vector<std::string> left;
   put_in_front(left, fs::absolute(path, failed));
-  if (failed) return fail(Errc::unavailable, path + " cannot be read: " + failed.message());
-  Descriptor folder;
+  if (failed) return cannot_be_read(path, failed);
   fs::path real;
   bool is_in_shared_folder = false;
   for (int links = 0; !left.empty();) {
@@ -83,20 +68,19 @@ Result<std::string> trusted_path(const std::string& path) {
     if (name.empty() || name == ".") continue;
     const bool is_known = name == ".." || name == "/";  // looked at before: not in the folder
     const fs::path next = name == ".." ? real.parent_path() : real / name;
-    Descriptor opened(openat(folder.get(), name.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC));
-    const auto about = look_at(opened, next);
-    if (!about) return tl::unexpected(about.error());
-    if (const auto why = objection(*about, is_in_shared_folder && !is_known); !why.empty())
+    struct statx about {};
+    if (statx(AT_FDCWD, next.c_str(), AT_SYMLINK_NOFOLLOW, STATX_BASIC_STATS, &about) != 0)
+      return cannot_be_read(next, {errno, std::generic_category()});
+    if (const auto why = objection(about, is_in_shared_folder && !is_known); !why.empty())
       return fail(Errc::input, next.string() + " " + why);
-    if (S_ISLNK(about->stx_mode)) {
-      const auto target = target_of(opened, next);
-      if (!target) return tl::unexpected(target.error());
+    if (S_ISLNK(about.stx_mode)) {
+      const fs::path target = fs::read_symlink(next, failed);
+      if (failed) return cannot_be_read(next, failed);
       if (++links > max_links) return fail(Errc::input, path + " has too many links");
-      put_in_front(left, *target);
+      put_in_front(left, target);
       continue;
     }
-    is_in_shared_folder = is_shared_folder(*about);
-    folder = std::move(opened);
+    is_in_shared_folder = is_shared_folder(about);
     real = next;
   }
   return real.string();

@@ -15,7 +15,7 @@ inline constexpr const char* asks_no_other = "MIROCUP_IS_ASKED";
 
 // Returns the real path of a file or folder, which strangers cannot change as long as root and this
 // user leave it. A relative path begins at the working folder. Each name and each link on the way,
-// from / on, is opened without following it, and belongs to root or to this user; nobody else may
+// from / on, belongs to root or to this user; nobody else may
 // write to it. A folder of root's with the sticky bit may be open to all, such as /tmp. In such a
 // folder only what belongs to this user counts. It may not be mounted there, and a file has one
 // name only, since strangers may mount their own file systems and link to files of others.

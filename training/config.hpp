@@ -41,7 +41,6 @@ struct Side {
   match::TeamParameters parameters;  // of the library
 
   bool learns() const { return !learners.empty(); }
-  bool has_noise() const { return library.empty(); }
 };
 
 struct Config {

@@ -212,19 +212,20 @@ bool hand_over_library(std::size_t most) {
   _exit(hand_over_library(work.limits.library) ? compiled : too_much);
 }
 
-enum class Listened { to_the_end, too_much_processor, too_long };
-
-// Reads what the compiler says until it has ended, or is to be ended.
-Listened listen_to(int output, pid_t compiler, const CompileLimits& limits, std::string& text) {
+// Reads what the compiler says until it has ended. Returns false if it has used up its processor
+// time, and an error if it was given none for too long.
+Result<bool> listen_to(int output, pid_t compiler, const CompileLimits& limits, std::string& text) {
   constexpr auto look_interval = std::chrono::milliseconds(250);
   const auto end = steady_clock::now() + std::chrono::duration<double>(limits.wall);
   auto next_look = steady_clock::now() + look_interval;
   while (true) {
     const auto now = steady_clock::now();
-    if (now >= end) return Listened::too_long;
+    if (now >= end)
+      return fail(Errc::host, "compiling a source did not end in " +
+                                  std::to_string(static_cast<int>(limits.wall)) + " s");
     if (now >= next_look) {
       const double used = system::use_of_trees({compiler}).at(compiler).seconds;
-      if (used > limits.seconds) return Listened::too_much_processor;
+      if (used > limits.seconds) return false;
       next_look = steady_clock::now() + look_interval;
     }
     pollfd waiting{.fd = output, .events = POLLIN, .revents = 0};
@@ -232,7 +233,7 @@ Listened listen_to(int output, pid_t compiler, const CompileLimits& limits, std:
     char bytes[65536];
     const ssize_t count = read(output, bytes, sizeof bytes);
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return Listened::to_the_end;
+    if (count <= 0) return true;
     // More is read, so that the compiler goes on, and forgotten.
     const std::size_t room = limits.output - std::min(limits.output, text.size());
     text.append(bytes, std::min(room, static_cast<std::size_t>(count)));
@@ -263,15 +264,10 @@ std::string last_line(std::string text) {
 }
 
 // Returns what became of it, after the sandbox has ended with that status.
-Result<Compiled> judge(int status, Listened listened, const Work& work, int result, int step,
+Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result, int step,
                        Compiled compiled_so_far) {
   Compiled done = std::move(compiled_so_far);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  const bool is_in_time = listened == Listened::to_the_end;
-  if (listened == Listened::too_long) {
-    return fail(Errc::host, "compiling a source did not end in " +
-                                std::to_string(static_cast<int>(work.limits.wall)) + " s");
-  }
   if (is_in_time && code == no_sandbox_stands)
     return fail(Errc::unavailable, "the compiler's sandbox cannot be made: " + read_all(step, 200));
   if (!is_in_time) {
@@ -343,13 +339,14 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
   if (!pid) return tl::unexpected(pid.error());
   speaking.reset();
   Compiled done;
-  const Listened listened = listen_to(output.get(), *pid, limits, done.output);
+  const auto is_in_time = listen_to(output.get(), *pid, limits, done.output);
   // The first process of the namespace takes all others with it.
-  if (listened != Listened::to_the_end) kill(*pid, SIGKILL);
+  if (!is_in_time || !*is_in_time) kill(*pid, SIGKILL);
   int status = 0;
   while (waitpid(*pid, &status, 0) < 0 && errno == EINTR) {
   }
-  return judge(status, listened, work, result.get(), step.get(), std::move(done));
+  if (!is_in_time) return tl::unexpected(is_in_time.error());
+  return judge(status, *is_in_time, work, result.get(), step.get(), std::move(done));
 }
 
 }  // namespace mirocup::plugins

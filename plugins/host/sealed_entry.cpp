@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <sys/mman.h>
-#include <unistd.h>
 #include <utility>
 
 namespace mirocup::plugins {
@@ -17,23 +15,6 @@ namespace {
 
 // Editors on Windows begin a text in UTF-8 with it, and Python skips it.
 constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
-
-tl::unexpected<Error> refused_entry(const std::string& path, const std::string& why) {
-  return fail(Errc::input, path + ": " + why);
-}
-
-tl::unexpected<Error> system_error(const std::string& path) {
-  return fail(Errc::unavailable, path + ": " + std::strerror(errno));
-}
-
-bool write_all(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = write(fd, bytes.data(), bytes.size());
-    if (n < 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
-}
 
 }  // namespace
 
@@ -44,15 +25,13 @@ Result<SealedEntry> SealedEntry::open(const std::string& path) {
   if (!file) return tl::unexpected(file.error());
   const auto content = system::read_file(*file);
   if (!content) return tl::unexpected(content.error());
-  if (content->empty()) return refused_entry(path, "it is empty");
+  if (content->empty()) return fail(Errc::input, path + ": it is empty");
   const std::size_t size = content->size();
-  system::Descriptor sealed(memfd_create("entry", MFD_CLOEXEC | MFD_ALLOW_SEALING));
-  if (!sealed.is_open() || !write_all(sealed.get(), *content)) return system_error(path);
-  const int seals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL;
-  if (fcntl(sealed.get(), F_ADD_SEALS, seals) != 0) return system_error(path);
-  void* bytes = mmap(nullptr, size, PROT_READ, MAP_SHARED, sealed.get(), 0);
-  if (bytes == MAP_FAILED) return system_error(path);
-  return SealedEntry(std::move(sealed), {static_cast<const char*>(bytes), size});
+  auto sealed = system::sealed_copy(*content);
+  if (!sealed) return fail(sealed.error().code, path + ": " + sealed.error().what);
+  void* bytes = mmap(nullptr, size, PROT_READ, MAP_SHARED, sealed->get(), 0);
+  if (bytes == MAP_FAILED) return fail(Errc::unavailable, path + ": " + std::strerror(errno));
+  return SealedEntry(std::move(*sealed), {static_cast<const char*>(bytes), size});
 }
 
 bool SealedEntry::is_python() const {

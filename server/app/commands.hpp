@@ -7,6 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/match/leg.hpp"
+#include "server/statistics/report.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -158,12 +159,8 @@ struct ReplayOptions {
 };
 Result<int> run_replay(const ReplayOptions& options);
 
-struct StatsOptions {
+struct StatsOptions : statistics::ReportOptions {
   std::vector<std::string> paths;  // records, or the folder of a league
-  bool goals = false;              // how goals fell instead of the numbers
-  std::string team;                // only the legs of this team; "": all legs
-  bool csv = false;
-  bool json = false;
 };
 Result<int> run_stats(const StatsOptions& options);
 

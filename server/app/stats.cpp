@@ -3,7 +3,6 @@
 // mirocup stats RECORD…|LEAGUE: football statistics. Records are played again here; the legs of a
 // league are known to mirocup-league only.
 #include "server/app/commands.hpp"
-#include "server/statistics/report.hpp"
 #include "system/child_process.hpp"
 #include "system/locations.hpp"
 
@@ -44,12 +43,7 @@ Result<int> run_stats(const StatsOptions& options) {
   system::Disk disk;
   const auto legs = statistics::count_records(disk, options.paths);
   if (!legs) return tl::unexpected(legs.error());
-  const auto text = statistics::report(
-      *legs, {.subject = options.goals ? statistics::Subject::goals : statistics::Subject::numbers,
-              .form = options.json  ? statistics::Form::json
-                      : options.csv ? statistics::Form::csv
-                                    : statistics::Form::text,
-              .team = options.team});
+  const auto text = statistics::report(*legs, options);
   if (!text) return tl::unexpected(text.error());
   std::cout << *text;
   return exit_yes;

@@ -30,6 +30,7 @@ constexpr Library libraries[] = {
 struct File {
   const char* property;
   const char* name;
+  bool is_needed = true;
 };
 
 constexpr File files[] = {
@@ -39,10 +40,9 @@ constexpr File files[] = {
     {"dds.sec.access.permissions_ca", "permissions_ca.pem"},
     {"dds.sec.access.governance", "governance.p7s"},
     {"dds.sec.access.permissions", "permissions.p7s"},
+    // The list of revoked certificates; only servers have it.
+    {"org.eclipse.cyclonedds.sec.auth.crl", "revoked.pem", false},
 };
-
-// The list of revoked certificates; only servers have it.
-constexpr File revoked{"org.eclipse.cyclonedds.sec.auth.crl", "revoked.pem"};
 
 }  // namespace
 
@@ -54,24 +54,16 @@ Result<void> set_credentials(dds_qos_t* qos, const std::string& folder) {
     dds_qset_prop(qos, (property + ".finalize").c_str(), l.finalize);
   }
   system::Disk disk;
-  const auto is_there = [&](const File& f) {
-    return disk
-        .read_if_there(folder + "/" + f.name,
-                       {.max_size = system::size_limit::note, .links = system::Links::followed})
-        .map([](const std::optional<std::string>& text) { return text.has_value(); });
-  };
   for (const File& f : files) {
     const std::string path = folder + "/" + f.name;
-    const auto found = is_there(f);
-    if (!found) return tl::unexpected(found.error());
-    if (!*found)
+    // Without a list that is there everybody could join whose certificate was revoked.
+    const auto text = disk.read_if_there(
+        path, {.max_size = system::size_limit::note, .links = system::Links::followed});
+    if (!text) return tl::unexpected(text.error());
+    if (!*text && f.is_needed)
       return fail(Errc::input, folder + " holds no credentials: " + path + " is not there");
-    dds_qset_prop(qos, f.property, ("file:" + path).c_str());
+    if (*text) dds_qset_prop(qos, f.property, ("file:" + path).c_str());
   }
-  // Without the list everybody could join whose certificate was revoked.
-  const auto lists = is_there(revoked);
-  if (!lists) return tl::unexpected(lists.error());
-  if (*lists) dds_qset_prop(qos, revoked.property, ("file:" + folder + "/" + revoked.name).c_str());
   return {};
 }
 

@@ -104,15 +104,6 @@ Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::
     return tl::unexpected(opened.error());
   }
   if (!excused_) excused_.emplace(usual_step + 2.0 * terms.tick.value_or(0.0));
-  FormerSeat former;
-  const std::string partition = team_partition(match_id_, index_of(briefing.team), name);
-  if (auto opened = former.client.open(participant_, partition); !opened) {
-    return tl::unexpected(opened.error());
-  }
-  former.tell = [tell = terms.tell, name] {
-    tell("a program of team \"" + name + "\" speaks v2 of the topics, and is refused");
-  };
-  former_.push_back(std::move(former));
   seats_.push_back(std::move(seat));
   return seats_.back().get();
 }
@@ -147,12 +138,7 @@ void MatchServer::listen(double seconds) {
   }
   for (const auto& seat : seats_) seat->receive();
   if (seconds_since(looked_) >= host_poll_interval) look_after_host();
-  if (seconds > 0.0 && seconds_since(sent_) >= interval) {
-    send_state();
-    for (FormerSeat& former : former_) {
-      if (former.client.refuse()) former.tell();
-    }
-  }
+  if (seconds > 0.0 && seconds_since(sent_) >= interval) send_state();
 }
 
 // All teams read the same state. It is sent again as soon as one of those that have not answered

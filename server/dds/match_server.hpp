@@ -9,7 +9,6 @@
 
 #include "server/dds/domain.hpp"
 #include "server/dds/excused_time.hpp"
-#include "server/dds/former_client.hpp"
 #include "server/dds/match_claim.hpp"
 #include "server/dds/seat.hpp"
 
@@ -78,12 +77,6 @@ class MatchServer {
   Entity publisher_, state_topic_, event_topic_, info_topic_;
   Entity state_writer_, event_writer_, info_writer_, waitset_;
   std::vector<std::unique_ptr<Seat>> seats_;
-  // One for each seat, and what it tells the host when a program of v2 asks for that seat.
-  struct FormerSeat {
-    FormerClient client;
-    std::function<void()> tell;
-  };
-  std::vector<FormerSeat> former_;
   mirocup_v3_WorldState state_{};
   WallClock::time_point sent_;  // when the state was sent last
   std::size_t events_ = 0;      // number of events already published

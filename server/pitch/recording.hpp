@@ -51,7 +51,7 @@ struct Recording {
   double usual_period() const;
 };
 
-// A short line becomes a picture of all robots, some hundred times as large. These are four hours at
+// A short line becomes a picture of all robots, some hundred times as large. This is four hours at
 // 30 Hz, and half a GiB of memory.
 inline constexpr std::size_t max_pictures = 450'000;
 

@@ -128,41 +128,33 @@ struct CloseMember {
   void operator()(zip_file_t* file) const { zip_fclose(file); }
 };
 
-// A file of the archive, whose size is known before anything is unpacked.
-struct Member {
-  zip_uint64_t index = 0;
-  std::size_t size = 0;  // bytes, unpacked
-  std::string name;      // of the array
-};
+// The name of the array in a file of the archive.
+std::string name_of(const zip_stat_t& member) {
+  std::string name = member.name;
+  if (name.ends_with(npy_suffix)) name.resize(name.size() - npy_suffix.size());
+  return name;
+}
 
 // Lists the arrays. Each may be small enough where all together are not, so the sizes are summed
 // here, before memory is taken for the first.
-Result<std::vector<Member>> members_of(zip_t* archive, const std::string& path) {
+Result<std::vector<zip_stat_t>> members_of(zip_t* archive, const std::string& path) {
   const auto count = static_cast<std::size_t>(zip_get_num_entries(archive, 0));
   if (count > max_arrays) {
     return fail(Errc::input, path + ": it has " + std::to_string(count) + " arrays, and at most " +
                                  std::to_string(max_arrays) + " are read");
   }
-  std::vector<Member> members;
+  constexpr zip_uint64_t known = ZIP_STAT_NAME | ZIP_STAT_INDEX | ZIP_STAT_SIZE;
+  std::vector<zip_stat_t> members(count);
   std::size_t total = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    Member member;
-    member.index = i;
-    zip_stat_t about;
-    const char* name = zip_get_name(archive, i, 0);
-    if (name != nullptr) member.name = name;
-    if (member.name.ends_with(npy_suffix))
-      member.name.resize(member.name.size() - npy_suffix.size());
-    const std::string where = path + ": " + member.name;
-    if (name == nullptr || zip_stat_index(archive, i, 0, &about) != 0 ||
-        (about.valid & ZIP_STAT_SIZE) == 0) {
-      return fail(Errc::damaged, where + " cannot be read");
-    }
-    if (about.size > max_array_bytes) {
+    zip_stat_t& member = members[i];
+    if (zip_stat_index(archive, i, 0, &member) != 0 || (member.valid & known) != known)
+      return fail(Errc::damaged, path + ": array " + std::to_string(i + 1) + " cannot be read");
+    const std::string where = path + ": " + name_of(member);
+    if (member.size > max_array_bytes) {
       return fail(Errc::input, where + " is larger than " + std::to_string(max_array_bytes >> 20) +
                                    " MiB, the most for one array");
     }
-    member.size = about.size;
     total += member.size;
     if (total > max_total_bytes) {
       return fail(Errc::input, where + ": with it the arrays take more than " +
@@ -170,12 +162,11 @@ Result<std::vector<Member>> members_of(zip_t* archive, const std::string& path) 
                                    " MiB together, the most for one file; save only the arrays of "
                                    "the policy");
     }
-    members.push_back(std::move(member));
   }
   return members;
 }
 
-Result<std::string> bytes_of(zip_t* archive, const Member& member, const std::string& where) {
+Result<std::string> bytes_of(zip_t* archive, const zip_stat_t& member, const std::string& where) {
   const std::unique_ptr<zip_file_t, CloseMember> file(zip_fopen_index(archive, member.index, 0));
   std::string bytes(member.size, '\0');
   if (!file ||
@@ -202,13 +193,14 @@ Result<std::map<std::string, Array>> read_npz(std::string_view bytes, const std:
   const auto members = members_of(archive.get(), path);
   if (!members) return tl::unexpected(members.error());
   std::map<std::string, Array> arrays;
-  for (const Member& member : *members) {
-    const std::string where = path + ": " + member.name;
+  for (const zip_stat_t& member : *members) {
+    const std::string name = name_of(member);
+    const std::string where = path + ": " + name;
     const auto data = bytes_of(archive.get(), member, where);
     if (!data) return tl::unexpected(data.error());
     auto array = array_of(*data, where);
     if (!array) return tl::unexpected(array.error());
-    arrays.emplace(member.name, std::move(*array));
+    arrays.emplace(name, std::move(*array));
   }
   return arrays;
 }

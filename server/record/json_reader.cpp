@@ -224,7 +224,7 @@ class TreeBuilder final : public nlohmann::json_sax<JsonReader::Json> {
 
   ParsedJson take() && {
     if (problem_) return {{}, std::move(problem_)};
-    return {std::move(root_), {}};
+    return {std::move(root_), {}, values_};
   }
 
   bool null() override { return add(Json()); }

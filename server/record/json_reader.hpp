@@ -169,6 +169,7 @@ struct JsonLimits {
 struct ParsedJson {
   JsonReader::Json value;
   std::optional<JsonProblem> problem;
+  std::size_t values = 0;  // counted as in the limits
 };
 ParsedJson parse_json(std::string_view text, const JsonLimits& limits = {});
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "server/record/match_record.hpp"
 
-#include "server/record/checksum.hpp"
 #include "server/record/conditions_json.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/pitch_json.hpp"
@@ -358,6 +357,18 @@ RecordFile read_record_file(const JsonReader& json) {
   return file;
 }
 
+// The end of a record: its last key is the digest of `text`, which is everything before it.
+std::string checksum_line(const std::string& text) {
+  return ",\n \"sha256\": \"" + system::sha256(text) + "\"\n}\n";
+}
+
+// `object` is the text of an object with at least one key, one key a line.
+std::string with_checksum(std::string object) {
+  object.resize(object.rfind("\n}"));
+  const std::string line = checksum_line(object);
+  return object + line;
+}
+
 std::string software_build() {
 #if defined(__clang__)
   const std::string compiler = "clang++ " __clang_version__;
@@ -454,6 +465,13 @@ Result<void> save(system::Files& files, const std::string& path, const MatchReco
                     {"sha256", system::sha256(replay)}};
   // Names of teams may be any bytes: what is not UTF-8 is replaced.
   return files.write(path, with_checksum(json_text(json, 1)));
+}
+
+Result<void> expect_whole(const std::string& text, const std::string& path) {
+  const std::size_t begin = text.rfind(",\n");
+  if (begin != std::string::npos && text.substr(begin) == checksum_line(text.substr(0, begin)))
+    return {};
+  return fail(Errc::damaged, path + ": its text is not what was written (sha256)");
 }
 
 Result<MatchRecord> load(system::Files& files, const std::string& path, ChecksumPolicy policy) {

@@ -136,6 +136,9 @@ Result<void> save(system::Files& files, const std::string& path, const MatchReco
 // too: that is found by replay::verify(). The digest of the replay is always checked.
 enum class ChecksumPolicy { checked, ignored };
 
+// Returns an error unless the text of a record is what was written: Errc::damaged, with the path.
+Result<void> expect_whole(const std::string& text, const std::string& path);
+
 // Reads the record and its replay, which must be in the same folder. Errors: Errc::unavailable if a
 // file cannot be read, Errc::damaged for everything else.
 Result<MatchRecord> load(system::Files& files, const std::string& path,

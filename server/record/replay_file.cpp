@@ -22,7 +22,7 @@ constexpr std::size_t max_ticks = 5'000'000;
 // tick is made up. Short legs may be.
 constexpr std::size_t min_bytes_per_tick = 4;
 constexpr std::size_t always_allowed_ticks = 4096;
-// Compressed, answers at restarts in every tick need next to nothing. The longest legs need 700 MiB.
+// Compressed, answers at restarts in every tick need next to nothing. Longest legs need 700 MiB.
 constexpr std::size_t max_plain_bytes = 1u << 30;
 
 // The file has 0 for blue and 1 for yellow, and a team's commands at that index.

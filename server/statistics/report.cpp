@@ -306,10 +306,9 @@ Result<std::string> report(std::vector<LegReport> legs, const ReportOptions& opt
       return fail(Errc::input, "--team " + system::in_quotes(team) + ": none of the legs is of it");
     }
   }
-  if (options.form == Form::json) return record::json_text(report_json(legs)) + "\n";
-  const bool is_csv = options.form == Form::csv;
-  if (options.subject == Subject::goals) return is_csv ? goals_csv(legs) : goals_text(legs, team);
-  return is_csv ? numbers_csv(legs) : numbers_text(legs);
+  if (options.json) return record::json_text(report_json(legs)) + "\n";
+  if (options.goals) return options.csv ? goals_csv(legs) : goals_text(legs, team);
+  return options.csv ? numbers_csv(legs) : numbers_text(legs);
 }
 
 }  // namespace mirocup::statistics

@@ -10,17 +10,12 @@
 
 namespace mirocup::statistics {
 
-// The forms in which statistics are printed.
-enum class Form { text, csv, json };
-
-// The numbers, or how goals fell and balls were lost.
-enum class Subject { numbers, goals };
-
 // What is printed, and how.
 struct ReportOptions {
-  Subject subject = Subject::numbers;
-  Form form = Form::text;
-  std::string team;  // only the legs of this team, and how goals fell against it; "": of all teams
+  bool goals = false;  // how goals fell and balls were lost, instead of the numbers
+  std::string team;    // only its legs, and how goals fell against it; "": of all teams
+  bool csv = false;    // comma-separated values, and no text for people
+  bool json = false;   // one object
 };
 
 // Returns what `mirocup stats` prints about these legs. JSON holds both subjects. Errors:

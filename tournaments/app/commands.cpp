@@ -238,12 +238,7 @@ Result<int> run_stats(const StatsOptions& options) {
   if (!store) return tl::unexpected(store.error());
   const auto legs = all_statistics(disk, store->folder(), store->state());
   if (!legs) return tl::unexpected(legs.error());
-  const auto text = statistics::report(
-      *legs, {.subject = options.goals ? statistics::Subject::goals : statistics::Subject::numbers,
-              .form = options.json  ? statistics::Form::json
-                      : options.csv ? statistics::Form::csv
-                                    : statistics::Form::text,
-              .team = options.team});
+  const auto text = statistics::report(*legs, options);
   if (!text) return tl::unexpected(text.error());
   std::cout << *text;
   return exit_yes;

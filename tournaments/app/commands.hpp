@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
+#include "server/statistics/report.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/play/comparison_run.hpp"
 #include "tournaments/tune/tuning.hpp"
@@ -53,12 +54,8 @@ Result<int> run_verify_league(const LeagueOptions& options);
 Result<int> run_grades(const LeagueOptions& options);
 
 // Options of `stats`, which `mirocup stats` starts for a league.
-struct StatsOptions {
+struct StatsOptions : statistics::ReportOptions {
   std::string folder;
-  bool goals = false;  // how goals fell instead of the numbers
-  std::string team;    // only the legs of this team; "": all legs
-  bool csv = false;
-  bool json = false;
 };
 Result<int> run_stats(const StatsOptions& options);
 

@@ -48,9 +48,9 @@ class HandInBook {
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking) {
     queue_.begin(team, entry, state);
   }
-  void wait_again(const std::string& team, int entry) { queue_.wait_again(team, entry); }
-  void give_way(const std::string& team, int entry) { queue_.give_way(team, entry); }
-  int spend(const std::string& team, int entry) { return queue_.spend(team, entry); }
+  void wait_again(const std::string& team, int entry, NoAnswer why = NoAnswer::host_failed) {
+    queue_.wait_again(team, entry, why);
+  }
 
  private:
   HandInBook(system::Files& files, Folder folder, Journal journal)

@@ -96,7 +96,8 @@ void CheckRunner::start_next() {
   running_[next_tag_++] = {.handed = *next,
                            .pid = *pid,
                            .begun = steady_clock::now(),
-                           .compile_seconds = is_source ? compile_seconds : 0};
+                           .compile_seconds = is_source ? compile_seconds : 0,
+                           .used = {.team = next->team, .entry = next->entry}};
 }
 
 void CheckRunner::book(const Running& check, const system::Exit& exit) {
@@ -111,37 +112,36 @@ void CheckRunner::book(const Running& check, const system::Exit& exit) {
       std::string_view(output).substr(begin == std::string::npos ? 0 : begin + 1));
   const bool is_answer = exit.signal == 0 && (exit.code == exit_yes || exit.code == exit_no) &&
                          !answer.problem && answer.value.is_object();
+  Result<void> booked;
   if (is_answer) {
     const bool is_accepted = exit.code == exit_yes;
     if (check.compile_seconds > 0)
-      compile_time_.note(team, is_accepted || check.is_compiled, check.processor);
+      compile_time_.note(team, is_accepted || check.is_compiled, check.used.processor);
     const std::string message = answer.value.value("message", "");
     tell_(message);
-    const auto state = is_accepted ? HandInState::accepted : HandInState::refused;
-    if (auto booked = portal_.close(team, entry, state, message); !booked) {
-      tell_(booked.error().what);
-      rests_until_ = steady_clock::now() + rest_time;
-    }
+    booked = portal_.close(team, entry, is_accepted ? HandInState::accepted : HandInState::refused,
+                           message);
   } else {
-    book_no_answer(check, exit, output);
+    booked = book_no_answer(check, exit, output);
+  }
+  if (!booked) {
+    tell_(booked.error().what);
+    rests_until_ = steady_clock::now() + rest_time;
   }
   (void)files_.remove(path);
 }
 
-void CheckRunner::book_no_answer(const Running& check, const system::Exit& exit,
-                                 const std::string& output) {
+Result<void> CheckRunner::book_no_answer(const Running& check, const system::Exit& exit,
+                                         const std::string& output) {
   const std::string& team = check.handed.team;
   const int entry = check.handed.entry;
   const std::string name = team + ": entry " + std::to_string(entry) + ": ";
-  Result<void> booked;
-  if (check.is_spent) {
-    const double most = most_processor(check);
+  const double most = most_processor(check);
+  if (check.stopped == NoAnswer::spent) {
     tell_(name + "its check was stopped after " + std::to_string(static_cast<int>(most)) +
           " s of processor time");
-    booked = portal_.spend(team, entry, most);
-  } else if (check.gives_way) {
+  } else if (check.stopped) {
     tell_(name + "its check gives way to that of another team");
-    portal_.give_way(team, entry);
   } else {
     constexpr std::size_t enough = 500;  // bytes
     tell_(name + "its check ended with " +
@@ -149,18 +149,15 @@ void CheckRunner::book_no_answer(const Running& check, const system::Exit& exit,
                             : "code " + std::to_string(exit.code)) +
           " " + output.substr(0, enough));
     rests_until_ = steady_clock::now() + (exit.signal != 0 ? 0s : rest_time);
-    booked = portal_.wait_again(team, entry);
   }
-  if (booked) return;
-  tell_(booked.error().what);
-  rests_until_ = steady_clock::now() + rest_time;
+  return portal_.wait_again(team, entry, check.stopped.value_or(NoAnswer::host_failed), most);
 }
 
 void CheckRunner::look_at_checks() {
   const auto now = steady_clock::now();
-  if (now - looked_at_ < look_interval) return;
-  const double since_last = std::chrono::duration<double>(now - looked_at_).count();
-  looked_at_ = now;
+  if (now - last_look_ < look_interval) return;
+  const double since_last = std::chrono::duration<double>(now - last_look_).count();
+  last_look_ = now;
   std::vector<pid_t> pids;
   for (const auto& [tag, check] : running_) pids.push_back(check.pid);
   const auto used = pids.empty() ? std::map<pid_t, system::TreeUse>() : system::use_of_trees(pids);
@@ -177,13 +174,13 @@ void CheckRunner::look_at_checks() {
       portal_.set_step(team, entry, step);
     }
     const system::TreeUse& use = used.at(check.pid);
-    check.processor = std::max(check.processor, use.seconds);
+    check.used.processor = std::max(check.used.processor, use.seconds);
     const double clock = std::chrono::duration<double>(now - check.begun).count();
-    if (!use.is_runnable) check.asleep += std::min(since_last, clock);
-    check.is_spent = check.is_spent || check.processor > most_processor(check);
+    if (!use.is_runnable) check.used.asleep += std::min(since_last, clock);
+    if (check.used.processor > most_processor(check)) check.stopped = NoAnswer::spent;
     // It is booked when its end is noticed.
-    if (check.is_spent || clock > limits_.clock) ::kill(check.pid, SIGKILL);
-    uses.push_back({team, entry, check.processor, check.asleep});
+    if (check.stopped || clock > limits_.clock) ::kill(check.pid, SIGKILL);
+    uses.push_back(check.used);
   }
   if (busy() >= jobs_) make_room(uses);
 }
@@ -191,14 +188,14 @@ void CheckRunner::look_at_checks() {
 // Stops one check or friendly, if a hand-in waits that may begin.
 void CheckRunner::make_room(const std::vector<RunningCheck>& uses) {
   const bool is_stopping = std::any_of(running_.begin(), running_.end(), [](const auto& one) {
-    return one.second.is_spent || one.second.gives_way;
+    return one.second.stopped.has_value();
   });
   if (is_stopping || !portal_.has_next() || friendlies_.give_way()) return;
   const auto stopped = portal_.to_stop(uses);
   if (!stopped) return;
   for (auto& [tag, check] : running_) {
     if (check.handed.team != stopped->team || check.handed.entry != stopped->entry) continue;
-    check.gives_way = true;
+    check.stopped = NoAnswer::gave_way;
     ::kill(check.pid, SIGKILL);
   }
 }

@@ -17,6 +17,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 
 namespace mirocup::league {
 
@@ -45,11 +46,9 @@ class CheckRunner {
     pid_t pid = 0;
     std::chrono::steady_clock::time_point begun;
     int compile_seconds = 0;   // that compiling it may take; 0: it is a library
-    double processor = 0.0;    // s that it has used
-    double asleep = 0.0;       // s for which none of its processes wanted a processor
+    RunningCheck used{};       // so far
     bool is_compiled = false;  // it was seen to be checked
-    bool is_spent = false;     // it was stopped because it has used up its processor time
-    bool gives_way = false;    // it was stopped for the check of another team
+    std::optional<NoAnswer> stopped = std::nullopt;  // why it was stopped
   };
 
   // Processes that run.
@@ -60,7 +59,8 @@ class CheckRunner {
   void book(const Running& check, const system::Exit& exit);
   void look_at_checks();
   void make_room(const std::vector<RunningCheck>& uses);
-  void book_no_answer(const Running& check, const system::Exit& exit, const std::string& output);
+  Result<void> book_no_answer(const Running& check, const system::Exit& exit,
+                              const std::string& output);
   double most_processor(const Running& check) const {
     return limits_.processor + check.compile_seconds;
   }
@@ -77,7 +77,7 @@ class CheckRunner {
   std::map<int, Running> running_;  // by tag
   FriendlyRunner friendlies_;
   int next_tag_ = 0;
-  std::chrono::steady_clock::time_point looked_at_{};
+  std::chrono::steady_clock::time_point last_look_{};
   std::chrono::steady_clock::time_point rests_until_{};  // after a fault of the host
 };
 

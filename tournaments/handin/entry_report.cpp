@@ -63,9 +63,26 @@ Json text_or_null(const std::string& text) {
   return text.empty() ? Json() : Json(text);
 }
 
-Result<Json> report_of(system::Files& files, const Folder& folder, const std::string& team,
-                       int entry, const WaitingHandIn* waiting, int before, const CheckStep& step,
-                       bool is_whole) {
+}  // namespace
+
+CheckStep last_step(std::string_view output) {
+  // A line without its end is still being written.
+  const std::size_t end = output.rfind('\n');
+  if (end == std::string_view::npos) return {};
+  output = output.substr(0, end);
+  while (true) {
+    const std::size_t begin = output.rfind('\n');
+    const std::string_view line =
+        begin == std::string_view::npos ? output : output.substr(begin + 1);
+    if (line.starts_with(step_mark)) return read_step(line.substr(step_mark.size()));
+    if (begin == std::string_view::npos) return {};
+    output = output.substr(0, begin);
+  }
+}
+
+Result<Json> entry_report(system::Files& files, const Folder& folder, const std::string& team,
+                          int entry, const WaitingHandIn* waiting, int before,
+                          const CheckStep& step, bool is_whole) {
   const bool is_stored = files.exists(folder.entry_file(team, entry));
   if (waiting == nullptr && !is_stored) return Json();
   Json report{{"entry", entry}, {"team", team}};
@@ -106,35 +123,6 @@ Result<Json> report_of(system::Files& files, const Folder& folder, const std::st
                          : Json{{"number", step.number}, {"of", step.of}, {"name", step.name}};
   }
   return report;
-}
-
-}  // namespace
-
-CheckStep last_step(std::string_view output) {
-  // A line without its end is still being written.
-  const std::size_t end = output.rfind('\n');
-  if (end == std::string_view::npos) return {};
-  output = output.substr(0, end);
-  while (true) {
-    const std::size_t begin = output.rfind('\n');
-    const std::string_view line =
-        begin == std::string_view::npos ? output : output.substr(begin + 1);
-    if (line.starts_with(step_mark)) return read_step(line.substr(step_mark.size()));
-    if (begin == std::string_view::npos) return {};
-    output = output.substr(0, begin);
-  }
-}
-
-Result<Json> entry_report(system::Files& files, const Folder& folder, const std::string& team,
-                          int entry, const WaitingHandIn* waiting, int before,
-                          const CheckStep& step) {
-  return report_of(files, folder, team, entry, waiting, before, step, true);
-}
-
-Result<Json> entry_summary(system::Files& files, const Folder& folder, const std::string& team,
-                           int entry, const WaitingHandIn* waiting, int before,
-                           const CheckStep& step) {
-  return report_of(files, folder, team, entry, waiting, before, step, false);
 }
 
 std::string shortened(const std::string& log) {

@@ -25,17 +25,12 @@ struct CheckStep {
 // Returns the last step in the output of a check that is running.
 CheckStep last_step(std::string_view output);
 
-// Returns the report of an entry; null if the team has none of that number. A verdict that cannot be
-// read is an error: nobody is told that it was a refusal. `waiting` may be null:
-// then the entry was not handed in over the network.
+// Returns the report of an entry; null if the team has none of that number. A verdict that cannot
+// be read is an error: nobody is told that it was a refusal. `waiting` may be null: then the entry
+// was not handed in over the network. The report has checks, times and log only if it `is_whole`.
 Result<Json> entry_report(system::Files& files, const Folder& folder, const std::string& team,
                           int entry, const WaitingHandIn* waiting, int before,
-                          const CheckStep& step);
-
-// Returns the report without checks, times and log.
-Result<Json> entry_summary(system::Files& files, const Folder& folder, const std::string& team,
-                           int entry, const WaitingHandIn* waiting, int before,
-                           const CheckStep& step);
+                          const CheckStep& step, bool is_whole);
 
 // Returns the first and the last lines of a log, as many as a person reads.
 std::string shortened(const std::string& log);

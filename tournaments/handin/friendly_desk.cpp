@@ -231,14 +231,9 @@ Result<void> FriendlyDesk::played(const Friendly& friendly, std::int64_t now) {
                       end->end, now);
 }
 
-void FriendlyDesk::give_way(const Friendly& friendly) {
+Result<void> FriendlyDesk::failed(const Friendly& friendly, std::int64_t now, bool is_spoiled) {
   const std::lock_guard lock(mutex_);
-  book_.wait_again(friendly.team, friendly.number, false);
-}
-
-Result<void> FriendlyDesk::failed(const Friendly& friendly, std::int64_t now) {
-  const std::lock_guard lock(mutex_);
-  book_.wait_again(friendly.team, friendly.number, true);
+  book_.wait_again(friendly.team, friendly.number, is_spoiled);
   const Friendly* known = book_.friendlies().find(friendly.team, friendly.number);
   if (known == nullptr || known->failures < most_failures) return {};
   return book_.finish(friendly.team, friendly.number, FriendlyState::void_, 0, 0,

@@ -48,12 +48,11 @@ class FriendlyDesk {
   // GET below the path of friendlies, "/TEAM/NUMBER/log" or "/TEAM/NUMBER/replay".
   web::Reply show(const std::string& visitor, std::string_view rest);
 
-  // For the runner. The host's failures void a leg after some tries.
+  // For the runner. The host's failures void a leg after some tries. One that was stopped for a
+  // check is not spoiled: it waits again.
   std::optional<Friendly> begin_next();
   Result<void> played(const Friendly& friendly, std::int64_t now);
-  Result<void> failed(const Friendly& friendly, std::int64_t now);
-  // It was stopped for a check, and waits again.
-  void give_way(const Friendly& friendly);
+  Result<void> failed(const Friendly& friendly, std::int64_t now, bool is_spoiled = true);
 
  private:
   FriendlyDesk(system::Files& files, Folder folder, FriendlyOptions options, FriendlyBook book)

@@ -37,14 +37,10 @@ bool FriendlyRunner::book(const system::Exit& exit, std::int64_t now) {
   const auto found = running_.find(exit.tag);
   if (found == running_.end()) return false;
   const Friendly friendly = std::move(found->second.friendly);
-  const bool gives_way = found->second.gives_way;
+  const bool is_spoiled = !found->second.gives_way || exit.signal == 0;
   running_.erase(found);
-  if (gives_way && exit.signal != 0) {
-    desk_.give_way(friendly);
-    return true;
-  }
   (void)(exit.signal == 0 && exit.code == exit_yes ? desk_.played(friendly, now)
-                                                   : desk_.failed(friendly, now));
+                                                   : desk_.failed(friendly, now, is_spoiled));
   return true;
 }
 
@@ -58,7 +54,6 @@ void FriendlyRunner::look_at_time() {
 bool FriendlyRunner::give_way() {
   const auto now = std::chrono::steady_clock::now();
   for (auto& [tag, leg] : running_) {
-    if (leg.gives_way) return true;
     if (now - leg.begun < turn) continue;
     ::kill(leg.pid, SIGKILL);
     leg.gives_way = true;

@@ -514,11 +514,10 @@ Result<Json> Portal::report(const std::string& team, int entry, bool is_whole) {
     if (const auto found = steps_.find({team, entry}); found != steps_.end()) step = found->second;
   }
   const WaitingHandIn* known = waiting ? &*waiting : nullptr;
-  if (!is_whole) return entry_summary(files_, folder_, team, entry, known, before, step);
-  auto whole = entry_report(files_, folder_, team, entry, known, before, step);
-  if (whole && !whole->is_null() && files_.exists(folder_.gate_leg(team, entry)))
-    (*whole)["replay"] = std::string(entry_pages_path) + std::to_string(entry) + "/replay";
-  return whole;
+  auto json = entry_report(files_, folder_, team, entry, known, before, step, is_whole);
+  if (is_whole && json && !json->is_null() && files_.exists(folder_.gate_leg(team, entry)))
+    (*json)["replay"] = std::string(entry_pages_path) + std::to_string(entry) + "/replay";
+  return json;
 }
 
 // Returns the summaries of all entries of a team, the latest first.
@@ -594,28 +593,32 @@ Result<void> Portal::close(const std::string& team, int entry, HandInState state
   return friendlies_->entry_accepted(team, entry, options_.now());
 }
 
-Result<void> Portal::wait_again(const std::string& team, int entry) {
-  bool is_void = false;
+Result<void> Portal::wait_again(const std::string& team, int entry, NoAnswer why, double seconds) {
+  int times = 0;
   {
     const std::lock_guard lock(mutex_);
-    book_.wait_again(team, entry);
+    book_.wait_again(team, entry, why);
     steps_.erase({team, entry});
-    const WaitingHandIn* handed = book_.queue().find(team, entry);
-    is_void = handed != nullptr && handed->failures >= max_failures;
     ++version_;
+    if (const auto* handed = book_.queue().find(team, entry)) times = handed->times(why);
   }
-  if (!is_void) return {};
-  return close_unchecked(
-      team, entry, HandInState::void_,
-      team + ": entry " + std::to_string(entry) +
-          " could not be checked, which is this computer's fault; hand it in again");
-}
-
-// Its files have no verdict, by which entries are counted and removed later.
-Result<void> Portal::close_unchecked(const std::string& team, int entry, HandInState state,
-                                     const std::string& message) {
-  auto closed = close(team, entry, state, message);
+  const std::string name = team + ": entry " + std::to_string(entry);
+  Result<void> closed;
+  if (why == NoAnswer::host_failed && times >= max_failures) {
+    closed =
+        close(team, entry, HandInState::void_,
+              name + " could not be checked, which is this computer's fault; hand it in again");
+  } else if (why == NoAnswer::spent && times >= max_spent) {
+    closed = close(team, entry, HandInState::refused,
+                   name + " was not accepted: its check took more than " +
+                       std::to_string(static_cast<int>(seconds)) +
+                       " s of processor time, and did so twice; let the team compute less while it "
+                       "is loaded and in each tick");
+  } else {
+    return {};
+  }
   if (!closed) return closed;
+  // Its files have no verdict, by which entries are counted and removed later.
   (void)files_.remove(folder_.library(team, entry));
   (void)files_.remove(folder_.source(team, entry));
   return {};
@@ -625,29 +628,6 @@ std::optional<WaitingHandIn> Portal::to_stop(const std::vector<RunningCheck>& ru
   const std::lock_guard lock(mutex_);
   const WaitingHandIn* stopped = book_.queue().to_stop(running);
   return stopped == nullptr ? std::nullopt : std::optional(*stopped);
-}
-
-void Portal::give_way(const std::string& team, int entry) {
-  const std::lock_guard lock(mutex_);
-  book_.give_way(team, entry);
-  steps_.erase({team, entry});
-  ++version_;
-}
-
-Result<void> Portal::spend(const std::string& team, int entry, double seconds) {
-  {
-    const std::lock_guard lock(mutex_);
-    const int spent = book_.spend(team, entry);
-    steps_.erase({team, entry});
-    ++version_;
-    if (spent < max_spent) return {};
-  }
-  return close_unchecked(
-      team, entry, HandInState::refused,
-      team + ": entry " + std::to_string(entry) + " was not accepted: its check took more than " +
-          std::to_string(static_cast<int>(seconds)) +
-          " s of processor time, and did so twice; let the team compute less while it is "
-          "loaded and in each tick");
 }
 
 }  // namespace mirocup::league

@@ -66,16 +66,14 @@ class Portal {
   Result<void> close(const std::string& team, int entry, HandInState state,
                      const std::string& message);
 
-  // The host has spoiled a check: it is tried again, and after some failures the hand-in is void.
-  Result<void> wait_again(const std::string& team, int entry);
-
-  // HandInQueue::to_stop(), and what follows when the check has been stopped.
-  std::optional<WaitingHandIn> to_stop(const std::vector<RunningCheck>& running);
-  void give_way(const std::string& team, int entry);
-
-  // A check has used up the processor time that there is for one, s. That is the file's own fault,
+  // A check has ended without an answer, and is tried again. After some failures of the host the
+  // hand-in is void. If it has used up its processor time, `seconds`, that is the file's own fault,
   // but one time it may have had bad luck: the second time the hand-in is refused.
-  Result<void> spend(const std::string& team, int entry, double seconds);
+  Result<void> wait_again(const std::string& team, int entry, NoAnswer why = NoAnswer::host_failed,
+                          double seconds = 0.0);
+
+  // HandInQueue::to_stop().
+  std::optional<WaitingHandIn> to_stop(const std::vector<RunningCheck>& running);
 
  private:
   struct Upload;
@@ -83,8 +81,6 @@ class Portal {
   Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book,
          std::unique_ptr<FriendlyDesk> friendlies);
   Result<void> finish_what_was_begun();
-  Result<void> close_unchecked(const std::string& team, int entry, HandInState state,
-                               const std::string& message);
 
   std::variant<Visitor, web::Reply> visitor(const web::Request& request, Purpose purpose);
   web::Reply api(const web::Request& request, const web::Body& body);

@@ -60,27 +60,12 @@ void HandInQueue::begin(const std::string& team, int entry, HandInState state) {
   round_ = std::max(round_, found->second.round);
 }
 
-void HandInQueue::wait_again(const std::string& team, int entry) {
+void HandInQueue::wait_again(const std::string& team, int entry, NoAnswer why) {
   const auto found = all_.find({team, entry});
   if (found == all_.end() || is_final(found->second.state)) return;
   found->second.state = HandInState::queued;
-  ++found->second.failures;
-}
-
-void HandInQueue::give_way(const std::string& team, int entry) {
-  const auto found = all_.find({team, entry});
-  if (found == all_.end() || is_final(found->second.state)) return;
-  found->second.state = HandInState::queued;
-  ++found->second.gave_way;
-  put_behind(found->second);
-}
-
-int HandInQueue::spend(const std::string& team, int entry) {
-  const auto found = all_.find({team, entry});
-  if (found == all_.end() || is_final(found->second.state)) return 0;
-  found->second.state = HandInState::queued;
-  put_behind(found->second);
-  return ++found->second.spent;
+  ++found->second.unanswered[static_cast<std::size_t>(why)];
+  if (why != NoAnswer::host_failed) put_behind(found->second);
 }
 
 const WaitingHandIn* HandInQueue::to_stop(const std::vector<RunningCheck>& running) const {
@@ -89,7 +74,8 @@ const WaitingHandIn* HandInQueue::to_stop(const std::vector<RunningCheck>& runni
   const auto ordered = order();
   const auto left_alone =
       std::find_if(ordered.begin(), ordered.end(), [](const WaitingHandIn* handed) {
-        return handed->state != HandInState::queued && handed->gave_way >= gives_way_at_most;
+        return handed->state != HandInState::queued &&
+               handed->times(NoAnswer::gave_way) >= gives_way_at_most;
       });
   const WaitingHandIn* stopped = nullptr;
   double longest = 0.0;

@@ -47,6 +47,10 @@ SourceKind source_kind_of(std::string_view file);
 // Returns what `mirocup compile --language` calls it.
 std::string language_of(SourceKind kind);
 
+// Why a check has ended without an answer: the host has spoiled it, it was stopped for that of
+// another team, or it has used up its processor time.
+enum class NoAnswer { host_failed, gave_way, spent };
+
 // One file that a team has handed in over the network.
 struct WaitingHandIn {
   std::string team;
@@ -57,12 +61,11 @@ struct WaitingHandIn {
   std::int64_t at = 0;  // s since 1970
 
   HandInState state = HandInState::queued;
-  std::string message = {};  // the answer to the team, once there is one
-  int round = 0;             // in which it is checked
-  // Since the server started:
-  int failures = 0;  // checks that the host has spoiled
-  int gave_way = 0;  // checks that were stopped for those of other teams
-  int spent = 0;     // checks that used up their processor time
+  std::string message = {};            // the answer to the team, once there is one
+  int round = 0;                       // in which it is checked
+  std::array<int, 3> unanswered = {};  // checks since the server started, by NoAnswer
+
+  int times(NoAnswer why) const { return unanswered[static_cast<std::size_t>(why)]; }
 };
 
 // A check that runs, and what it has used so far, s.
@@ -108,14 +111,10 @@ class HandInQueue {
   // Says what became of a hand-in; of one that has an answer already, nothing changes.
   void answer(const std::string& team, int entry, HandInState state, const std::string& message);
 
-  // Its check begins, or has ended without an answer: then it waits again in its old place.
+  // Its check begins, or has ended without an answer. Then it waits again: in its old place, or
+  // behind the other teams if its check took long.
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking);
-  void wait_again(const std::string& team, int entry);
-
-  // Its check was stopped because it took long: it waits again, behind the other teams. spend()
-  // returns how often it has used up its processor time.
-  void give_way(const std::string& team, int entry);
-  int spend(const std::string& team, int entry);
+  void wait_again(const std::string& team, int entry, NoAnswer why = NoAnswer::host_failed);
 
   // Returns which of the checks, all that run, is to be stopped so that the next can begin; null if
   // none is. For a caller that has no processor for the next.

@@ -21,7 +21,7 @@ using TimeInWords = std::function<std::string(const std::string& utc)>;
 // What the private page of a team shows.
 struct TeamDesk {
   std::string team;
-  Json entries;                        // entry_summary() of each, the latest first
+  Json entries;                        // entry_report() of each, the latest first
   Json legs;                           // own_legs_json()
   Json friendlies;                     // FriendlyDesk::list()
   std::vector<std::string> opponents;  // against whom it may play friendlies

@@ -17,15 +17,6 @@ constexpr std::string_view before_hash = ",\"hash\":\"";
 // A line of ours has some twenty values and a few sentences.
 constexpr record::JsonLimits line_limits{.bytes = 8u << 20, .values = 10'000};
 
-// A line is not deep: parse_json() has seen to that.
-std::size_t values_of(const Json& json) {
-  std::size_t values = 1;
-  if (json.is_structured()) {
-    for (const Json& part : json) values += values_of(part);
-  }
-  return values;
-}
-
 }  // namespace
 
 // Defined here, where Json is a complete type.
@@ -82,14 +73,13 @@ Result<void> Journal::read_line(std::string_view line) {
     }
   }
   if (problem) return tl::unexpected(record::error_of(*problem, where, Errc::damaged));
-  if (auto added = add_values_of(parsed.value, where); !added) return added;
+  if (auto added = add_values(parsed.values, where); !added) return added;
   last_hash_ = system::sha256(line);
   lines_.push_back(std::move(parsed.value));
   return {};
 }
 
-Result<void> Journal::add_values_of(const Json& line, const std::string& where) {
-  const std::size_t more = values_of(line);
+Result<void> Journal::add_values(std::size_t more, const std::string& where) {
   if (values_ + more > most_values_) {
     return fail(Errc::damaged, where + ": with it the journal has more than " +
                                    std::to_string(most_values_) + " values, the most for one");
@@ -111,10 +101,9 @@ Result<void> Journal::append(const std::string& kind, Json fields) {
   const std::string hash = system::sha256(text);
   line["hash"] = hash;
   text.append(before_hash).append(hash).append("\"}");
-  if (const auto parsed = record::parse_json(text, line_limits); parsed.problem) {
-    return tl::unexpected(record::error_of(*parsed.problem, path_, Errc::input));
-  }
-  if (auto added = add_values_of(line, path_); !added) return added;
+  const auto parsed = record::parse_json(text, line_limits);
+  if (parsed.problem) return tl::unexpected(record::error_of(*parsed.problem, path_, Errc::input));
+  if (auto added = add_values(parsed.values, path_); !added) return added;
   if (auto written = files_->append(path_, text + "\n"); !written) {
     is_torn_ = true;  // part of the line may have been written
     return written;

@@ -50,8 +50,8 @@ class Journal {
   Journal(system::Files& files, std::string path, std::size_t most_values);
 
   Result<void> read_line(std::string_view line);
-  // Counts the values of a line. Returns an error if there are too many.
-  Result<void> add_values_of(const Json& line, const std::string& where);
+  // Counts values of a line. Returns an error if there are too many.
+  Result<void> add_values(std::size_t more, const std::string& where);
 
   system::Files* files_;
   std::string path_;

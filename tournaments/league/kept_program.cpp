@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/kept_program.hpp"
 
-#include "server/record/checksum.hpp"
 #include "server/record/json_reader.hpp"
 #include "server/record/match_record.hpp"
 #include "system/locations.hpp"
-#include "system/state_folder.hpp"
 #include "system/trusted_program.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
-#include <filesystem>
-#include <sys/mman.h>
 #include <unistd.h>
 #include <utility>
 
 namespace mirocup::league {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -44,32 +35,13 @@ Result<std::string> read_list() {
   if (system::state_folder().empty())
     return fail(Errc::unavailable,
                 "there is no place for this host's list of programs: set XDG_STATE_HOME");
-  std::error_code none;
-  if (fs::symlink_status(list_path(), none).type() == fs::file_type::not_found) return "";
+  system::Disk disk;
+  if (!disk.exists(list_path())) return "";
   const auto real = system::trusted_path(list_path());
   if (!real)
     return fail(real.error().code,
                 "the list " + list_path() + " is not read: " + real.error().what);
-  system::Disk disk;
   return disk.read(*real, {.max_size = system::size_limit::note});
-}
-
-// Returns a file without a name that can be run and not be changed any more.
-Result<system::Descriptor> copy_in_memory(const std::string& bytes) {
-  constexpr unsigned executable = 0x10;  // MFD_EXEC, which kernels before 6.3 do not know
-  constexpr unsigned flags = MFD_CLOEXEC | MFD_ALLOW_SEALING;
-  system::Descriptor file(memfd_create("mirocup", flags | executable));
-  if (!file.is_open() && errno == EINVAL) file.reset(memfd_create("mirocup", flags));
-  std::size_t done = 0;
-  while (file.is_open() && done < bytes.size()) {
-    const ssize_t count = write(file.get(), bytes.data() + done, bytes.size() - done);
-    if (count <= 0) break;
-    done += static_cast<std::size_t>(count);
-  }
-  constexpr int seals = F_SEAL_SEAL | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE;
-  if (!file.is_open() || done < bytes.size() || fcntl(file.get(), F_ADD_SEALS, seals) != 0)
-    return fail(Errc::unavailable, std::string("no copy of it can be made: ") + strerror(errno));
-  return file;
 }
 
 }  // namespace
@@ -105,8 +77,7 @@ Result<void> trust_program(const std::string& bytes) {
 
 Result<std::vector<std::string>> trust_kept_programs(system::Files& files, const Folder& folder) {
   std::vector<std::string> trusted;
-  if (!files.exists(folder.programs())) return trusted;
-  const auto games = files.names_in(folder.programs());
+  const auto games = files.names_if_there(folder.programs());
   if (!games) return tl::unexpected(games.error());
   for (const std::string& game : *games) {
     const std::string path = kept_program(folder, game);
@@ -153,7 +124,7 @@ MatchServer MatchServers::open_kept(const std::string& path) {
     server.why_not_kept = path + " is not run, since this host has not kept it; if you trust the " +
                           "programs of this folder: mirocup league verify " + folder_.path +
                           " --trust-programs";
-  } else if (auto copy = copy_in_memory(*bytes); !copy) {
+  } else if (auto copy = system::sealed_copy(*bytes); !copy) {
     server.why_not_kept = path + " is not run: " + copy.error().what;
   } else {
     const std::string here = "/proc/" + std::to_string(getpid()) + "/fd/";

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/program.hpp"
 
-#include "server/record/checksum.hpp"
 #include "server/record/json_reader.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"

@@ -30,7 +30,6 @@ class CmaEs {
   const Eigen::VectorXd& mean() const { return mean_; }
   // The standard deviation along each axis.
   Eigen::VectorXd deviations() const;
-  int population() const { return population_; }
 
  private:
   double normal();

@@ -23,30 +23,9 @@ constexpr const char* workshop = "/tmp";
 // Enough room for the largest entry.
 constexpr const char* root_options = "size=40m,mode=755";
 
-bool make_read_only(const char* path) {
-  mount_attr attributes{};
-  attributes.attr_set = MOUNT_ATTR_RDONLY | MOUNT_ATTR_NOSUID | MOUNT_ATTR_NODEV;
-  return syscall(SYS_mount_setattr, AT_FDCWD, path, AT_RECURSIVE, &attributes, sizeof attributes) ==
-         0;
-}
-
 // Binds `path` to the same path, without its leading slash, below the workshop.
 bool bind(const char* path) {
   return mount(path, path + 1, nullptr, MS_BIND | MS_REC, nullptr) == 0 && make_read_only(path + 1);
-}
-
-// Binds a folder. A symbolic link, as /lib is on most systems, stays a link.
-bool add_folder(const char* path) {
-  struct stat status {};
-  if (lstat(path, &status) != 0) return errno == ENOENT;
-  if (S_ISLNK(status.st_mode)) {
-    char target[PATH_MAX];
-    const ssize_t length = readlink(path, target, sizeof target - 1);
-    if (length < 0) return false;
-    target[length] = '\0';
-    return symlink(target, path + 1) == 0;
-  }
-  return mkdir(path + 1, 0755) == 0 && bind(path);
 }
 
 bool add_loader_cache() {
@@ -79,22 +58,51 @@ bool make_folders() {
 
 }  // namespace
 
-const char* enter_private_root(int entry) {
+bool make_read_only(const char* path) {
+  mount_attr attributes{};
+  attributes.attr_set = MOUNT_ATTR_RDONLY | MOUNT_ATTR_NOSUID | MOUNT_ATTR_NODEV;
+  return syscall(SYS_mount_setattr, AT_FDCWD, path, AT_RECURSIVE, &attributes, sizeof attributes) ==
+         0;
+}
+
+bool show_folder(const char* path) {
+  struct stat status {};
+  if (lstat(path, &status) != 0) return errno == ENOENT;
+  if (S_ISLNK(status.st_mode)) {
+    char target[PATH_MAX];
+    const ssize_t length = readlink(path, target, sizeof target - 1);
+    if (length < 0) return false;
+    target[length] = '\0';
+    return symlink(target, path + 1) == 0;
+  }
+  return mkdir(path + 1, 0755) == 0 && bind(path);
+}
+
+const char* begin_root(const char* options) {
   if (mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return "private mounts";
-  if (mount("mirocup", workshop, "tmpfs", MS_NOSUID | MS_NODEV, root_options) != 0 ||
+  if (mount("mirocup", workshop, "tmpfs", MS_NOSUID | MS_NODEV, options) != 0 ||
       chdir(workshop) != 0) {
     return "an empty root";
   }
+  return nullptr;
+}
+
+// Puts the old root on top of the new one and detaches it, which leaves the new one.
+const char* change_root() {
+  if (syscall(SYS_pivot_root, ".", ".") == 0 && umount2(".", MNT_DETACH) == 0 && chdir("/") == 0)
+    return nullptr;
+  return "the change of root";
+}
+
+const char* enter_private_root(int entry) {
+  if (const char* step = begin_root(root_options)) return step;
   if (!make_folders()) return "the folders of the root";
   for (const char* folder : library_folders) {
-    if (!add_folder(folder)) return folder;
+    if (!show_folder(folder)) return folder;
   }
   if (!add_loader_cache()) return loader_cache;
   if (entry != no_entry && !add_entry(entry)) return "the copy of the library";
-  // Puts the old root on top of the new one and detaches it, which leaves the new one.
-  if (syscall(SYS_pivot_root, ".", ".") != 0 || umount2(".", MNT_DETACH) != 0 || chdir("/") != 0) {
-    return "the change of root";
-  }
+  if (const char* step = change_root()) return step;
   if (!make_read_only("/")) return "a root that is read only";
   return nullptr;
 }

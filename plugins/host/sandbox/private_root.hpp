@@ -22,4 +22,16 @@ inline constexpr const char* loader_cache = "/etc/ld.so.cache";
 // called after fork. Returns null on success, else the step that failed; errno says why.
 const char* enter_private_root(int entry);
 
+// The parts of it that every such tree has. begin_root() makes an empty tree with these options of
+// tmpfs, and the working folder is its root until change_root(). Both return null on success, else
+// the step that failed.
+const char* begin_root(const char* options);
+const char* change_root();
+
+// Shows a folder of the system in the tree, read-only. A symbolic link, as /lib is on most systems,
+// stays a link; what is missing is left out.
+bool show_folder(const char* path);
+
+bool make_read_only(const char* path);
+
 }  // namespace mirocup::plugins

@@ -4,49 +4,21 @@
 #include "plugins/host/sandbox/private_root.hpp"
 #include "system/descriptor.hpp"
 
-#include <climits>
-
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <linux/mount.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
 
 namespace mirocup::plugins {
 
 namespace {
 
-constexpr const char* workshop_folder = "/tmp";
 constexpr const char* tree_options = "size=16m,mode=755";
 constexpr const char* work_options = "size=256m,mode=700";
 
 // What the compiler needs, beside library_folders, which have its parts and the libraries.
 constexpr const char* compiler_folders[] = {"/bin", "/usr/bin", "/usr/include", "/usr/libexec"};
-
-bool make_tree_read_only(const char* path) {
-  mount_attr attributes{};
-  attributes.attr_set = MOUNT_ATTR_RDONLY | MOUNT_ATTR_NOSUID | MOUNT_ATTR_NODEV;
-  return syscall(SYS_mount_setattr, AT_FDCWD, path, AT_RECURSIVE, &attributes, sizeof attributes) ==
-         0;
-}
-
-// A symbolic link, as /lib is on most systems, stays a link. Missing folders are left out.
-bool show_folder(const char* path) {
-  struct stat status {};
-  if (lstat(path, &status) != 0) return errno == ENOENT;
-  if (S_ISLNK(status.st_mode)) {
-    char target[PATH_MAX];
-    const ssize_t length = readlink(path, target, sizeof target - 1);
-    if (length < 0) return false;
-    target[length] = '\0';
-    return symlink(target, path + 1) == 0;
-  }
-  return mkdir(path + 1, 0755) == 0 &&
-         mount(path, path + 1, nullptr, MS_BIND | MS_REC, nullptr) == 0 &&
-         make_tree_read_only(path + 1);
-}
 
 bool is_work(const TreeFile& file) {
   const std::size_t length = std::strlen(work_folder);
@@ -70,10 +42,7 @@ bool write_file(const TreeFile& file) {
 }  // namespace
 
 const char* enter_toolchain_root(std::span<const TreeFile> files) {
-  if (mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return "private mounts";
-  if (mount("mirocup", workshop_folder, "tmpfs", MS_NOSUID | MS_NODEV, tree_options) != 0 ||
-      chdir(workshop_folder) != 0)
-    return "an empty root";
+  if (const char* step = begin_root(tree_options)) return step;
   for (const char* folder :
        {"usr", "usr/local", "etc", "mirocup", "mirocup/include", work_folder + 1}) {
     if (mkdir(folder, 0755) != 0) return "the folders of the root";
@@ -84,13 +53,11 @@ const char* enter_toolchain_root(std::span<const TreeFile> files) {
   for (const char* folder : compiler_folders) {
     if (!show_folder(folder)) return folder;
   }
-  // Puts the old root on top of the new one and detaches it, which leaves the new one.
-  if (syscall(SYS_pivot_root, ".", ".") != 0 || umount2(".", MNT_DETACH) != 0 || chdir("/") != 0)
-    return "the change of root";
+  if (const char* step = change_root()) return step;
   for (const TreeFile& file : files) {
     if (!is_work(file) && !write_file(file)) return "the headers of a strategy";
   }
-  if (!make_tree_read_only("/")) return "a root that is read only";
+  if (!make_read_only("/")) return "a root that is read only";
   if (mount("work", work_folder, "tmpfs", MS_NOSUID | MS_NODEV, work_options) != 0 ||
       chdir(work_folder) != 0)
     return "a folder to work in";

@@ -10,7 +10,6 @@
 //   hellos       asks for the seat all the time, each time as another process
 //   wrong_types  writes other types under the names of the topics
 //   stuck        reads everything, and then stops
-//   former       asks for the seat as a program of v2 does, and prints the answer
 //   layout       asks for the seat with another layout of v3, and prints the answer
 //   look         reads states
 //   watch        prints what spectators are told, after the first state of the leg
@@ -26,7 +25,6 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
-#include <mirocup_former.h>
 #include <optional>
 #include <utility>
 
@@ -217,35 +215,22 @@ void write_wrong_types(Stranger& s) {
 }
 
 // Writes the Hello until there is a Welcome, and prints the reason in it.
-template <class Welcome, class Hello>
-int ask(Stranger& s, const dds_topic_descriptor_t& hello_type,
-        const dds_topic_descriptor_t& welcome_type, Hello hello) {
-  const Entity hellos = need(make_topic(s.participant, hello_type, idl::hello));
-  const Entity welcomes = need(make_topic(s.participant, welcome_type, idl::welcome));
+int ask_with_other_layout(Stranger& s, const char* name) {
+  mirocup_v3_Hello hello{};
+  hello.layout = mirocup_v3_LAYOUT + 1;
+  hello.nonce = random_nonce();
+  copy_text(hello.name, name);
+  const Entity hellos = need(make_topic(s.participant, mirocup_v3_Hello_desc, idl::hello));
+  const Entity welcomes = need(make_topic(s.participant, mirocup_v3_Welcome_desc, idl::welcome));
   const Entity writer = need(make_writer(s.publisher, hellos, idl::hello));
   const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
-  Welcome welcome;
+  mirocup_v3_Welcome welcome;
   while (!take(reader, welcome) || welcome.nonce != hello.nonce) {
     dds_write(writer.get(), &hello);
     dds_sleepfor(DDS_MSECS(20));
   }
   std::cout << static_cast<int>(welcome.answer) << ' ' << welcome.reason << '\n';
   return 0;
-}
-
-int ask_as_former(Stranger& s, const char* name) {
-  mirocup_v2_Hello hello{};
-  hello.nonce = random_nonce();
-  copy_text(hello.name, name);
-  return ask<mirocup_v2_Welcome>(s, mirocup_v2_Hello_desc, mirocup_v2_Welcome_desc, hello);
-}
-
-int ask_with_other_layout(Stranger& s, const char* name) {
-  mirocup_v3_Hello hello{};
-  hello.layout = mirocup_v3_LAYOUT + 1;
-  hello.nonce = random_nonce();
-  copy_text(hello.name, name);
-  return ask<mirocup_v3_Welcome>(s, mirocup_v3_Hello_desc, mirocup_v3_Welcome_desc, hello);
 }
 
 int print_info(Stranger& s) {
@@ -293,7 +278,6 @@ int run(const std::string& kind, const char* match_id, const char* name, const c
   if (kind == "ramble") return ramble(stranger, name);
   if (kind == "hellos") say_hellos(stranger, name);
   if (kind == "wrong_types") write_wrong_types(stranger);
-  if (kind == "former") return ask_as_former(stranger, name);
   if (kind == "layout") return ask_with_other_layout(stranger, name);
   if (kind == "watch" || kind == "configured") return print_info(stranger);
   while (kind == "look") stranger.wait_for_match();

@@ -64,8 +64,8 @@ TEST(FunctionNames, OfACutOrChangedFileAreNotReadBeyondItsEnd) {
   }
 }
 
-// A file of one table of symbols, `symbols` functions of one byte each, that `tables` sections claim
-// for themselves: every second one for what is exported.
+// A file of one table of symbols, `symbols` functions of one byte each, that `tables` sections
+// claim for themselves: every second one for what is exported.
 std::string library_of(std::size_t symbols, std::size_t tables) {
   const std::string texts("\0first\0other\0", 13);
   std::string file(sizeof(Elf64_Ehdr), '\0');

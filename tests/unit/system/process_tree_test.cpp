@@ -39,6 +39,7 @@ TEST(ProcessTree, CountsWhatItsProgramsUse) {
     const pid_t below = fork();
     if (below == 0) {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
+      prctl(PR_SET_NAME, "a) R 1\nb");  // a name that hides nothing
       use_processor(0.1);
       (void)!write(ends[1], "x", 1);
       pause();

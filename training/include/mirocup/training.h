@@ -46,8 +46,6 @@
 extern "C" {
 #endif
 
-enum { MIROCUP_TRAINING_VERSION = 1 }; /* of this interface */
-
 typedef struct mirocup_training mirocup_training;
 
 /* Lengths of the arrays below. Constant while a batch lives. */

@@ -24,16 +24,15 @@ Played check_of(double start, double tick) {
   constexpr std::uint64_t whole_leg = 18'200, knockout = 400, moment = 60;
   CheckPlan plan;
   Played played;
-  const auto play = [&](double seconds, std::uint64_t most_ticks, double factor) {
+  const auto play = [&](double seconds, std::uint64_t needed, double factor) {
     const auto affordable = static_cast<std::uint64_t>(seconds / (factor * tick)) + 1;
-    const std::uint64_t ticks = std::min(most_ticks, affordable);
+    const std::uint64_t ticks = std::min(needed, affordable);
     plan.add(start + static_cast<double>(ticks) * factor * tick, start);
     played.ticks += ticks;
     return ticks;
   };
-  const auto must_play = [&](int legs, std::uint64_t most_ticks, double factor) {
-    played.fewest_ticks =
-        std::min(played.fewest_ticks, play(plan.share_of(legs), most_ticks, factor));
+  const auto must_play = [&](int legs, std::uint64_t needed, double factor) {
+    played.fewest_ticks = std::min(played.fewest_ticks, play(plan.share_of(legs), needed, factor));
   };
   play(CheckPlan::longest, 0, 1.0);
   play(2.0, 100, 1.0);

@@ -11,7 +11,6 @@
 #include <fstream>
 #include <iterator>
 #include <mirocup.h>
-#include <mirocup_former.h>
 #include <string>
 
 namespace mirocup::dds {
@@ -74,8 +73,6 @@ std::uint64_t hash_of_text(const std::string& idl) {
 TEST(Topics, HaveTheTextOfTheirLayout) {
   EXPECT_EQ(hash_of_text(text_of("mirocup.idl")), 3340293814302489147U)
       << "if a structure was changed, give LAYOUT another number; then correct this one";
-  EXPECT_EQ(hash_of_text(text_of("mirocup_former.idl")), 14845844875660118242U)
-      << "v2 is what programs in use speak: it cannot change any more";
 }
 
 // A WorldState is followed by the signatures of its readers. Measured: 56 bytes of RTPS headers and
@@ -92,7 +89,7 @@ TEST(Topics, DoNotDescribeTheirTypesOnTheNetwork) {
   for (const auto* topic :
        {&mirocup_v3_WorldState_desc, &mirocup_v3_TeamCommand_desc, &mirocup_v3_Hello_desc,
         &mirocup_v3_Welcome_desc, &mirocup_v3_MatchInfo_desc, &mirocup_v3_MatchEvent_desc,
-        &mirocup_v3_Thoughts_desc, &mirocup_v2_Hello_desc, &mirocup_v2_Welcome_desc}) {
+        &mirocup_v3_Thoughts_desc}) {
     EXPECT_EQ(topic->m_flagset & DDS_TOPIC_XTYPES_METADATA, 0U) << topic->m_typename;
   }
 }

@@ -14,8 +14,8 @@ void put(std::string& bytes, std::uint64_t value, int width) {
   for (int i = 0; i < width; ++i) bytes += static_cast<char>(value >> (8 * i));
 }
 
-// An archive whose arrays a, b, ... say that they unpack to so many bytes. Two bytes stand for each,
-// so whoever unpacks one finds it damaged.
+// An archive whose arrays a, b, ... say that they unpack to so many bytes. Two bytes stand for
+// each, so whoever unpacks one finds it damaged.
 std::string archive_of(std::size_t count, std::uint64_t size) {
   std::string files, directory;
   for (std::size_t i = 0; i < count; ++i) {

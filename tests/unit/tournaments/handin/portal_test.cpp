@@ -133,7 +133,7 @@ TEST_F(Desk, RefusesAFileWhoseCheckUsesUpItsTimeTwice) {
   int begun = 0;
   while (const auto next = portal_->begin_next()) {
     ASSERT_LE(++begun, 2);
-    ASSERT_TRUE(portal_->spend("alpha", next->entry, 40.0));
+    ASSERT_TRUE(portal_->wait_again("alpha", next->entry, NoAnswer::spent, 40.0));
   }
   EXPECT_EQ(begun, 2);
   EXPECT_FALSE(disk_.exists(folder_.library("alpha", 1))) << "its bytes would stay for ever";
@@ -149,7 +149,7 @@ TEST_F(Desk, ACheckThatGivesWayIsBegunAgain) {
   ASSERT_EQ(ask(put(alpha_), "ELF").status, 202);
   for (int i = 0; i < 20; ++i) {
     ASSERT_TRUE(portal_->begin_next());
-    portal_->give_way("alpha", 1);
+    ASSERT_TRUE(portal_->wait_again("alpha", 1, NoAnswer::gave_way));
   }
   EXPECT_EQ(json_of(ask(api("/api/v1/entries/1", alpha_)))["state"], "queued");
 }

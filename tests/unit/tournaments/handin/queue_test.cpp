@@ -48,7 +48,7 @@ TEST(HandInQueue, LetsTeamsTakeTurns) {
   EXPECT_EQ(queue.next()->team, "b") << "a team has one check at a time";
   queue.wait_again("a", 1);
   EXPECT_EQ(queue.next()->team, "a") << "it has kept its place";
-  EXPECT_EQ(queue.find("a", 1)->failures, 1);
+  EXPECT_EQ(queue.find("a", 1)->times(NoAnswer::host_failed), 1);
 }
 
 TEST(HandInQueue, LetsNobodyPassByHandingInAgainAtOnce) {
@@ -64,8 +64,8 @@ TEST(HandInQueue, LetsNobodyPassByHandingInAgainAtOnce) {
   EXPECT_EQ(order_of(queue).substr(0, 5), "b1 c1");
 }
 
-// A queue of two processors on a clock of its own. Each hand-in needs some seconds of processor time
-// for its check; one that gives way begins anew.
+// A queue of two processors on a clock of its own. Each hand-in needs some seconds of processor
+// time for its check; one that gives way begins anew.
 class Hall {
  public:
   void hand_in_at(double time, const std::string& team, int entry, double needed) {
@@ -111,7 +111,7 @@ class Hall {
     const WaitingHandIn* stopped = queue_.to_stop(running_);
     if (stopped == nullptr) return;
     const auto [team, entry] = std::pair(stopped->team, stopped->entry);
-    queue_.give_way(team, entry);
+    queue_.wait_again(team, entry, NoAnswer::gave_way);
     std::erase_if(running_, [&](const RunningCheck& c) { return c.team == team; });
   }
 
@@ -174,9 +174,9 @@ TEST(HandInQueue, ASleepingCheckGivesWay) {
   EXPECT_EQ(queue.to_stop({check}), nullptr);
   check.asleep = 3.0;
   ASSERT_NE(queue.to_stop({check}), nullptr);
-  queue.give_way("a", 1);
+  queue.wait_again("a", 1, NoAnswer::gave_way);
   EXPECT_EQ(queue.next()->team, "b");
-  EXPECT_EQ(queue.find("a", 1)->failures, 0) << "it is not the host's fault";
+  EXPECT_EQ(queue.find("a", 1)->times(NoAnswer::host_failed), 0) << "it is not the host's fault";
   check = {.team = "b", .entry = 1, .processor = 3.5, .asleep = 0.0};
   queue.begin("b", 1);
   ASSERT_NE(queue.to_stop({check}), nullptr) << "a waits again";
@@ -187,9 +187,11 @@ TEST(HandInQueue, CountsChecksThatUseUpTheirTime) {
   queue.add(hand_in("a", 1));
   queue.add(hand_in("b", 1));
   queue.begin("a", 1);
-  EXPECT_EQ(queue.spend("a", 1), 1);
+  queue.wait_again("a", 1, NoAnswer::spent);
+  EXPECT_EQ(queue.find("a", 1)->times(NoAnswer::spent), 1);
   EXPECT_EQ(queue.next()->team, "b") << "it waits behind the others";
-  EXPECT_EQ(queue.spend("a", 1), 2);
+  queue.wait_again("a", 1, NoAnswer::spent);
+  EXPECT_EQ(queue.find("a", 1)->times(NoAnswer::spent), 2);
 }
 
 TEST(CompileTime, IsShorterAfterASourceThatWasNotCompiledInTime) {

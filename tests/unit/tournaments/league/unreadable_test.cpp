@@ -86,7 +86,7 @@ TEST_F(FileOfALeague, VerdictIsNoRefusalIfItCannotBeRead) {
   EXPECT_EQ(playing_entry(disk_, folder_, "a").error().code, Errc::damaged);
   EXPECT_FALSE(prune_versions(disk_, folder_, "a", {}, {})) << "it would be the first to go";
   expect_told(folder_.verdict("a", 1),
-              [&] { return error_of(entry_report(disk_, folder_, "a", 1, nullptr, 0, {})); });
+              [&] { return error_of(entry_report(disk_, folder_, "a", 1, nullptr, 0, {}, true)); });
 }
 
 TEST_F(FileOfALeague, PinIsNotForgottenIfItCannotBeRead) {
