@@ -77,9 +77,8 @@ Result<pid_t> start_child(const ChildOptions& options) {
   const std::vector<char*> arguments = pointers_to(words);
   Descriptor log;
   if (!options.log.empty()) {
-    auto opened = open_log(options.log);
-    if (!opened) return tl::unexpected(opened.error());
-    log = std::move(*opened);
+    MIROCUP_TRY(auto opened, open_log(options.log));
+    log = std::move(opened);
   }
   const pid_t parent = getpid();
   const pid_t pid = fork();
@@ -90,10 +89,9 @@ Result<pid_t> start_child(const ChildOptions& options) {
 }
 
 Result<int> run_child(const ChildOptions& options) {
-  const auto pid = start_child(options);
-  if (!pid) return tl::unexpected(pid.error());
+  MIROCUP_TRY(const auto pid, start_child(options));
   int status = 0;
-  while (waitpid(*pid, &status, 0) < 0) {
+  while (waitpid(pid, &status, 0) < 0) {
     if (errno == EINTR) continue;
     return fail(Errc::unavailable,
                 options.arguments[0] + " cannot be waited for: " + std::strerror(errno));

@@ -85,32 +85,30 @@ std::string identity_of(pid_t pid) {
 }  // namespace
 
 Result<FileLock> FileLock::acquire(const std::string& path) {
-  auto file = open_lock(path, O_CREAT);
-  if (!file) return tl::unexpected(file.error());
-  if (!lock(file->get(), LOCK_EX)) return cannot_lock(path, std::strerror(errno));
-  return FileLock(std::move(*file));
+  MIROCUP_TRY(auto file, open_lock(path, O_CREAT));
+  if (!lock(file.get(), LOCK_EX)) return cannot_lock(path, std::strerror(errno));
+  return FileLock(std::move(file));
 }
 
 Result<std::optional<FileLock>> FileLock::try_acquire(const std::string& path) {
-  auto file = open_lock(path, O_CREAT);
-  if (!file) return tl::unexpected(file.error());
+  MIROCUP_TRY(auto file, open_lock(path, O_CREAT));
   // A process that was killed while it started a child leaves the lock to the child, until that runs
   // its program.
-  bool is_locked = lock(file->get(), LOCK_EX | LOCK_NB);
+  bool is_locked = lock(file.get(), LOCK_EX | LOCK_NB);
   for (int i = 0; i < patience_steps && !is_locked && errno == EWOULDBLOCK; ++i) {
     usleep(patience_step_us);
-    is_locked = lock(file->get(), LOCK_EX | LOCK_NB);
+    is_locked = lock(file.get(), LOCK_EX | LOCK_NB);
   }
   if (!is_locked) {
     if (errno == EWOULDBLOCK) return std::nullopt;
     return cannot_lock(path, std::strerror(errno));
   }
   const std::string text = identity_of(getpid());
-  if (ftruncate(file->get(), 0) != 0 ||
-      ::write(file->get(), text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
+  if (ftruncate(file.get(), 0) != 0 ||
+      ::write(file.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
     return cannot_lock(path, std::strerror(errno));
   }
-  return std::optional<FileLock>(FileLock(std::move(*file)));
+  return std::optional<FileLock>(FileLock(std::move(file)));
 }
 
 Result<bool> FileLock::signal_holder(const std::string& path, std::span<const int> signals) {

@@ -276,9 +276,8 @@ Result<std::string> Disk::read(const std::string& path, const ReadOptions& optio
 
 Result<std::string> Disk::read_from(const std::string& path, std::size_t offset,
                                     const ReadOptions& options) {
-  const auto file = open_file(path, options);
-  if (!file) return tl::unexpected(file.error());
-  return read_file(*file, offset);
+  MIROCUP_TRY(const auto file, open_file(path, options));
+  return read_file(file, offset);
 }
 
 Result<void> Disk::write(const std::string& path, std::string_view bytes, Readers readers) {

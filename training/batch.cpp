@@ -115,19 +115,17 @@ Result<Match*> Batch::match(int number) const {
 }
 
 Result<match::Snapshot> Batch::snapshot(int number) const {
-  const auto found = match(number);
-  if (!found) return tl::unexpected(found.error());
-  return (*found)->snapshot(*worlds_.front());
+  MIROCUP_TRY(const auto found, match(number));
+  return found->snapshot(*worlds_.front());
 }
 
 Result<void> Batch::record(int number, bool last, const std::string& path) const {
-  const auto found = match(number);
-  if (!found) return tl::unexpected(found.error());
-  if (!last) return save_record(config_, (*found)->episode(), path);
-  if (!(*found)->last_episode()) {
+  MIROCUP_TRY(const auto found, match(number));
+  if (!last) return save_record(config_, found->episode(), path);
+  if (!found->last_episode()) {
     return fail(Errc::input, "no episode of match " + std::to_string(number) + " has ended yet");
   }
-  return save_record(config_, *(*found)->last_episode(), path);
+  return save_record(config_, *found->last_episode(), path);
 }
 
 Result<void> Batch::restore(int number, std::string_view copy) {

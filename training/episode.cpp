@@ -64,13 +64,12 @@ record::TeamInfo team_info(const Side& side, system::Files& files) {
 }  // namespace
 
 Result<void> save_record(const Config& config, const Episode& episode, const std::string& path) {
-  const auto setup = setup_of(config, episode.seed);
-  if (!setup) return tl::unexpected(setup.error());
-  if (const std::string problem = match::problem_with(setup->parameters); !problem.empty()) {
+  MIROCUP_TRY(const auto setup, setup_of(config, episode.seed));
+  if (const std::string problem = match::problem_with(setup.parameters); !problem.empty()) {
     return fail(Errc::input,
                 "the \"pitch\" of this episode makes no robot, so no record: " + problem);
   }
-  match::Leg leg(*setup);
+  match::Leg leg(setup);
   const int robots = leg.field().robots_per_team;
   const std::uint32_t ticks = episode.ticks(robots);
   replay::StateTrace trace;

@@ -99,9 +99,8 @@ std::vector<StartRanges> read_starts(const JsonReader& json, League league, bool
 Result<match::Start> draw_start(const std::vector<StartRanges>& starts, League league,
                                 Random& random) {
   const StartRanges& start = starts[random.below(starts.size())];
-  auto situation = record::draw_situation(start.situation, league, random, start.name);
-  if (!situation) return tl::unexpected(situation.error());
-  return situation->start;
+  MIROCUP_TRY(auto situation, record::draw_situation(start.situation, league, random, start.name));
+  return situation.start;
 }
 
 }  // namespace mirocup::training

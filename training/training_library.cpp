@@ -103,8 +103,7 @@ int mirocup_training_set_weights(mirocup_training* training, const double* weigh
 
 int mirocup_training_bodies(const mirocup_training* training, int match, double* bodies) {
   return guarded(training, [&]() -> Result<void> {
-    const auto now = training->batch.snapshot(match);
-    if (!now) return tl::unexpected(now.error());
+    MIROCUP_TRY(const auto now, training->batch.snapshot(match));
     double* to = bodies;
     const auto put = [&](const mirocup::match::ObservedRobot& r) {
       for (const double value :
@@ -112,10 +111,10 @@ int mirocup_training_bodies(const mirocup_training* training, int match, double*
         *to++ = value;
       }
     };
-    for (const auto& team : now->robots) {
+    for (const auto& team : now.robots) {
       std::for_each_n(team.begin(), training->batch.sizes().robots, put);
     }
-    put({.position = now->ball.position, .velocity = now->ball.velocity});
+    put({.position = now.ball.position, .velocity = now.ball.velocity});
     return {};
   });
 }
@@ -130,9 +129,8 @@ int mirocup_training_record(mirocup_training* training, int match,
 size_t mirocup_training_save(const mirocup_training* training, int match, void* copy, size_t size) {
   size_t needed = 0;
   guarded(training, [&]() -> Result<void> {
-    const auto found = training->batch.match(match);
-    if (!found) return tl::unexpected(found.error());
-    const std::string bytes = (*found)->save();
+    MIROCUP_TRY(const auto found, training->batch.match(match));
+    const std::string bytes = found->save();
     if (size >= bytes.size()) std::memcpy(copy, bytes.data(), bytes.size());
     needed = bytes.size();
     return {};

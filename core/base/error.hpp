@@ -39,6 +39,17 @@ inline tl::unexpected<Error> fail(Errc code, std::string what) {
   return tl::unexpected<Error>(Error{code, std::move(what)});
 }
 
+// MIROCUP_TRY(const auto file, open(path)); declares `file` with the value of a Result, or returns
+// its error from the function. MIROCUP_TRY_VOID(write(path)); returns the error, if there is one.
+#define MIROCUP_TRY(value, ...)                                                                    \
+  auto MIROCUP_TRIED(__LINE__) = __VA_ARGS__;                                                      \
+  if (!MIROCUP_TRIED(__LINE__)) return tl::unexpected(std::move(MIROCUP_TRIED(__LINE__)).error()); \
+  value = *std::move(MIROCUP_TRIED(__LINE__))
+#define MIROCUP_TRY_VOID(...) \
+  if (auto tried_ = __VA_ARGS__; !tried_) return tl::unexpected(std::move(tried_).error())
+#define MIROCUP_TRIED(line) MIROCUP_TRIED_IN(line)
+#define MIROCUP_TRIED_IN(line) tried_##line
+
 // The exit codes of a program that did its work: 0 if the answer is yes, 1 if it is no (diverged,
 // rejected, fixtures left).
 inline constexpr int exit_yes = 0;

@@ -69,17 +69,16 @@ Result<void> add_headers(const fs::path& folder, const std::string& below,
                          std::vector<TreeFile>& files) {
   system::Disk disk;
   files.push_back({.path = below, .bytes = "", .is_folder = true});
-  const auto names = disk.names_in(folder.string());
-  if (!names) return tl::unexpected(names.error());
-  for (const std::string& name : *names) {
+  MIROCUP_TRY(const auto names, disk.names_in(folder.string()));
+  for (const std::string& name : names) {
     if (fs::is_directory(folder / name)) {
       if (auto added = add_headers(folder / name, below + "/" + name, files); !added) return added;
       continue;
     }
-    auto bytes = disk.read((folder / name).string(), {.max_size = system::size_limit::note,
-                                                      .links = system::Links::followed});
-    if (!bytes) return tl::unexpected(bytes.error());
-    files.push_back({.path = below + "/" + name, .bytes = std::move(*bytes)});
+    MIROCUP_TRY(auto bytes,
+                disk.read((folder / name).string(), {.max_size = system::size_limit::note,
+                                                     .links = system::Links::followed}));
+    files.push_back({.path = below + "/" + name, .bytes = std::move(bytes)});
   }
   return {};
 }
@@ -89,10 +88,9 @@ Result<void> add_predict(const std::string& path, std::vector<TreeFile>& files) 
   system::Disk disk;
   std::string bytes = "!<arch>\n";
   if (disk.exists(path)) {
-    auto read =
-        disk.read(path, {.max_size = system::size_limit::entry, .links = system::Links::followed});
-    if (!read) return tl::unexpected(read.error());
-    bytes = std::move(*read);
+    MIROCUP_TRY(auto read, disk.read(path, {.max_size = system::size_limit::entry,
+                                            .links = system::Links::followed}));
+    bytes = std::move(read);
   }
   files.push_back({.path = "/mirocup/lib", .bytes = "", .is_folder = true});
   files.push_back({.path = "/mirocup/lib/libmirocup_predict.a", .bytes = std::move(bytes)});
@@ -293,9 +291,8 @@ Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result
 
 Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage language,
                                     const CompilerKit& kit, const CompileLimits& limits) {
-  const auto isolation = strongest_isolation();
-  if (!isolation) return tl::unexpected(isolation.error());
-  if (*isolation != Isolation::T2) {
+  MIROCUP_TRY(const auto isolation, strongest_isolation());
+  if (isolation != Isolation::T2) {
     return fail(Errc::unavailable,
                 "sources are not compiled here: this computer allows no namespaces; hand in the "
                 "library");
@@ -318,11 +315,11 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
     work.is_program_given = true;
     work.program = program.get();
   }
-  const auto added =
+  MIROCUP_TRY(
+      const auto added,
       add_headers(kit.headers, std::string(headers_folder) + "/mirocup", work.files).and_then([&] {
         return add_predict(kit.predict, work.files);
-      });
-  if (!added) return tl::unexpected(added.error());
+      }));
   work.files.push_back({.path = source_path, .bytes = source});
 
   int ends[2];
@@ -335,15 +332,14 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
   work.output = speaking.get();
   work.result = result.get();
   work.step = step.get();
-  const auto pid = fork_isolated(Isolation::T2, [&work] { compile_here(work); });
-  if (!pid) return tl::unexpected(pid.error());
+  MIROCUP_TRY(const auto pid, fork_isolated(Isolation::T2, [&work] { compile_here(work); }));
   speaking.reset();
   Compiled done;
-  const auto is_in_time = listen_to(output.get(), *pid, limits, done.output);
+  const auto is_in_time = listen_to(output.get(), pid, limits, done.output);
   // The first process of the namespace takes all others with it.
-  if (!is_in_time || !*is_in_time) kill(*pid, SIGKILL);
+  if (!is_in_time || !*is_in_time) kill(pid, SIGKILL);
   int status = 0;
-  while (waitpid(*pid, &status, 0) < 0 && errno == EINTR) {
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
   if (!is_in_time) return tl::unexpected(is_in_time.error());
   return judge(status, *is_in_time, work, result.get(), step.get(), std::move(done));

@@ -233,22 +233,19 @@ bool is_in_any_hash(const Image& image, const Dynamic& dynamic) {
 
 tl::expected<SharedLibrary, std::string> read_shared_library(std::string_view bytes) {
   Image image(bytes);
-  const auto header = read_header(image);
-  if (!header) return tl::unexpected(header.error());
-  const auto segment = read_segments(image, *header);
-  if (!segment) return tl::unexpected(segment.error());
+  MIROCUP_TRY(const auto header, read_header(image));
+  MIROCUP_TRY(const auto segment, read_segments(image, header));
   // The section headers come last in the file, so this finds a file that has lost its end.
-  const std::uint64_t sections = std::uint64_t{header->e_shnum} * header->e_shentsize;
-  if (sections > 0 && !image.contains(header->e_shoff, sections))
+  const std::uint64_t sections = std::uint64_t{header.e_shnum} * header.e_shentsize;
+  if (sections > 0 && !image.contains(header.e_shoff, sections))
     return bad("it is cut off: its end is missing; copy it again");
-  const auto dynamic = read_dynamic(image, *segment);
-  if (!dynamic) return tl::unexpected(dynamic.error());
-  if ((dynamic->flags_1 & DF_1_PIE) != 0)
+  MIROCUP_TRY(const auto dynamic, read_dynamic(image, segment));
+  if ((dynamic.flags_1 & DF_1_PIE) != 0)
     return bad("it is a program, not a library: link it with -shared");
 
   SharedLibrary library;
-  for (const std::uint64_t name : dynamic->needed) {
-    const auto text = image.text_at_address(dynamic->strings + name, max_name);
+  for (const std::uint64_t name : dynamic.needed) {
+    const auto text = image.text_at_address(dynamic.strings + name, max_name);
     if (!text) {
       return bad(
           "the names of the libraries that it needs are damaged or longer than those of "
@@ -256,13 +253,13 @@ tl::expected<SharedLibrary, std::string> read_shared_library(std::string_view by
     }
     library.needed.emplace_back(*text);
   }
-  if (dynamic->search_path) {
+  if (dynamic.search_path) {
     const auto text =
-        image.text_at_address(dynamic->strings + *dynamic->search_path, max_search_path);
+        image.text_at_address(dynamic.strings + *dynamic.search_path, max_search_path);
     if (!text) return bad("its search path is damaged or too long: build it again");
     library.search_path = *text;
   }
-  library.exports_entry = is_in_any_hash(image, *dynamic);
+  library.exports_entry = is_in_any_hash(image, dynamic);
   return library;
 }
 

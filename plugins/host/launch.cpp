@@ -93,9 +93,8 @@ Result<Child> launch(const Launch& what) {
   const system::Descriptor program(open(what.program.c_str(), O_PATH | O_CLOEXEC));
   if (program.get() < 0)
     return fail(Errc::unavailable, what.program + " cannot be run: " + std::strerror(errno));
-  auto pid = fork_isolated(what.isolation, [&] { become_host(what, program.get()); });
-  if (!pid) return tl::unexpected(pid.error());
-  return Child(*pid);
+  MIROCUP_TRY(auto pid, fork_isolated(what.isolation, [&] { become_host(what, program.get()); }));
+  return Child(pid);
 }
 
 }  // namespace mirocup::plugins

@@ -49,7 +49,7 @@ tl::expected<Plugin, Fault> Plugin::load(const std::string& path, const mirocup_
   auto plugin = open(path);
   if (!plugin) return plugin;
   const auto create = [&] { plugin->team_ = plugin->strategy_->create(&setup); };
-  if (auto called = guarded("create", create); !called) return tl::unexpected(called.error());
+  MIROCUP_TRY_VOID(guarded("create", create));
   if (plugin->team_ == nullptr) return fault(FaultCode::no_load, "create() returned null");
   return plugin;
 }
@@ -72,9 +72,7 @@ tl::expected<Plugin, Fault> Plugin::open(const std::string& path) {
   if (entry == nullptr) {
     return fault(FaultCode::bad_abi, "the library exports no function mirocup_entry()");
   }
-  if (auto called = guarded("mirocup_entry", [&] { plugin.strategy_ = entry(); }); !called) {
-    return tl::unexpected(called.error());
-  }
+  MIROCUP_TRY_VOID(guarded("mirocup_entry", [&] { plugin.strategy_ = entry(); }));
   const mirocup_strategy* strategy = plugin.strategy_;
   if (strategy == nullptr) return fault(FaultCode::bad_abi, "mirocup_entry() returned null");
   if (strategy->abi_version != MIROCUP_ABI_VERSION) {

@@ -103,18 +103,17 @@ Result<std::unique_ptr<ProcessController>> ProcessController::start(
   system::Descriptor setup(setup_ends[0]);
   const system::Descriptor child_setup(setup_ends[1]);
 
-  auto child = launch({.program = host_program,
-                       .isolation = terms.isolation,
-                       .fixed_addresses = terms.surroundings.fixed_addresses,
-                       .observation = in_fd.get(),
-                       .command = out_fd.get(),
-                       .setup = child_setup.get(),
-                       .entry = entry.descriptor(),
-                       .log = child_log.get()});
-  if (!child) return tl::unexpected(child.error());
+  MIROCUP_TRY(auto child, launch({.program = host_program,
+                                  .isolation = terms.isolation,
+                                  .fixed_addresses = terms.surroundings.fixed_addresses,
+                                  .observation = in_fd.get(),
+                                  .command = out_fd.get(),
+                                  .setup = child_setup.get(),
+                                  .entry = entry.descriptor(),
+                                  .log = child_log.get()}));
   system::Descriptor kept(fcntl(entry.descriptor(), F_DUPFD_CLOEXEC, 0));
   return std::unique_ptr<ProcessController>(
-      new ProcessController(briefing.team, std::move(*child), in, out, std::move(setup),
+      new ProcessController(briefing.team, std::move(child), in, out, std::move(setup),
                             std::move(log), std::move(kept), terms));
 }
 

@@ -19,15 +19,14 @@ constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 }  // namespace
 
 Result<SealedEntry> SealedEntry::open(const std::string& path) {
-  const auto file = system::open_file(
-      path, {.max_size = system::size_limit::entry,
-             .if_too_large = "; build it without debugging symbols and large tables"});
-  if (!file) return tl::unexpected(file.error());
-  const auto content = system::read_file(*file);
-  if (!content) return tl::unexpected(content.error());
-  if (content->empty()) return fail(Errc::input, path + ": it is empty");
-  const std::size_t size = content->size();
-  auto sealed = system::sealed_copy(*content);
+  MIROCUP_TRY(const auto file,
+              system::open_file(
+                  path, {.max_size = system::size_limit::entry,
+                         .if_too_large = "; build it without debugging symbols and large tables"}));
+  MIROCUP_TRY(const auto content, system::read_file(file));
+  if (content.empty()) return fail(Errc::input, path + ": it is empty");
+  const std::size_t size = content.size();
+  auto sealed = system::sealed_copy(content);
   if (!sealed) return fail(sealed.error().code, path + ": " + sealed.error().what);
   void* bytes = mmap(nullptr, size, PROT_READ, MAP_SHARED, sealed->get(), 0);
   if (bytes == MAP_FAILED) return fail(Errc::unavailable, path + ": " + std::strerror(errno));

@@ -26,20 +26,18 @@ tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController
     const std::string& path, const match::Briefing& briefing,
     const match::TeamParameters& parameters, bool keeps_thoughts) {
   auto facts = facts_for(briefing, parameters, keeps_thoughts);
-  auto plugin = Plugin::load(path, facts->setup);
-  if (!plugin) return tl::unexpected(plugin.error());
+  MIROCUP_TRY(auto plugin, Plugin::load(path, facts->setup));
   return std::unique_ptr<TrustedController>(
-      new TrustedController(briefing.team, std::move(facts), std::move(*plugin)));
+      new TrustedController(briefing.team, std::move(facts), std::move(plugin)));
 }
 
 tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController::load_python(
     const std::string& path, const std::string& module, const match::Briefing& briefing,
     const match::TeamParameters& parameters, bool keeps_thoughts) {
   auto facts = facts_for(briefing, parameters, keeps_thoughts);
-  auto plugin = plugins::load_python(path, module, facts->setup);
-  if (!plugin) return tl::unexpected(plugin.error());
+  MIROCUP_TRY(auto plugin, plugins::load_python(path, module, facts->setup));
   return std::unique_ptr<TrustedController>(
-      new TrustedController(briefing.team, std::move(facts), std::move(*plugin)));
+      new TrustedController(briefing.team, std::move(facts), std::move(plugin)));
 }
 
 TrustedController::TrustedController(Team team, std::unique_ptr<Facts> facts, Plugin plugin)

@@ -115,8 +115,8 @@ Result<void> write_gate_leg(const CheckOptions& options, const EntryReport& repo
 }  // namespace
 
 Result<int> run_check(const CheckOptions& options) {
-  const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
-  if (!parameters) return tl::unexpected(parameters.error());
+  MIROCUP_TRY(const auto parameters,
+              record::parameters_with_changes({}, options.parameters, "--param"));
   const auto tell = [&options](int number, int of, const char* name) {
     if (options.steps) std::cerr << "step " << number << " of " << of << ": " << name << std::endl;
   };
@@ -124,20 +124,19 @@ Result<int> run_check(const CheckOptions& options) {
   terms.league = *from_string<League>(options.league);
   terms.rules = referee::make_rules(*from_string<referee::Preset>(options.rules), terms.league);
   if (options.half_s) terms.rules.half_s = *options.half_s;
-  terms.parameters = *parameters;
+  terms.parameters = parameters;
   stay_on_this_core();  // the teams and this process take turns
-  const auto report = check_entry(
-      options.path, terms, options.json ? OnCheck() : [](const Check& check) { print(check); },
-      tell);
-  if (!report) return tl::unexpected(report.error());
-  if (auto written = write_gate_leg(options, *report); !written)
-    return tl::unexpected(written.error());
+  MIROCUP_TRY(const auto report,
+              check_entry(
+                  options.path, terms,
+                  options.json ? OnCheck() : [](const Check& check) { print(check); }, tell));
+  MIROCUP_TRY_VOID(write_gate_leg(options, report));
   if (options.json) {
-    std::cout << record::json_text(to_json(options, *report)) << '\n';
+    std::cout << record::json_text(to_json(options, report)) << '\n';
   } else {
-    print(options, *report);
+    print(options, report);
   }
-  return report->failure() == nullptr ? exit_yes : exit_no;
+  return report.failure() == nullptr ? exit_yes : exit_no;
 }
 
 }  // namespace mirocup::app

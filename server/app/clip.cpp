@@ -62,8 +62,7 @@ Result<int> draw_pictures(system::Files& files, const replay::Recording& recordi
                                {balls.end() - static_cast<std::ptrdiff_t>(trail), balls.end()}};
       const std::string svg =
           web::picture(playback.leg().field(), recording.setup.parameters, moment);
-      if (auto written = files.write(folder + picture_name(pictures), svg); !written)
-        return tl::unexpected(written.error());
+      MIROCUP_TRY_VOID(files.write(folder + picture_name(pictures), svg));
       ++pictures;
     }
     balls.push_back(scene.ball.position);
@@ -129,17 +128,15 @@ Result<void> write_clip(system::Files& files, const record::MatchRecord& record,
                         const ClipSpan& span, const std::string& output) {
   const PictureFolder folder(output + ".pictures-" + std::to_string(getpid()));
   if (auto made = files.make_folder(folder.path); !made) return made;
-  const auto drawn = draw_pictures(files, record.recording, span, folder.path);
-  if (!drawn) return tl::unexpected(drawn.error());
+  MIROCUP_TRY(const auto drawn, draw_pictures(files, record.recording, span, folder.path));
   system::ChildOptions ffmpeg;
   ffmpeg.arguments = ffmpeg_command(folder.path, record.recording.setup.control_period, output);
-  const auto code = system::run_child(ffmpeg);
-  if (!code) return tl::unexpected(code.error());
-  if (*code == system::not_found)
+  MIROCUP_TRY(const auto code, system::run_child(ffmpeg));
+  if (code == system::not_found)
     return fail(Errc::unavailable, "--clip needs ffmpeg: apt-get install ffmpeg");
-  if (*code != 0)
+  if (code != 0)
     return fail(Errc::unavailable,
-                "ffmpeg could not write " + output + ": exit code " + std::to_string(*code));
+                "ffmpeg could not write " + output + ": exit code " + std::to_string(code));
   return {};
 }
 

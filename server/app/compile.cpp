@@ -37,33 +37,32 @@ Result<int> run_compile(const CompileOptions& options) {
   system::Disk disk;
   const plugins::SourceLanguage language = language_of(options);
   const bool is_project = language == plugins::SourceLanguage::project;
-  const auto source =
-      disk.read(options.path, {.max_size = is_project ? system::size_limit::entry : max_source});
-  if (!source) return tl::unexpected(source.error());
+  MIROCUP_TRY(
+      const auto source,
+      disk.read(options.path, {.max_size = is_project ? system::size_limit::entry : max_source}));
   const system::TeamKit kit = system::team_kit();
-  const auto done = plugins::compile_in_sandbox(
-      *source, language,
-      {.headers = kit.headers,
-       .predict = kit.prefix + "/lib/libmirocup_predict.a",
-       .project_compiler = system::sibling_program("mirocup-project-compiler")},
-      {.seconds = options.seconds});
-  if (!done) return tl::unexpected(done.error());
-  const bool is_compiled = done->why_not.empty();
+  MIROCUP_TRY(const auto done,
+              plugins::compile_in_sandbox(
+                  source, language,
+                  {.headers = kit.headers,
+                   .predict = kit.prefix + "/lib/libmirocup_predict.a",
+                   .project_compiler = system::sibling_program("mirocup-project-compiler")},
+                  {.seconds = options.seconds}));
+  const bool is_compiled = done.why_not.empty();
   if (is_compiled) {
-    if (auto written = disk.write(options.output, done->library); !written)
-      return tl::unexpected(written.error());
+    MIROCUP_TRY_VOID(disk.write(options.output, done.library));
   }
-  const std::string said = system::printable(done->output, system::LineEnds::kept);
+  const std::string said = system::printable(done.output, system::LineEnds::kept);
   if (options.json) {
     using record::JsonReader;
-    std::cout << record::json_text({{"compiled", is_compiled},
-                                    {"reason", is_compiled ? JsonReader::Json()
-                                                           : JsonReader::Json(done->why_not)},
-                                    {"log", said}})
+    std::cout << record::json_text(
+                     {{"compiled", is_compiled},
+                      {"reason", is_compiled ? JsonReader::Json() : JsonReader::Json(done.why_not)},
+                      {"log", said}})
               << '\n';
   } else {
     std::cout << said;
-    if (!is_compiled) std::cout << system::printable(options.path) << ": " << done->why_not << '\n';
+    if (!is_compiled) std::cout << system::printable(options.path) << ": " << done.why_not << '\n';
   }
   return is_compiled ? exit_yes : exit_no;
 }

@@ -27,10 +27,9 @@ namespace {
 namespace fs = std::filesystem;
 
 Result<std::vector<std::string>> drills_in(const std::string& folder) {
-  const auto names = system::Disk().names_in(folder);
-  if (!names) return tl::unexpected(names.error());
+  MIROCUP_TRY(const auto names, system::Disk().names_in(folder));
   std::vector<std::string> paths;
-  for (const std::string& name : *names) {
+  for (const std::string& name : names) {
     if (name.ends_with(".json")) paths.push_back((fs::path(folder) / name).string());
   }
   if (paths.empty()) return fail(Errc::unavailable, folder + ": there is no drill in it");
@@ -56,17 +55,14 @@ Result<std::vector<std::string>> paths_of(const std::string& word) {
 }
 
 Result<std::vector<drills::Drill>> read_drills(const std::string& word) {
-  const auto paths = paths_of(word);
-  if (!paths) return tl::unexpected(paths.error());
+  MIROCUP_TRY(const auto paths, paths_of(word));
   std::vector<drills::Drill> drills;
   system::Disk disk;
-  for (const std::string& path : *paths) {
-    const auto text =
-        disk.read(path, {.max_size = system::size_limit::note, .links = system::Links::followed});
-    if (!text) return tl::unexpected(text.error());
-    auto drill = drills::parse_drill(*text, path);
-    if (!drill) return tl::unexpected(drill.error());
-    drills.push_back(std::move(*drill));
+  for (const std::string& path : paths) {
+    MIROCUP_TRY(const auto text, disk.read(path, {.max_size = system::size_limit::note,
+                                                  .links = system::Links::followed}));
+    MIROCUP_TRY(auto drill, drills::parse_drill(text, path));
+    drills.push_back(std::move(drill));
   }
   return drills;
 }
@@ -105,9 +101,8 @@ Result<TeamChoice> choose(const std::string& text, const std::string& what) {
 
 Result<DrillTeams> teams_of(const drills::Drill& drill, const std::string& team,
                             const match::TeamParameters& parameters) {
-  auto tested = choose(team, "TEAM ");
-  if (!tested) return tl::unexpected(tested.error());
-  DrillTeams teams{.tested = std::move(*tested), .opponent = {}, .mates = std::nullopt};
+  MIROCUP_TRY(auto tested, choose(team, "TEAM "));
+  DrillTeams teams{.tested = std::move(tested), .opponent = {}, .mates = std::nullopt};
   teams.tested.info.parameters = drill.parameters;
   for (const auto& [name, value] : parameters) teams.tested.info.parameters[name] = value;
   const auto choose_in_drill = [&drill](const std::string& text, const char* key) {
@@ -115,13 +110,11 @@ Result<DrillTeams> teams_of(const drills::Drill& drill, const std::string& team,
       return Error{error.code, drill.name + ": " + key + ": " + error.what};
     });
   };
-  auto opponent = choose_in_drill(drill.opponent, "/opponent");
-  if (!opponent) return tl::unexpected(opponent.error());
-  teams.opponent = std::move(*opponent);
+  MIROCUP_TRY(auto opponent, choose_in_drill(drill.opponent, "/opponent"));
+  teams.opponent = std::move(opponent);
   if (drill.mates.empty()) return teams;
-  auto mates = choose_in_drill(drill.mates, "/mates");
-  if (!mates) return tl::unexpected(mates.error());
-  teams.mates = std::move(*mates);
+  MIROCUP_TRY(auto mates, choose_in_drill(drill.mates, "/mates"));
+  teams.mates = std::move(mates);
   return teams;
 }
 
@@ -166,19 +159,18 @@ Result<DrillReport> test_team(const std::string& team, const std::vector<drills:
   std::list<DrillTeams> teams;  // tasks point to its elements
   std::vector<DrillTask> tasks;
   for (const drills::Drill& drill : drills) {
-    auto of_this = teams_of(drill, team, parameters);
-    if (!of_this) return tl::unexpected(of_this.error());
-    teams.push_back(std::move(*of_this));
+    MIROCUP_TRY(auto of_this, teams_of(drill, team, parameters));
+    teams.push_back(std::move(of_this));
     tasks.push_back({&drill, &teams.back(), options.tries.value_or(drill.tries)});
     report.drills.push_back(&drill);
   }
   report.team = teams.front().tested.info.name;
-  auto played = play_drills(
-      tasks,
-      {.first_seed = options.seed, .jobs = options.jobs, .replay_folder = options.replay_folder},
-      progress);
-  if (!played) return tl::unexpected(played.error());
-  report.tries = std::move(*played);
+  MIROCUP_TRY(auto played, play_drills(tasks,
+                                       {.first_seed = options.seed,
+                                        .jobs = options.jobs,
+                                        .replay_folder = options.replay_folder},
+                                       progress));
+  report.tries = std::move(played);
   return report;
 }
 
@@ -187,11 +179,10 @@ Result<void> check_drill_names(const DrillOptions& options) {
   if (options.replay_folder.empty()) return {};
   std::set<std::string> names;
   for (const std::string& team : options.teams) {
-    const auto choice = choose(team, "TEAM ");
-    if (!choice) return tl::unexpected(choice.error());
-    if (names.insert(choice->info.name).second) continue;
+    MIROCUP_TRY(const auto choice, choose(team, "TEAM "));
+    if (names.insert(choice.info.name).second) continue;
     return fail(Errc::input, "TEAM " + team + ": there is another one called \"" +
-                                 choice->info.name +
+                                 choice.info.name +
                                  "\", and one would overwrite the replays of the other: NAME=TEAM "
                                  "gives it another name");
   }
@@ -208,21 +199,20 @@ Result<int> run_drill(const DrillOptions& options) {
     return exit_yes;
   }
   if (options.teams.empty()) return fail(Errc::input, "a team is needed: mirocup drill DRILL TEAM");
-  const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
-  if (!parameters) return tl::unexpected(parameters.error());
-  if (auto checked = check_drill_names(options); !checked) return tl::unexpected(checked.error());
-  if (auto made = make_folder(options.replay_folder); !made) return tl::unexpected(made.error());
+  MIROCUP_TRY(const auto parameters,
+              record::parameters_with_changes({}, options.parameters, "--param"));
+  MIROCUP_TRY_VOID(check_drill_names(options));
+  MIROCUP_TRY_VOID(make_folder(options.replay_folder));
 
   int all_tries = 0;
   for (const drills::Drill& drill : *drills) all_tries += options.tries.value_or(drill.tries);
   Progress progress(all_tries * static_cast<int>(options.teams.size()));
   std::vector<DrillReport> reports;
   for (const std::string& team : options.teams) {
-    auto report = test_team(team, *drills, options, *parameters, [&](int done) {
-      progress.show(static_cast<int>(reports.size()) * all_tries + done);
-    });
-    if (!report) return tl::unexpected(report.error());
-    reports.push_back(std::move(*report));
+    MIROCUP_TRY(auto report, test_team(team, *drills, options, parameters, [&](int done) {
+                  progress.show(static_cast<int>(reports.size()) * all_tries + done);
+                }));
+    reports.push_back(std::move(report));
   }
   progress.clear();
   if (options.json) {

@@ -94,9 +94,8 @@ class Try {
 };
 
 Result<void> Try::seat(const TeamChoice& choice, Team team, const plugins::ProcessTerms& terms) {
-  auto seat = TeamSeat::take_in_process(choice, match_.briefing(team), terms);
-  if (!seat) return tl::unexpected(seat.error());
-  seats_.push_back(std::move(*seat));
+  MIROCUP_TRY(auto seat, TeamSeat::take_in_process(choice, match_.briefing(team), terms));
+  seats_.push_back(std::move(seat));
   return {};
 }
 
@@ -230,12 +229,11 @@ void stay_on(int processor) {
 }
 
 Result<PlayedTry> Crew::play_one(const DrillTask& task, std::uint64_t seed) const {
-  const auto setup = drills::setup_of(*task.drill, seed);
-  if (!setup) return tl::unexpected(setup.error());
+  MIROCUP_TRY(const auto setup, drills::setup_of(*task.drill, seed));
   std::string why_void;
   for (int attempt = 0; attempt < max_attempts; ++attempt) {
-    Try one(task, *setup, isolation_);
-    if (auto seated = one.seat_teams(); !seated) return tl::unexpected(seated.error());
+    Try one(task, setup, isolation_);
+    MIROCUP_TRY_VOID(one.seat_teams());
     if (!one.play()) {
       why_void = one.leg().is_over() ? one.leg().outcome().why_void : "the mates cannot play";
       continue;
@@ -246,7 +244,7 @@ Result<PlayedTry> Crew::play_one(const DrillTask& task, std::uint64_t seed) cons
       const std::string name = task.teams->tested.info.name + "-" + task.drill->name + "-" +
                                std::to_string(seed) + ".json";
       const auto path = std::filesystem::path(terms_.replay_folder) / name;
-      if (auto saved = one.save(path.string()); !saved) return tl::unexpected(saved.error());
+      MIROCUP_TRY_VOID(one.save(path.string()));
     }
     return played;
   }
@@ -302,9 +300,8 @@ Result<std::vector<std::vector<PlayedTry>>> Crew::play(const std::function<void(
 Result<std::vector<std::vector<PlayedTry>>> play_drills(const std::vector<DrillTask>& tasks,
                                                         const DrillTerms& terms,
                                                         const std::function<void(int)>& progress) {
-  const auto isolation = plugins::strongest_isolation();
-  if (!isolation) return tl::unexpected(isolation.error());
-  Crew crew(tasks, terms, *isolation);
+  MIROCUP_TRY(const auto isolation, plugins::strongest_isolation());
+  Crew crew(tasks, terms, isolation);
   return crew.play(progress);
 }
 

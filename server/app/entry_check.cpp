@@ -220,13 +220,11 @@ class Examination {
 
 Result<EntryReport> Examination::run() {
   tell_next();
-  auto looks_well = examine_file();
-  if (!looks_well) return tl::unexpected(looks_well.error());
-  if (*looks_well) {
-    const auto isolation = plugins::strongest_isolation();
-    if (!isolation) return tl::unexpected(isolation.error());
-    report_.isolation = *isolation;
-    if (auto played = examine_play(); !played) return tl::unexpected(played.error());
+  MIROCUP_TRY(auto looks_well, examine_file());
+  if (looks_well) {
+    MIROCUP_TRY(const auto isolation, plugins::strongest_isolation());
+    report_.isolation = isolation;
+    MIROCUP_TRY_VOID(examine_play());
   }
   while (report_.checks.size() < check_names.size())
     report_.checks.push_back({check_names[report_.checks.size()], std::nullopt, "not tried"});
@@ -279,20 +277,17 @@ Result<bool> Examination::examine_file() {
 
 // Whether the text is a program and has a team, Python says when it is loaded.
 Result<bool> Examination::examine_python() {
-  const auto program = host_program(*entry_);
-  if (!program) return tl::unexpected(program.error());
+  MIROCUP_TRY(const auto program, host_program(*entry_));
   pass("a text in Python");
   pass("imports mirocup.team");
   return pass("plays with this system's Python and what is installed for it");
 }
 
 Result<bool> Examination::examine_play() {
-  auto idle = plugins::SealedEntry::open(system::house_team("idle"));
-  if (!idle) return tl::unexpected(idle.error());
-  idle_ = std::move(*idle);
-  auto striker = plugins::SealedEntry::open(system::house_team("striker"));
-  if (!striker) return tl::unexpected(striker.error());
-  striker_ = std::move(*striker);
+  MIROCUP_TRY(auto idle, plugins::SealedEntry::open(system::house_team("idle")));
+  idle_ = std::move(idle);
+  MIROCUP_TRY(auto striker, plugins::SealedEntry::open(system::house_team("striker")));
+  striker_ = std::move(striker);
 
   for (const auto step : {&Examination::load_and_answer, &Examination::play_whole_legs,
                           &Examination::play_knockout, &Examination::repeat_elsewhere}) {
@@ -326,25 +321,23 @@ bool Examination::has_room_for_moment() const {
 Result<bool> Examination::load_and_answer() {
   TrialTerms terms = trial(Team::blue, *idle_);
   terms.max_ticks = 0;
-  const auto loaded = play(terms);
-  if (!loaded) return tl::unexpected(loaded.error());
+  MIROCUP_TRY(const auto loaded, play(terms));
   const auto is_loaded = judge(
-      *loaded, terms, "loads and creates its team in " + milliseconds(1e3 * loaded->start_seconds));
+      loaded, terms, "loads and creates its team in " + milliseconds(1e3 * loaded.start_seconds));
   if (!is_loaded || !*is_loaded) return is_loaded;
 
   // The legs of a test league may be over sooner.
   terms.setup.rules.half_s = std::max(setup_.rules.half_s, first_half);
   terms.max_ticks = first_ticks;
   terms.max_seconds = max_first_seconds;
-  const auto first = play(terms);
-  if (!first) return tl::unexpected(first.error());
-  if (!first->fault && first->ticks() < first_ticks) {
-    note_use(*first, terms);
-    return fail_with("it needs " + milliseconds(1e3 * max_first_seconds / first->ticks()) +
+  MIROCUP_TRY(const auto first, play(terms));
+  if (!first.fault && first.ticks() < first_ticks) {
+    note_use(first, terms);
+    return fail_with("it needs " + milliseconds(1e3 * max_first_seconds / first.ticks()) +
                      " for a tick, and " + milliseconds(report_.mean_tick_ms) +
                      " of processor time; it has 1 ms, and should neither wait nor sleep");
   }
-  return judge(*first, terms, "answers " + std::to_string(first_ticks) + " observations");
+  return judge(first, terms, "answers " + std::to_string(first_ticks) + " observations");
 }
 
 Result<bool> Examination::play_whole_legs() {
@@ -353,21 +346,20 @@ Result<bool> Examination::play_whole_legs() {
     terms.setup.seed = team == Team::blue ? 1 : 2;
     terms.is_recorded = true;
     terms.max_seconds = plan_.share_of(team == Team::blue ? 5 : 4);  // two legs, and what follows
-    auto leg = play(terms);
-    if (!leg) return tl::unexpected(leg.error());
-    if (leg->recording && (team == Team::blue || leg->fault)) {
-      report_.gate_leg = std::move(leg->recording);
+    MIROCUP_TRY(auto leg, play(terms));
+    if (leg.recording && (team == Team::blue || leg.fault)) {
+      report_.gate_leg = std::move(leg.recording);
       report_.gate_colour = team;
     }
     const auto passed =
-        judge(*leg, terms,
-              "plays " + seconds(leg->ticks() * setup_.control_period) + " s of a leg as " +
+        judge(leg, terms,
+              "plays " + seconds(leg.ticks() * setup_.control_period) + " s of a leg as " +
                   std::string(to_string(team)) + " against striker");
     if (!passed || !*passed) return passed;
-    note_time(*leg);
-    grown_ = std::max(grown_, leg->peak_memory - std::min(leg->peak_memory, leg->memory_at_start));
-    restarts_.merge(leg->restarts);
-    if (team == Team::blue) blue_ = std::move(*leg);
+    note_time(leg);
+    grown_ = std::max(grown_, leg.peak_memory - std::min(leg.peak_memory, leg.memory_at_start));
+    restarts_.merge(leg.restarts);
+    if (team == Team::blue) blue_ = std::move(leg);
   }
   return judge_time();
 }
@@ -383,10 +375,9 @@ TrialTerms Examination::knockout_terms() const {
 Result<bool> Examination::play_knockout() {
   TrialTerms terms = knockout_terms();
   terms.max_seconds = plan_.share_of(1 + repeated_legs);
-  auto leg = play(terms);
-  if (!leg) return tl::unexpected(leg.error());
-  restarts_.merge(leg->restarts);
-  knockout_ = std::move(*leg);
+  MIROCUP_TRY(auto leg, play(terms));
+  restarts_.merge(leg.restarts);
+  knockout_ = std::move(leg);
   if (!knockout_.fault) {
     auto passed = play_missing_restarts();
     if (passed && *passed) passed = play_goals();
@@ -434,9 +425,8 @@ Result<bool> Examination::play_from(const match::Start& start) {
   TrialTerms terms = trial(Team::blue, *idle_);
   terms.setup.start = start;
   terms.max_ticks = restart_ticks;
-  const auto leg = play(terms);
-  if (!leg) return tl::unexpected(leg.error());
-  return leg->fault ? judge(*leg, terms, "") : true;
+  MIROCUP_TRY(const auto leg, play(terms));
+  return leg.fault ? judge(leg, terms, "") : true;
 }
 
 // The knock-out leg, which has every phase of a match, and the leg as blue once more, where nothing
@@ -463,29 +453,26 @@ Result<bool> Examination::repeat_leg(const TrialTerms& terms_of_first, const Tri
   TrialTerms terms = terms_of_first;
   terms.is_careful = true;
   terms.surroundings = all_other;
-  const auto again = play(terms);
-  if (!again) return tl::unexpected(again.error());
-  requests_ += again->requests;
-  if (again->fault && is_memory_mistake(again->fault->fault.text)) return judge(*again, terms, "");
-  const auto tick = first_difference(first, *again);
+  MIROCUP_TRY(const auto again, play(terms));
+  requests_ += again.requests;
+  if (again.fault && is_memory_mistake(again.fault->fault.text)) return judge(again, terms, "");
+  const auto tick = first_difference(first, again);
   // The last tick of a leg that ended by a fault has no answer.
-  if (again->fault && (!tick || *tick + 1 >= std::ssize(again->log))) {
-    if (again->ticks() >= first.ticks()) return judge(*again, terms, "");
-    terms.max_ticks = again->ticks() + ticks_after_difference;
-    const auto cause = cause_of_difference(terms, first);
-    if (!cause) return tl::unexpected(cause.error());
-    note_use(*again, terms);
-    return fail_with(again->fault->fault.text + " (" +
-                     std::string(to_string(again->fault->fault.code)) +
-                     "), and not when the leg was played before: " + *cause);
+  if (again.fault && (!tick || *tick + 1 >= std::ssize(again.log))) {
+    if (again.ticks() >= first.ticks()) return judge(again, terms, "");
+    terms.max_ticks = again.ticks() + ticks_after_difference;
+    MIROCUP_TRY(const auto cause, cause_of_difference(terms, first));
+    note_use(again, terms);
+    return fail_with(again.fault->fault.text + " (" +
+                     std::string(to_string(again.fault->fault.code)) +
+                     "), and not when the leg was played before: " + cause);
   }
   if (!tick) return true;
   terms.max_ticks = static_cast<std::uint32_t>(*tick) + ticks_after_difference;
-  const auto cause = cause_of_difference(terms, first);
-  if (!cause) return tl::unexpected(cause.error());
+  MIROCUP_TRY(const auto cause, cause_of_difference(terms, first));
   pass("writes only to memory of its own");
   return fail_with("to the same observations it answers differently in tick " +
-                   std::to_string(*tick) + ": " + *cause);
+                   std::to_string(*tick) + ": " + cause);
 }
 
 // A team that differs from itself where nothing has changed draws its own chance. Otherwise one
@@ -500,16 +487,13 @@ Result<std::string> Examination::cause_of_difference(const TrialTerms& terms,
     one.is_careful = is_careful;
     return play(one);
   };
-  const auto plain = leg_in({}, false);
-  if (!plain) return tl::unexpected(plain.error());
+  MIROCUP_TRY(const auto plain, leg_in({}, false));
   Surroundings counting;
   counting.clocks = counting_clocks;
-  if (first_difference(first, *plain)) {
-    const auto counted = leg_in(counting, false);
-    if (!counted) return tl::unexpected(counted.error());
-    const auto counted_again = leg_in(counting, false);
-    if (!counted_again) return tl::unexpected(counted_again.error());
-    if (!first_difference(*counted, *counted_again)) return std::string(depends_on_clock);
+  if (first_difference(first, plain)) {
+    MIROCUP_TRY(const auto counted, leg_in(counting, false));
+    MIROCUP_TRY(const auto counted_again, leg_in(counting, false));
+    if (!first_difference(counted, counted_again)) return std::string(depends_on_clock);
     return std::string(entry_->is_python()
                            ? "chance of its own: take it from the module random, which setup.seed "
                              "has seeded, and not from clocks, os.urandom() or default_rng()"
@@ -532,13 +516,11 @@ Result<std::string> Examination::cause_of_difference(const TrialTerms& terms,
        "it depends on the number of its process, thread or processor: take chance from setup.seed"},
       {addresses,
        "it depends on addresses, such as the order of pointers in a set: compare numbers instead"}};
-  const auto careful = leg_in({}, true);
-  if (!careful) return tl::unexpected(careful.error());
+  MIROCUP_TRY(const auto careful, leg_in({}, true));
   for (const auto& [surroundings, cause] : changes) {
     if (!plan_.has_room_for(CheckPlan::shortest, 0)) break;
-    const auto leg = leg_in(surroundings, true);
-    if (!leg) return tl::unexpected(leg.error());
-    if (leg->fault || first_difference(*careful, *leg)) return std::string(cause);
+    MIROCUP_TRY(const auto leg, leg_in(surroundings, true));
+    if (leg.fault || first_difference(careful, leg)) return std::string(cause);
   }
   return std::string(
       "take chance from setup.seed, and no clocks, addresses or memory that was never written");
@@ -552,12 +534,11 @@ Result<std::string> Examination::mistake_in_memory(const TrialTerms& terms,
   careful.is_careful = true;
   plan_.look_for_causes();
   careful.max_seconds = plan_.share_of(1);
-  const auto again = play(careful);
-  if (!again) return tl::unexpected(again.error());
-  evidence.requests = again->requests;
-  requests_ += again->requests;
-  if (!again->fault || again->ticks() >= careful.max_ticks) return std::string();
-  const std::string& text = again->fault->fault.text;
+  MIROCUP_TRY(const auto again, play(careful));
+  evidence.requests = again.requests;
+  requests_ += again.requests;
+  if (!again.fault || again.ticks() >= careful.max_ticks) return std::string();
+  const std::string& text = again.fault->fault.text;
   return is_memory_mistake(text) ? "; with its memory watched, " + text : std::string();
 }
 
@@ -568,9 +549,8 @@ Result<bool> Examination::judge(const TrialLeg& leg, const TrialTerms& terms, st
   evidence.is_python = entry_->is_python();
   std::string mistake;
   if (evidence.fault.code == match::FaultCode::crash && !terms.is_careful && !evidence.is_python) {
-    auto found = mistake_in_memory(terms, evidence);
-    if (!found) return tl::unexpected(found.error());
-    mistake = std::move(*found);
+    MIROCUP_TRY(auto found, mistake_in_memory(terms, evidence));
+    mistake = std::move(found);
   }
   return fail_with(evidence.fault.text + " (" + std::string(to_string(evidence.fault.code)) +
                    "): " + advice_on(evidence) + mistake);

@@ -29,15 +29,12 @@ std::string team_name(const std::string& path) {
 
 Result<int> run_export(const ExportOptions& options) {
   system::Disk disk;
-  const auto bytes = disk.read(
-      options.policy, {.max_size = system::size_limit::scene, .links = system::Links::followed});
-  if (!bytes) return tl::unexpected(bytes.error());
-  const auto policy = policy::parse_policy(*bytes, options.policy);
+  MIROCUP_TRY(const auto bytes, disk.read(options.policy, {.max_size = system::size_limit::scene,
+                                                           .links = system::Links::followed}));
+  const auto policy = policy::parse_policy(bytes, options.policy);
   if (!policy) return tl::unexpected(policy.error());
   const std::string source = policy::source_of(*policy, team_name(options.output));
-  if (auto written = disk.write(options.output, source); !written) {
-    return tl::unexpected(written.error());
-  }
+  MIROCUP_TRY_VOID(disk.write(options.output, source));
   std::cout << system::printable(options.output) << ": the source of a team. "
             << "Compile it: c++ -std=c++17 -O2 -fPIC -shared -I "
             << system::printable(system::team_kit().prefix) << "/include" << ' '

@@ -123,14 +123,12 @@ Result<DeskReply> checked(DeskReply reply, int expected) {
 }
 
 Result<int> pin_entry(const HandInOptions& options, const std::string& token) {
-  auto client = web::HandInClient::open(options.url, token, options.authority);
-  if (!client) return tl::unexpected(client.error());
-  const auto pinned = checked((*client)->pin(options.pin), 200);
-  if (!pinned) return tl::unexpected(pinned.error());
+  MIROCUP_TRY(auto client, web::HandInClient::open(options.url, token, options.authority));
+  MIROCUP_TRY(const auto pinned, checked(client->pin(options.pin), 200));
   if (options.json) {
-    std::cout << record::json_text(pinned->json) << '\n';
+    std::cout << record::json_text(pinned.json) << '\n';
   } else {
-    std::cout << "entry " << number_in(pinned->json, "playing") << " plays\n";
+    std::cout << "entry " << number_in(pinned.json, "playing") << " plays\n";
   }
   return exit_yes;
 }
@@ -138,36 +136,30 @@ Result<int> pin_entry(const HandInOptions& options, const std::string& token) {
 }  // namespace
 
 Result<int> run_hand_in(const HandInOptions& options) {
-  const auto token = read_token(options.token_file);
-  if (!token) return tl::unexpected(token.error());
-  if (!options.pin.empty()) return pin_entry(options, *token);
+  MIROCUP_TRY(const auto token, read_token(options.token_file));
+  if (!options.pin.empty()) return pin_entry(options, token);
   if (options.path.empty()) return fail(Errc::input, "name the file to hand in, or --pin N");
   system::Disk disk;
-  const auto bytes = disk.read(
-      options.path, {.max_size = system::size_limit::entry, .links = system::Links::followed});
-  if (!bytes) return tl::unexpected(bytes.error());
-  auto client = web::HandInClient::open(options.url, *token, options.authority);
-  if (!client) return tl::unexpected(client.error());
+  MIROCUP_TRY(const auto bytes, disk.read(options.path, {.max_size = system::size_limit::entry,
+                                                         .links = system::Links::followed}));
+  MIROCUP_TRY(auto client, web::HandInClient::open(options.url, token, options.authority));
   // Asked first, so that nothing is sent in vain.
-  const auto about = checked((*client)->about(), 200);
-  if (!about) return tl::unexpected(about.error());
-  if (const std::string why = text_in(about->json, "why_not"); !why.empty())
+  MIROCUP_TRY(const auto about, checked(client->about(), 200));
+  if (const std::string why = text_in(about.json, "why_not"); !why.empty())
     return fail(Errc::input, why);
   const std::size_t slash = options.path.rfind('/');
   const std::string name =
       slash == std::string::npos ? options.path : options.path.substr(slash + 1);
-  const auto taken = checked((*client)->put(name, *bytes), 202);
-  if (!taken) return tl::unexpected(taken.error());
-  const int entry = number_in(taken->json, "entry");
+  MIROCUP_TRY(const auto taken, checked(client->put(name, bytes), 202));
+  const int entry = number_in(taken.json, "entry");
   std::cerr << "entry " << entry << " was taken" << std::endl;
-  const auto report = wait_for_answer(**client, entry);
-  if (!report) return tl::unexpected(report.error());
+  MIROCUP_TRY(const auto report, wait_for_answer(*client, entry));
   if (options.json) {
-    std::cout << record::json_text(*report) << '\n';
+    std::cout << record::json_text(report) << '\n';
   } else {
-    print_answer(*report);
+    print_answer(report);
   }
-  const std::string state = text_in(*report, "state");
+  const std::string state = text_in(report, "state");
   if (state == "void") return exit_code(Errc::host);
   return state == "accepted" ? exit_yes : exit_no;
 }

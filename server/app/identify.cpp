@@ -47,47 +47,34 @@ Result<void> check_output(const std::string& path, const std::vector<std::string
 }  // namespace
 
 Result<int> run_record_as_seen(const RecordAsSeenOptions& options) {
-  if (auto good = check_output(options.output, {options.record}); !good)
-    return tl::unexpected(good.error());
+  MIROCUP_TRY_VOID(check_output(options.output, {options.record}));
   system::Disk disk;
-  const auto record = record::load(disk, options.record);
-  if (!record) return tl::unexpected(record.error());
-  auto recording = pitch::as_seen(record->recording, options.record);
-  if (!recording) return tl::unexpected(recording.error());
+  MIROCUP_TRY(const auto record, record::load(disk, options.record));
+  MIROCUP_TRY(auto recording, pitch::as_seen(record.recording, options.record));
   pitch::look_through({.position = 1e-3 * options.noise_mm,
                        .heading = options.noise_deg * pi / 180.0,
                        .gaps = options.gaps,
                        .outliers = options.outliers,
                        .seed = options.seed},
-                      *recording);
-  if (auto written = disk.write(options.output, pitch::print_recording(*recording)); !written) {
-    return tl::unexpected(written.error());
-  }
-  std::cout << options.output << ": " << recording->frames.size() << " pictures\n";
+                      recording);
+  MIROCUP_TRY_VOID(disk.write(options.output, pitch::print_recording(recording)));
+  std::cout << options.output << ": " << recording.frames.size() << " pictures\n";
   return exit_yes;
 }
 
 Result<int> run_identify(const IdentifyOptions& options) {
   for (const std::string& path : {options.output, options.page}) {
-    if (auto good = check_output(path, options.recordings); !good)
-      return tl::unexpected(good.error());
+    MIROCUP_TRY_VOID(check_output(path, options.recordings));
   }
-  const auto start = record::pitch_of_option(options.pitch);
-  if (!start) return tl::unexpected(start.error());
-  const auto recordings = pitch::read_recordings(options.recordings);
-  if (!recordings) return tl::unexpected(recordings.error());
-  const auto found = pitch::identify(*recordings, {start->parameters, 0.0});
-  if (!found) return tl::unexpected(found.error());
+  MIROCUP_TRY(const auto start, record::pitch_of_option(options.pitch));
+  MIROCUP_TRY(const auto recordings, pitch::read_recordings(options.recordings));
+  MIROCUP_TRY(const auto found, pitch::identify(recordings, {start.parameters, 0.0}));
   const std::string name = std::filesystem::path(options.output).stem().string();
-  const auto json = pitch::pitch_json(*found, *start, name);
+  const auto json = pitch::pitch_json(found, start, name);
   system::Disk disk;
-  if (auto written = disk.write(options.output, record::json_text(json, 1) + "\n"); !written) {
-    return tl::unexpected(written.error());
-  }
-  if (auto written = write_page(options.page, pitch::page_of(*found, "The pitch " + name));
-      !written)
-    return tl::unexpected(written.error());
-  std::cout << (options.json ? record::json_text(json) + "\n" : pitch::text_of_result(*found));
+  MIROCUP_TRY_VOID(disk.write(options.output, record::json_text(json, 1) + "\n"));
+  MIROCUP_TRY_VOID(write_page(options.page, pitch::page_of(found, "The pitch " + name)));
+  std::cout << (options.json ? record::json_text(json) + "\n" : pitch::text_of_result(found));
   return exit_yes;
 }
 
@@ -106,11 +93,11 @@ Result<int> validate_against_peer(const ValidateOptions& options) {
 
 Result<int> run_validate(const ValidateOptions& options) {
   if (!options.against.empty()) return validate_against_peer(options);
-  const auto report =
-      pitch::report_of({options.recordings, options.pitch, options.page, options.json}, nullptr);
-  if (!report) return tl::unexpected(report.error());
-  std::cout << report->text;
-  return report->is_worse ? exit_no : exit_yes;
+  MIROCUP_TRY(
+      const auto report,
+      pitch::report_of({options.recordings, options.pitch, options.page, options.json}, nullptr));
+  std::cout << report.text;
+  return report.is_worse ? exit_no : exit_yes;
 }
 
 }  // namespace mirocup::app

@@ -211,10 +211,9 @@ int RemoteTeam::report() const {
 
 Result<int> run_join(const JoinOptions& options) {
   Interrupt interrupt;
-  const auto parameters = record::parameters_with_changes({}, options.parameters, "--param");
-  if (!parameters) return tl::unexpected(parameters.error());
-  const auto python = python_for(options);
-  if (!python) return tl::unexpected(python.error());
+  MIROCUP_TRY(const auto parameters,
+              record::parameters_with_changes({}, options.parameters, "--param"));
+  MIROCUP_TRY(const auto python, python_for(options));
   warn_of_expiry(options.credentials);
   team::Connection match({.match = options.match_id,
                           .team = index_of(*from_string<Team>(options.team)),
@@ -225,7 +224,7 @@ Result<int> run_join(const JoinOptions& options) {
   if (!match.is_open()) {
     return fail(match.is_wrong() ? Errc::input : Errc::unavailable, match.why());
   }
-  return RemoteTeam(options, *python, *parameters, interrupt, match).play();
+  return RemoteTeam(options, python, parameters, interrupt, match).play();
 }
 
 }  // namespace mirocup::app

@@ -55,46 +55,45 @@ constexpr double share_for_restarts = 1.5;
 
 Result<void> read_start(const MatchOptions& options, match::Setup& setup) {
   if (options.start_path.empty()) return {};
-  const auto text = system::Disk().read(
-      options.start_path, {.max_size = system::size_limit::note, .links = system::Links::followed});
-  if (!text) return tl::unexpected(text.error());
-  const auto situation = record::parse_situation(*text, options.start_path);
-  if (!situation) return tl::unexpected(situation.error());
-  const std::string league(to_string(situation->league));
+  MIROCUP_TRY(const auto text,
+              system::Disk().read(options.start_path, {.max_size = system::size_limit::note,
+                                                       .links = system::Links::followed}));
+  MIROCUP_TRY(const auto situation, record::parse_situation(text, options.start_path));
+  const std::string league(to_string(situation.league));
   if (!options.league.empty() && options.league != league) {
     return fail(Errc::input, options.start_path + ": it is a situation of the " + league +
                                  " league, not of --league " + options.league);
   }
-  setup.league = situation->league;
-  setup.start = situation->start;
+  setup.league = situation.league;
+  setup.start = situation.start;
   return {};
 }
 
 Result<match::Setup> setup_of(const MatchOptions& options) {
   match::Setup setup;
   if (!options.league.empty()) setup.league = *from_string<League>(options.league);
-  if (auto read = read_start(options, setup); !read) return tl::unexpected(read.error());
-  auto rules =
-      record::rules_with_changes({{"preset", options.rules}}, options.rule_changes, setup.league);
-  if (!rules) return tl::unexpected(rules.error());
-  setup.rules = *rules;
+  MIROCUP_TRY_VOID(read_start(options, setup));
+  MIROCUP_TRY(auto rules, record::rules_with_changes({{"preset", options.rules}},
+                                                     options.rule_changes, setup.league));
+  setup.rules = rules;
   setup.stage = *from_string<referee::Stage>(options.stage);
   setup.seed = options.seed;
   setup.control_period = match::control_period_of(setup.rules.preset);
   if (options.half_s) setup.rules.half_s = *options.half_s;
-  const auto pitch = record::pitch_of_option(options.pitch.empty() ? "mirosot" : options.pitch);
-  if (!pitch) return tl::unexpected(pitch.error());
-  match::set_pitch(setup, *pitch);
-  if (pitch->conditions && options.conditions.empty() && options.condition_changes.empty()) {
-    setup.conditions = *pitch->conditions;
+  MIROCUP_TRY(const auto pitch,
+              record::pitch_of_option(options.pitch.empty() ? "mirosot" : options.pitch));
+  match::set_pitch(setup, pitch);
+  if (pitch.conditions && options.conditions.empty() && options.condition_changes.empty()) {
+    setup.conditions = *pitch.conditions;
     return setup;
   }
-  const auto conditions = record::conditions_with_changes(
-      options.conditions.empty() ? match::default_preset
-                                 : *from_string<match::ConditionsPreset>(options.conditions),
-      options.condition_changes);
-  if (!conditions) return tl::unexpected(conditions.error());
-  setup.conditions = *conditions;
+  MIROCUP_TRY(
+      const auto conditions,
+      record::conditions_with_changes(
+          options.conditions.empty() ? match::default_preset
+                                     : *from_string<match::ConditionsPreset>(options.conditions),
+          options.condition_changes));
+  setup.conditions = conditions;
   return setup;
 }
 
@@ -102,14 +101,13 @@ Result<match::Setup> setup_of(const MatchOptions& options) {
 Result<std::optional<record::MatchRecord>> read_past(const MatchOptions& options) {
   if (options.from_path.empty()) return std::nullopt;
   system::Disk disk;
-  auto past = record::load(disk, options.from_path);
-  if (!past) return tl::unexpected(past.error());
-  const std::size_t ticks = past->recording.ticks.size();
+  MIROCUP_TRY(auto past, record::load(disk, options.from_path));
+  const std::size_t ticks = past.recording.ticks.size();
   if (*options.tick >= ticks) {
     return fail(Errc::input, options.from_path + ": its leg has " + std::to_string(ticks) +
                                  " ticks, so --tick is at most " + std::to_string(ticks - 1));
   }
-  return std::move(*past);
+  return std::move(past);
 }
 
 Result<std::optional<double>> factor_of(const MatchOptions& options) {
@@ -130,9 +128,9 @@ Result<std::optional<double>> factor_of(const MatchOptions& options) {
 
 // Gives the teams their parameters, which a team on the network gets from its own program.
 Result<void> give_parameters(const MatchOptions& options, std::vector<TeamChoice>& choices) {
-  const auto shared = record::parameters_with_changes({}, options.parameters, "--param");
-  if (!shared) return tl::unexpected(shared.error());
-  bool is_for_a_library = shared->empty();
+  MIROCUP_TRY(const auto shared,
+              record::parameters_with_changes({}, options.parameters, "--param"));
+  bool is_for_a_library = shared.empty();
   for (const Team team : both_teams) {
     const std::string option = "--" + std::string(to_string(team)) + "-param";
     const auto& own = options.own_parameters[index_of(team)];
@@ -142,9 +140,8 @@ Result<void> give_parameters(const MatchOptions& options, std::vector<TeamChoice
       return fail(Errc::input, option + " " + own[0] + ": " + info.name +
                                    " plays over the network; give it to mirocup join");
     }
-    auto given = record::parameters_with_changes(*shared, own, option);
-    if (!given) return tl::unexpected(given.error());
-    info.parameters = std::move(*given);
+    MIROCUP_TRY(auto given, record::parameters_with_changes(shared, own, option));
+    info.parameters = std::move(given);
     is_for_a_library = true;
   }
   if (is_for_a_library) return {};
@@ -251,19 +248,17 @@ Result<void> Session::play_past(const record::MatchRecord& past, std::uint32_t u
 Result<void> Session::seat_teams() {
   std::vector<TeamChoice> choices;
   for (const Team team : both_teams) {
-    auto choice = choose_team(options_.teams[index_of(team)]);
-    if (!choice) return tl::unexpected(choice.error());
+    MIROCUP_TRY(auto choice, choose_team(options_.teams[index_of(team)]));
     const std::string& name = options_.names[index_of(team)];
-    if (!name.empty()) choice->info.name = name;
-    choices.push_back(std::move(*choice));
+    if (!name.empty()) choice.info.name = name;
+    choices.push_back(std::move(choice));
   }
   if (auto given = give_parameters(options_, choices); !given) return given;
   if (auto opened = open_network(choices); !opened) return opened;
   if (!network_ && !firasim_ && pacer_.period() == 0.0) stay_on_this_core();
   for (const Team team : both_teams) {
-    auto seat = take_seat(choices[index_of(team)], team);
-    if (!seat) return tl::unexpected(seat.error());
-    seats_.push_back(std::move(*seat));
+    MIROCUP_TRY(auto seat, take_seat(choices[index_of(team)], team));
+    seats_.push_back(std::move(seat));
   }
   if (network_) {
     network_->announce(match_.briefing(Team::blue), {seats_[0].info().name, seats_[1].info().name},
@@ -297,10 +292,9 @@ Result<void> Session::open_network(const std::vector<TeamChoice>& choices) {
     return choices[0].info.kind == kind || choices[1].info.kind == kind;
   };
   if (any(record::TeamKind::dds)) {
-    auto server = dds::MatchServer::open(options_.match_id, options_.interface,
-                                         options_.credentials, options_.dds_domain);
-    if (!server) return tl::unexpected(server.error());
-    network_ = std::move(*server);
+    MIROCUP_TRY(auto server, dds::MatchServer::open(options_.match_id, options_.interface,
+                                                    options_.credentials, options_.dds_domain));
+    network_ = std::move(server);
   }
   for (const Team team : both_teams) {
     const bool is_firasim = choices[index_of(team)].info.kind == record::TeamKind::firasim;
@@ -317,16 +311,16 @@ Result<void> Session::open_firasim() {
   const int last = takes_a_free_one ? first + most_instances - 1 : first;
   std::optional<Error> why_not;
   for (int instance = first; instance <= last; ++instance) {
-    const auto addresses = firasim::addresses_of(instance, {.vision = options_.firasim_vision,
-                                                            .referee = options_.firasim_referee,
-                                                            .command = options_.firasim_command,
-                                                            .placement = options_.firasim_placement,
-                                                            .interface = options_.interface});
-    if (!addresses) return tl::unexpected(addresses.error());
-    auto server = firasim::Server::open(*addresses);
+    MIROCUP_TRY(const auto addresses,
+                firasim::addresses_of(instance, {.vision = options_.firasim_vision,
+                                                 .referee = options_.firasim_referee,
+                                                 .command = options_.firasim_command,
+                                                 .placement = options_.firasim_placement,
+                                                 .interface = options_.interface}));
+    auto server = firasim::Server::open(addresses);
     if (server) {
       firasim_ = std::move(*server);
-      firasim_addresses_ = *addresses;
+      firasim_addresses_ = addresses;
       firasim_instance_ = instance;
       return {};
     }
@@ -340,9 +334,9 @@ Result<void> Session::start_program(Team team) {
   const std::string& command = options_.programs[index_of(team)];
   if (command.empty()) return {};
   const std::string log = has_folder() ? log_path(team) : "/dev/null";
-  auto program = TeamProgram::start(command, team, firasim_instance_, firasim_addresses_, log);
-  if (!program) return tl::unexpected(program.error());
-  programs_[index_of(team)].emplace(std::move(*program));
+  MIROCUP_TRY(auto program,
+              TeamProgram::start(command, team, firasim_instance_, firasim_addresses_, log));
+  programs_[index_of(team)].emplace(std::move(program));
   return {};
 }
 
@@ -352,17 +346,16 @@ Result<TeamSeat> Session::take_seat(const TeamChoice& choice, Team team) {
     return TeamSeat::take_on_network(choice, briefing, *network_, patience(team));
   }
   if (choice.info.kind == record::TeamKind::firasim) {
-    if (auto started = start_program(team); !started) return tl::unexpected(started.error());
+    MIROCUP_TRY_VOID(start_program(team));
     return TeamSeat::take_at_firasim(choice, match_, team, *firasim_, firasim_terms(team));
   }
   if (options_.trusted) {
     isolation_ = to_string(plugins::Isolation::none);
     return TeamSeat::take_trusted(choice, briefing, options_.thoughts);
   }
-  const auto terms = process_terms();
-  if (!terms) return tl::unexpected(terms.error());
-  isolation_ = to_string(terms->isolation);
-  return TeamSeat::take_in_process(choice, briefing, *terms);
+  MIROCUP_TRY(const auto terms, process_terms());
+  isolation_ = to_string(terms.isolation);
+  return TeamSeat::take_in_process(choice, briefing, terms);
 }
 
 Result<plugins::ProcessTerms> Session::process_terms() const {
@@ -375,13 +368,12 @@ Result<plugins::ProcessTerms> Session::process_terms() const {
     terms.budget.start_cpu = std::max(1, std::atoi(limit));
     terms.budget.start_wall = 3.0 * terms.budget.start_cpu;
   }
-  const auto strongest = plugins::strongest_isolation();
-  if (!strongest) return tl::unexpected(strongest.error());
+  MIROCUP_TRY(const auto strongest, plugins::strongest_isolation());
   const auto wanted = from_string<plugins::Isolation>(options_.isolation);
-  terms.isolation = wanted.value_or(*strongest);
-  if (terms.isolation > *strongest) {
+  terms.isolation = wanted.value_or(strongest);
+  if (terms.isolation > strongest) {
     return fail(Errc::unavailable, "--isolation " + options_.isolation + ": this system allows " +
-                                       std::string(to_string(*strongest)) +
+                                       std::string(to_string(strongest)) +
                                        " only (namespaces are not allowed here)");
   }
   if (pacer_.period() > 0.0) {
@@ -445,16 +437,15 @@ double Session::longest_play() const {
 
 Result<void> Session::open_live_page() {
   if (!options_.watch) return {};
-  const auto address =
-      web::parse_address(options_.watch->empty() ? "0" : *options_.watch, "--watch");
-  if (!address) return tl::unexpected(address.error());
+  MIROCUP_TRY(const auto address,
+              web::parse_address(options_.watch->empty() ? "0" : *options_.watch, "--watch"));
   const match::Setup& setup = match_.setup();
-  auto live = web::LiveServer::open(
-      *address, match_, {seats_[0].info().name, seats_[1].info().name},
-      std::string(to_string(setup.league)) + " league, rules " +
-          std::string(to_string(setup.rules.preset)) + ", seed " + std::to_string(setup.seed));
-  if (!live) return tl::unexpected(live.error());
-  live_ = std::move(*live);
+  MIROCUP_TRY(auto live,
+              web::LiveServer::open(address, match_, {seats_[0].info().name, seats_[1].info().name},
+                                    std::string(to_string(setup.league)) + " league, rules " +
+                                        std::string(to_string(setup.rules.preset)) + ", seed " +
+                                        std::to_string(setup.seed)));
+  live_ = std::move(live);
   std::cerr << "mirocup: watch at " << live_->url() << '\n';
   return {};
 }
@@ -623,23 +614,19 @@ Result<void> check_output(const MatchOptions& options) {
 }  // namespace
 
 Result<int> run_match(const MatchOptions& options) {
-  const auto past = read_past(options);
-  if (!past) return tl::unexpected(past.error());
-  const auto setup = *past ? Result<match::Setup>((*past)->recording.setup) : setup_of(options);
-  if (!setup) return tl::unexpected(setup.error());
-  const auto factor = factor_of(options);
-  if (!factor) return tl::unexpected(factor.error());
-  if (auto writable = check_output(options); !writable) return tl::unexpected(writable.error());
+  MIROCUP_TRY(const auto past, read_past(options));
+  MIROCUP_TRY(const auto setup,
+              past ? Result<match::Setup>(past->recording.setup) : setup_of(options));
+  MIROCUP_TRY(const auto factor, factor_of(options));
+  MIROCUP_TRY_VOID(check_output(options));
 
-  Session session(options, *setup, *factor);
-  if (*past) {
-    if (auto played = session.play_past(**past, *options.tick); !played) {
-      return tl::unexpected(played.error());
-    }
+  Session session(options, setup, factor);
+  if (past) {
+    MIROCUP_TRY_VOID(session.play_past(*past, *options.tick));
   }
-  if (auto seated = session.seat_teams(); !seated) return tl::unexpected(seated.error());
-  if (auto opened = session.open_live_page(); !opened) return tl::unexpected(opened.error());
-  if (auto played = session.play(); !played) return tl::unexpected(played.error());
+  MIROCUP_TRY_VOID(session.seat_teams());
+  MIROCUP_TRY_VOID(session.open_live_page());
+  MIROCUP_TRY_VOID(session.play());
   if (auto written = session.write_record(); !written) {
     session.report();  // the score is known, if nothing else
     return tl::unexpected(written.error());

@@ -43,10 +43,9 @@ using Words = std::vector<std::pair<std::string, std::string>>;
 // Copies a file of the installation into the folder, with other words in place of some.
 Result<void> write_filled(system::Disk& disk, const fs::path& file, const std::string& folder,
                           const Words& words) {
-  auto text = disk.read(file.string(), {.max_size = system::size_limit::system_file,
-                                        .links = system::Links::followed});
-  if (!text) return tl::unexpected(text.error());
-  std::string filled = std::move(*text);
+  MIROCUP_TRY(auto text, disk.read(file.string(), {.max_size = system::size_limit::system_file,
+                                                   .links = system::Links::followed}));
+  std::string filled = std::move(text);
   for (const auto& [word, by] : words) filled = replaced(std::move(filled), word, by);
   const std::string path = (fs::path(folder) / file.filename()).string();
   if (auto written = disk.write(path, filled); !written) return written;
@@ -60,26 +59,22 @@ Result<void> write_filled(system::Disk& disk, const fs::path& file, const std::s
 // Copies a source of an old team, in the form that compilers of today read. Returns whether that
 // is another one.
 Result<bool> copy_source(system::Disk& disk, const fs::path& from, const fs::path& to) {
-  const auto text = disk.read(from.string(), {.max_size = system::size_limit::note});
-  if (!text) return tl::unexpected(text.error());
+  MIROCUP_TRY(const auto text, disk.read(from.string(), {.max_size = system::size_limit::note}));
   std::error_code error;
   fs::create_directories(to.parent_path(), error);
   if (error) return fail(Errc::unavailable, to.string() + ": " + error.message());
-  const std::string now = readable(*text);
-  if (auto written = disk.write(to.string(), now); !written) {
-    return tl::unexpected(written.error());
-  }
-  return now != *text;
+  const std::string now = readable(text);
+  MIROCUP_TRY_VOID(disk.write(to.string(), now));
+  return now != text;
 }
 
 // Makes a team of old sources, which are copied to src.
 Result<void> adopt(system::Disk& disk, const system::TeamKit& kit, const NewOptions& options,
                    const OldSources& old, Words words) {
   for (const std::string& path : old.files) {
-    const auto is_changed = copy_source(disk, fs::path(options.simurosot) / path,
-                                        fs::path(options.folder) / "src" / path);
-    if (!is_changed) return tl::unexpected(is_changed.error());
-    if (*is_changed) {
+    MIROCUP_TRY(const auto is_changed, copy_source(disk, fs::path(options.simurosot) / path,
+                                                   fs::path(options.folder) / "src" / path));
+    if (is_changed) {
       std::cout << "src/" << system::printable(path) << ": its text was made readable for g++\n";
     }
   }
@@ -117,21 +112,17 @@ Result<int> run_new(const NewOptions& options) {
   Result<OldSources> old = OldSources{};
   if (!options.simurosot.empty()) old = find_old_sources(options.simurosot);
   if (!old) return tl::unexpected(old.error());
-  if (auto made = disk.make_folder(folder); !made) return tl::unexpected(made.error());
+  MIROCUP_TRY_VOID(disk.make_folder(folder));
 
   const Words words{{"@MIROCUP@", system::shell_word(called_as(kit.program))},
                     {"@MIROCUP_PREFIX@", kit.prefix},
                     {"@MIROCUP_HEADERS@", kit.headers},
                     {"@MIROCUP_PYTHON@", kit.python}};
   if (!options.simurosot.empty()) {
-    if (auto done = adopt(disk, kit, options, *old, words); !done) {
-      return tl::unexpected(done.error());
-    }
+    MIROCUP_TRY_VOID(adopt(disk, kit, options, *old, words));
   } else {
     for (const auto& file : fs::directory_iterator(templates)) {
-      if (auto done = write_filled(disk, file.path(), folder, words); !done) {
-        return tl::unexpected(done.error());
-      }
+      MIROCUP_TRY_VOID(write_filled(disk, file.path(), folder, words));
     }
   }
   std::cout << system::printable(folder) << ": a team. "

@@ -109,13 +109,12 @@ Result<Folder> read_all(const std::string& folder) {
     if (path.find_first_of("\"$;\\\n") != std::string::npos) {
       return fail(Errc::input, folder + "/" + path + ": CMake cannot take this name; change it");
     }
-    auto text = disk.read(at->path().string(), {.max_size = system::size_limit::note});
-    if (!text) return tl::unexpected(text.error());
+    MIROCUP_TRY(auto text, disk.read(at->path().string(), {.max_size = system::size_limit::note}));
     if (is_project) {
-      all.projects.emplace(path, files_of_project(readable(*text)));
+      all.projects.emplace(path, files_of_project(readable(text)));
       continue;
     }
-    code.emplace(path, code_of(readable(*text)));
+    code.emplace(path, code_of(readable(text)));
     if (code.size() > max_files) {
       return fail(Errc::input, folder + ": more than " + std::to_string(max_files) +
                                    " sources; name the folder of one team");
@@ -237,11 +236,10 @@ std::vector<std::string> with_entry(const std::map<std::string, std::string>& so
 }  // namespace
 
 Result<OldSources> find_old_sources(const std::string& folder) {
-  const auto all = read_all(folder);
-  if (!all) return tl::unexpected(all.error());
+  MIROCUP_TRY(const auto all, read_all(folder));
   OldSources team;
   std::map<std::string, int> included;  // by how many files
-  for (const auto& [path, code] : all->code) {
+  for (const auto& [path, code] : all.code) {
     team.files.push_back(path);
     for (const std::string& name : included_by(code)) ++included[name];
   }
@@ -253,11 +251,11 @@ Result<OldSources> find_old_sources(const std::string& folder) {
            (has_word(code, "struct") || has_word(code, "class"));
   };
   std::vector<std::string> headers, sources;
-  for (const auto& [path, code] : all->code) {
+  for (const auto& [path, code] : all.code) {
     if (defines(path, code)) headers.push_back(path);
     if (is_source(path) && uses(path) == 0) sources.push_back(path);
   }
-  team.sources = compiled_of(*all, std::move(sources));
+  team.sources = compiled_of(all, std::move(sources));
   if (headers.empty() || team.sources.empty()) {
     return fail(Errc::input,
                 folder +
@@ -266,7 +264,7 @@ Result<OldSources> find_old_sources(const std::string& folder) {
                     "of a team for SimuroSot");
   }
   std::map<std::string, std::string> compiled;
-  for (const std::string& path : team.sources) compiled.emplace(path, all->code.at(path));
+  for (const std::string& path : team.sources) compiled.emplace(path, all.code.at(path));
   const auto any_has = [&](const char* word) {
     return std::any_of(compiled.begin(), compiled.end(),
                        [&](const auto& one) { return has_word(one.second, word); });
@@ -275,7 +273,7 @@ Result<OldSources> find_old_sources(const std::string& folder) {
                : any_has("SetFormerRobots") ? "restart"
                                             : "classic";
   const auto entries = with_entry(compiled, team.style);
-  for (const auto& [path, code] : all->code) {
+  for (const auto& [path, code] : all.code) {
     if (is_header(path)) compiled.emplace(path, code);
   }
   team.standard = team.style == "v5" ? "gnu++17" : standard_of(compiled);
@@ -286,15 +284,14 @@ Result<OldSources> find_old_sources(const std::string& folder) {
     };
     return uses(a) != uses(b) ? uses(a) > uses(b) : depth(a) < depth(b);
   });
-  auto header = header_of(folder, *all, headers, team.sources);
-  if (!header) return tl::unexpected(header.error());
+  MIROCUP_TRY(auto header, header_of(folder, all, headers, team.sources));
   if (entries.size() > 1) {
     return fail(
         Errc::input,
         folder + ": " + entries[0] + " and " + entries[1] +
             " both define what the platform calls; take one of them away, or name its folder");
   }
-  team.header = std::move(*header);
+  team.header = std::move(header);
   return team;
 }
 

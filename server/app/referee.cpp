@@ -35,10 +35,9 @@ void print(const Json& json) {
 
 Result<int> judge_traces(const std::string& path) {
   system::Disk disk;
-  const auto text =
-      disk.read(path, {.max_size = system::size_limit::trace, .links = system::Links::followed});
-  if (!text) return tl::unexpected(text.error());
-  std::istringstream lines(*text);
+  MIROCUP_TRY(const auto text, disk.read(path, {.max_size = system::size_limit::trace,
+                                                .links = system::Links::followed}));
+  std::istringstream lines(text);
   std::string line;
   bool all_judged = true;
   for (int number = 1; std::getline(lines, line); ++number) {
@@ -85,10 +84,9 @@ Result<int> judge_record(const RefereeOptions& options) {
   const auto record = record::load(disk, options.record_path);
   if (!record) return tl::unexpected(record.error());
   const match::Setup& setup = record->recording.setup;
-  const auto rules =
-      record::rules_with_changes(record::to_json(setup.rules), options.rule_changes, setup.league);
-  if (!rules) return tl::unexpected(rules.error());
-  const std::vector<replay::Difference> differences = replay::rejudge(record->recording, *rules);
+  MIROCUP_TRY(const auto rules, record::rules_with_changes(record::to_json(setup.rules),
+                                                           options.rule_changes, setup.league));
+  const std::vector<replay::Difference> differences = replay::rejudge(record->recording, rules);
 
   Json list = Json::array();
   for (const replay::Difference& d : differences) {
@@ -105,7 +103,7 @@ Result<int> judge_record(const RefereeOptions& options) {
   }
   if (options.json) {
     print({{"record", options.record_path},
-           {"rules", record::to_json(*rules)},
+           {"rules", record::to_json(rules)},
            {"differences", list}});
   } else {
     std::cout << system::printable(options.record_path) << ": " << differences.size()

@@ -58,8 +58,7 @@ Result<std::string> output_of(const ReplayOptions& options) {
 }
 
 Result<int> run_clip(const ReplayOptions& options) {
-  const auto span = parse_clip(options.clip);
-  if (!span) return tl::unexpected(span.error());
+  MIROCUP_TRY(const auto span, parse_clip(options.clip));
   const std::string output =
       options.output.empty()
           ? std::filesystem::path(options.record).replace_extension(".webm").string()
@@ -67,10 +66,8 @@ Result<int> run_clip(const ReplayOptions& options) {
   if (!is_video_name(output))
     return fail(Errc::input, output + ": a video ends in .webm, .mp4 or .gif");
   system::Disk disk;
-  const auto record = record::load(disk, options.record);
-  if (!record) return tl::unexpected(record.error());
-  if (auto written = write_clip(disk, *record, *span, output); !written)
-    return tl::unexpected(written.error());
+  MIROCUP_TRY(const auto record, record::load(disk, options.record));
+  MIROCUP_TRY_VOID(write_clip(disk, record, span, output));
   std::cout << system::printable(output) << '\n';
   return exit_yes;
 }
@@ -96,8 +93,7 @@ bool open_in_browser(const std::string& path) {
 
 Result<int> run_replay(const ReplayOptions& options) {
   if (!options.clip.empty()) return run_clip(options);
-  const auto output = output_of(options);
-  if (!output) return tl::unexpected(output.error());
+  MIROCUP_TRY(const auto output, output_of(options));
   if (options.svg != options.at.has_value()) {
     return fail(Errc::input, "--at T and --svg belong together: a still picture of a moment");
   }
@@ -108,15 +104,15 @@ Result<int> run_replay(const ReplayOptions& options) {
   const auto record = record::load(disk, options.record);
   if (!record) return tl::unexpected(record.error());
   const bool shows_own = !options.svg && !options.public_page;
-  const auto own =
+  MIROCUP_TRY(
+      const auto own,
       record::read_own_texts(disk, options.record, shows_own ? record::of_both : record::of_nobody,
-                             system::Links::followed);
-  if (!own) return tl::unexpected(own.error());
+                             system::Links::followed));
   const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
   std::optional<statistics::LegStatistics> counted;
   const auto made = options.svg
                         ? picture_at(record->recording, *options.at)
-                        : web::replay_page(*record, times, *own).map([&](web::ReplayPage page) {
+                        : web::replay_page(*record, times, own).map([&](web::ReplayPage page) {
                             counted = std::move(page.statistics);
                             return std::move(page.html);
                           });
@@ -129,20 +125,16 @@ Result<int> run_replay(const ReplayOptions& options) {
               << " on: " << made.error().what << '\n';
     return exit_no;
   }
-  if (auto written = disk.write(*output, *made); !written) {
-    return tl::unexpected(written.error());
-  }
+  MIROCUP_TRY_VOID(disk.write(output, *made));
   if (!options.statistics.empty()) {
     // The name alone, so that the file has the same bytes wherever the record is.
     const std::string name = std::filesystem::path(options.record).filename();
     const std::string text =
         statistics::leg_report_text(statistics::report_of(name, *record, *std::move(counted)));
-    if (auto written = disk.write(options.statistics, text); !written) {
-      return tl::unexpected(written.error());
-    }
+    MIROCUP_TRY_VOID(disk.write(options.statistics, text));
   }
-  std::cout << system::printable(*output) << '\n';
-  if (options.open && !open_in_browser(*output))
+  std::cout << system::printable(output) << '\n';
+  if (options.open && !open_in_browser(output))
     std::cerr << "mirocup: no browser can be opened from here: open the file in one\n";
   return exit_yes;
 }

@@ -151,14 +151,13 @@ Result<std::optional<CommandDifference>> play_again(const replay::Recording& rec
     match.advance(replay::recorded_answers(recording, match.tick()));
   }
   std::vector<TeamSeat> seats;
-  const auto isolation = plugins::strongest_isolation();
-  if (!isolation) return tl::unexpected(isolation.error());
+  MIROCUP_TRY(const auto isolation, plugins::strongest_isolation());
   plugins::ProcessTerms terms;
-  terms.isolation = *isolation;
+  terms.isolation = isolation;
   for (const Team team : both_teams) {
-    auto seat = TeamSeat::take_in_process(choices[index_of(team)], match.briefing(team), terms);
-    if (!seat) return tl::unexpected(seat.error());
-    seats.push_back(std::move(*seat));
+    MIROCUP_TRY(auto seat,
+                TeamSeat::take_in_process(choices[index_of(team)], match.briefing(team), terms));
+    seats.push_back(std::move(seat));
   }
   wait_until_ready(seats, match, interrupt);
   while (!match.is_over()) {
@@ -203,18 +202,16 @@ Result<int> run_rerun(const RerunOptions& options) {
   }
   std::vector<TeamChoice> choices;
   for (const record::TeamInfo& team : record->teams) {
-    auto choice = choose_again(disk, team, options);
-    if (!choice) return tl::unexpected(choice.error());
-    choices.push_back(std::move(*choice));
+    MIROCUP_TRY(auto choice, choose_again(disk, team, options));
+    choices.push_back(std::move(choice));
   }
-  const auto difference =
-      play_again(record->recording, record->from ? record->from->tick : 0, choices);
-  if (!difference) return tl::unexpected(difference.error());
-  if (*difference && record::has_other_behaviour(*record)) {
-    return tl::unexpected(record::behaviour_mismatch(options.record, *record, (*difference)->tick));
+  MIROCUP_TRY(const auto difference,
+              play_again(record->recording, record->from ? record->from->tick : 0, choices));
+  if (difference && record::has_other_behaviour(*record)) {
+    return tl::unexpected(record::behaviour_mismatch(options.record, *record, difference->tick));
   }
-  report(options, *difference);
-  return *difference ? exit_no : exit_yes;
+  report(options, difference);
+  return difference ? exit_no : exit_yes;
 }
 
 }  // namespace mirocup::app

@@ -15,15 +15,13 @@ namespace mirocup::app {
 
 Result<int> run_scene(const SceneOptions& options) {
   system::Disk disk;
-  const auto text = disk.read(
-      options.path, {.max_size = system::size_limit::scene, .links = system::Links::followed});
-  if (!text) return tl::unexpected(text.error());
-  const auto scene = record::parse_scene(*text, options.path);
-  if (!scene) return tl::unexpected(scene.error());
+  MIROCUP_TRY(const auto text, disk.read(options.path, {.max_size = system::size_limit::scene,
+                                                        .links = system::Links::followed}));
+  MIROCUP_TRY(const auto scene, record::parse_scene(text, options.path));
 
   const auto accuracy = *from_string<simulator::Accuracy>(options.accuracy);
   const std::clock_t begin = std::clock();
-  const auto result = simulator::run_scene(*scene, simulator::tolerances_of(accuracy));
+  const auto result = simulator::run_scene(scene, simulator::tolerances_of(accuracy));
   if (result.stopped_at) {
     return fail(Errc::input, options.path + ": more than " +
                                  std::to_string(simulator::max_scene_impacts) + " impacts until " +
@@ -32,7 +30,7 @@ Result<int> run_scene(const SceneOptions& options) {
   }
   const double cpu_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 
-  const std::string json = record::json_text(record::to_json(*scene, result, cpu_seconds)) + "\n";
+  const std::string json = record::json_text(record::to_json(scene, result, cpu_seconds)) + "\n";
   if (options.out.empty()) {
     std::cout << json;
   } else if (auto written = disk.write(options.out, json); !written) {

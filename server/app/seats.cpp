@@ -89,14 +89,12 @@ Result<TeamSeat> TeamSeat::take_in_process(const TeamChoice& choice,
   TeamSeat seat(choice.info);
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
-  const auto program = host_program(*choice.entry);
-  if (!program) return tl::unexpected(program.error());
-  auto process = plugins::ProcessController::start(*program, *choice.entry, briefing,
-                                                   choice.info.parameters, terms);
-  if (!process) return tl::unexpected(process.error());
-  seat.process_ = process->get();
-  seat.controller_ = process->get();
-  seat.owned_ = std::move(*process);
+  MIROCUP_TRY(const auto program, host_program(*choice.entry));
+  MIROCUP_TRY(auto process, plugins::ProcessController::start(program, *choice.entry, briefing,
+                                                              choice.info.parameters, terms));
+  seat.process_ = process.get();
+  seat.controller_ = process.get();
+  seat.owned_ = std::move(process);
   return seat;
 }
 
@@ -108,10 +106,9 @@ Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::B
   plugins::tell_of_crashes();
   const match::TeamParameters& parameters = choice.info.parameters;
   const bool is_python = choice.entry->is_python();
-  const auto module = is_python ? python_module() : std::string();
-  if (!module) return tl::unexpected(module.error());
+  MIROCUP_TRY(const auto module, is_python ? python_module() : std::string());
   auto controller = is_python ? plugins::TrustedController::load_python(
-                                    choice.library, *module, briefing, parameters, keeps_thoughts)
+                                    choice.library, module, briefing, parameters, keeps_thoughts)
                               : plugins::TrustedController::load(choice.library, briefing,
                                                                  parameters, keeps_thoughts);
   if (!controller) {
@@ -129,10 +126,9 @@ Result<TeamSeat> TeamSeat::take_on_network(const TeamChoice& choice,
                                            dds::MatchServer& server,
                                            const dds::JoinTerms& patience) {
   TeamSeat seat(choice.info);
-  auto network = server.add_seat(briefing, choice.network_name, patience);
-  if (!network) return tl::unexpected(network.error());
-  seat.network_ = *network;
-  seat.controller_ = *network;
+  MIROCUP_TRY(auto network, server.add_seat(briefing, choice.network_name, patience));
+  seat.network_ = network;
+  seat.controller_ = network;
   return seat;
 }
 

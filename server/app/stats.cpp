@@ -41,11 +41,9 @@ Result<int> run_stats(const StatsOptions& options) {
     }
   }
   system::Disk disk;
-  const auto legs = statistics::count_records(disk, options.paths);
-  if (!legs) return tl::unexpected(legs.error());
-  const auto text = statistics::report(*legs, options);
-  if (!text) return tl::unexpected(text.error());
-  std::cout << *text;
+  MIROCUP_TRY(const auto legs, statistics::count_records(disk, options.paths));
+  MIROCUP_TRY(const auto text, statistics::report(legs, options));
+  std::cout << text;
   return exit_yes;
 }
 

@@ -26,17 +26,18 @@ Result<TeamProgram> TeamProgram::start(const std::string& command, Team team, in
                                        const firasim::Addresses& addresses,
                                        const std::string& log) {
   const std::string host = addresses.command.find(':') == std::string::npos ? "127.0.0.1:" : "";
-  const auto pid = system::start_child(
-      {.arguments = {"/usr/bin/env", "MIROCUP_COLOUR=" + std::string(to_string(team)),
-                     std::string("MIROCUP_YELLOW=") + (team == Team::yellow ? "true" : "false"),
-                     "MIROCUP_INSTANCE=" + std::to_string(instance),
-                     "MIROCUP_VISION=" + addresses.vision,
-                     "MIROCUP_COMMAND=" + host + addresses.command,
-                     "MIROCUP_REFEREE=" + addresses.referee,
-                     "MIROCUP_PLACEMENT=" + addresses.placement, "/bin/sh", "-c", command},
-       .log = log});
-  if (!pid) return tl::unexpected(pid.error());
-  return TeamProgram(*pid, command, log);
+  MIROCUP_TRY(
+      const auto pid,
+      system::start_child(
+          {.arguments = {"/usr/bin/env", "MIROCUP_COLOUR=" + std::string(to_string(team)),
+                         std::string("MIROCUP_YELLOW=") + (team == Team::yellow ? "true" : "false"),
+                         "MIROCUP_INSTANCE=" + std::to_string(instance),
+                         "MIROCUP_VISION=" + addresses.vision,
+                         "MIROCUP_COMMAND=" + host + addresses.command,
+                         "MIROCUP_REFEREE=" + addresses.referee,
+                         "MIROCUP_PLACEMENT=" + addresses.placement, "/bin/sh", "-c", command},
+           .log = log}));
+  return TeamProgram(pid, command, log);
 }
 
 TeamProgram::TeamProgram(TeamProgram&& other) noexcept

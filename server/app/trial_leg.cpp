@@ -43,14 +43,13 @@ Result<Seats> start_teams(const plugins::SealedEntry& entry, const match::Leg& l
     process_terms.budget = is_own ? trial_budget() : plugins::Budget();
     process_terms.surroundings = is_own ? terms.surroundings : plugins::Surroundings();
     const plugins::SealedEntry& played = is_own ? entry : *terms.opponent;
-    const auto program =
-        host_program(played, is_own && terms.is_careful ? Care::watched : Care::none);
-    if (!program) return tl::unexpected(program.error());
-    auto process = plugins::ProcessController::start(
-        *program, played, leg.briefing(team), is_own ? terms.parameters : match::TeamParameters(),
-        process_terms);
-    if (!process) return tl::unexpected(process.error());
-    seats[index_of(team)] = std::move(*process);
+    MIROCUP_TRY(const auto program,
+                host_program(played, is_own && terms.is_careful ? Care::watched : Care::none));
+    MIROCUP_TRY(auto process,
+                plugins::ProcessController::start(
+                    program, played, leg.briefing(team),
+                    is_own ? terms.parameters : match::TeamParameters(), process_terms));
+    seats[index_of(team)] = std::move(process);
   }
   return seats;
 }
@@ -123,9 +122,8 @@ std::set<MetRestart> met_restarts(const match::Leg& leg, Team team) {
 Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms& terms) {
   const Meter meter;
   match::Leg leg(terms.setup);
-  auto started = start_teams(entry, leg, terms);
-  if (!started) return tl::unexpected(started.error());
-  const Seats& seats = *started;
+  MIROCUP_TRY(auto started, start_teams(entry, leg, terms));
+  const Seats& seats = started;
   plugins::ProcessController& own = *seats[index_of(terms.team)];
 
   std::optional<match::Fault> fault;

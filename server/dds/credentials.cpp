@@ -57,12 +57,11 @@ Result<void> set_credentials(dds_qos_t* qos, const std::string& folder) {
   for (const File& f : files) {
     const std::string path = folder + "/" + f.name;
     // Without a list that is there everybody could join whose certificate was revoked.
-    const auto text = disk.read_if_there(
-        path, {.max_size = system::size_limit::note, .links = system::Links::followed});
-    if (!text) return tl::unexpected(text.error());
-    if (!*text && f.is_needed)
+    MIROCUP_TRY(const auto text, disk.read_if_there(path, {.max_size = system::size_limit::note,
+                                                           .links = system::Links::followed}));
+    if (!text && f.is_needed)
       return fail(Errc::input, folder + " holds no credentials: " + path + " is not there");
-    if (*text) dds_qset_prop(qos, f.property, ("file:" + path).c_str());
+    if (text) dds_qset_prop(qos, f.property, ("file:" + path).c_str());
   }
   return {};
 }

@@ -98,9 +98,7 @@ Result<Domain> open_team_domain(const std::string& server, const std::string& cr
 Result<Entity> make_participant(const Domain& domain) {
   Qos qos(dds_create_qos());
   if (!domain.credentials.empty()) {
-    if (auto set = set_credentials(qos.get(), domain.credentials); !set) {
-      return tl::unexpected(set.error());
-    }
+    MIROCUP_TRY_VOID(set_credentials(qos.get(), domain.credentials));
   }
   auto made = created(
       dds_create_participant(static_cast<dds_domainid_t>(domain.number), qos.get(), nullptr),

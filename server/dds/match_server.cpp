@@ -40,13 +40,11 @@ Result<std::unique_ptr<MatchServer>> MatchServer::open(const std::string& match_
                                                        const std::string& interface,
                                                        const std::string& credentials,
                                                        int domain_number) {
-  auto claim = claim_match(match_id, domain_number);
-  if (!claim) return tl::unexpected(claim.error());
-  auto domain = open_server_domain(interface, credentials, domain_number);
-  if (!domain) return tl::unexpected(domain.error());
-  std::unique_ptr<MatchServer> server(new MatchServer(match_id, interface, std::move(*domain)));
-  server->claim_ = std::move(*claim);
-  if (auto opened = server->open_topics(); !opened) return tl::unexpected(opened.error());
+  MIROCUP_TRY(auto claim, claim_match(match_id, domain_number));
+  MIROCUP_TRY(auto domain, open_server_domain(interface, credentials, domain_number));
+  std::unique_ptr<MatchServer> server(new MatchServer(match_id, interface, std::move(domain)));
+  server->claim_ = std::move(claim);
+  MIROCUP_TRY_VOID(server->open_topics());
   return server;
 }
 
@@ -100,9 +98,7 @@ Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::
     link.credentials_end = team_credentials_end(folder, name);
   }
   auto seat = std::make_unique<Seat>(std::move(link), briefing, name, terms);
-  if (auto opened = seat->open(participant_, match_id_, waitset_); !opened) {
-    return tl::unexpected(opened.error());
-  }
+  MIROCUP_TRY_VOID(seat->open(participant_, match_id_, waitset_));
   if (!excused_) excused_.emplace(usual_step + 2.0 * terms.tick.value_or(0.0));
   seats_.push_back(std::move(seat));
   return seats_.back().get();

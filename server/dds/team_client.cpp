@@ -50,10 +50,9 @@ constexpr const char* not_understood = "the match server cannot be understood: "
 }  // namespace
 
 Result<std::unique_ptr<TeamClient>> TeamClient::open(const JoinRequest& request) {
-  auto domain = open_team_domain(request.server, request.credentials, request.domain);
-  if (!domain) return tl::unexpected(domain.error());
-  std::unique_ptr<TeamClient> client(new TeamClient(request, std::move(*domain)));
-  if (auto connected = client->connect(); !connected) return tl::unexpected(connected.error());
+  MIROCUP_TRY(auto domain, open_team_domain(request.server, request.credentials, request.domain));
+  std::unique_ptr<TeamClient> client(new TeamClient(request, std::move(domain)));
+  MIROCUP_TRY_VOID(client->connect());
   return client;
 }
 

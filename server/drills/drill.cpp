@@ -166,16 +166,15 @@ Result<Drill> parse_drill(std::string_view text, const std::string& path) {
 
 Result<match::Setup> setup_of(const Drill& drill, std::uint64_t seed) {
   Random random(mix_seed(~seed));  // the leg draws from mix_seed(seed)
-  const auto situation =
-      record::draw_situation(drill.situation, drill.league, random, drill.name + ": /situation");
-  if (!situation) return tl::unexpected(situation.error());
+  MIROCUP_TRY(const auto situation, record::draw_situation(drill.situation, drill.league, random,
+                                                           drill.name + ": /situation"));
   match::Setup setup;
   setup.league = drill.league;
   setup.rules = drill.rules;
   setup.conditions = drill.conditions;
   setup.seed = seed;
   setup.control_period = match::control_period_of(setup.rules.preset);
-  setup.start = situation->start;
+  setup.start = situation.start;
   // A try is the end of a leg, so its record is that of a whole one.
   setup.start->phase = referee::Phase::SECOND_HALF;
   setup.rules.half_s = setup.start->clock + drill.seconds;

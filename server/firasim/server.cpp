@@ -53,28 +53,20 @@ Result<Addresses> addresses_of(int instance, const Addresses& changes) {
 }
 
 Result<std::unique_ptr<Server>> Server::open(const Addresses& a) {
-  const auto vision_to = parse_endpoints(a.vision, "--firasim-vision");
-  if (!vision_to) return tl::unexpected(vision_to.error());
-  const auto referee_to = parse_endpoints(a.referee, "--firasim-referee");
-  if (!referee_to) return tl::unexpected(referee_to.error());
+  MIROCUP_TRY(const auto vision_to, parse_endpoints(a.vision, "--firasim-vision"));
+  MIROCUP_TRY(const auto referee_to, parse_endpoints(a.referee, "--firasim-referee"));
   const bool has_address = a.command.find(':') != std::string::npos;
   const std::string any = a.interface == this_host ? "127.0.0.1:" : "0.0.0.0:";
-  const auto commands_at =
-      parse_endpoint(has_address ? a.command : any + a.command, "--firasim-command");
-  if (!commands_at) return tl::unexpected(commands_at.error());
-  const auto placements_at = parse_endpoint(a.placement, "--firasim-placement");
-  if (!placements_at) return tl::unexpected(placements_at.error());
+  MIROCUP_TRY(const auto commands_at,
+              parse_endpoint(has_address ? a.command : any + a.command, "--firasim-command"));
+  MIROCUP_TRY(const auto placements_at, parse_endpoint(a.placement, "--firasim-placement"));
 
-  auto vision = Sender::open(*vision_to, a.interface);
-  if (!vision) return tl::unexpected(vision.error());
-  auto referee = Sender::open(*referee_to, a.interface);
-  if (!referee) return tl::unexpected(referee.error());
-  auto commands = Receiver::open(*commands_at, a.interface, "--firasim-command");
-  if (!commands) return tl::unexpected(commands.error());
-  auto placements = Receiver::open(*placements_at, a.interface, "--firasim-placement");
-  if (!placements) return tl::unexpected(placements.error());
-  return std::unique_ptr<Server>(new Server(std::move(*vision), std::move(*referee),
-                                            std::move(*commands), std::move(*placements)));
+  MIROCUP_TRY(auto vision, Sender::open(vision_to, a.interface));
+  MIROCUP_TRY(auto referee, Sender::open(referee_to, a.interface));
+  MIROCUP_TRY(auto commands, Receiver::open(commands_at, a.interface, "--firasim-command"));
+  MIROCUP_TRY(auto placements, Receiver::open(placements_at, a.interface, "--firasim-placement"));
+  return std::unique_ptr<Server>(new Server(std::move(vision), std::move(referee),
+                                            std::move(commands), std::move(placements)));
 }
 
 Server::Server(Sender vision, Sender referee, Receiver commands, Receiver placements)

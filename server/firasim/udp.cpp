@@ -73,17 +73,15 @@ Result<std::vector<Endpoint>> parse_endpoints(const std::string& text, const std
   std::vector<Endpoint> endpoints;
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, ',');) {
-    const auto endpoint = parse_endpoint(word, option);
-    if (!endpoint) return tl::unexpected(endpoint.error());
-    endpoints.push_back(*endpoint);
+    MIROCUP_TRY(const auto endpoint, parse_endpoint(word, option));
+    endpoints.push_back(endpoint);
   }
   if (endpoints.empty()) return fail(Errc::input, option + ": at least one address is expected");
   return endpoints;
 }
 
 Result<Sender> Sender::open(std::vector<Endpoint> to, const std::string& interface) {
-  const auto indexes = indexes_of(interface);
-  if (!indexes) return tl::unexpected(indexes.error());
+  MIROCUP_TRY(const auto indexes, indexes_of(interface));
   Sender sender;
   sender.to_ = std::move(to);
   sender.socket_.reset(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
@@ -91,7 +89,7 @@ Result<Sender> Sender::open(std::vector<Endpoint> to, const std::string& interfa
     return fail(Errc::unavailable, std::string("no UDP socket: ") + std::strerror(errno));
   }
   const int socket = sender.socket_.get();
-  const int index = indexes->front();
+  const int index = indexes.front();
   const int ttl = interface == this_host ? 0 : 1;
   set(socket, IPPROTO_IP, IP_MULTICAST_TTL, ttl);
   const ip_mreqn way{.imr_multiaddr = {}, .imr_address = {}, .imr_ifindex = index};
@@ -132,10 +130,9 @@ Result<Receiver> Receiver::open(const Endpoint& at, const std::string& interface
     set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
     return receiver;
   }
-  const auto indexes = indexes_of(interface);
-  if (!indexes) return tl::unexpected(indexes.error());
+  MIROCUP_TRY(const auto indexes, indexes_of(interface));
   bool has_joined = false;
-  for (const int index : *indexes) {
+  for (const int index : indexes) {
     const ip_mreqn group{
         .imr_multiaddr = address.sin_addr, .imr_address = {}, .imr_ifindex = index};
     has_joined = set(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, group) || has_joined;

@@ -326,39 +326,38 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
   Guess guess = start;
   guess.parameters.turn_time_constant = guess.parameters.turn_lag();
   guess.parameters.brake_time_constant = guess.parameters.brake_lag();
-  auto fit = fit_alone(footages, guess, recordings.front().path);
-  if (!fit) return tl::unexpected(fit.error());
-  MatrixXd covariance = covariance_of(*fit);
+  MIROCUP_TRY(auto fit, fit_alone(footages, guess, recordings.front().path));
+  MatrixXd covariance = covariance_of(fit);
   Identified result;
-  result.guess = fit->guess();
-  describe(*fit, covariance, result);
+  result.guess = fit.guess();
+  describe(fit, covariance, result);
   const bool one_lag = !differs_from_motor_lag(result, turn_lag);
   const bool no_brake = !differs_from_motor_lag(result, brake_lag);
   if (one_lag || no_brake) {
-    fit->tie_turn_lag(one_lag);
-    fit->tie_brake_lag(no_brake);
-    fit->run(true);
-    covariance = covariance_of(*fit);
+    fit.tie_turn_lag(one_lag);
+    fit.tie_brake_lag(no_brake);
+    fit.run(true);
+    covariance = covariance_of(fit);
     result = {};
-    result.guess = fit->guess();
-    describe(*fit, covariance, result);
+    result.guess = fit.guess();
+    describe(fit, covariance, result);
     const char* const same = "no difference from motor_time_constant shows";
     if (one_lag) result.why_not[turn_lag] = same;
     if (no_brake) result.why_not[brake_lag] = same;
   }
   result.has_one_lag = one_lag;
   result.has_brake = !no_brake;
-  describe_noise(*fit, result);
-  describe_deceleration(fit->free_unknowns(), covariance, result);
-  const MatrixXd information = fit->information();
+  describe_noise(fit, result);
+  describe_deceleration(fit.free_unknowns(), covariance, result);
+  const MatrixXd information = fit.information();
   for (const int u : {grip_limit, robot_on_wall}) {
-    if (fit->is_free(u)) sharpen(*fit, u, information, covariance, result);
+    if (fit.is_free(u)) sharpen(fit, u, information, covariance, result);
   }
-  identify_hits(footages, *fit, covariance, result);
+  identify_hits(footages, fit, covariance, result);
   for (int u = 0; u < unknown_count; ++u) {
     if (result.known[u] || !result.why_not[u].empty()) continue;
-    result.why_not[u] = fit->is_free(u) ? "it takes " + std::string(unknowns()[u].needs)
-                                        : "the pitch from which the search began has none";
+    result.why_not[u] = fit.is_free(u) ? "it takes " + std::string(unknowns()[u].needs)
+                                       : "the pitch from which the search began has none";
   }
   count_sights(recordings, footages, result);
   return result;

@@ -283,10 +283,9 @@ Result<Recording> parse_csv(std::string_view text, const std::string& path,
 }
 
 Result<Recording> read_recording(const std::string& path) {
-  const auto text = system::Disk().read(
-      path, {.max_size = std::uint64_t{256} << 20, .links = system::Links::followed});
-  if (!text) return tl::unexpected(text.error());
-  return path.ends_with(".csv") ? parse_csv(*text, path) : parse_recording(*text, path);
+  MIROCUP_TRY(const auto text, system::Disk().read(path, {.max_size = std::uint64_t{256} << 20,
+                                                          .links = system::Links::followed}));
+  return path.ends_with(".csv") ? parse_csv(text, path) : parse_recording(text, path);
 }
 
 std::string print_recording(const Recording& recording) {

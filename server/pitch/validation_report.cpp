@@ -12,24 +12,20 @@ namespace mirocup::pitch {
 Result<std::vector<Recording>> read_recordings(const std::vector<std::string>& paths) {
   std::vector<Recording> recordings;
   for (const std::string& path : paths) {
-    auto recording = read_recording(path);
-    if (!recording) return tl::unexpected(recording.error());
-    recordings.push_back(std::move(*recording));
+    MIROCUP_TRY(auto recording, read_recording(path));
+    recordings.push_back(std::move(recording));
   }
   return recordings;
 }
 
 Result<ValidationReport> report_of(const ValidationRequest& request, const Peer* peer) {
-  const auto spec = record::pitch_of_option(request.pitch);
-  if (!spec) return tl::unexpected(spec.error());
-  const auto recordings = read_recordings(request.recordings);
-  if (!recordings) return tl::unexpected(recordings.error());
-  const Validation result = validate(*recordings, {spec->parameters, spec->command_delay}, peer);
+  MIROCUP_TRY(const auto spec, record::pitch_of_option(request.pitch));
+  MIROCUP_TRY(const auto recordings, read_recordings(request.recordings));
+  const Validation result = validate(recordings, {spec.parameters, spec.command_delay}, peer);
   if (!request.page.empty()) {
-    const std::string title = "The simulator with the pitch " + spec->name + " against recordings";
+    const std::string title = "The simulator with the pitch " + spec.name + " against recordings";
     system::Disk disk;
-    if (auto written = disk.write(request.page, page_of(result, title)); !written)
-      return tl::unexpected(written.error());
+    MIROCUP_TRY_VOID(disk.write(request.page, page_of(result, title)));
   }
   return ValidationReport{
       request.json ? record::json_text(to_json(result)) + "\n" : text_of_result(result),

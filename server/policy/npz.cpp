@@ -190,17 +190,14 @@ Result<std::map<std::string, Array>> read_npz(std::string_view bytes, const std:
     if (!archive) zip_source_free(source);
     return fail(Errc::damaged, path + ": it is no .npz file, as numpy.savez writes it");
   }
-  const auto members = members_of(archive.get(), path);
-  if (!members) return tl::unexpected(members.error());
+  MIROCUP_TRY(const auto members, members_of(archive.get(), path));
   std::map<std::string, Array> arrays;
-  for (const zip_stat_t& member : *members) {
+  for (const zip_stat_t& member : members) {
     const std::string name = name_of(member);
     const std::string where = path + ": " + name;
-    const auto data = bytes_of(archive.get(), member, where);
-    if (!data) return tl::unexpected(data.error());
-    auto array = array_of(*data, where);
-    if (!array) return tl::unexpected(array.error());
-    arrays.emplace(name, std::move(*array));
+    MIROCUP_TRY(const auto data, bytes_of(archive.get(), member, where));
+    MIROCUP_TRY(auto array, array_of(data, where));
+    arrays.emplace(name, std::move(array));
   }
   return arrays;
 }

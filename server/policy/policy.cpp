@@ -120,11 +120,10 @@ Result<void> read_layers(const Arrays& arrays, const std::string& path, Policy& 
     const Array* weights = arrays.numbers("w" + number);
     if (weights == nullptr) break;
     names.insert(names.end(), {"w" + number, "b" + number});
-    auto layer =
-        layer_of(*weights, arrays.numbers("b" + number), inputs, path + ": layer " + number);
-    if (!layer) return tl::unexpected(layer.error());
-    inputs = layer->outputs;
-    policy.layers.push_back(std::move(*layer));
+    MIROCUP_TRY(auto layer, layer_of(*weights, arrays.numbers("b" + number), inputs,
+                                     path + ": layer " + number));
+    inputs = layer.outputs;
+    policy.layers.push_back(std::move(layer));
   }
   if (policy.layers.empty()) return fail(Errc::input, path + ": the array w0 is missing");
   const std::string unknown = arrays.other_than(names);
@@ -168,29 +167,24 @@ Result<void> check_actors(const Policy& policy, const std::string& path) {
 }  // namespace
 
 Result<Policy> parse_policy(std::string_view bytes, const std::string& path) {
-  auto read = read_npz(bytes, path);
-  if (!read) return tl::unexpected(read.error());
-  const Arrays arrays(std::move(*read), path);
+  MIROCUP_TRY(auto read, read_npz(bytes, path));
+  const Arrays arrays(std::move(read), path);
   const auto schema = arrays.text("schema");
   if (schema && *schema != policy_schema) {
     return fail(Errc::damaged, path + ": it is a " + *schema + ", not a mirocup/policy/1");
   }
-  const auto spec = arrays.text("spec");
-  if (!spec) return tl::unexpected(spec.error());
-  auto policy = record::read_json<Policy>(*spec, path + ": spec", Errc::input, read_spec);
+  MIROCUP_TRY(const auto spec, arrays.text("spec"));
+  auto policy = record::read_json<Policy>(spec, path + ": spec", Errc::input, read_spec);
   if (!policy) return policy;
-  if (auto checked = check_actors(*policy, path); !checked) return tl::unexpected(checked.error());
-  const auto activation = arrays.text("activation");
-  if (!activation) return tl::unexpected(activation.error());
-  const auto named = from_string<Activation>(*activation);
+  MIROCUP_TRY_VOID(check_actors(*policy, path));
+  MIROCUP_TRY(const auto activation, arrays.text("activation"));
+  const auto named = from_string<Activation>(activation);
   if (!named) {
     return fail(Errc::input, path + ": activation: one of " + list_of_names<Activation>() +
-                                 " is expected, not \"" + *activation + "\"");
+                                 " is expected, not \"" + activation + "\"");
   }
   policy->activation = *named;
-  if (auto layers = read_layers(arrays, path, *policy); !layers) {
-    return tl::unexpected(layers.error());
-  }
+  MIROCUP_TRY_VOID(read_layers(arrays, path, *policy));
   return policy;
 }
 

@@ -83,10 +83,10 @@ Conditions read_conditions(const JsonReader& json) {
 
 Result<Conditions> conditions_with_changes(ConditionsPreset preset,
                                            const std::vector<std::string>& changes) {
-  const auto object = with_changes({{"preset", to_string(preset)}}, changes, "--condition");
-  if (!object) return tl::unexpected(object.error());
+  MIROCUP_TRY(const auto object,
+              with_changes({{"preset", to_string(preset)}}, changes, "--condition"));
   std::optional<JsonProblem> problem;
-  const Conditions conditions = read_conditions(JsonReader(*object, "/conditions", problem));
+  const Conditions conditions = read_conditions(JsonReader(object, "/conditions", problem));
   if (problem) return fail(Errc::input, problem->pointer + ": " + problem->reason);
   return conditions;
 }

@@ -475,36 +475,33 @@ Result<void> expect_whole(const std::string& text, const std::string& path) {
 }
 
 Result<MatchRecord> load(system::Files& files, const std::string& path, ChecksumPolicy policy) {
-  const auto text =
-      files.read(path, {.max_size = system::size_limit::record, .links = system::Links::followed});
-  if (!text) return tl::unexpected(text.error());
-  if (text->find("\"mirocup/match/") == std::string::npos)
+  MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::record,
+                                                 .links = system::Links::followed}));
+  if (text.find("\"mirocup/match/") == std::string::npos)
     return fail(Errc::damaged, path + ": it is no match record");
   if (policy == ChecksumPolicy::checked) {
-    if (auto whole = expect_whole(*text, path); !whole) return tl::unexpected(whole.error());
+    MIROCUP_TRY_VOID(expect_whole(text, path));
   }
-  auto file = read_json<RecordFile>(*text, path, Errc::damaged, read_record_file);
-  if (!file) return tl::unexpected(file.error());
-  std::string replay_path = beside(path, file->replay_name);
+  MIROCUP_TRY(auto file, read_json<RecordFile>(text, path, Errc::damaged, read_record_file));
+  std::string replay_path = beside(path, file.replay_name);
   // JSON holds no name that is not UTF-8; the digest tells whether it is the right file.
   if (const std::string same_name = replay_path_of(path);
       !files.exists(replay_path) && files.exists(same_name)) {
     replay_path = same_name;
   }
-  const auto replay = files.read(
-      replay_path, {.max_size = system::size_limit::replay, .links = system::Links::followed});
-  if (!replay) return tl::unexpected(replay.error());
-  if (system::sha256(*replay) != file->replay_sha256) {
+  MIROCUP_TRY(const auto replay, files.read(replay_path, {.max_size = system::size_limit::replay,
+                                                          .links = system::Links::followed}));
+  if (system::sha256(replay) != file.replay_sha256) {
     return fail(Errc::damaged,
                 replay_path + ": it is not the replay that the record was saved with");
   }
-  MatchRecord record = std::move(file->record);
+  MatchRecord record = std::move(file.record);
   const int robots = field::make_field(record.recording.setup.league).robots_per_team;
-  auto unpacked = unpack_replay(*replay, {.robots = robots, .ticks = file->ticks}, replay_path);
-  if (!unpacked) return tl::unexpected(unpacked.error());
-  record.recording.ticks = std::move(unpacked->ticks);
-  record.recording.trace = std::move(unpacked->trace);
-  record.recording.placement_requests = std::move(unpacked->asked);
+  MIROCUP_TRY(auto unpacked,
+              unpack_replay(replay, {.robots = robots, .ticks = file.ticks}, replay_path));
+  record.recording.ticks = std::move(unpacked.ticks);
+  record.recording.trace = std::move(unpacked.trace);
+  record.recording.placement_requests = std::move(unpacked.asked);
   return record;
 }
 

@@ -19,17 +19,15 @@ Result<OwnTexts> read_own_texts(system::Files& files, const std::string& record_
   for (const Team team : both_teams) {
     if (!whose[index_of(team)]) continue;
     if (const std::string path = thoughts_path(record_path, team); files.exists(path)) {
-      const auto bytes = files.read(path, {.max_size = system::size_limit::replay, .links = links});
-      if (!bytes) return tl::unexpected(bytes.error());
-      auto lines = unpacked_thoughts(*bytes, path);
-      if (!lines) return tl::unexpected(lines.error());
-      own.thoughts[index_of(team)] = std::move(*lines);
+      MIROCUP_TRY(const auto bytes,
+                  files.read(path, {.max_size = system::size_limit::replay, .links = links}));
+      MIROCUP_TRY(auto lines, unpacked_thoughts(bytes, path));
+      own.thoughts[index_of(team)] = std::move(lines);
     }
     const std::string path = record_path + "." + std::string(to_string(team)) + ".log";
     if (!files.exists(path)) continue;
-    auto text = files.read(path, {.max_size = system::size_limit::log, .links = links});
-    if (!text) return tl::unexpected(text.error());
-    own.logs[index_of(team)] = std::move(*text);
+    MIROCUP_TRY(auto text, files.read(path, {.max_size = system::size_limit::log, .links = links}));
+    own.logs[index_of(team)] = std::move(text);
   }
   return own;
 }

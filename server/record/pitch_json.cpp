@@ -109,10 +109,9 @@ Result<PitchSpec> pitch_of_option(const std::string& option) {
                                  "name: " +
                                  list_of_names<PitchPreset>());
   }
-  const auto text =
-      disk.read(option, {.max_size = system::size_limit::note, .links = system::Links::followed});
-  if (!text) return tl::unexpected(text.error());
-  return parse_pitch(*text, option);
+  MIROCUP_TRY(const auto text, disk.read(option, {.max_size = system::size_limit::note,
+                                                  .links = system::Links::followed}));
+  return parse_pitch(text, option);
 }
 
 }  // namespace mirocup::record

@@ -167,9 +167,8 @@ Result<Rules> rules_from_json(const Json& object, Errc code, League league) {
 
 Result<Rules> rules_with_changes(Json object, const std::vector<std::string>& changes,
                                  League league) {
-  const auto changed = with_changes(std::move(object), changes, "--rule");
-  if (!changed) return tl::unexpected(changed.error());
-  return rules_from_json(*changed, Errc::input, league);
+  MIROCUP_TRY(const auto changed, with_changes(std::move(object), changes, "--rule"));
+  return rules_from_json(changed, Errc::input, league);
 }
 
 }  // namespace mirocup::record

@@ -42,8 +42,7 @@ Result<std::unique_ptr<LiveServer>> LiveServer::open(const Address& address,
       return EventBatch{std::move(news), viewer.has_ended};
     });
   });
-  if (auto listens = impl.http.listen(address, "--watch"); !listens)
-    return tl::unexpected(listens.error());
+  MIROCUP_TRY_VOID(impl.http.listen(address, "--watch"));
   return std::unique_ptr<LiveServer>(new LiveServer(std::move(owned)));
 }
 

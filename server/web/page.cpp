@@ -265,9 +265,8 @@ tl::expected<ReplayData, replay::Divergence> play_again(const record::MatchRecor
 }  // namespace
 
 tl::expected<Json, replay::Divergence> replay_data(const record::MatchRecord& record, Times times) {
-  auto data = play_again(record, times);
-  if (!data) return tl::unexpected(data.error());
-  return std::move(data->json);
+  MIROCUP_TRY(auto data, play_again(record, times));
+  return std::move(data.json);
 }
 
 std::optional<Json> data_of_page(std::string_view html) {
@@ -288,12 +287,11 @@ std::string first_picture(const record::MatchRecord& record) {
 
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
                                                          Times times, const record::OwnTexts& own) {
-  auto data = play_again(record, times);
-  if (!data) return tl::unexpected(data.error());
-  add_own(data->json, own);
+  MIROCUP_TRY(auto data, play_again(record, times));
+  add_own(data.json, own);
   return ReplayPage{page(match::Leg(record.recording.setup),
-                         {record.teams[0].name, record.teams[1].name}, data->json),
-                    data->statistics};
+                         {record.teams[0].name, record.teams[1].name}, data.json),
+                    data.statistics};
 }
 
 std::string live_page(const match::Leg& match, const LiveMatch& live) {

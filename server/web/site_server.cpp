@@ -149,8 +149,7 @@ Result<std::unique_ptr<SiteServer>> SiteServer::open(const Address& address,
   if (limits.max_upload > 0) impl->http.server().allow_uploads(limits.max_upload, upload_seconds);
   if (limits.tls) impl->http.server().encrypt(std::move(*limits.tls));
   impl->set_routes();
-  if (auto listens = impl->http.listen(address, option); !listens)
-    return tl::unexpected(listens.error());
+  MIROCUP_TRY_VOID(impl->http.listen(address, option));
   return std::unique_ptr<SiteServer>(new SiteServer(std::move(impl)));
 }
 

@@ -37,10 +37,10 @@ std::string name_of_folder(const std::string& path) {
 
 Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options) {
   if (!options.config.empty()) {
-    const auto text = files.read(options.config, {.max_size = system::size_limit::league_file,
-                                                  .links = system::Links::followed});
-    if (!text) return tl::unexpected(text.error());
-    auto file = parse_league_file(*text, options.config);
+    MIROCUP_TRY(const auto text,
+                files.read(options.config, {.max_size = system::size_limit::league_file,
+                                            .links = system::Links::followed}));
+    auto file = parse_league_file(text, options.config);
     if (!file) return file;
     // Paths of libraries are relative to the folder of the file.
     const std::filesystem::path base = std::filesystem::path(options.config).parent_path();
@@ -104,10 +104,8 @@ Result<LeagueState> play_league(system::Files& files, LeagueStore store, Progres
     return runner.state();
   };
   const record::Software program = record::this_software();
-  if (auto same = expect_program(files, store, program, options.accepts_other_program); !same)
-    return tl::unexpected(same.error());
-  if (auto kept = keep_program(files, store.folder(), program); !kept)
-    return tl::unexpected(kept.error());
+  MIROCUP_TRY_VOID(expect_program(files, store, program, options.accepts_other_program));
+  MIROCUP_TRY_VOID(keep_program(files, store.folder(), program));
   if (options.engine == "slurm") {
     SlurmRunner runner(files, std::move(store), progress);
     return state_of(runner, runner.run(options.jobs));
@@ -120,13 +118,12 @@ Result<LeagueState> play_league(system::Files& files, LeagueStore store, Progres
 
 Result<int> run_init(const LeagueOptions& options) {
   system::Disk disk;
-  const auto file = file_from(disk, options);
-  if (!file) return tl::unexpected(file.error());
+  MIROCUP_TRY(const auto file, file_from(disk, options));
   const Folder folder{options.folder};
-  if (auto made = init_folder(disk, folder, *file); !made) return tl::unexpected(made.error());
-  const LeagueState state = new_league(*file);
-  std::cout << folder.path << ": " << file->teams.size()
-            << (file->teams.size() == 1 ? " team, " : " teams, ") << state.legs() << " legs\n";
+  MIROCUP_TRY_VOID(init_folder(disk, folder, file));
+  const LeagueState state = new_league(file);
+  std::cout << folder.path << ": " << file.teams.size()
+            << (file.teams.size() == 1 ? " team, " : " teams, ") << state.legs() << " legs\n";
   return exit_yes;
 }
 
@@ -134,28 +131,23 @@ Result<int> run_start(const LeagueOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
   std::string notice;
-  auto store = LeagueStore::open(disk, folder, &notice);
-  if (!store) return tl::unexpected(store.error());
+  MIROCUP_TRY(auto store, LeagueStore::open(disk, folder, &notice));
   if (!notice.empty()) std::cerr << "mirocup: " << notice << '\n';
-  const auto mine = system::FileLock::try_acquire(folder.running());
-  if (!mine) return tl::unexpected(mine.error());
-  if (!*mine) {
+  MIROCUP_TRY(const auto mine, system::FileLock::try_acquire(folder.running()));
+  if (!mine) {
     return fail(Errc::unavailable, folder.path + " is being played already; mirocup league stop " +
                                        folder.path + " ends that");
   }
 
   auto progress = make_progress_reporter();
-  const auto played = play_league(disk, std::move(*store), *progress, options);
-  if (!played) return tl::unexpected(played.error());
+  MIROCUP_TRY(const auto played, play_league(disk, std::move(store), *progress, options));
   progress->say("making pages");
   const int jobs_here = options.engine == "local" ? options.jobs : 0;
-  if (auto published = publish_league(disk, folder, jobs_here); !published) {
-    return tl::unexpected(published.error());
-  }
+  MIROCUP_TRY_VOID(publish_league(disk, folder, jobs_here));
   progress.reset();  // removes the bar before the table is printed
-  std::cout << table_text(*played);
-  if (played->legs() == played->played()) return exit_yes;
-  say_what_is_left(*played);
+  std::cout << table_text(played);
+  if (played.legs() == played.played()) return exit_yes;
+  say_what_is_left(played);
   if (options.engine != "local")
     std::cerr << "mirocup: what teams over the network play is left to league start without "
                  "--engine\n";
@@ -166,13 +158,12 @@ Result<int> run_start(const LeagueOptions& options) {
 Result<int> run_stop(const LeagueOptions& options) {
   const Folder folder{options.folder};
   system::Disk disk;
-  if (const auto there = expect_league(disk, folder); !there) return tl::unexpected(there.error());
+  MIROCUP_TRY_VOID(expect_league(disk, folder));
   // A second SIGINT could merge with the first, so the second request is another signal.
   std::vector<int> signals{SIGINT};
   if (options.now) signals.push_back(SIGTERM);
-  const auto asked = system::FileLock::signal_holder(folder.running(), signals);
-  if (!asked) return tl::unexpected(asked.error());
-  if (!*asked) {
+  MIROCUP_TRY(const auto asked, system::FileLock::signal_holder(folder.running(), signals));
+  if (!asked) {
     std::cout << folder.path << " is not being played\n";
     return exit_no;
   }
@@ -182,12 +173,10 @@ Result<int> run_stop(const LeagueOptions& options) {
 
 Result<int> run_status(const LeagueOptions& options) {
   system::Disk disk;
-  const auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
-  const LeagueState& state = store->state();
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  const LeagueState& state = store.state();
   if (options.entries) {
-    if (auto told = print_roster(disk, *store, options.json); !told)
-      return tl::unexpected(told.error());
+    MIROCUP_TRY_VOID(print_roster(disk, store, options.json));
   } else if (options.json) {
     std::cout << record::json_text(table_json(overview(state))) << '\n';
   } else {
@@ -201,7 +190,7 @@ Result<int> run_status(const LeagueOptions& options) {
                 << (team.status == TeamStatus::paused ? " is paused: " : " has withdrawn: ")
                 << system::printable(team.why) << '\n';
     }
-    if (const std::string at = last_leg_at(store->journal()); !at.empty())
+    if (const std::string at = last_leg_at(store.journal()); !at.empty())
       std::cout << "the last leg was played at " << shown_time(state.file, at) << '\n';
   }
   return state.played() == state.legs() ? exit_yes : exit_no;
@@ -209,24 +198,22 @@ Result<int> run_status(const LeagueOptions& options) {
 
 Result<int> run_publish(const LeagueOptions& options) {
   system::Disk disk;
-  const auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
   // site/ has what is released, so the pages of other rounds go to another folder.
   const Folder folder{options.through.empty() ? options.folder : options.output};
   if (!options.through.empty() && disk.exists(folder.config()))
     return fail(Errc::input, "--output " + folder.path +
                                  " is a league, whose records and pages would be replaced: name a "
                                  "folder for the pages alone");
-  auto published =
-      options.through.empty()
-          ? publish_league(disk, folder)
-          : state_through(store->state(), store->journal(), options.through)
-                .and_then([&](const LeagueState& shown) {
-                  return copy_records(disk, store->folder(), shown, folder).and_then([&] {
-                    return publish_site(disk, folder, shown, {});
-                  });
-                });
-  if (!published) return tl::unexpected(published.error());
+  MIROCUP_TRY(auto published,
+              options.through.empty()
+                  ? publish_league(disk, folder)
+                  : state_through(store.state(), store.journal(), options.through)
+                        .and_then([&](const LeagueState& shown) {
+                          return copy_records(disk, store.folder(), shown, folder).and_then([&] {
+                            return publish_site(disk, folder, shown, {});
+                          });
+                        }));
   std::cout << std::filesystem::absolute(folder.site() + "/index.html").lexically_normal().string()
             << '\n';
   return exit_yes;
@@ -234,13 +221,10 @@ Result<int> run_publish(const LeagueOptions& options) {
 
 Result<int> run_stats(const StatsOptions& options) {
   system::Disk disk;
-  const auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
-  const auto legs = all_statistics(disk, store->folder(), store->state());
-  if (!legs) return tl::unexpected(legs.error());
-  const auto text = statistics::report(*legs, options);
-  if (!text) return tl::unexpected(text.error());
-  std::cout << *text;
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY(const auto legs, all_statistics(disk, store.folder(), store.state()));
+  MIROCUP_TRY(const auto text, statistics::report(legs, options));
+  std::cout << text;
   return exit_yes;
 }
 
@@ -251,14 +235,11 @@ Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const LeagueO
   std::vector<SiteFile> files;
   for (const auto& [name, make] : exports(overview)) files.push_back({name, make()});
   if (options.drills.empty()) return files;
-  const auto drills = disk.read(
-      options.drills, {.max_size = system::size_limit::note, .links = system::Links::followed});
-  if (!drills) return tl::unexpected(drills.error());
-  const auto people = read_people(disk, Folder{options.folder});
-  if (!people) return tl::unexpected(people.error());
-  auto joined = grades(overview, *people, *drills, options.drills);
-  if (!joined) return tl::unexpected(joined.error());
-  files.push_back(std::move(*joined));
+  MIROCUP_TRY(const auto drills, disk.read(options.drills, {.max_size = system::size_limit::note,
+                                                            .links = system::Links::followed}));
+  MIROCUP_TRY(const auto people, read_people(disk, Folder{options.folder}));
+  MIROCUP_TRY(auto joined, grades(overview, people, drills, options.drills));
+  files.push_back(std::move(joined));
   return files;
 }
 
@@ -266,15 +247,12 @@ Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const LeagueO
 
 Result<int> run_export(const LeagueOptions& options) {
   system::Disk disk;
-  const auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
-  const auto files = files_to_export(disk, options, overview(store->state()));
-  if (!files) return tl::unexpected(files.error());
-  if (auto made = disk.make_folder(options.output); !made) return tl::unexpected(made.error());
-  for (const SiteFile& file : *files) {
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY(const auto files, files_to_export(disk, options, overview(store.state())));
+  MIROCUP_TRY_VOID(disk.make_folder(options.output));
+  for (const SiteFile& file : files) {
     const std::string path = options.output + "/" + file.name;
-    if (auto written = disk.write(path, file.bytes); !written)
-      return tl::unexpected(written.error());
+    MIROCUP_TRY_VOID(disk.write(path, file.bytes));
     std::cout << path << '\n';
   }
   return exit_yes;

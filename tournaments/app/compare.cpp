@@ -328,12 +328,11 @@ Result<int> run_compare(const CompareOptions& options) {
   run.keeps_legs = scratch == nullptr;
   run.folder = run.keeps_legs ? options.keep : scratch->path();
   if (run.folder.empty()) return fail(Errc::unavailable, "no folder for the records can be made");
-  if (auto made = disk.make_folder(run.folder); !made) return tl::unexpected(made.error());
+  MIROCUP_TRY_VOID(disk.make_folder(run.folder));
   const auto progress = make_progress_reporter();
-  const auto pairs = run_comparison(disk, run, *progress);
-  if (!pairs) return tl::unexpected(pairs.error());
-  print(*pairs, run, options);
-  const bool is_answered = std::all_of(pairs->begin(), pairs->end(), [&](const auto& pair) {
+  MIROCUP_TRY(const auto pairs, run_comparison(disk, run, *progress));
+  print(pairs, run, options);
+  const bool is_answered = std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
     return run.plays_all ? !pair.is_of_copies : pair.verdict != ComparisonVerdict::undecided;
   });
   return is_answered ? exit_yes : exit_no;

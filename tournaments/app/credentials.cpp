@@ -23,12 +23,10 @@ Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
     if (!names.empty() || !options.revoked.empty()) return names;
     return fail(Errc::input, options.folder + " holds no league, and --team names nobody");
   }
-  const auto text = disk.read(
-      config, {.max_size = system::size_limit::league_file, .links = system::Links::followed});
-  if (!text) return tl::unexpected(text.error());
-  const auto league = parse_league_file(*text, config);
-  if (!league) return tl::unexpected(league.error());
-  for (const TeamConfig& team : league->teams) names.push_back(team.name);
+  MIROCUP_TRY(const auto text, disk.read(config, {.max_size = system::size_limit::league_file,
+                                                  .links = system::Links::followed}));
+  MIROCUP_TRY(const auto league, parse_league_file(text, config));
+  for (const TeamConfig& team : league.teams) names.push_back(team.name);
   return names;
 }
 
@@ -72,24 +70,23 @@ Result<void> run_script(std::vector<std::string> arguments) {
 }  // namespace
 
 Result<int> run_credentials(const CredentialsOptions& options) {
-  if (auto checked = check_names(options); !checked) return tl::unexpected(checked.error());
-  const auto teams = teams_of(options);
-  if (!teams) return tl::unexpected(teams.error());
+  MIROCUP_TRY_VOID(check_names(options));
+  MIROCUP_TRY(const auto teams, teams_of(options));
   system::Disk disk;
   const std::string folder = Folder{options.folder}.credentials();
-  if (auto made = disk.make_folder(folder); !made) return tl::unexpected(made.error());
+  MIROCUP_TRY_VOID(disk.make_folder(folder));
   std::vector<std::string> arguments{system::sibling_program("mirocup-credentials"), folder,
                                      std::to_string(options.days)};
   const auto is_revoked = [&options](const std::string& team) {
     return std::find(options.revoked.begin(), options.revoked.end(), team) != options.revoked.end();
   };
-  for (const std::string& team : *teams) {
+  for (const std::string& team : teams) {
     if (!is_revoked(team)) arguments.insert(arguments.end(), {"team", team});
   }
   for (const std::string& team : options.revoked) {
     arguments.insert(arguments.end(), {"revoke", team});
   }
-  if (auto done = run_script(std::move(arguments)); !done) return tl::unexpected(done.error());
+  MIROCUP_TRY_VOID(run_script(std::move(arguments)));
   return exit_yes;
 }
 

@@ -51,16 +51,14 @@ Result<int> collect(system::Files& files, const SubmitOptions& options) {
     if (!answer && answer.error().code == Errc::host) result = exit_code(Errc::host);
     if (!done.is_accepted && result == exit_yes) result = exit_no;
   };
-  const auto writers = system::writers_of(options.inbox);
-  if (!writers) return tl::unexpected(writers.error());
-  if (writers->others_remove) {
+  MIROCUP_TRY(const auto writers, system::writers_of(options.inbox));
+  if (writers.others_remove) {
     std::cerr << "mirocup: " << system::printable(options.inbox)
               << ": who writes into it can also remove and rename files of others; chmod +t "
                  "prevents that\n";
   }
-  const auto done =
-      submit_inbox(files, Folder{options.folder}, options.inbox, system::now_s(), tell);
-  if (!done) return tl::unexpected(done.error());
+  MIROCUP_TRY(const auto done,
+              submit_inbox(files, Folder{options.folder}, options.inbox, system::now_s(), tell));
   return result;
 }
 
@@ -73,11 +71,11 @@ Result<int> enter_program(system::Files& files, const SubmitOptions& options) {
   if (!options.run.empty())
     team.program.folder = std::filesystem::absolute(options.run_folder).lexically_normal().string();
   team.program.lockstep = options.lockstep;
-  const auto why = enter_firasim_team(files, Folder{options.folder}, team, system::now_s());
-  if (!why) return tl::unexpected(why.error());
+  MIROCUP_TRY(const auto why,
+              enter_firasim_team(files, Folder{options.folder}, team, system::now_s()));
   Submission done;
-  done.is_accepted = why->empty();
-  done.message = team.name + (!done.is_accepted ? ": not taken: " + *why
+  done.is_accepted = why.empty();
+  done.message = team.name + (!done.is_accepted ? ": not taken: " + why
                               : team.is_started_by_people()
                                   ? ": its program is waited for at the start of each leg"
                                   : ": each leg starts its program: " + team.program.run);
@@ -92,8 +90,7 @@ Result<int> run_submit(const SubmitOptions& options) {
   if (options.inbox.empty() && options.file.empty())
     return fail(Errc::input, "TEAM and FILE are expected, or --inbox DIR");
   // Before anything is locked there, and although an inbox may be empty.
-  if (const auto there = expect_league(disk, Folder{options.folder}); !there)
-    return tl::unexpected(there.error());
+  MIROCUP_TRY_VOID(expect_league(disk, Folder{options.folder}));
   if (!options.inbox.empty()) return collect(disk, options);
   if (options.file.starts_with(TeamConfig::firasim_prefix)) return enter_program(disk, options);
   if (!options.run.empty() || options.lockstep) {
@@ -112,10 +109,9 @@ Result<int> run_submit(const SubmitOptions& options) {
     if (handed.path.empty()) return fail(Errc::input, "there is no house team \"" + name + "\"");
   }
   handed.at = system::now_s();
-  const auto done = submit(disk, Folder{options.folder}, handed);
-  if (!done) return tl::unexpected(done.error());
-  print(options.file, options.team, *done, options.json);
-  return done->is_accepted ? exit_yes : exit_no;
+  MIROCUP_TRY(const auto done, submit(disk, Folder{options.folder}, handed));
+  print(options.file, options.team, done, options.json);
+  return done.is_accepted ? exit_yes : exit_no;
 }
 
 Result<int> run_owner(const OwnerOptions& options) {
@@ -123,25 +119,21 @@ Result<int> run_owner(const OwnerOptions& options) {
   const Folder folder{options.folder};
   if (!is_good_name(options.team))
     return fail(Errc::input, "\"" + options.team + "\" is no name of a team");
-  if (const auto store = LeagueStore::open(disk, folder); !store)
-    return tl::unexpected(store.error());
-  const auto lock = system::FileLock::acquire(folder.submitting());
-  if (!lock) return tl::unexpected(lock.error());
-  auto known = read_hand_ins(disk, folder, options.team);
-  if (!known) return tl::unexpected(known.error());
+  MIROCUP_TRY_VOID(LeagueStore::open(disk, folder));
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.submitting()));
+  MIROCUP_TRY(auto known, read_hand_ins(disk, folder, options.team));
   if (options.is_free || !options.user.empty()) {
-    known->owner.reset();
+    known.owner.reset();
     if (!options.is_free) {
-      known->owner = system::find_user(options.user);
-      if (!known->owner) return fail(Errc::input, "there is no user " + options.user);
+      known.owner = system::find_user(options.user);
+      if (!known.owner) return fail(Errc::input, "there is no user " + options.user);
     }
-    if (auto noted = write_hand_ins(disk, folder, options.team, *known); !noted)
-      return tl::unexpected(noted.error());
+    MIROCUP_TRY_VOID(write_hand_ins(disk, folder, options.team, known));
   }
   std::cout << options.team << ": "
-            << (known->owner ? system::printable(system::name_of_user(*known->owner)) +
-                                   " hands in by a shared inbox"
-                             : "who hands in first by a shared inbox is its owner")
+            << (known.owner ? system::printable(system::name_of_user(*known.owner)) +
+                                  " hands in by a shared inbox"
+                            : "who hands in first by a shared inbox is its owner")
             << '\n';
   return exit_yes;
 }

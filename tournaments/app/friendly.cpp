@@ -24,8 +24,7 @@ Result<int> run_play_friendly(const PlayFriendlyOptions& options) {
   setpriority(PRIO_PROCESS, 0, priority_of_friendlies);
   system::Disk disk;
   const Folder folder{options.folder};
-  const auto store = LeagueStore::open(disk, folder);
-  if (!store) return tl::unexpected(store.error());
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
   FriendlyTerms terms;
   terms.blue = {folder.library(options.team, options.entry), options.team};
   const std::string& opponent = options.opponent;
@@ -35,7 +34,7 @@ Result<int> run_play_friendly(const PlayFriendlyOptions& options) {
                      : FriendlyTerms::Side{folder.library(opponent, options.opponent_entry), name};
   terms.seed = static_cast<std::uint64_t>(options.number);
   terms.record = folder.friendly(options.team, options.number);
-  const std::vector<std::string> command = friendly_command(store->state(), terms);
+  const std::vector<std::string> command = friendly_command(store.state(), terms);
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);

@@ -21,45 +21,40 @@ namespace mirocup::league {
 
 Result<int> run_verify_league(const LeagueOptions& options) {
   system::Disk disk;
-  const auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
   if (options.trusts_programs) {
-    const auto trusted = trust_kept_programs(disk, store->folder());
-    if (!trusted) return tl::unexpected(trusted.error());
-    for (const std::string& path : *trusted)
+    MIROCUP_TRY(const auto trusted, trust_kept_programs(disk, store.folder()));
+    for (const std::string& path : trusted)
       std::cerr << "mirocup: " << system::printable(path) << " is trusted from now on\n";
   }
-  const auto done = verify_records(disk, *store, options.jobs);
-  if (!done) return tl::unexpected(done.error());
+  MIROCUP_TRY(const auto done, verify_records(disk, store, options.jobs));
   int result = exit_yes;
-  for (const auto& problem : done->problems) result = std::max(result, problem.code);
+  for (const auto& problem : done.problems) result = std::max(result, problem.code);
   if (options.json) {
     Json problems = Json::array();
-    for (const auto& p : done->problems)
+    for (const auto& p : done.problems)
       problems.push_back({{"record", p.record}, {"code", p.code}, {"what", p.text}});
-    std::cout << record::json_text({{"records", done->records},
-                                    {"reproduced", done->reproduced},
-                                    {"programs", done->programs},
+    std::cout << record::json_text({{"records", done.records},
+                                    {"reproduced", done.reproduced},
+                                    {"programs", done.programs},
                                     {"problems", problems}})
               << '\n';
     return result;
   }
-  for (const auto& problem : done->problems)
+  for (const auto& problem : done.problems)
     std::cout << system::printable(problem.record) << ": " << system::printable(problem.text)
               << '\n';
-  for (const std::string& program : done->programs) std::cout << system::printable(program) << '\n';
-  std::cout << done->reproduced << " of " << done->records << " records reproduced\n";
+  for (const std::string& program : done.programs) std::cout << system::printable(program) << '\n';
+  std::cout << done.reproduced << " of " << done.records << " records reproduced\n";
   return result;
 }
 
 Result<int> run_backup(const BackupOptions& options) {
   system::Disk disk;
   // Is it a league?
-  const auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
-  const auto done = back_up(disk, Folder{options.folder}, Folder{options.to});
-  if (!done) return tl::unexpected(done.error());
-  std::cout << options.to << ": " << done->copied << " files copied, " << done->known
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY(const auto done, back_up(disk, Folder{options.folder}, Folder{options.to}));
+  std::cout << options.to << ": " << done.copied << " files copied, " << done.known
             << " records were there\n";
   return exit_yes;
 }
@@ -67,25 +62,20 @@ Result<int> run_backup(const BackupOptions& options) {
 Result<int> run_grades(const LeagueOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
-  const auto store = LeagueStore::open(disk, folder);
-  if (!store) return tl::unexpected(store.error());
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
   std::string drills;
   if (!options.drills.empty()) {
-    auto text = disk.read(options.drills,
-                          {.max_size = system::size_limit::note, .links = system::Links::followed});
-    if (!text) return tl::unexpected(text.error());
-    drills = std::move(*text);
+    MIROCUP_TRY(auto text, disk.read(options.drills, {.max_size = system::size_limit::note,
+                                                      .links = system::Links::followed}));
+    drills = std::move(text);
   }
-  const auto people = read_people(disk, folder);
-  if (!people) return tl::unexpected(people.error());
-  const auto file = grades(overview(store->state()), *people, drills, options.drills);
-  if (!file) return tl::unexpected(file.error());
+  MIROCUP_TRY(const auto people, read_people(disk, folder));
+  MIROCUP_TRY(const auto file, grades(overview(store.state()), people, drills, options.drills));
   if (options.output.empty()) {
-    std::cout << file->bytes;
+    std::cout << file.bytes;
     return exit_yes;
   }
-  if (auto written = disk.write(options.output, file->bytes, system::Readers::owner); !written)
-    return tl::unexpected(written.error());
+  MIROCUP_TRY_VOID(disk.write(options.output, file.bytes, system::Readers::owner));
   std::cout << options.output << '\n';
   return exit_yes;
 }
@@ -164,31 +154,27 @@ Result<void> read_class_list(const std::string& text, const std::string& path,
 Result<int> run_team(const TeamOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
-  const auto store = LeagueStore::open(disk, folder);
-  if (!store) return tl::unexpected(store.error());
-  const auto lock = system::FileLock::acquire(folder.lock());
-  if (!lock) return tl::unexpected(lock.error());
-  auto people = read_people(disk, folder);
-  if (!people) return tl::unexpected(people.error());
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
+  MIROCUP_TRY(auto people, read_people(disk, folder));
   Result<void> set;
   if (!options.csv.empty()) {
     if (!options.team.empty()) return fail(Errc::input, "TEAM and --csv exclude each other");
-    const auto text = disk.read(options.csv, {.max_size = system::size_limit::league_file,
-                                              .links = system::Links::followed});
-    if (!text) return tl::unexpected(text.error());
-    set = read_class_list(*text, options.csv, *people);
+    MIROCUP_TRY(const auto text,
+                disk.read(options.csv, {.max_size = system::size_limit::league_file,
+                                        .links = system::Links::followed}));
+    set = read_class_list(text, options.csv, people);
   } else {
     if (!is_good_name(options.team)) return fail(Errc::input, "TEAM or --csv FILE is expected");
-    if (!store->state().find_team(options.team))
+    if (!store.state().find_team(options.team))
       return fail(Errc::input, "there is no team " + options.team);
-    if (options.display) set = set_display(*people, options.team, *options.display);
-    if (set && !options.members.empty()) set = set_members(*people, options.team, options.members);
-    if (set && options.colour) set = set_colour_of(*people, options.team, *options.colour);
+    if (options.display) set = set_display(people, options.team, *options.display);
+    if (set && !options.members.empty()) set = set_members(people, options.team, options.members);
+    if (set && options.colour) set = set_colour_of(people, options.team, *options.colour);
   }
   if (!set) return tl::unexpected(set.error());
-  if (auto written = write_people(disk, folder, *people); !written)
-    return tl::unexpected(written.error());
-  for (const auto& [team, one] : *people) {
+  MIROCUP_TRY_VOID(write_people(disk, folder, people));
+  for (const auto& [team, one] : people) {
     std::cout << team << ": " << (one.display.empty() ? team : one.display);
     for (std::size_t i = 0; i < one.members.size(); ++i)
       std::cout << (i == 0 ? " (" : "; ") << one.members[i];

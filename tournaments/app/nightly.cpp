@@ -37,13 +37,11 @@ Result<std::vector<EntryBooked>> new_entries(system::Files& files, const LeagueS
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     const std::string& team = state.file.teams[i].name;
     if (state.teams[i].status == TeamStatus::withdrawn) continue;
-    const auto number = playing_entry(files, store.folder(), team);
-    if (!number) return tl::unexpected(number.error());
-    if (*number == 0 || *number == state.teams[i].entry) continue;
-    const auto library =
-        files.read(store.folder().library(team, *number), {.max_size = system::size_limit::entry});
-    if (!library) return tl::unexpected(library.error());
-    entries.push_back({.team = team, .entry = *number, .sha256 = system::sha256(*library)});
+    MIROCUP_TRY(const auto number, playing_entry(files, store.folder(), team));
+    if (number == 0 || number == state.teams[i].entry) continue;
+    MIROCUP_TRY(const auto library, files.read(store.folder().library(team, number),
+                                               {.max_size = system::size_limit::entry}));
+    entries.push_back({.team = team, .entry = number, .sha256 = system::sha256(library)});
   }
   return entries;
 }
@@ -81,12 +79,10 @@ Result<void> begin_night(system::Files& files, LeagueStore& store, const LeagueO
     return {};
   }
   // Hand-ins that are being checked count from the next night on.
-  const auto lock = system::FileLock::acquire(store.folder().submitting());
-  if (!lock) return tl::unexpected(lock.error());
-  const auto entries = new_entries(files, store);
-  if (!entries) return tl::unexpected(entries.error());
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(store.folder().submitting()));
+  MIROCUP_TRY(const auto entries, new_entries(files, store));
   return store.write(NightBegan{.number = static_cast<int>(store.state().nights.size()) + 1,
-                                .entries = *entries,
+                                .entries = entries,
                                 .at = utc_text(now)});
 }
 
@@ -122,9 +118,8 @@ Result<std::string> report(system::Files& files, const LeagueStore& store, const
   text << night.records.size() << " legs played in this night; " << state.legs() - state.played()
        << " are not decided\n\n"
        << table_text(state) << '\n';
-  const auto rows = roster(files, store);
-  if (!rows) return tl::unexpected(rows.error());
-  for (const RosterRow& row : *rows) {
+  MIROCUP_TRY(const auto rows, roster(files, store));
+  for (const RosterRow& row : rows) {
     if (row.status == TeamStatus::withdrawn) continue;
     const int before = [&] {
       const auto team = night.before.find_team(row.team);
@@ -161,16 +156,14 @@ Result<void> tell_program(system::Files& files, const std::string& program, cons
     return {};
   }
   const std::string told = home + "/told";
-  const auto mark = files.read_if_there(told, {.max_size = system::size_limit::note});
-  if (!mark) return tl::unexpected(mark.error());
-  if (*mark) return {};
+  MIROCUP_TRY(const auto mark, files.read_if_there(told, {.max_size = system::size_limit::note}));
+  if (mark) return {};
   const std::string folder = std::filesystem::absolute(home);
-  const auto code = system::run_child({.arguments = {program, folder}, .log = ""});
-  if (!code) return tl::unexpected(code.error());
-  if (*code == system::not_found)
+  MIROCUP_TRY(const auto code, system::run_child({.arguments = {program, folder}, .log = ""}));
+  if (code == system::not_found)
     return fail(Errc::unavailable, program + " cannot be started; the night itself is played");
-  if (*code != 0)
-    return fail(Errc::unavailable, program + " " + folder + ": exit code " + std::to_string(*code) +
+  if (code != 0)
+    return fail(Errc::unavailable, program + " " + folder + ": exit code " + std::to_string(code) +
                                        "; the night itself is played, and the same command on the "
                                        "same day starts it again");
   return files.write(told, utc_text(system::now_s()) + "\n", system::Readers::owner);
@@ -182,48 +175,37 @@ Result<int> run_nightly(const LeagueOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
   std::string notice;
-  auto store = LeagueStore::open(disk, folder, &notice);
-  if (!store) return tl::unexpected(store.error());
+  MIROCUP_TRY(auto store, LeagueStore::open(disk, folder, &notice));
   if (!notice.empty()) std::cerr << "mirocup: " << notice << '\n';
-  const auto mine = system::FileLock::try_acquire(folder.running());
-  if (!mine) return tl::unexpected(mine.error());
-  if (!*mine)
+  MIROCUP_TRY(const auto mine, system::FileLock::try_acquire(folder.running()));
+  if (!mine)
     return fail(Errc::unavailable,
                 folder.path + " is being played already: this night is left out");
   const std::int64_t now = system::now_s();
   if (auto same =
-          expect_program(disk, *store, record::this_software(), options.accepts_other_program);
+          expect_program(disk, store, record::this_software(), options.accepts_other_program);
       !same)
     return tl::unexpected(same.error());
-  if (auto begun = begin_night(disk, *store, options, now); !begun)
-    return tl::unexpected(begun.error());
+  MIROCUP_TRY_VOID(begin_night(disk, store, options, now));
 
   auto progress = make_progress_reporter();
-  const auto played = play_league(disk, std::move(*store), *progress, options);
-  if (!played) return tl::unexpected(played.error());
+  MIROCUP_TRY(const auto played, play_league(disk, std::move(store), *progress, options));
   progress->say("making pages");
-  if (auto published = publish_league(disk, folder, options.jobs); !published)
-    return tl::unexpected(published.error());
+  MIROCUP_TRY_VOID(publish_league(disk, folder, options.jobs));
   progress.reset();
 
-  const auto after = LeagueStore::open(disk, folder);
-  if (!after) return tl::unexpected(after.error());
-  const auto night = last_night(after->state(), after->journal());
-  if (!night) return tl::unexpected(night.error());
-  const FactsOfLegs facts = read_facts(disk, folder, after->state());
-  const Overview o = overview(after->state(), facts);
-  if (auto written = write_digests(disk, folder, o, **night, options.address); !written)
-    return tl::unexpected(written.error());
-  const auto text = report(disk, *after, **night);
-  if (!text) return tl::unexpected(text.error());
-  const std::string home = folder.nights() + "/" + std::to_string((*night)->number);
-  if (auto written = disk.write(home + "/report.txt", *text, system::Readers::owner); !written)
-    return tl::unexpected(written.error());
-  std::cout << *text << std::flush;
-  if (auto heard = tell_program(disk, options.on_night, home, after->state()); !heard)
-    return tl::unexpected(heard.error());
-  if (after->state().played() == after->state().legs()) return exit_yes;
-  say_what_is_left(after->state());
+  MIROCUP_TRY(const auto after, LeagueStore::open(disk, folder));
+  MIROCUP_TRY(const auto night, last_night(after.state(), after.journal()));
+  const FactsOfLegs facts = read_facts(disk, folder, after.state());
+  const Overview o = overview(after.state(), facts);
+  MIROCUP_TRY_VOID(write_digests(disk, folder, o, *night, options.address));
+  MIROCUP_TRY(const auto text, report(disk, after, *night));
+  const std::string home = folder.nights() + "/" + std::to_string(night->number);
+  MIROCUP_TRY_VOID(disk.write(home + "/report.txt", text, system::Readers::owner));
+  std::cout << text << std::flush;
+  MIROCUP_TRY_VOID(tell_program(disk, options.on_night, home, after.state()));
+  if (after.state().played() == after.state().legs()) return exit_yes;
+  say_what_is_left(after.state());
   return exit_no;
 }
 

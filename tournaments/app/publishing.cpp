@@ -23,12 +23,10 @@ namespace mirocup::league {
 Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store) {
   const bool is_whole = is_all_released(store.state());
   if (!is_whole && shown.file.format.kind != FormatKind::nightly) return NightNews{};
-  auto night = last_night(shown, store.journal());
-  if (!night) return tl::unexpected(night.error());
-  if (!*night) return NightNews{};
-  auto feed = feed_xml(shown, store.journal());
-  if (!feed) return tl::unexpected(feed.error());
-  return NightNews{.night = std::move(*night), .feed = std::move(*feed)};
+  MIROCUP_TRY(auto night, last_night(shown, store.journal()));
+  if (!night) return NightNews{};
+  MIROCUP_TRY(auto feed, feed_xml(shown, store.journal()));
+  return NightNews{.night = std::move(night), .feed = std::move(feed)};
 }
 
 Result<void> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
@@ -43,8 +41,7 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
   }
   if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
   // First what takes long: the pages of league and teams show the statistics of every leg.
-  const auto failed = make_replay_pages(files, folder, overview(shown), jobs);
-  if (!failed) return tl::unexpected(failed.error());
+  MIROCUP_TRY(const auto failed, make_replay_pages(files, folder, overview(shown), jobs));
   const Site site({.state = shown,
                    .reports = kept_statistics(files, folder, shown),
                    .facts = read_facts(files, folder, shown),
@@ -61,23 +58,20 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
     if (auto removed = remove_former_pages(files, folder.site(), part, made); !removed)
       return removed;
   }
-  if (failed->count > 0) {
-    std::cerr << "mirocup: " << failed->count
+  if (failed.count > 0) {
+    std::cerr << "mirocup: " << failed.count
               << " replay pages could not be made; mirocup replay RECORD says why\n";
   }
-  for (const std::string& reason : failed->reasons)
+  for (const std::string& reason : failed.reasons)
     std::cerr << "mirocup: " << system::printable(reason) << '\n';
   return {};
 }
 
 Result<void> publish_league(system::Files& files, const Folder& folder, int jobs) {
-  const auto store = LeagueStore::open(files, folder);
-  if (!store) return tl::unexpected(store.error());
-  const auto shown = released_state(store->state(), store->journal());
-  if (!shown) return tl::unexpected(shown.error());
-  const auto news = news_for(*shown, *store);
-  if (!news) return tl::unexpected(news.error());
-  return publish_site(files, folder, *shown, *news, jobs);
+  MIROCUP_TRY(const auto store, LeagueStore::open(files, folder));
+  MIROCUP_TRY(const auto shown, released_state(store.state(), store.journal()));
+  MIROCUP_TRY(const auto news, news_for(shown, store));
+  return publish_site(files, folder, shown, news, jobs);
 }
 
 namespace {
@@ -107,8 +101,7 @@ void print_row(const LeagueFile& file, const RosterRow& row) {
 }  // namespace
 
 Result<void> print_roster(system::Files& files, const LeagueStore& store, bool is_json) {
-  const auto rows = roster(files, store);
-  if (!rows) return tl::unexpected(rows.error());
+  MIROCUP_TRY(const auto rows, roster(files, store));
   const LeagueState& state = store.state();
   const std::string last = last_leg_at(store.journal());
   if (is_json) {
@@ -116,11 +109,11 @@ Result<void> print_roster(system::Files& files, const LeagueStore& store, bool i
                     {"played", state.played()},
                     {"legs", state.legs()},
                     {"last_leg_at", last.empty() ? Json() : Json(last)},
-                    {"teams", roster_json(*rows)}};
+                    {"teams", roster_json(rows)}};
     std::cout << record::json_text(json) << '\n';
     return {};
   }
-  for (const RosterRow& row : *rows) print_row(state.file, row);
+  for (const RosterRow& row : rows) print_row(state.file, row);
   if (!last.empty())
     std::cout << "the last leg was played at " << shown_time(state.file, last) << '\n';
   return {};

@@ -17,25 +17,22 @@ namespace mirocup::league {
 
 Result<int> run_act(const ActOptions& options) {
   system::Disk disk;
-  auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
-  const auto lines = perform(disk, *store, options.act, system::now_s());
-  if (!lines) return tl::unexpected(lines.error());
-  for (const std::string& line : *lines) std::cout << system::printable(line) << '\n';
+  MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY(const auto lines, perform(disk, store, options.act, system::now_s()));
+  for (const std::string& line : lines) std::cout << system::printable(line) << '\n';
   // What is held back must not stay on the pages, and what is released is looked for there.
   const Folder folder{options.folder};
   if (options.act.kind == ActKind::release && !options.act.is_dry_run &&
       disk.exists(folder.site())) {
-    if (auto shown = publish_league(disk, folder); !shown) return tl::unexpected(shown.error());
+    MIROCUP_TRY_VOID(publish_league(disk, folder));
   }
   return exit_yes;
 }
 
 Result<int> run_decisions(const LeagueOptions& options) {
   system::Disk disk;
-  const auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
-  const LeagueState& state = store->state();
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  const LeagueState& state = store.state();
   if (options.json) {
     std::cout << decisions_json(state) << '\n';
     return exit_yes;

@@ -60,40 +60,35 @@ Result<web::SiteLimits> limits_of(const ServeOptions& options) {
   web::SiteLimits limits;
   if (options.hand_in) limits.max_upload = system::size_limit::entry;
   if (options.tls.empty()) return limits;
-  auto tls = system::TlsServer::load(options.tls.front(), options.tls.back());
-  if (!tls) return tl::unexpected(tls.error());
-  limits.tls = std::move(*tls);
+  MIROCUP_TRY(auto tls, system::TlsServer::load(options.tls.front(), options.tls.back()));
+  limits.tls = std::move(tls);
   return limits;
 }
 
 }  // namespace
 
 Result<int> run_serve(const ServeOptions& options) {
-  const auto address = web::parse_address(options.at, "--at");
-  if (!address) return tl::unexpected(address.error());
+  MIROCUP_TRY(const auto address, web::parse_address(options.at, "--at"));
   if (!options.team_header.empty() && options.proxies.empty())
     return fail(Errc::input, "--team-header needs --trust-proxy: anybody can send a header");
-  auto limits = limits_of(options);
-  if (!limits) return tl::unexpected(limits.error());
+  MIROCUP_TRY(auto limits, limits_of(options));
   system::Disk disk;
-  auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
+  MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
   system::ProcessSet processes;  // must exist before the first thread starts
-  ServedLeague league(disk, std::move(*store));
+  ServedLeague league(disk, std::move(store));
   web::Site site = site_of(league);
   std::unique_ptr<Portal> portal;
   if (options.hand_in) {
     league.offer_hand_in();
-    auto opened = open_portal(disk, options, league);
-    if (!opened) return tl::unexpected(opened.error());
-    portal = std::move(*opened);
+    MIROCUP_TRY(auto opened, open_portal(disk, options, league));
+    portal = std::move(opened);
     site.desk = [&portal = *portal](const web::Request& request, const web::Body& body) {
       return portal.answer(request, body);
     };
   }
-  const auto server = web::SiteServer::open(*address, "--at", std::move(site), std::move(*limits));
-  if (!server) return tl::unexpected(server.error());
-  std::cout << (*server)->url() << std::endl;
+  MIROCUP_TRY(const auto server,
+              web::SiteServer::open(address, "--at", std::move(site), std::move(limits)));
+  std::cout << server->url() << std::endl;
   if (portal) {
     const int jobs =
         options.jobs > 0 ? options.jobs : static_cast<int>(system::processors().size());

@@ -12,22 +12,19 @@ namespace mirocup::league {
 // The records of shards are booked first, because they may open the next round.
 Result<int> run_plan(const ShardOptions& options) {
   system::Disk disk;
-  auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
+  MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
   const record::Software software = record::this_software();
-  const auto ready = expect_program(disk, *store, software, false).and_then([&] {
-    return keep_program(disk, store->folder(), software);
-  });
-  if (!ready) return tl::unexpected(ready.error());
+  MIROCUP_TRY(const auto ready, expect_program(disk, store, software, false).and_then([&] {
+    return keep_program(disk, store.folder(), software);
+  }));
   const auto progress = make_progress_reporter();
-  ResultRecorder recorder(disk, std::move(*store), *progress);
-  if (auto started = recorder.start(); !started) return tl::unexpected(started.error());
+  ResultRecorder recorder(disk, std::move(store), *progress);
+  MIROCUP_TRY_VOID(recorder.start());
   for (int booked = 1; booked > 0;) {
     booked = 0;
     for (const std::string& id : open_shards(recorder.state())) {
-      const auto count = recorder.book_played(id);
-      if (!count) return tl::unexpected(count.error());
-      booked += *count;
+      MIROCUP_TRY(const auto count, recorder.book_played(id));
+      booked += count;
     }
   }
   for (const std::string& id : open_shards(recorder.state())) std::cout << id << '\n';
@@ -36,12 +33,10 @@ Result<int> run_plan(const ShardOptions& options) {
 
 Result<int> run_shards(const ShardOptions& options) {
   system::Disk disk;
-  const auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
-  const auto failed = play_shards(disk, *store, options.fixtures);
-  if (!failed) return tl::unexpected(failed.error());
-  if (*failed == 0) return exit_yes;
-  return fail(Errc::host, std::to_string(*failed) + " legs could not be played; run it again");
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY(const auto failed, play_shards(disk, store, options.fixtures));
+  if (failed == 0) return exit_yes;
+  return fail(Errc::host, std::to_string(failed) + " legs could not be played; run it again");
 }
 
 }  // namespace mirocup::league

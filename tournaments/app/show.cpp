@@ -29,23 +29,20 @@ std::string secret() {
 }  // namespace
 
 Result<int> run_show(const ShowOptions& options) {
-  const auto address = web::parse_address(options.at, "--at");
-  if (!address) return tl::unexpected(address.error());
+  MIROCUP_TRY(const auto address, web::parse_address(options.at, "--at"));
   system::Disk disk;
-  const auto store = LeagueStore::open(disk, Folder{options.folder});
-  if (!store) return tl::unexpected(store.error());
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
   system::ProcessSet interrupts;  // must exist before the first thread starts
   const std::string key = secret();
-  auto round = ShownRound::of(disk, *store, options.round, key, options.at_once);
-  if (!round) return tl::unexpected(round.error());
-  const auto server = web::SiteServer::open(
-      *address, "--at",
-      {.page = [&](const std::string& path) { return round->page(path); },
-       .news = [&](std::uint64_t& seen) { return round->news(seen); },
-       .match = [](const std::string&) { return std::nullopt; },
-       .control = [&](const std::string& body) { return round->control(body); }});
-  if (!server) return tl::unexpected(server.error());
-  const std::string url = (*server)->url();
+  MIROCUP_TRY(auto round, ShownRound::of(disk, store, options.round, key, options.at_once));
+  MIROCUP_TRY(const auto server,
+              web::SiteServer::open(
+                  address, "--at",
+                  {.page = [&](const std::string& path) { return round.page(path); },
+                   .news = [&](std::uint64_t& seen) { return round.news(seen); },
+                   .match = [](const std::string&) { return std::nullopt; },
+                   .control = [&](const std::string& body) { return round.control(body); }}));
+  const std::string url = server->url();
   std::cout << url << '\n' << url << "remote#" << key << std::endl;
   while (!interrupts.is_asked_to_stop_within(poll_s)) {
   }

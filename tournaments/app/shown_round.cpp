@@ -73,7 +73,7 @@ web::Page text_page(std::string type, std::string bytes) {
 Result<ShownRound> ShownRound::of(system::Files& files, const LeagueStore& store,
                                   const std::string& round, std::string key, int at_once) {
   ShownRound shown(files, std::move(key), at_once);
-  if (auto read = shown.read(store, round); !read) return tl::unexpected(read.error());
+  MIROCUP_TRY_VOID(shown.read(store, round));
   return shown;
 }
 
@@ -90,11 +90,10 @@ Result<void> ShownRound::read(const LeagueStore& store, const std::string& key) 
   title_ = round->title;
   std::set<LegName> shown;
   const auto add_standing = [&]() -> Result<void> {
-    const auto then = state_with_legs(state, store.journal(), round->key, shown);
-    if (!then) return tl::unexpected(then.error());
+    MIROCUP_TRY(const auto then, state_with_legs(state, store.journal(), round->key, shown));
     const std::string heading =
         shown.empty() ? "Before " + title_ : "After leg " + std::to_string(shown.size());
-    standings_.push_back(standing_html(overview(*then, facts), heading));
+    standings_.push_back(standing_html(overview(then, facts), heading));
     return {};
   };
   if (auto added = add_standing(); !added) return added;

@@ -70,29 +70,23 @@ Result<int> run_token(const TokenOptions& options) {
     return fail(Errc::input, "--revoke needs the name of a team, --staff or --tutor");
   system::Disk disk;
   const Folder folder{options.folder};
-  const auto store = LeagueStore::open(disk, folder);
-  if (!store) return tl::unexpected(store.error());
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
   const std::string now = utc_text(system::now_s());
-  const auto expires = expiry_of(options.expires, now);
-  if (!expires) return tl::unexpected(expires.error());
-  const auto lock = system::FileLock::acquire(folder.lock());
-  if (!lock) return tl::unexpected(lock.error());
-  auto list = read_tokens(disk, folder);
-  if (!list) return tl::unexpected(list.error());
+  MIROCUP_TRY(const auto expires, expiry_of(options.expires, now));
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
+  MIROCUP_TRY(auto list, read_tokens(disk, folder));
 
   std::vector<std::pair<std::string, std::string>> made;  // whose, token
   int revoked = 0;
   if (options.revoke) {
-    revoked = list->revoke(role, options.team, now);
+    revoked = list.revoke(role, options.team, now);
   } else if (role != Role::team) {
-    made.emplace_back(to_string(role), list->add_for(role, now, *expires));
+    made.emplace_back(to_string(role), list.add_for(role, now, expires));
   } else {
-    const auto teams = teams_of(options, store->state(), *list, now);
-    if (!teams) return tl::unexpected(teams.error());
-    for (const std::string& team : *teams) made.emplace_back(team, list->add(team, now, *expires));
+    MIROCUP_TRY(const auto teams, teams_of(options, store.state(), list, now));
+    for (const std::string& team : teams) made.emplace_back(team, list.add(team, now, expires));
   }
-  if (auto written = write_tokens(disk, folder, *list); !written)
-    return tl::unexpected(written.error());
+  MIROCUP_TRY_VOID(write_tokens(disk, folder, list));
   if (options.revoke) {
     std::cout << (role == Role::team ? options.team : std::string(to_string(role))) << ": "
               << revoked << (revoked == 1 ? " token was" : " tokens were") << " revoked\n";

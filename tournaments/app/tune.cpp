@@ -138,7 +138,7 @@ class Search {
       progress_.say(silence.warning);
     }
     auto marks = marks_of(*pairs);
-    if (auto kept = file_.keep(key, marks); !kept) return tl::unexpected(kept.error());
+    MIROCUP_TRY_VOID(file_.keep(key, marks));
     fixtures_played_ += fixtures;
     return marks;
   }
@@ -235,13 +235,12 @@ void print_result(const TuningResult& result, const TuningOptions& tuning,
 Result<int> run_tune(const TuneOptions& options) {
   TuningOptions tuning = options.tuning;
   for (const std::string& text : options.parameters) {
-    auto parameter = parameter_of(text);
-    if (!parameter) return tl::unexpected(parameter.error());
+    MIROCUP_TRY(auto parameter, parameter_of(text));
     for (const TunedParameter& other : tuning.parameters) {
-      if (other.name == parameter->name)
+      if (other.name == parameter.name)
         return fail(Errc::input, "--param " + text + ": this parameter is named twice");
     }
-    tuning.parameters.push_back(std::move(*parameter));
+    tuning.parameters.push_back(std::move(parameter));
   }
   tuning.most_fixtures = std::max(tuning.fixtures, tuning.most_fixtures);
   TuneOptions all = options;
@@ -249,19 +248,17 @@ Result<int> run_tune(const TuneOptions& options) {
   for (const std::string& opponent : options.against) all.run.teams.push_back(opponent);
   all.run.league = *from_string<League>(options.league);
   system::Disk disk;
-  auto identity = comparison_identity(disk, all.run);
-  if (!identity) return tl::unexpected(identity.error());
-  identity->erase("seed");
-  (*identity)["parameters"] = options.parameters;
+  MIROCUP_TRY(auto identity, comparison_identity(disk, all.run));
+  identity.erase("seed");
+  identity["parameters"] = options.parameters;
   const ScratchFolder scratch("mirocup-tune");
   if (scratch.path().empty()) return fail(Errc::unavailable, "no folder for the legs can be made");
-  auto file = TuningFile::open(disk, options.folder, *identity);
-  if (!file) return tl::unexpected(file.error());
+  MIROCUP_TRY(auto file, TuningFile::open(disk, options.folder, identity));
   const auto progress = make_progress_reporter();
-  const auto result = Search(disk, all, tuning, std::move(*file), scratch.path(), *progress).run();
-  if (!result) return tl::unexpected(result.error());
-  print_result(*result, tuning, all);
-  return result->has_gained() ? exit_yes : exit_no;
+  MIROCUP_TRY(const auto result,
+              Search(disk, all, tuning, std::move(file), scratch.path(), *progress).run());
+  print_result(result, tuning, all);
+  return result.has_gained() ? exit_yes : exit_no;
 }
 
 }  // namespace mirocup::league

@@ -27,24 +27,21 @@ std::string lock_path(const Folder& folder) {
 
 Result<HandInBook> HandInBook::open(system::Files& files, const Folder& folder,
                                     std::string* notice) {
-  auto lock = system::FileLock::try_acquire(lock_path(folder));
-  if (!lock) return tl::unexpected(lock.error());
-  if (!*lock) {
+  MIROCUP_TRY(auto lock, system::FileLock::try_acquire(lock_path(folder)));
+  if (!lock) {
     return fail(Errc::unavailable,
                 folder.path + ": another process takes hand-ins for this league already");
   }
   const std::string path = folder.hand_in_book();
   // Appending keeps the mode: only the host reads what teams are told.
   if (!files.exists(path)) {
-    if (auto begun = files.write(path, "", system::Readers::owner); !begun)
-      return tl::unexpected(begun.error());
+    MIROCUP_TRY_VOID(files.write(path, "", system::Readers::owner));
   }
-  auto journal = Journal::open(files, path, notice);
-  if (!journal) return tl::unexpected(journal.error());
-  HandInBook book(files, folder, std::move(*journal));
-  book.lock_ = std::move(**lock);
+  MIROCUP_TRY(auto journal, Journal::open(files, path, notice));
+  HandInBook book(files, folder, std::move(journal));
+  book.lock_ = std::move(*lock);
   for (const Json& line : book.journal_.lines()) {
-    if (auto applied = book.apply(line); !applied) return tl::unexpected(applied.error());
+    MIROCUP_TRY_VOID(book.apply(line));
   }
   return book;
 }
@@ -92,15 +89,12 @@ Result<int> HandInBook::take(WaitingHandIn handed,
   const std::string& team = handed.team;
   {
     // `league submit` numbers entries, too.
-    const auto lock = system::FileLock::acquire(folder_.submitting());
-    if (!lock) return tl::unexpected(lock.error());
-    const auto next = next_entry(*files_, folder_, team);
-    if (!next) return tl::unexpected(next.error());
-    handed.entry = std::max(*next, queue_.last_entry(team) + 1);
-    const auto made = make_entries_folder(*files_, folder_, team).and_then([&] {
+    MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder_.submitting()));
+    MIROCUP_TRY(const auto next, next_entry(*files_, folder_, team));
+    handed.entry = std::max(next, queue_.last_entry(team) + 1);
+    MIROCUP_TRY(const auto made, make_entries_folder(*files_, folder_, team).and_then([&] {
       return files_->make_folder(folder_.entry(team, handed.entry), Readers::owner);
-    });
-    if (!made) return tl::unexpected(made.error());
+    }));
   }
   const Json line{{"team", team},          {"entry", handed.entry},
                   {"file", handed.file},   {"sha256", handed.sha256},

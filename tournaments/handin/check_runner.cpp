@@ -214,17 +214,16 @@ Result<int> check_hand_in(system::Files& files, const Folder& folder, const std:
   const SourceKind kind = source_kind_of(file);
   if (kind != SourceKind::none) handed.source = folder.source(team, entry);
   handed.language = language_of(kind);
-  const auto done = submit(files, folder, handed);
-  if (!done) return tl::unexpected(done.error());
+  MIROCUP_TRY(const auto done, submit(files, folder, handed));
   // An entry that was not even looked at needs no bytes.
-  if (done->entry == 0) {
+  if (done.entry == 0) {
     (void)files.remove(handed.path);
     (void)files.remove(folder.source(team, entry));
   }
   std::cout << '\n'
-            << record::json_text({{"accepted", done->is_accepted}, {"message", done->message}})
+            << record::json_text({{"accepted", done.is_accepted}, {"message", done.message}})
             << std::endl;
-  return done->is_accepted ? exit_yes : exit_no;
+  return done.is_accepted ? exit_yes : exit_no;
 }
 
 }  // namespace mirocup::league

@@ -42,13 +42,11 @@ Doorkeeper::Doorkeeper(system::Files& files, Folder folder, ProxyTrust trust)
 
 Result<void> Doorkeeper::read_tokens_again() {
   const std::string path = tokens_path(folder_);
-  auto text = files_.read_if_there(path, {.max_size = system::size_limit::note});
-  if (!text) return tl::unexpected(text.error());
-  if (*text == tokens_text_) return {};
-  auto tokens = *text ? parse_tokens(**text, path) : TokenList{};
-  if (!tokens) return tl::unexpected(tokens.error());
-  tokens_text_ = std::move(*text);
-  tokens_ = std::move(*tokens);
+  MIROCUP_TRY(auto text, files_.read_if_there(path, {.max_size = system::size_limit::note}));
+  if (text == tokens_text_) return {};
+  MIROCUP_TRY(auto tokens, text ? parse_tokens(*text, path) : TokenList{});
+  tokens_text_ = std::move(text);
+  tokens_ = std::move(tokens);
   return {};
 }
 
@@ -116,7 +114,7 @@ bool Doorkeeper::has_credentials(const web::Request& request) const {
 Result<std::variant<Visitor, Refusal>> Doorkeeper::admit(const web::Request& request,
                                                          Purpose purpose, std::int64_t now) {
   using Answer = std::variant<Visitor, Refusal>;
-  if (auto read = read_tokens_again(); !read) return tl::unexpected(read.error());
+  MIROCUP_TRY_VOID(read_tokens_again());
   if (!has_credentials(request)) return Answer(Refusal{401, "a token is needed"});
   const bool by_token = request.headers.contains("authorization");
   if (purpose == Purpose::changing) {
@@ -157,11 +155,11 @@ Result<std::variant<std::string, Refusal>> Doorkeeper::log_in(const web::Request
                                                               std::int64_t now) {
   using Answer = std::variant<std::string, Refusal>;
   if (auto refusal = foreign(request, true)) return Answer(*refusal);
-  if (auto read = read_tokens_again(); !read) return tl::unexpected(read.error());
+  MIROCUP_TRY_VOID(read_tokens_again());
   const Token* known = tokens_.find(token, utc_text(now));
   if (known == nullptr) return Answer(wrong_token(request, token, now));
   const std::string cookie = sessions_.begin(known->sha256, now);
-  if (auto kept = keep_sessions(); !kept) return tl::unexpected(kept.error());
+  MIROCUP_TRY_VOID(keep_sessions());
   return Answer(cookie_header(request, cookie, Sessions::duration));
 }
 
@@ -170,7 +168,7 @@ Result<std::variant<std::string, Refusal>> Doorkeeper::log_out(const web::Reques
   if (auto refusal = foreign(request, true)) return Answer(*refusal);
   if (const std::string cookie = cookie_of(request); !cookie.empty()) {
     sessions_.end(cookie);
-    if (auto kept = keep_sessions(); !kept) return tl::unexpected(kept.error());
+    MIROCUP_TRY_VOID(keep_sessions());
   }
   return Answer(cookie_header(request, "", 0));
 }

@@ -46,10 +46,9 @@ Result<Json> verdict_of(system::Files& files, const Folder& folder, const std::s
                         int entry) {
   if (!files.exists(folder.entry_file(team, entry))) return Json();
   const std::string path = folder.verdict(team, entry);
-  const auto text = files.read_if_there(path, {.max_size = system::size_limit::note});
-  if (!text) return tl::unexpected(text.error());
-  if (!*text) return Json();
-  return record::read_json<Json>(**text, path, Errc::damaged, [](const record::JsonReader& json) {
+  MIROCUP_TRY(const auto text, files.read_if_there(path, {.max_size = system::size_limit::note}));
+  if (!text) return Json();
+  return record::read_json<Json>(*text, path, Errc::damaged, [](const record::JsonReader& json) {
     return json.expect_object() ? json.json() : Json();
   });
 }
@@ -94,11 +93,10 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
     const auto read = verdict_of(files, folder, team, entry);
     if (!read) return read;
     const Json& verdict = *read;
-    const auto is_accepted = is_accepted_entry(files, folder, team, entry);
-    if (!is_accepted) return tl::unexpected(is_accepted.error());
-    report["state"] = to_string(waiting != nullptr          ? waiting->state
-                                : is_stored && *is_accepted ? HandInState::accepted
-                                                            : HandInState::refused);
+    MIROCUP_TRY(const auto is_accepted, is_accepted_entry(files, folder, team, entry));
+    report["state"] = to_string(waiting != nullptr         ? waiting->state
+                                : is_stored && is_accepted ? HandInState::accepted
+                                                           : HandInState::refused);
     const std::string message = waiting != nullptr ? waiting->message : "";
     const std::string reason = verdict_text(verdict, "reason");
     const bool has_reason = report["state"] != to_string(HandInState::accepted);

@@ -20,14 +20,12 @@ Result<FriendlyBook> FriendlyBook::open(system::Files& files, const Folder& fold
   const std::string path = folder.friendly_book();
   // Appending keeps the mode: only the host reads what a team has tried.
   if (!files.exists(path)) {
-    if (auto begun = files.write(path, "", system::Readers::owner); !begun)
-      return tl::unexpected(begun.error());
+    MIROCUP_TRY_VOID(files.write(path, "", system::Readers::owner));
   }
-  auto journal = Journal::open(files, path, notice);
-  if (!journal) return tl::unexpected(journal.error());
-  FriendlyBook book(std::move(*journal));
+  MIROCUP_TRY(auto journal, Journal::open(files, path, notice));
+  FriendlyBook book(std::move(journal));
   for (const Json& line : book.journal_.lines()) {
-    if (auto applied = book.apply(line); !applied) return tl::unexpected(applied.error());
+    MIROCUP_TRY_VOID(book.apply(line));
   }
   return book;
 }
@@ -69,15 +67,14 @@ Result<void> FriendlyBook::apply(const Json& line) {
 
 Result<int> FriendlyBook::add(Friendly friendly) {
   friendly.number = friendlies_.last_number(friendly.team) + 1;
-  auto written =
-      journal_.append(std::string(asked_line), {{"team", friendly.team},
-                                                {"number", friendly.number},
-                                                {"entry", friendly.entry},
-                                                {"opponent", friendly.opponent},
-                                                {"opponent_entry", friendly.opponent_entry},
-                                                {"burst", friendly.is_burst},
-                                                {"at", friendly.at}});
-  if (!written) return tl::unexpected(written.error());
+  MIROCUP_TRY(auto written,
+              journal_.append(std::string(asked_line), {{"team", friendly.team},
+                                                        {"number", friendly.number},
+                                                        {"entry", friendly.entry},
+                                                        {"opponent", friendly.opponent},
+                                                        {"opponent_entry", friendly.opponent_entry},
+                                                        {"burst", friendly.is_burst},
+                                                        {"at", friendly.at}}));
   const int number = friendly.number;
   friendlies_.add(std::move(friendly));
   return number;

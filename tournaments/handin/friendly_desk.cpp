@@ -51,10 +51,9 @@ FriendlyEnd read_end(const record::JsonReader& json) {
 Result<std::unique_ptr<FriendlyDesk>> FriendlyDesk::open(system::Files& files, const Folder& folder,
                                                          FriendlyOptions options,
                                                          std::string* notice) {
-  auto book = FriendlyBook::open(files, folder, notice);
-  if (!book) return tl::unexpected(book.error());
+  MIROCUP_TRY(auto book, FriendlyBook::open(files, folder, notice));
   return std::unique_ptr<FriendlyDesk>(
-      new FriendlyDesk(files, folder, std::move(options), std::move(*book)));
+      new FriendlyDesk(files, folder, std::move(options), std::move(book)));
 }
 
 Result<void> FriendlyDesk::entry_accepted(const std::string& team, int entry, std::int64_t now) {
@@ -70,14 +69,14 @@ Result<void> FriendlyDesk::entry_accepted(const std::string& team, int entry, st
   Friendly leg{.team = team, .entry = entry, .is_burst = true, .at = now};
   for (const std::string& house : options_.house) {
     leg.opponent = "house:" + house;
-    if (auto added = book_.add(leg); !added) return tl::unexpected(added.error());
+    MIROCUP_TRY_VOID(book_.add(leg));
   }
   for (const std::string& neighbour : neighbours) {
     const auto known = teams.find(neighbour);
     if (known == teams.end() || neighbour == team) continue;
     leg.opponent = neighbour;
     leg.opponent_entry = known->second;
-    if (auto added = book_.add(leg); !added) return tl::unexpected(added.error());
+    MIROCUP_TRY_VOID(book_.add(leg));
   }
   forget_old_records(team);
   return {};

@@ -93,21 +93,17 @@ Portal::Portal(system::Files& files, Folder folder, PortalOptions options, HandI
 
 Result<std::unique_ptr<Portal>> Portal::open(system::Files& files, const Folder& folder,
                                              PortalOptions options, std::string* notice) {
-  auto book = HandInBook::open(files, folder, notice);
-  if (!book) return tl::unexpected(book.error());
-  const auto made = files.make_folder(folder.entries(), system::Readers::owner).and_then([&] {
-    return files.make_folder(folder.uploads(), system::Readers::owner);
-  });
-  if (!made) return tl::unexpected(made.error());
+  MIROCUP_TRY(auto book, HandInBook::open(files, folder, notice));
+  MIROCUP_TRY(const auto made,
+              files.make_folder(folder.entries(), system::Readers::owner).and_then([&] {
+                return files.make_folder(folder.uploads(), system::Readers::owner);
+              }));
   // Uploads that a killed server has left.
-  if (auto removed = files.remove_unfinished(folder.uploads()); !removed)
-    return tl::unexpected(removed.error());
-  auto friendlies = FriendlyDesk::open(files, folder, options.friendlies, notice);
-  if (!friendlies) return tl::unexpected(friendlies.error());
+  MIROCUP_TRY_VOID(files.remove_unfinished(folder.uploads()));
+  MIROCUP_TRY(auto friendlies, FriendlyDesk::open(files, folder, options.friendlies, notice));
   std::unique_ptr<Portal> portal(
-      new Portal(files, folder, std::move(options), std::move(*book), std::move(*friendlies)));
-  if (auto finished = portal->finish_what_was_begun(); !finished)
-    return tl::unexpected(finished.error());
+      new Portal(files, folder, std::move(options), std::move(book), std::move(friendlies)));
+  MIROCUP_TRY_VOID(portal->finish_what_was_begun());
   return portal;
 }
 
@@ -115,11 +111,9 @@ Result<std::unique_ptr<Portal>> Portal::open(system::Files& files, const Folder&
 Result<void> Portal::finish_what_was_begun() {
   const std::int64_t now = options_.now();
   for (const auto& [team, entry] : book_.pins()) {
-    const auto known = read_hand_ins(files_, folder_, team);
-    if (!known) return tl::unexpected(known.error());
-    if (known->pinned == entry) continue;
-    if (auto pinned = pin_entry(files_, folder_, team, entry, now); !pinned)
-      return tl::unexpected(pinned.error());
+    MIROCUP_TRY(const auto known, read_hand_ins(files_, folder_, team));
+    if (known.pinned == entry) continue;
+    MIROCUP_TRY_VOID(pin_entry(files_, folder_, team, entry, now));
   }
   for (const auto& [team, entry] : book_.queue().accepted()) {
     if (auto begun = friendlies_->entry_accepted(team, entry, now); !begun) return begun;
@@ -522,9 +516,8 @@ Result<Json> Portal::report(const std::string& team, int entry, bool is_whole) {
 
 // Returns the summaries of all entries of a team, the latest first.
 Result<Json> Portal::reports(const std::string& team) {
-  const auto entries = entries_of(files_, folder_, team);
-  if (!entries) return tl::unexpected(entries.error());
-  std::set<int> numbers(entries->begin(), entries->end());
+  MIROCUP_TRY(const auto entries, entries_of(files_, folder_, team));
+  std::set<int> numbers(entries.begin(), entries.end());
   {
     const std::lock_guard lock(mutex_);
     for (const WaitingHandIn* handed : book_.queue().of_team(team)) numbers.insert(handed->entry);

@@ -292,14 +292,12 @@ web::Reply broken(const Error& error) {
 Result<void> set_people(system::Files& files, const LeagueStore& store, const Form& form) {
   const std::string team = value_of(form, "team");
   if (!store.state().find_team(team)) return fail(Errc::input, "there is no team " + team);
-  const auto lock = system::FileLock::acquire(store.folder().lock());
-  if (!lock) return tl::unexpected(lock.error());
-  auto people = read_people(files, store.folder());
-  if (!people) return tl::unexpected(people.error());
-  People& one = (*people)[team];
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(store.folder().lock()));
+  MIROCUP_TRY(auto people, read_people(files, store.folder()));
+  People& one = people[team];
   if (value_of(form, "act") == "colour") {
     if (auto set = set_colour(one, value_of(form, "colour")); !set) return set;
-    return write_people(files, store.folder(), *people);
+    return write_people(files, store.folder(), people);
   }
   one.display = value_of(form, "display");
   one.members.clear();
@@ -317,7 +315,7 @@ Result<void> set_people(system::Files& files, const LeagueStore& store, const Fo
     if (const std::string why = objection_to_display(name); !why.empty())
       return fail(Errc::input, why);
   }
-  return write_people(files, store.folder(), *people);
+  return write_people(files, store.folder(), people);
 }
 
 }  // namespace

@@ -114,9 +114,8 @@ std::string tokens_path(const Folder& folder) {
 
 Result<TokenList> read_tokens(system::Files& files, const Folder& folder) {
   const std::string path = tokens_path(folder);
-  const auto text = files.read_if_there(path, {.max_size = system::size_limit::note});
-  if (!text) return tl::unexpected(text.error());
-  return *text ? parse_tokens(**text, path) : TokenList{};
+  MIROCUP_TRY(const auto text, files.read_if_there(path, {.max_size = system::size_limit::note}));
+  return text ? parse_tokens(*text, path) : TokenList{};
 }
 
 Result<TokenList> parse_tokens(const std::string& text, const std::string& path) {

@@ -29,7 +29,7 @@ Journal::~Journal() = default;
 Result<Journal> Journal::open(system::Files& files, std::string path, std::string* notice,
                               std::size_t most_values) {
   Journal journal(files, std::move(path), most_values);
-  if (auto read = journal.refresh(); !read) return tl::unexpected(read.error());
+  MIROCUP_TRY_VOID(journal.refresh());
   if (journal.is_torn_ && notice != nullptr) {
     *notice = journal.path_ + ": line " + std::to_string(journal.lines_.size() + 1) +
               " was not written to its end; nothing followed from it, and it is left out";
@@ -38,11 +38,12 @@ Result<Journal> Journal::open(system::Files& files, std::string path, std::strin
 }
 
 Result<void> Journal::refresh() {
-  const auto there = files_->read_if_there(
-      path_, {.max_size = system::size_limit::journal, .growth = system::Growth::ignored}, size_);
-  if (!there) return tl::unexpected(there.error());
-  if (!*there) return {};
-  const std::string& text = **there;
+  MIROCUP_TRY(const auto there, files_->read_if_there(path_,
+                                                      {.max_size = system::size_limit::journal,
+                                                       .growth = system::Growth::ignored},
+                                                      size_));
+  if (!there) return {};
+  const std::string& text = *there;
   std::size_t begin = 0;
   for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
     const auto line = std::string_view(text).substr(begin, end - begin);

@@ -126,22 +126,20 @@ class Deciding {
   }
 
   Result<Lines> write(const Event& event, const std::string& line) {
-    if (auto valid = validate(state(), event); !valid) return tl::unexpected(valid.error());
+    MIROCUP_TRY_VOID(validate(state(), event));
     if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
-    if (auto written = store_.write(event); !written) return tl::unexpected(written.error());
+    MIROCUP_TRY_VOID(store_.write(event));
     return Lines{line};
   }
 
   Result<Lines> each_leg(const std::function<std::pair<Event, std::string>(int leg)>& decide) {
-    const auto legs = legs_of(state(), act_);
-    if (!legs) return tl::unexpected(legs.error());
+    MIROCUP_TRY(const auto legs, legs_of(state(), act_));
     // All or none: the first that cannot be decided stops it before a line is written.
-    for (const int leg : *legs) {
-      if (auto valid = validate(state(), decide(leg).first); !valid)
-        return tl::unexpected(valid.error());
+    for (const int leg : legs) {
+      MIROCUP_TRY_VOID(validate(state(), decide(leg).first));
     }
     Lines lines;
-    for (const int leg : *legs) {
+    for (const int leg : legs) {
       const auto [event, words] = decide(leg);
       const auto index = state().find_fixture(act_.fixture);
       const std::string before =
@@ -194,10 +192,9 @@ class Deciding {
   Result<Lines> freeze() {
     std::string from;
     if (!act_.is_lifted) {
-      const auto time =
-          act_.from.empty() ? Result<std::string>(utc_text(now_)) : utc_of(act_.from, state().file);
-      if (!time) return tl::unexpected(time.error());
-      from = *time;
+      MIROCUP_TRY(const auto time, act_.from.empty() ? Result<std::string>(utc_text(now_))
+                                                     : utc_of(act_.from, state().file));
+      from = time;
     }
     const std::string line = from.empty()
                                  ? "entries are taken again"
@@ -208,12 +205,10 @@ class Deciding {
       return write(signed_as(frozen), line);
     }
     if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
-    const auto lock = system::FileLock::acquire(store_.folder().submitting());
-    if (!lock) return tl::unexpected(lock.error());
+    MIROCUP_TRY(const auto lock, system::FileLock::acquire(store_.folder().submitting()));
     LeagueFile file = state().file;
     file.freeze = from;
-    if (auto written = files_.write(store_.folder().config(), print_league_file(file)); !written)
-      return tl::unexpected(written.error());
+    MIROCUP_TRY_VOID(files_.write(store_.folder().config(), print_league_file(file)));
     return Lines{line};
   }
 
@@ -282,7 +277,7 @@ Result<std::vector<std::string>> perform(system::Files& files, LeagueStore& stor
     return fail(Errc::input, "the name of who decides is one line of text, of at most " +
                                  std::to_string(max_by) + " bytes");
   }
-  if (auto fresh = store.refresh(); !fresh) return tl::unexpected(fresh.error());
+  MIROCUP_TRY_VOID(store.refresh());
   return Deciding(files, store, act, now).perform();
 }
 

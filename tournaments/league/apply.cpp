@@ -70,9 +70,8 @@ struct Validator {
   }
 
   Result<void> operator()(const EntryBooked& e) const {
-    const auto team = find_present_team(state, e.team);
-    if (!team) return tl::unexpected(team.error());
-    if (e.entry == state.teams[*team].entry) {
+    MIROCUP_TRY(const auto team, find_present_team(state, e.team));
+    if (e.entry == state.teams[team].entry) {
       return fail(Errc::input, e.team + " plays with this entry already");
     }
     return {};
@@ -135,11 +134,10 @@ struct Validator {
   }
 
   Result<void> operator()(const LegPlayed& e) const {
-    const auto at = find_leg(state, e.fixture, e.leg);
-    if (!at) return tl::unexpected(at.error());
-    const FixtureState& f = state.fixtures[at->fixture];
+    MIROCUP_TRY(const auto at, find_leg(state, e.fixture, e.leg));
+    const FixtureState& f = state.fixtures[at.fixture];
     const std::string name = e.fixture + " leg " + std::to_string(e.leg);
-    if (f.legs[at->leg].played) return fail(Errc::input, name + " is decided already");
+    if (f.legs[at.leg].played) return fail(Errc::input, name + " is decided already");
     // The teams of a line must be those of its fixture; otherwise the journal is damaged.
     if (e.home != state.name(f.fixture.home) || e.away != state.name(f.fixture.away)) {
       return fail(Errc::input, name + " is not between " + e.home + " and " + e.away);
@@ -148,48 +146,43 @@ struct Validator {
   }
 
   Result<void> operator()(const LegVoided& e) const {
-    const auto at = find_leg(state, e.fixture, e.leg);
-    if (!at) return tl::unexpected(at.error());
+    MIROCUP_TRY(const auto at, find_leg(state, e.fixture, e.leg));
     // Only a ruling can void a decided leg; only an open leg can have a failed attempt.
-    const bool is_decided = state.fixtures[at->fixture].legs[at->leg].played != nullptr;
+    const bool is_decided = state.fixtures[at.fixture].legs[at.leg].played != nullptr;
     const bool by_person = e.cause == VoidCause::ruling;
     if (by_person != is_decided) {
       return fail(Errc::input, e.fixture + " leg " + std::to_string(e.leg) +
                                    (is_decided ? " is decided already" : " is not decided yet"));
     }
     if (!by_person) return {};
-    return is_open().and_then([&] { return nothing_follows(state, at->fixture); });
+    return is_open().and_then([&] { return nothing_follows(state, at.fixture); });
   }
 
   Result<void> operator()(const Ruled& e) const {
-    const auto at = find_leg(state, e.fixture, e.leg);
-    if (!at) return tl::unexpected(at.error());
+    MIROCUP_TRY(const auto at, find_leg(state, e.fixture, e.leg));
     if (e.score.home < 0 || e.score.away < 0) {
       return fail(Errc::input, "a score cannot be negative");
     }
     if (e.score.home > max_count || e.score.away > max_count) {
       return fail(Errc::input, "a score has at most " + std::to_string(max_count) + " goals");
     }
-    return is_open().and_then([&] { return nothing_follows(state, at->fixture); });
+    return is_open().and_then([&] { return nothing_follows(state, at.fixture); });
   }
 
   Result<void> operator()(const Withdrawn& e) const {
-    const auto team = find_present_team(state, e.team);
-    if (!team) return tl::unexpected(team.error());
+    MIROCUP_TRY(const auto team, find_present_team(state, e.team));
     return is_open();
   }
 
   Result<void> operator()(const Paused& e) const {
-    const auto team = find_present_team(state, e.team);
-    if (!team) return tl::unexpected(team.error());
-    if (state.teams[*team].status != TeamStatus::paused) return {};
+    MIROCUP_TRY(const auto team, find_present_team(state, e.team));
+    if (state.teams[team].status != TeamStatus::paused) return {};
     return fail(Errc::input, e.team + " is paused already");
   }
 
   Result<void> operator()(const Resumed& e) const {
-    const auto team = find_present_team(state, e.team);
-    if (!team) return tl::unexpected(team.error());
-    if (state.teams[*team].status == TeamStatus::paused) return {};
+    MIROCUP_TRY(const auto team, find_present_team(state, e.team));
+    if (state.teams[team].status == TeamStatus::paused) return {};
     return fail(Errc::input, e.team + " is not paused");
   }
 };
@@ -407,8 +400,7 @@ Result<LeagueState> state_from_lines(LeagueFile file, const Journal& journal, st
         continue;
       }
     }
-    if (auto applied = apply_line(state, line, journal.path()); !applied)
-      return tl::unexpected(applied.error());
+    MIROCUP_TRY_VOID(apply_line(state, line, journal.path()));
   }
   return state;
 }

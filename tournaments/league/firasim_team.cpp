@@ -9,17 +9,15 @@ namespace mirocup::league {
 
 Result<std::string> enter_firasim_team(system::Files& files, const Folder& folder,
                                        const TeamConfig& team, std::int64_t now) {
-  const auto lock = system::FileLock::acquire(folder.submitting());
-  if (!lock) return tl::unexpected(lock.error());
-  const auto store = LeagueStore::open(files, folder);
-  if (!store) return tl::unexpected(store.error());
-  LeagueFile file = store->state().file;
-  if (store->state().is_started) return "the league has started, so its programs stay as they are";
-  const auto known = store->state().find_team(team.name);
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.submitting()));
+  MIROCUP_TRY(const auto store, LeagueStore::open(files, folder));
+  LeagueFile file = store.state().file;
+  if (store.state().is_started) return "the league has started, so its programs stay as they are";
+  const auto known = store.state().find_team(team.name);
   if (known && !file.teams[*known].is_firasim())
     return "the league has a team of that name, which plays with " + file.teams[*known].source;
   if (!known) {
-    if (const std::string why = why_not_now(store->state(), team.name, utc_text(now)); !why.empty())
+    if (const std::string why = why_not_now(store.state(), team.name, utc_text(now)); !why.empty())
       return why;
     file.teams.push_back(team);
   } else {
@@ -27,10 +25,8 @@ Result<std::string> enter_firasim_team(system::Files& files, const Folder& folde
   }
   // Parsed first, because the parser checks names.
   const std::string text = print_league_file(file);
-  if (const auto good = parse_league_file(text, folder.config()); !good)
-    return tl::unexpected(good.error());
-  if (auto written = files.write(folder.config(), text); !written)
-    return tl::unexpected(written.error());
+  MIROCUP_TRY_VOID(parse_league_file(text, folder.config()));
+  MIROCUP_TRY_VOID(files.write(folder.config(), text));
   return "";
 }
 

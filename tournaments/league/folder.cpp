@@ -21,9 +21,8 @@ constexpr std::string_view house_prefix = "house:";
 Result<std::vector<int>> numbers_in(system::Files& files, const Folder& folder,
                                     const std::string& team) {
   std::vector<int> numbers;
-  const auto names = files.names_if_there(folder.entries() + "/" + team);
-  if (!names) return tl::unexpected(names.error());
-  for (const std::string& name : *names) {
+  MIROCUP_TRY(const auto names, files.names_if_there(folder.entries() + "/" + team));
+  for (const std::string& name : names) {
     int number = 0;
     const char* const end = name.data() + name.size();
     const auto read = std::from_chars(name.data(), end, number);
@@ -38,8 +37,7 @@ Result<std::vector<int>> numbers_in(system::Files& files, const Folder& folder,
 Result<void> expect_league(system::Files& files, const Folder& folder) {
   if (files.exists(folder.config())) return {};
   // A folder that is closed to this user hides its league.json.
-  if (const auto names = files.names_if_there(folder.path); !names)
-    return tl::unexpected(names.error());
+  MIROCUP_TRY_VOID(files.names_if_there(folder.path));
   return fail(Errc::input, folder.path + " is not a league: there is no league.json in it");
 }
 
@@ -110,33 +108,30 @@ Result<int> last_entry(system::Files& files, const Folder& folder, const std::st
 Result<std::string> sha256_of_entry(system::Files& files, const Folder& folder,
                                     const std::string& team, int number) {
   const std::string path = folder.entry_file(team, number);
-  const auto text = files.read_if_there(path, {.max_size = system::size_limit::note});
-  if (!text) return tl::unexpected(text.error());
-  if (!*text) return "";
+  MIROCUP_TRY(const auto text, files.read_if_there(path, {.max_size = system::size_limit::note}));
+  if (!text) return "";
   return record::read_json<std::string>(
-      **text, path, Errc::damaged,
+      *text, path, Errc::damaged,
       [](const record::JsonReader& json) { return json.at("sha256").text(); });
 }
 
 Result<bool> is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,
                                int number) {
   const std::string verdict = folder.verdict(team, number);
-  const auto text = files.read_if_there(verdict, {.max_size = system::size_limit::note});
-  if (!text) return tl::unexpected(text.error());
-  if (!*text) return true;  // stored by the host without a check
-  return record::read_json<bool>(
-      **text, verdict, Errc::damaged,
-      [](const record::JsonReader& json) { return json.at("accepted").boolean(); });
+  MIROCUP_TRY(const auto text,
+              files.read_if_there(verdict, {.max_size = system::size_limit::note}));
+  if (!text) return true;  // stored by the host without a check
+  return record::read_json<bool>(*text, verdict, Errc::damaged, [](const record::JsonReader& json) {
+    return json.at("accepted").boolean();
+  });
 }
 
 Result<int> last_accepted_entry(system::Files& files, const Folder& folder,
                                 const std::string& team) {
-  const auto numbers = entries_of(files, folder, team);
-  if (!numbers) return tl::unexpected(numbers.error());
-  for (auto number = numbers->rbegin(); number != numbers->rend(); ++number) {
-    const auto is_accepted = is_accepted_entry(files, folder, team, *number);
-    if (!is_accepted) return tl::unexpected(is_accepted.error());
-    if (*is_accepted) return *number;
+  MIROCUP_TRY(const auto numbers, entries_of(files, folder, team));
+  for (auto number = numbers.rbegin(); number != numbers.rend(); ++number) {
+    MIROCUP_TRY(const auto is_accepted, is_accepted_entry(files, folder, team, *number));
+    if (is_accepted) return *number;
   }
   return 0;
 }
@@ -146,22 +141,18 @@ Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Fol
   std::vector<std::string> adopted;
   for (const TeamConfig& team : file.teams) {
     if (team.hands_in()) continue;
-    const auto last = last_entry(files, folder, team.name);
-    if (!last) return tl::unexpected(last.error());
+    MIROCUP_TRY(const auto last, last_entry(files, folder, team.name));
     const bool may_change = team.is_house() || team.is_firasim();
-    if (*last > 0 && (!may_change || files.exists(folder.verdict(team.name, *last)))) continue;
-    const auto library = library_of(files, team, folder.path);
-    if (!library) return tl::unexpected(library.error());
-    if (*last > 0) {
-      const auto before = files.read_if_there(folder.library(team.name, *last),
-                                              {.max_size = system::size_limit::entry});
-      if (!before) return tl::unexpected(before.error());
-      if (*before == *library) continue;
+    if (last > 0 && (!may_change || files.exists(folder.verdict(team.name, last)))) continue;
+    MIROCUP_TRY(const auto library, library_of(files, team, folder.path));
+    if (last > 0) {
+      MIROCUP_TRY(const auto before, files.read_if_there(folder.library(team.name, last),
+                                                         {.max_size = system::size_limit::entry}));
+      if (before == library) continue;
     }
-    const auto added = next_entry(files, folder, team.name).and_then([&](int number) {
-      return add_entry(files, folder, team.name, number, *library);
-    });
-    if (!added) return tl::unexpected(added.error());
+    MIROCUP_TRY(const auto added, next_entry(files, folder, team.name).and_then([&](int number) {
+      return add_entry(files, folder, team.name, number, library);
+    }));
     adopted.push_back(team.name);
   }
   return adopted;
@@ -174,18 +165,16 @@ Result<void> init_folder(system::Files& files, const Folder& folder, const Leagu
   // Looked at before anything is written, so that nothing is left of a league without a team.
   for (const TeamConfig& team : file.teams) {
     if (team.hands_in()) continue;
-    if (auto library = library_of(files, team); !library) return tl::unexpected(library.error());
+    MIROCUP_TRY_VOID(library_of(files, team));
   }
   if (auto made = files.make_folder(folder.path + "/records"); !made) return made;
   // Another process may make a league there at the same time.
-  const auto lock = system::FileLock::acquire(folder.lock());
-  if (!lock) return tl::unexpected(lock.error());
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
   if (files.exists(folder.config())) return fail(Errc::input, folder.path + " is a league already");
   for (const TeamConfig& team : file.teams) {
     if (team.hands_in()) continue;
-    const auto library = library_of(files, team);
-    if (!library) return tl::unexpected(library.error());
-    if (auto added = add_entry(files, folder, team.name, 1, *library); !added) return added;
+    MIROCUP_TRY(const auto library, library_of(files, team));
+    if (auto added = add_entry(files, folder, team.name, 1, library); !added) return added;
   }
   // Written last: a folder with league.json is a complete league.
   return files.write(folder.config(), print_league_file(file));

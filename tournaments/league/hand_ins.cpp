@@ -35,10 +35,9 @@ Json user_json(const std::optional<uid_t>& user) {
 
 Result<HandIns> read_hand_ins(system::Files& files, const Folder& folder, const std::string& team) {
   const std::string path = folder.hand_ins(team);
-  const auto text = files.read_if_there(path, {.max_size = system::size_limit::note});
-  if (!text) return tl::unexpected(text.error());
-  if (!*text) return HandIns{};
-  return record::read_json<HandIns>(**text, path, Errc::damaged, [](const JsonReader& json) {
+  MIROCUP_TRY(const auto text, files.read_if_there(path, {.max_size = system::size_limit::note}));
+  if (!text) return HandIns{};
+  return record::read_json<HandIns>(*text, path, Errc::damaged, [](const JsonReader& json) {
     json.expect_schema(hand_ins_schema);
     HandIns known;
     known.owner = read_user(json.at("owner"));
@@ -82,13 +81,11 @@ Result<void> write_hand_ins(system::Files& files, const Folder& folder, const st
 }
 
 Result<int> playing_entry(system::Files& files, const Folder& folder, const std::string& team) {
-  const auto known = read_hand_ins(files, folder, team);
-  if (!known) return tl::unexpected(known.error());
-  const int pinned = known->pinned;
+  MIROCUP_TRY(const auto known, read_hand_ins(files, folder, team));
+  const int pinned = known.pinned;
   if (pinned > 0 && files.exists(folder.entry_file(team, pinned))) {
-    const auto is_accepted = is_accepted_entry(files, folder, team, pinned);
-    if (!is_accepted) return tl::unexpected(is_accepted.error());
-    if (*is_accepted) return pinned;
+    MIROCUP_TRY(const auto is_accepted, is_accepted_entry(files, folder, team, pinned));
+    if (is_accepted) return pinned;
   }
   return last_accepted_entry(files, folder, team);
 }
@@ -111,40 +108,34 @@ int tries_in_last_hour(const HandIns& known, std::int64_t now, const std::option
 }
 
 Result<int> teams_of_user(system::Files& files, const Folder& folder, uid_t user) {
-  const auto teams = files.names_if_there(folder.entries());
-  if (!teams) return tl::unexpected(teams.error());
+  MIROCUP_TRY(const auto teams, files.names_if_there(folder.entries()));
   int count = 0;
-  for (const std::string& team : *teams) {
+  for (const std::string& team : teams) {
     if (!is_good_name(team)) continue;
-    const auto known = read_hand_ins(files, folder, team);
-    if (!known) return tl::unexpected(known.error());
-    if (known->owner ? known->owner == user : known->last_user == user) ++count;
+    MIROCUP_TRY(const auto known, read_hand_ins(files, folder, team));
+    if (known.owner ? known.owner == user : known.last_user == user) ++count;
   }
   return count;
 }
 
 Result<void> prune_versions(system::Files& files, const Folder& folder, const std::string& team,
                             const std::vector<int>& played, const Quota& quota) {
-  const auto all = entries_of(files, folder, team);
-  if (!all) return tl::unexpected(all.error());
-  const auto latest = last_accepted_entry(files, folder, team);
-  if (!latest) return tl::unexpected(latest.error());
-  const auto playing = playing_entry(files, folder, team);
-  if (!playing) return tl::unexpected(playing.error());
+  MIROCUP_TRY(const auto all, entries_of(files, folder, team));
+  MIROCUP_TRY(const auto latest, last_accepted_entry(files, folder, team));
+  MIROCUP_TRY(const auto playing, playing_entry(files, folder, team));
   std::vector<int> refused;
   std::vector<int> others;  // that may go
-  for (const int number : *all) {
-    const bool stays = number == *playing || number == *latest || number == all->back();
+  for (const int number : all) {
+    const bool stays = number == playing || number == latest || number == all.back();
     if (stays || has(played, number)) continue;
-    const auto is_accepted = is_accepted_entry(files, folder, team, number);
-    if (!is_accepted) return tl::unexpected(is_accepted.error());
-    (*is_accepted ? others : refused).push_back(number);
+    MIROCUP_TRY(const auto is_accepted, is_accepted_entry(files, folder, team, number));
+    (is_accepted ? others : refused).push_back(number);
   }
   for (const int number : refused) {
     if (auto removed = files.remove(folder.library(team, number)); !removed) return removed;
   }
   const auto not_played =
-      std::count_if(all->begin(), all->end(), [&](int number) { return !has(played, number); });
+      std::count_if(all.begin(), all.end(), [&](int number) { return !has(played, number); });
   refused.insert(refused.end(), others.begin(), others.end());
   const auto too_many = std::max<std::ptrdiff_t>(0, not_played - quota.versions);
   refused.resize(std::min<std::size_t>(refused.size(), static_cast<std::size_t>(too_many)));

@@ -22,21 +22,19 @@ struct Waiting {
 
 // Returns the users whose files are the host's own word; nobody if only the host can write there.
 Result<std::vector<uid_t>> trusted_in(const std::string& inbox) {
-  const auto writers = system::writers_of(inbox);
-  if (!writers) return tl::unexpected(writers.error());
+  MIROCUP_TRY(const auto writers, system::writers_of(inbox));
   const std::vector<uid_t> host{0, system::this_user()};
-  const bool is_the_hosts = std::find(host.begin(), host.end(), writers->owner) != host.end();
-  if (is_the_hosts && !writers->others_write) return std::vector<uid_t>{};
-  return std::vector<uid_t>{host[0], host[1], writers->owner};
+  const bool is_the_hosts = std::find(host.begin(), host.end(), writers.owner) != host.end();
+  if (is_the_hosts && !writers.others_write) return std::vector<uid_t>{};
+  return std::vector<uid_t>{host[0], host[1], writers.owner};
 }
 
 // Returns the files of the inbox in the order in which they are taken.
 Result<std::vector<Waiting>> waiting_in(system::Files& files, const std::string& inbox) {
-  const auto names = files.names_in(inbox);
-  if (!names) return tl::unexpected(names.error());
+  MIROCUP_TRY(const auto names, files.names_in(inbox));
   std::vector<Waiting> all;
   std::map<uid_t, int> turns;
-  for (const std::string& name : *names) {
+  for (const std::string& name : names) {
     const auto end = std::find_if(ends_of_entries.begin(), ends_of_entries.end(),
                                   [&name](std::string_view e) { return name.ends_with(e); });
     if (end == ends_of_entries.end()) continue;
@@ -56,18 +54,16 @@ Result<std::vector<Waiting>> waiting_in(system::Files& files, const std::string&
 
 Result<void> submit_inbox(system::Files& files, const Folder& folder, const std::string& inbox,
                           std::int64_t now, const InboxListener& tell, const Quota& quota) {
-  const auto trusted = trusted_in(inbox);
-  if (!trusted) return tl::unexpected(trusted.error());
-  const auto all = waiting_in(files, inbox);
-  if (!all) return tl::unexpected(all.error());
-  for (const Waiting& file : *all) {
+  MIROCUP_TRY(const auto trusted, trusted_in(inbox));
+  MIROCUP_TRY(const auto all, waiting_in(files, inbox));
+  for (const Waiting& file : all) {
     const std::string team = is_good_name(file.team) ? file.team : "";
     const auto done = submit(files, folder,
                              {.team = file.team,
                               .path = file.path,
                               .at = now,
                               .is_from_inbox = true,
-                              .trusted = *trusted},
+                              .trusted = trusted},
                              quota);
     if (!done && done.error().code == Errc::interrupted) return tl::unexpected(done.error());
     if (!done || done->is_news) tell(file.path, team, done);

@@ -53,22 +53,19 @@ std::string kept_program(const Folder& folder, const std::string& game) {
 Result<std::string> game_of_record(system::Files& files, const Folder& folder,
                                    const std::string& record) {
   const std::string path = folder.path + "/" + record;
-  const auto text = files.read_if_there(path, {.max_size = system::size_limit::record});
-  if (!text) return tl::unexpected(text.error());
-  if (!*text) return "";
-  return record::read_json<std::string>(**text, path, Errc::damaged, read_game);
+  MIROCUP_TRY(const auto text, files.read_if_there(path, {.max_size = system::size_limit::record}));
+  if (!text) return "";
+  return record::read_json<std::string>(*text, path, Errc::damaged, read_game);
 }
 
 Result<bool> is_trusted_program(const std::string& bytes) {
-  const auto list = read_list();
-  if (!list) return tl::unexpected(list.error());
-  return list->find(system::sha256(bytes) + "\n") != std::string::npos;
+  MIROCUP_TRY(const auto list, read_list());
+  return list.find(system::sha256(bytes) + "\n") != std::string::npos;
 }
 
 Result<void> trust_program(const std::string& bytes) {
-  const auto is_trusted = is_trusted_program(bytes);
-  if (!is_trusted) return tl::unexpected(is_trusted.error());
-  if (*is_trusted) return {};
+  MIROCUP_TRY(const auto is_trusted, is_trusted_program(bytes));
+  if (is_trusted) return {};
   system::Disk disk;
   return disk.make_folder(system::state_folder(), system::Readers::owner).and_then([&] {
     return disk.append(list_path(), system::sha256(bytes) + "\n");
@@ -77,14 +74,12 @@ Result<void> trust_program(const std::string& bytes) {
 
 Result<std::vector<std::string>> trust_kept_programs(system::Files& files, const Folder& folder) {
   std::vector<std::string> trusted;
-  const auto games = files.names_if_there(folder.programs());
-  if (!games) return tl::unexpected(games.error());
-  for (const std::string& game : *games) {
+  MIROCUP_TRY(const auto games, files.names_if_there(folder.programs()));
+  for (const std::string& game : games) {
     const std::string path = kept_program(folder, game);
     if (!is_game(game) || !files.exists(path)) continue;
-    const auto bytes = files.read(path, {.max_size = max_program});
-    if (!bytes) return tl::unexpected(bytes.error());
-    if (auto done = trust_program(*bytes); !done) return tl::unexpected(done.error());
+    MIROCUP_TRY(const auto bytes, files.read(path, {.max_size = max_program}));
+    MIROCUP_TRY_VOID(trust_program(bytes));
     trusted.push_back(path);
   }
   return trusted;

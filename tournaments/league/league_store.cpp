@@ -24,30 +24,26 @@ Result<LeagueStore> LeagueStore::open_unplanned(system::Files& files, Folder fol
 // A league that has not started is not planned yet.
 Result<LeagueStore> LeagueStore::load(system::Files& files, Folder folder, std::string* notice,
                                       Clock clock) {
-  if (const auto there = expect_league(files, folder); !there) return tl::unexpected(there.error());
-  const auto text = files.read(folder.config(), {.max_size = system::size_limit::league_file,
-                                                 .links = system::Links::followed});
-  if (!text) return tl::unexpected(text.error());
-  auto file = parse_league_file(*text, folder.config());
-  if (!file) return tl::unexpected(file.error());
-  auto journal = Journal::open(files, folder.journal(), notice);
-  if (!journal) return tl::unexpected(journal.error());
+  MIROCUP_TRY_VOID(expect_league(files, folder));
+  MIROCUP_TRY(const auto text,
+              files.read(folder.config(), {.max_size = system::size_limit::league_file,
+                                           .links = system::Links::followed}));
+  MIROCUP_TRY(auto file, parse_league_file(text, folder.config()));
+  MIROCUP_TRY(auto journal, Journal::open(files, folder.journal(), notice));
   // Checked first: teams of the journal may be missing in a changed file, which would look like
   // damage.
-  if (!journal->lines().empty()) {
-    const auto first = read_event(journal->lines().front());
+  if (!journal.lines().empty()) {
+    const auto first = read_event(journal.lines().front());
     const Started* started = first ? std::get_if<Started>(&*first) : nullptr;
-    if (started != nullptr && started->config_sha256 != system::sha256(*text)) {
+    if (started != nullptr && started->config_sha256 != system::sha256(text)) {
       return fail(Errc::input, folder.config() + " was changed after the league started");
     }
   }
-  auto state = state_from_journal(std::move(*file), *journal);
-  if (!state) return tl::unexpected(state.error());
-  const auto people = read_people(files, folder);
-  if (!people) return tl::unexpected(people.error());
-  state->shown_names = shown_names(state->file, *people);
-  state->shown_colours = shown_colours(state->file, *people);
-  LeagueStore store(std::move(folder), std::move(*journal), std::move(*state), std::move(clock));
+  MIROCUP_TRY(auto state, state_from_journal(std::move(file), journal));
+  MIROCUP_TRY(const auto people, read_people(files, folder));
+  state.shown_names = shown_names(state.file, people);
+  state.shown_colours = shown_colours(state.file, people);
+  LeagueStore store(std::move(folder), std::move(journal), std::move(state), std::move(clock));
   store.applied_ = store.journal_.lines().size();
   return store;
 }
@@ -64,8 +60,7 @@ Result<void> LeagueStore::refresh() {
 }
 
 Result<void> LeagueStore::write(const Event& event) {
-  const auto lock = system::FileLock::acquire(folder_.lock());
-  if (!lock) return tl::unexpected(lock.error());
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder_.lock()));
   if (auto fresh = refresh(); !fresh) return fresh;
   if (auto valid = validate(state_, event); !valid) return valid;
   if (const auto* undone = std::get_if<Undone>(&event)) {
@@ -92,11 +87,10 @@ Result<void> LeagueStore::write_line(const Event& event) {
 }
 
 Result<void> LeagueStore::rebuild() {
-  auto state = state_from_journal(state_.file, journal_);
-  if (!state) return tl::unexpected(state.error());
-  state->shown_names = std::move(state_.shown_names);
-  state->shown_colours = std::move(state_.shown_colours);
-  state_ = std::move(*state);
+  MIROCUP_TRY(auto state, state_from_journal(state_.file, journal_));
+  state.shown_names = std::move(state_.shown_names);
+  state.shown_colours = std::move(state_.shown_colours);
+  state_ = std::move(state);
   applied_ = journal_.lines().size();
   return {};
 }

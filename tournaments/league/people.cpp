@@ -68,11 +68,10 @@ Result<void> set_colour(People& one, const std::string& colour) {
 }
 
 Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder) {
-  const auto text =
-      files.read_if_there(folder.people(), {.max_size = system::size_limit::league_file});
-  if (!text) return tl::unexpected(text.error());
-  if (!*text) return PeopleOfTeams{};
-  return record::read_json<PeopleOfTeams>(**text, folder.people(), Errc::input, read_teams_file);
+  MIROCUP_TRY(const auto text,
+              files.read_if_there(folder.people(), {.max_size = system::size_limit::league_file}));
+  if (!text) return PeopleOfTeams{};
+  return record::read_json<PeopleOfTeams>(*text, folder.people(), Errc::input, read_teams_file);
 }
 
 Result<void> write_people(system::Files& files, const Folder& folder, const PeopleOfTeams& people) {

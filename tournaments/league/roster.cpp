@@ -18,8 +18,7 @@ std::string RosterRow::state() const {
 Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& store) {
   const Folder& folder = store.folder();
   const LeagueState& state = store.state();
-  const auto people = read_people(files, folder);
-  if (!people) return tl::unexpected(people.error());
+  MIROCUP_TRY(const auto people, read_people(files, folder));
   std::vector<RosterRow> rows;
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     RosterRow row;
@@ -30,9 +29,8 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
     row.playing_entry = state.teams[i].entry;
     rows.push_back(std::move(row));
   }
-  const auto names = files.names_if_there(folder.entries());
-  if (!names) return tl::unexpected(names.error());
-  for (const std::string& name : *names) {
+  MIROCUP_TRY(const auto names, files.names_if_there(folder.entries()));
+  for (const std::string& name : names) {
     if (!is_good_name(name) || state.find_team(name)) continue;
     RosterRow row;
     row.team = name;
@@ -42,22 +40,17 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
   std::map<std::string, std::vector<std::size_t>> by_file;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     RosterRow& row = rows[i];
-    if (const auto known = people->find(row.team); known != people->end())
-      row.people = known->second;
-    const auto newest = last_entry(files, folder, row.team);
-    if (!newest) return tl::unexpected(newest.error());
-    const auto playing = playing_entry(files, folder, row.team);
-    if (!playing) return tl::unexpected(playing.error());
-    const auto sha256 = sha256_of_entry(files, folder, row.team, *playing);
-    if (!sha256) return tl::unexpected(sha256.error());
-    row.last_entry = *newest;
-    row.last_accepted = *playing;
-    row.sha256 = *sha256;
+    if (const auto known = people.find(row.team); known != people.end()) row.people = known->second;
+    MIROCUP_TRY(const auto newest, last_entry(files, folder, row.team));
+    MIROCUP_TRY(const auto playing, playing_entry(files, folder, row.team));
+    MIROCUP_TRY(const auto sha256, sha256_of_entry(files, folder, row.team, playing));
+    row.last_entry = newest;
+    row.last_accepted = playing;
+    row.sha256 = sha256;
     if (!row.sha256.empty()) by_file[row.sha256].push_back(i);
-    const auto known = read_hand_ins(files, folder, row.team);
-    if (!known) return tl::unexpected(known.error());
-    if (known->tries.empty()) continue;
-    const Try& last = known->tries.back();
+    MIROCUP_TRY(const auto known, read_hand_ins(files, folder, row.team));
+    if (known.tries.empty()) continue;
+    const Try& last = known.tries.back();
     row.handed_in = utc_text(last.at);
     row.was_accepted = last.is_accepted;
     row.message = last.message;

@@ -14,14 +14,12 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
   if (state.is_started) return {};
   const std::string why = objection(state.file.format, static_cast<int>(state.file.teams.size()));
   if (!why.empty()) return fail(Errc::input, store.folder().config() + ": " + why);
-  if (const auto adopted = adopt_libraries(files, store.folder(), state.file); !adopted)
-    return tl::unexpected(adopted.error());
+  MIROCUP_TRY_VOID(adopt_libraries(files, store.folder(), state.file));
   const bool is_nightly = state.file.format.kind == FormatKind::nightly;
   int ready = 0;
   for (const TeamConfig& team : state.file.teams) {
-    const auto accepted = last_accepted_entry(files, store.folder(), team.name);
-    if (!accepted) return tl::unexpected(accepted.error());
-    if (*accepted > 0) {
+    MIROCUP_TRY(const auto accepted, last_accepted_entry(files, store.folder(), team.name));
+    if (accepted > 0) {
       ++ready;
     } else if (!is_nightly) {
       return fail(Errc::input, team.name + " has no entry that was accepted");
@@ -29,12 +27,11 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
   }
   if (ready < 2)
     return fail(Errc::input, "only " + std::to_string(ready) + " teams have an accepted entry");
-  const auto config =
-      files.read(store.folder().config(),
-                 {.max_size = system::size_limit::league_file, .links = system::Links::followed});
-  if (!config) return tl::unexpected(config.error());
+  MIROCUP_TRY(const auto config,
+              files.read(store.folder().config(), {.max_size = system::size_limit::league_file,
+                                                   .links = system::Links::followed}));
   const record::Software program = record::this_software();
-  return store.write(Started{.config_sha256 = system::sha256(*config),
+  return store.write(Started{.config_sha256 = system::sha256(config),
                              .version = program.version,
                              .conditions = state.file.conditions.value_or(default_conditions()),
                              .build = program.build,
@@ -51,15 +48,13 @@ Result<void> book_entries(system::Files& files, LeagueStore& store) {
     if (booked.status == TeamStatus::withdrawn) continue;
     // A night books the entries of a nightly league.
     if (booked.entry == 0 && state.file.format.kind == FormatKind::nightly) continue;
-    const auto number =
-        booked.entry > 0 ? Result<int>(booked.entry) : playing_entry(files, store.folder(), team);
-    if (!number) return tl::unexpected(number.error());
-    const std::string path = store.folder().library(team, *number);
-    const auto library = files.read(path, {.max_size = system::size_limit::entry});
-    if (!library) return tl::unexpected(library.error());
-    const std::string sha256 = system::sha256(*library);
+    MIROCUP_TRY(const auto number, booked.entry > 0 ? Result<int>(booked.entry)
+                                                    : playing_entry(files, store.folder(), team));
+    const std::string path = store.folder().library(team, number);
+    MIROCUP_TRY(const auto library, files.read(path, {.max_size = system::size_limit::entry}));
+    const std::string sha256 = system::sha256(library);
     if (booked.entry == 0) {
-      if (auto written = store.write(EntryBooked{.team = team, .entry = *number, .sha256 = sha256});
+      if (auto written = store.write(EntryBooked{.team = team, .entry = number, .sha256 = sha256});
           !written) {
         return written;
       }

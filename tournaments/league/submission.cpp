@@ -49,22 +49,20 @@ Result<Json> check(system::Files& files, const std::string& library, const Leagu
     command.insert(command.end(), parameters.begin(), parameters.end());
   }
   system::ProcessSet processes;
-  const auto started = processes.start(command, 0, -1, log);
-  if (!started) return tl::unexpected(started.error());
+  MIROCUP_TRY(const auto started, processes.start(command, 0, -1, log));
   const auto exit = processes.wait();
   close_to_others(gate_leg);
   if (!exit) return fail(Errc::interrupted, "interrupted while an entry was checked");
-  const auto text = files.read(log, {.max_size = system::size_limit::log});
-  if (!text) return tl::unexpected(text.error());
+  MIROCUP_TRY(const auto text, files.read(log, {.max_size = system::size_limit::log}));
   // The answer is the last line; the log of the check precedes it.
-  const std::size_t begin = text->rfind("\n{");
-  record::ParsedJson parsed = record::parse_json(
-      std::string_view(*text).substr(begin == std::string::npos ? 0 : begin + 1));
+  const std::size_t begin = text.rfind("\n{");
+  record::ParsedJson parsed =
+      record::parse_json(std::string_view(text).substr(begin == std::string::npos ? 0 : begin + 1));
   std::optional<record::JsonProblem> problem = std::move(parsed.problem);
   if (!problem) (void)record::JsonReader(parsed.value, "", problem).at("accepted").boolean();
   if (exit->signal != 0 || (exit->code != exit_yes && exit->code != exit_no) || problem) {
     constexpr std::size_t enough = 500;  // bytes
-    return fail(Errc::host, "the check of an entry failed: " + text->substr(0, enough));
+    return fail(Errc::host, "the check of an entry failed: " + text.substr(0, enough));
   }
   return std::move(parsed.value);
 }
@@ -142,13 +140,12 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, const L
   const std::string stored = folder.library(handed.team, number);
   const std::string log = folder.check_log(handed.team, number);
   using system::Readers;
-  auto written = make_entries_folder(files, folder, handed.team)
-                     .and_then([&] { return files.make_folder(entry, Readers::owner); })
-                     .and_then([&]() -> Result<void> {
-                       if (handed.path == stored) return {};
-                       return files.write(stored, library, Readers::owner);
-                     });
-  if (!written) return tl::unexpected(written.error());
+  MIROCUP_TRY(auto written, make_entries_folder(files, folder, handed.team)
+                                .and_then([&] { return files.make_folder(entry, Readers::owner); })
+                                .and_then([&]() -> Result<void> {
+                                  if (handed.path == stored) return {};
+                                  return files.write(stored, library, Readers::owner);
+                                }));
   auto verdict =
       check(files, stored, rules, handed.team, log, folder.gate_leg(handed.team, number));
   if (!verdict) return verdict;
@@ -156,11 +153,10 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, const L
   if (verdict->value("sha256", Json()).is_string() && (*verdict)["sha256"] != sha256)
     return fail(Errc::host, stored + " was changed while it was checked");
   name_file(*verdict, stored, handed.name.empty() ? handed.path : handed.name);
-  auto added = files.remove(log).and_then([&] {
+  MIROCUP_TRY(auto added, files.remove(log).and_then([&] {
     return add_entry(files, folder, handed.team, number, library,
                      record::json_text(*verdict, 1) + "\n");
-  });
-  if (!added) return tl::unexpected(added.error());
+  }));
   return verdict;
 }
 
@@ -181,27 +177,26 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
   const std::string log = folder.compile_log(handed.team, number);
   const std::string name = handed.name.empty() ? handed.source : handed.name;
   system::ProcessSet processes;
-  const auto started =
+  MIROCUP_TRY(
+      const auto started,
       processes.start({system::sibling_program("mirocup"), "compile", handed.source, "-o",
                        folder.library(handed.team, number), "--json", "--language", handed.language,
                        "--seconds", std::to_string(handed.compile_seconds)},
-                      0, -1, log);
-  if (!started) return tl::unexpected(started.error());
+                      0, -1, log));
   const auto exit = processes.wait();
   if (!exit) return fail(Errc::interrupted, "interrupted while a source was compiled");
-  const auto text = files.read(log, {.max_size = system::size_limit::log});
-  if (!text) return tl::unexpected(text.error());
-  if (auto removed = files.remove(log); !removed) return tl::unexpected(removed.error());
+  MIROCUP_TRY(const auto text, files.read(log, {.max_size = system::size_limit::log}));
+  MIROCUP_TRY_VOID(files.remove(log));
   if (exit->signal == 0 && exit->code == exit_yes) return std::nullopt;
   std::string reason;
   std::string said;
   if (exit->signal == 0 && exit->code == exit_code(Errc::unavailable)) {
     // This computer compiles nothing: a sentence for the team.
     constexpr std::string_view before = "mirocup: ";
-    reason = text->substr(text->starts_with(before) ? before.size() : 0);
+    reason = text.substr(text.starts_with(before) ? before.size() : 0);
     reason = reason.substr(0, reason.find('\n'));
   } else if (exit->signal == 0 && exit->code == exit_no) {
-    record::ParsedJson parsed = record::parse_json(*text);
+    record::ParsedJson parsed = record::parse_json(text);
     std::optional<record::JsonProblem> problem = std::move(parsed.problem);
     if (!problem) {
       const record::JsonReader json(parsed.value, "", problem);
@@ -212,7 +207,7 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
     if (problem) return tl::unexpected(record::error_of(*problem, log, Errc::host));
   } else {
     constexpr std::size_t enough = 500;  // bytes
-    return fail(Errc::host, "compiling a source failed: " + text->substr(0, enough));
+    return fail(Errc::host, "compiling a source failed: " + text.substr(0, enough));
   }
   Json verdict{
       {"file", name},
@@ -222,9 +217,8 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
       {"checks", Json::array({{{"name", "compiles"}, {"passed", false}, {"text", reason}}})},
       {"log", said}};
   name_file(verdict, "/compile/source", name);  // as the compiler has named it
-  auto added =
-      add_entry(files, folder, handed.team, number, "", record::json_text(verdict, 1) + "\n");
-  if (!added) return tl::unexpected(added.error());
+  MIROCUP_TRY(auto added, add_entry(files, folder, handed.team, number, "",
+                                    record::json_text(verdict, 1) + "\n"));
   return std::optional(std::move(verdict));
 }
 
@@ -232,9 +226,8 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
 Result<Json> read_verdict(system::Files& files, const Folder& folder, const std::string& team,
                           int number) {
   const std::string path = folder.verdict(team, number);
-  const auto text = files.read(path, {.max_size = system::size_limit::note});
-  if (!text) return tl::unexpected(text.error());
-  record::ParsedJson parsed = record::parse_json(*text);
+  MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::note}));
+  record::ParsedJson parsed = record::parse_json(text);
   std::optional<record::JsonProblem> problem = std::move(parsed.problem);
   if (!problem) (void)record::JsonReader(parsed.value, "", problem).at("accepted").boolean();
   if (problem) return tl::unexpected(record::error_of(*problem, path, Errc::damaged));
@@ -254,9 +247,8 @@ Result<void> let_play(system::Files& files, LeagueStore& store, const HandIn& ha
   // A later one may have been quicker, or this one was booked by a process that died.
   if (store.state().teams[*store.state().find_team(team)].entry >= number) return {};
   // A team that has pinned a version plays on with that.
-  const auto playing = playing_entry(files, store.folder(), team);
-  if (!playing) return tl::unexpected(playing.error());
-  if (*playing != number) return {};
+  MIROCUP_TRY(const auto playing, playing_entry(files, store.folder(), team));
+  if (playing != number) return {};
   return store.write(EntryBooked{.team = team, .entry = number, .sha256 = system::sha256(library)});
 }
 
@@ -291,9 +283,8 @@ Result<Found> examine(const HandIn& handed) {
     found.why_not = handed.path + ": it has a second name (a hard link); copy it instead";
     return found;
   }
-  auto library = system::read_file(*file);
-  if (!library) return tl::unexpected(library.error());
-  found.library = std::move(*library);
+  MIROCUP_TRY(auto library, system::read_file(*file));
+  found.library = std::move(library);
   return found;
 }
 
@@ -308,9 +299,8 @@ Result<std::string> objection_to_user(system::Files& files, const Folder& folder
            "; league owner changes that";
   }
   if (known.last_user == user) return "";
-  const auto teams = teams_of_user(files, folder, *user);
-  if (!teams) return tl::unexpected(teams.error());
-  if (*teams >= quota.teams_per_user) {
+  MIROCUP_TRY(const auto teams, teams_of_user(files, folder, *user));
+  if (teams >= quota.teams_per_user) {
     return system::name_of_user(*user) + " hands in for " + std::to_string(quota.teams_per_user) +
            " teams already, which is the most for one user";
   }
@@ -377,24 +367,21 @@ void Desk::note_try(const Found& found) {
 }
 
 Result<std::optional<Submission>> Desk::receive(const Found& found) {
-  auto known = read_hand_ins(files_, folder(), team());
-  if (!known) return tl::unexpected(known.error());
-  known_ = std::move(*known);
+  MIROCUP_TRY(auto known, read_hand_ins(files_, folder(), team()));
+  known_ = std::move(known);
   if (has_verdict()) return std::nullopt;
   if (found.why_not.empty() && handed_.is_from_inbox) {
-    const auto last = last_entry(files_, folder(), team()).and_then([&](int number) {
+    MIROCUP_TRY(const auto last, last_entry(files_, folder(), team()).and_then([&](int number) {
       return sha256_of_entry(files_, folder(), team(), number);
-    });
-    if (!last) return tl::unexpected(last.error());
-    if (*last == system::sha256(found.library)) {
+    }));
+    if (last == system::sha256(found.library)) {
       Submission nothing;
       nothing.is_news = false;
       return nothing;
     }
   }
-  const auto why = objection(found);
-  if (!why) return tl::unexpected(why.error());
-  if (!why->empty()) return not_taken(*why);
+  MIROCUP_TRY(const auto why, objection(found));
+  if (!why.empty()) return not_taken(why);
   // An inbox that is read each minute finds a file that is refused again and again: one try.
   if (handed_.is_from_inbox && !found.why_not.empty() && known_.last_file == found.identity)
     return not_taken(found.why_not);
@@ -403,17 +390,15 @@ Result<std::optional<Submission>> Desk::receive(const Found& found) {
                      " tries in the last hour; hand it in later");
   }
   if (number_ == 0 && found.why_not.empty()) {
-    const auto next = next_entry(files_, folder(), team());
-    if (!next) return tl::unexpected(next.error());
-    number_ = *next;
+    MIROCUP_TRY(const auto next, next_entry(files_, folder(), team()));
+    number_ = next;
   }
   note_try(found);
   if (!found.why_not.empty()) return refuse(found);
   // Written before the check, so that a library that stops the check is a try, too.
-  const auto noted = write_hand_ins(files_, folder(), team(), known_).and_then([&] {
+  MIROCUP_TRY(const auto noted, write_hand_ins(files_, folder(), team(), known_).and_then([&] {
     return files_.make_folder(folder().entry(team(), number_), system::Readers::owner);
-  });
-  if (!noted) return tl::unexpected(noted.error());
+  }));
   return std::nullopt;
 }
 
@@ -422,11 +407,9 @@ Result<Submission> Desk::refuse(const Found& found) {
   known_.last_file = found.identity;
   known_.tries.back().message = result.message;
   // A name under which nobody has handed in a library gets no folder.
-  const auto entries = entries_of(files_, folder(), team());
-  if (!entries) return tl::unexpected(entries.error());
-  if (entries->empty() && !store_.state().find_team(team())) return result;
-  if (auto noted = write_hand_ins(files_, folder(), team(), known_); !noted)
-    return tl::unexpected(noted.error());
+  MIROCUP_TRY(const auto entries, entries_of(files_, folder(), team()));
+  if (entries.empty() && !store_.state().find_team(team())) return result;
+  MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_));
   return result;
 }
 
@@ -434,21 +417,19 @@ Result<Json> Desk::check(const Found& found) {
   const std::string stored = folder().library(team(), number_);
   if (has_verdict()) {
     // A refused version keeps no library.
-    auto library = files_.read_if_there(stored, {.max_size = system::size_limit::entry});
-    if (!library) return tl::unexpected(library.error());
-    library_ = std::move(*library).value_or("");
+    MIROCUP_TRY(auto library,
+                files_.read_if_there(stored, {.max_size = system::size_limit::entry}));
+    library_ = std::move(library).value_or("");
     return read_verdict(files_, folder(), team(), number_);
   }
   if (handed_.source.empty()) {
     library_ = found.library;
     return check_library();
   }
-  auto refused = compile(files_, folder(), handed_, number_);
-  if (!refused) return tl::unexpected(refused.error());
-  if (*refused) return std::move(**refused);
-  auto library = files_.read(stored, {.max_size = system::size_limit::entry});
-  if (!library) return tl::unexpected(library.error());
-  library_ = std::move(*library);
+  MIROCUP_TRY(auto refused, compile(files_, folder(), handed_, number_));
+  if (refused) return std::move(*refused);
+  MIROCUP_TRY(auto library, files_.read(stored, {.max_size = system::size_limit::entry}));
+  library_ = std::move(library);
   return check_library();
 }
 
@@ -460,11 +441,9 @@ Result<Json> Desk::check_library() {
 }
 
 Result<Submission> Desk::conclude(const Found& found, Json verdict) {
-  auto known = read_hand_ins(files_, folder(), team());
-  if (!known) return tl::unexpected(known.error());
-  known_ = std::move(*known);
-  const auto playing = playing_entry(files_, folder(), team());
-  if (!playing) return tl::unexpected(playing.error());
+  MIROCUP_TRY(auto known, read_hand_ins(files_, folder(), team()));
+  known_ = std::move(known);
+  MIROCUP_TRY(const auto playing, playing_entry(files_, folder(), team()));
   // It may have been forgotten since.
   if (find_try(known_, number_) == nullptr) note_try(found);
   Submission result;
@@ -476,8 +455,8 @@ Result<Submission> Desk::conclude(const Found& found, Json verdict) {
   if (!result.is_accepted) {
     const Json reason = result.verdict.value("reason", Json());
     result.message += ": " + (reason.is_string() ? reason.get<std::string>() : "");
-    if (*playing > 0) result.message += "; entry " + std::to_string(*playing) + " plays on";
-  } else if (known_.pinned > 0 && *playing == known_.pinned) {
+    if (playing > 0) result.message += "; entry " + std::to_string(playing) + " plays on";
+  } else if (known_.pinned > 0 && playing == known_.pinned) {
     result.message += "; entry " + std::to_string(known_.pinned) + " plays on, which is pinned";
   } else if (found.user && !known_.owner) {
     known_.owner = found.user;
@@ -487,16 +466,15 @@ Result<Submission> Desk::conclude(const Found& found, Json verdict) {
   Try& noted = *find_try(known_, number_);
   noted.is_accepted = result.is_accepted;
   noted.message = result.message;
-  auto done =
-      write_hand_ins(files_, folder(), team(), known_)
-          .and_then([&]() -> Result<void> {
-            if (!result.is_accepted) return {};
-            return let_play(files_, store_, handed_, result.entry, library_);
-          })
-          .and_then([&] {
-            return prune_versions(files_, folder(), team(), played_entries(store_, team()), quota_);
-          });
-  if (!done) return tl::unexpected(done.error());
+  MIROCUP_TRY(auto done, write_hand_ins(files_, folder(), team(), known_)
+                             .and_then([&]() -> Result<void> {
+                               if (!result.is_accepted) return {};
+                               return let_play(files_, store_, handed_, result.entry, library_);
+                             })
+                             .and_then([&] {
+                               return prune_versions(files_, folder(), team(),
+                                                     played_entries(store_, team()), quota_);
+                             }));
   return result;
 }
 
@@ -511,34 +489,26 @@ std::string why_not_now(const LeagueState& state, const std::string& team, const
 
 Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,
                               int number, std::int64_t now) {
-  const auto lock = system::FileLock::acquire(folder.submitting());
-  if (!lock) return tl::unexpected(lock.error());
-  auto store = LeagueStore::open(files, folder);
-  if (!store) return tl::unexpected(store.error());
-  if (const std::string why = why_not_now(store->state(), team, utc_text(now)); !why.empty())
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.submitting()));
+  MIROCUP_TRY(auto store, LeagueStore::open(files, folder));
+  if (const std::string why = why_not_now(store.state(), team, utc_text(now)); !why.empty())
     return why;
-  const auto is_accepted = is_accepted_entry(files, folder, team, number);
-  if (!is_accepted) return tl::unexpected(is_accepted.error());
+  MIROCUP_TRY(const auto is_accepted, is_accepted_entry(files, folder, team, number));
   const bool is_kept = number == 0 || (files.exists(folder.entry_file(team, number)) &&
-                                       files.exists(folder.library(team, number)) && *is_accepted);
+                                       files.exists(folder.library(team, number)) && is_accepted);
   if (!is_kept) return team + " has no accepted entry " + std::to_string(number) + " any more";
-  auto known = read_hand_ins(files, folder, team);
-  if (!known) return tl::unexpected(known.error());
-  known->pinned = number;
-  if (auto noted = write_hand_ins(files, folder, team, *known); !noted)
-    return tl::unexpected(noted.error());
-  const auto playing = playing_entry(files, folder, team);
-  if (!playing) return tl::unexpected(playing.error());
-  const LeagueState& state = store->state();
-  if (!state.is_started || *playing == 0) return "";
+  MIROCUP_TRY(auto known, read_hand_ins(files, folder, team));
+  known.pinned = number;
+  MIROCUP_TRY_VOID(write_hand_ins(files, folder, team, known));
+  MIROCUP_TRY(const auto playing, playing_entry(files, folder, team));
+  const LeagueState& state = store.state();
+  if (!state.is_started || playing == 0) return "";
   if (state.file.format.kind == FormatKind::nightly) return "";  // the next night takes it
-  if (state.teams[*state.find_team(team)].entry == *playing) return "";
-  const auto library =
-      files.read(folder.library(team, *playing), {.max_size = system::size_limit::entry});
-  if (!library) return tl::unexpected(library.error());
-  auto booked = store->write(
-      EntryBooked{.team = team, .entry = *playing, .sha256 = system::sha256(*library)});
-  if (!booked) return tl::unexpected(booked.error());
+  if (state.teams[*state.find_team(team)].entry == playing) return "";
+  MIROCUP_TRY(const auto library,
+              files.read(folder.library(team, playing), {.max_size = system::size_limit::entry}));
+  MIROCUP_TRY(auto booked, store.write(EntryBooked{
+                               .team = team, .entry = playing, .sha256 = system::sha256(library)}));
   return "";
 }
 
@@ -550,35 +520,29 @@ Result<Submission> submit(system::Files& files, const Folder& folder, const Hand
   }
   HandIn looked_at = handed;
   if (!handed.source.empty()) looked_at.path = handed.source;
-  const auto found = examine(looked_at);
-  if (!found) return tl::unexpected(found.error());
+  MIROCUP_TRY(const auto found, examine(looked_at));
   // Hand-ins that waited have a queue of their own, which says how many checks run at once.
   std::optional<system::FileLock> alone;
   if (handed.entry == 0) {
-    auto lock = system::FileLock::acquire(folder.checking());
-    if (!lock) return tl::unexpected(lock.error());
-    alone = std::move(*lock);
+    MIROCUP_TRY(auto lock, system::FileLock::acquire(folder.checking()));
+    alone = std::move(lock);
   }
   auto lock = std::optional(system::FileLock::acquire(folder.submitting()));
   if (!*lock) return tl::unexpected(lock->error());
-  auto store = LeagueStore::open_unplanned(files, folder);
-  if (!store) return tl::unexpected(store.error());
-  Desk desk(files, *store, handed, quota);
-  auto answer = desk.receive(*found);
-  if (!answer) return tl::unexpected(answer.error());
-  if (*answer) return std::move(**answer);
+  MIROCUP_TRY(auto store, LeagueStore::open_unplanned(files, folder));
+  Desk desk(files, store, handed, quota);
+  MIROCUP_TRY(auto answer, desk.receive(found));
+  if (answer) return std::move(*answer);
   lock.reset();
 
-  auto verdict = desk.check(*found);
-  if (!verdict) return tl::unexpected(verdict.error());
+  MIROCUP_TRY(auto verdict, desk.check(found));
 
   lock = system::FileLock::acquire(folder.submitting());
   if (!*lock) return tl::unexpected(lock->error());
   // Another team may have joined in the meantime.
-  auto fresh = LeagueStore::open_unplanned(files, folder);
-  if (!fresh) return tl::unexpected(fresh.error());
-  *store = std::move(*fresh);
-  return desk.conclude(*found, std::move(*verdict));
+  MIROCUP_TRY(auto fresh, LeagueStore::open_unplanned(files, folder));
+  store = std::move(fresh);
+  return desk.conclude(found, std::move(verdict));
 }
 
 }  // namespace mirocup::league

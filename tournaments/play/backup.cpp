@@ -27,27 +27,23 @@ class Backup {
       : files_(files), from_(from), to_(to) {}
 
   Result<BackupCount> run() {
-    if (auto fit = expect_place(); !fit) return tl::unexpected(fit.error());
+    MIROCUP_TRY_VOID(expect_place());
     // Read before everything that they name.
     std::map<std::string, std::string> journals;
     for (const std::string& path : {from_.journal(), from_.hand_in_book()}) {
-      auto there = files_.read_if_there(
-          path, {.max_size = system::size_limit::journal, .growth = system::Growth::ignored});
-      if (!there) return tl::unexpected(there.error());
-      if (!*there) continue;
-      std::string& text = journals[fs::path(path).filename()] = std::move(**there);
+      MIROCUP_TRY(auto there, files_.read_if_there(path, {.max_size = system::size_limit::journal,
+                                                          .growth = system::Growth::ignored}));
+      if (!there) continue;
+      std::string& text = journals[fs::path(path).filename()] = std::move(*there);
       // A line that is being written has no end yet.
       text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
     }
-    if (auto same = expect_earlier(journals["journal.jsonl"]); !same)
-      return tl::unexpected(same.error());
-    if (auto copied = folder("", "journal.jsonl", "hand-ins.jsonl"); !copied)
-      return tl::unexpected(copied.error());
+    MIROCUP_TRY_VOID(expect_earlier(journals["journal.jsonl"]));
+    MIROCUP_TRY_VOID(folder("", "journal.jsonl", "hand-ins.jsonl"));
     for (const auto& [name, text] : journals) {
       const auto readers =
           name == "journal.jsonl" ? system::Readers::everybody : system::Readers::owner;
-      if (auto written = files_.write(to_.path + "/" + name, text, readers); !written)
-        return tl::unexpected(written.error());
+      MIROCUP_TRY_VOID(files_.write(to_.path + "/" + name, text, readers));
       ++count_.copied;
     }
     return count_;
@@ -63,19 +59,18 @@ class Backup {
     const auto [end, same] = std::mismatch(league.begin(), league.end(), copy.begin(), copy.end());
     if (end == league.end())
       return fail(Errc::input, to_.path + " is in the folder of the league itself");
-    const auto there = files_.names_if_there(to_.path);
-    if (!there) return tl::unexpected(there.error());
-    if (!there->empty() && !files_.exists(to_.config()))
+    MIROCUP_TRY(const auto there, files_.names_if_there(to_.path));
+    if (!there.empty() && !files_.exists(to_.config()))
       return fail(Errc::input, to_.path + " is neither empty nor a copy of a league");
     return {};
   }
 
   // An earlier copy knows the beginning of what this league has decided, and nothing else.
   Result<void> expect_earlier(const std::string& journal) const {
-    const auto there = files_.read_if_there(to_.journal(), {.max_size = system::size_limit::journal,
-                                                            .growth = system::Growth::ignored});
-    if (!there) return tl::unexpected(there.error());
-    if (!*there || journal.starts_with(**there)) return {};
+    MIROCUP_TRY(const auto there,
+                files_.read_if_there(to_.journal(), {.max_size = system::size_limit::journal,
+                                                     .growth = system::Growth::ignored}));
+    if (!there || journal.starts_with(*there)) return {};
     return fail(Errc::input, to_.path +
                                  " is another league, or a copy that was played on: its journal is "
                                  "no beginning of this one; name a new folder");
@@ -85,8 +80,7 @@ class Backup {
   Result<void> folder(const std::string& inside, std::string_view skipped = "",
                       std::string_view skipped_too = "") {
     const std::string path = from_.path + "/" + inside;
-    const auto names = files_.names_in(path);
-    if (!names) return tl::unexpected(names.error());
+    MIROCUP_TRY(const auto names, files_.names_in(path));
     std::error_code failed;
     const bool is_closed = (fs::status(path, failed).permissions() &
                             (fs::perms::group_all | fs::perms::others_all)) == fs::perms::none;
@@ -95,7 +89,7 @@ class Backup {
                                is_closed ? system::Readers::owner : system::Readers::everybody);
         !made)
       return made;
-    for (const std::string& name : *names) {
+    for (const std::string& name : names) {
       if (is_left_out(name) || name == skipped || name == skipped_too) continue;
       const std::string one = inside + name;
       const fs::file_status status = fs::symlink_status(from_.path + "/" + one, failed);
@@ -128,17 +122,16 @@ class Backup {
       ++count_.known;
       return {};
     }
-    const auto text = files_.read_if_there(
-        from_.path + "/" + name,
-        {.max_size = 4 * system::size_limit::replay, .growth = system::Growth::ignored});
-    if (!text) return tl::unexpected(text.error());
+    MIROCUP_TRY(const auto text, files_.read_if_there(from_.path + "/" + name,
+                                                      {.max_size = 4 * system::size_limit::replay,
+                                                       .growth = system::Growth::ignored}));
     // What ends between two looks is not there any more: the output of a check, a version that is
     // pruned.
-    if (!*text) return {};
+    if (!text) return {};
     const bool is_closed =
         (permissions & (fs::perms::group_all | fs::perms::others_all)) == fs::perms::none;
     auto written =
-        files_.write(to, **text, is_closed ? system::Readers::owner : system::Readers::everybody);
+        files_.write(to, *text, is_closed ? system::Readers::owner : system::Readers::everybody);
     if (!written) return written;
     if ((permissions & fs::perms::owner_exec) != fs::perms::none) {
       std::error_code failed;

@@ -80,7 +80,7 @@ class Comparison {
 
   Result<std::vector<PairComparison>> play() {
     if (run_.keeps_legs) {
-      if (auto same = open_folder(); !same) return tl::unexpected(same.error());
+      MIROCUP_TRY_VOID(open_folder());
     }
     const std::vector<int> cpus = system::processors();
     const std::size_t jobs = run_.jobs > 0 ? static_cast<std::size_t>(run_.jobs) : cpus.size();
@@ -90,7 +90,7 @@ class Comparison {
       if (leg) {
         ++next_[leg->pair];
         if (run_.keeps_legs && files_.exists(record_of(*leg))) {
-          if (auto counted = count(*leg); !counted) return tl::unexpected(counted.error());
+          MIROCUP_TRY_VOID(count(*leg));
         } else if (auto done = start(*leg, cpus[started++ % cpus.size()]); !done) {
           return tl::unexpected(done.error());
         }
@@ -98,7 +98,7 @@ class Comparison {
       }
       const auto exit = processes_.wait();
       if (!exit) return fail(Errc::interrupted, "interrupted; " + how_to_go_on());
-      if (auto counted = count_child(*exit); !counted) return tl::unexpected(counted.error());
+      MIROCUP_TRY_VOID(count_child(*exit));
     }
     return pairs_;
   }
@@ -135,20 +135,18 @@ class Comparison {
 
   // Writes comparison.json, or compares with the one that is there.
   Result<void> open_folder() {
-    const auto wanted = comparison_identity(files_, run_);
-    if (!wanted) return tl::unexpected(wanted.error());
+    MIROCUP_TRY(const auto wanted, comparison_identity(files_, run_));
     const std::string path = run_.folder + "/comparison.json";
-    if (!files_.exists(path)) return files_.write(path, record::json_text(*wanted, 1) + "\n");
-    const auto text = files_.read(path, {.max_size = system::size_limit::note});
-    if (!text) return tl::unexpected(text.error());
-    const auto there = record::read_json<Json>(
-        *text, path, Errc::input, [](const record::JsonReader& json) { return json.json(); });
-    if (!there) return tl::unexpected(there.error());
-    for (const auto& [key, value] : wanted->items()) {
-      if (there->contains(key) && there->at(key) == value) continue;
+    if (!files_.exists(path)) return files_.write(path, record::json_text(wanted, 1) + "\n");
+    MIROCUP_TRY(const auto text, files_.read(path, {.max_size = system::size_limit::note}));
+    MIROCUP_TRY(const auto there, record::read_json<Json>(
+                                      text, path, Errc::input,
+                                      [](const record::JsonReader& json) { return json.json(); }));
+    for (const auto& [key, value] : wanted.items()) {
+      if (there.contains(key) && there.at(key) == value) continue;
       return fail(Errc::input,
                   path + ": " + key + " is " +
-                      (there->contains(key) ? record::json_text(there->at(key)) : "missing") +
+                      (there.contains(key) ? record::json_text(there.at(key)) : "missing") +
                       ", and not " + record::json_text(value) +
                       ": the folder holds another comparison; name a new folder");
     }
@@ -178,8 +176,8 @@ class Comparison {
     if (!run_.conditions.empty())
       arguments.insert(arguments.end(), {"--conditions", run_.conditions});
     playing_[++tag_] = leg;
-    const auto started = processes_.start(arguments, tag_, cpu, record_of(leg) + ".out");
-    if (!started) return tl::unexpected(started.error());
+    MIROCUP_TRY(const auto started,
+                processes_.start(arguments, tag_, cpu, record_of(leg) + ".out"));
     return {};
   }
 
@@ -202,15 +200,13 @@ class Comparison {
   // Reads the record of a leg, and counts the fixtures of its pair of which both legs are there.
   Result<void> count(const Leg& leg) {
     const std::string path = record_of(leg);
-    const auto text = files_.read(path, {.max_size = system::size_limit::record});
-    if (!text) return tl::unexpected(text.error());
-    const auto read =
-        record::read_json<ComparedLeg>(*text, path, run_.keeps_legs ? Errc::damaged : Errc::host,
-                                       [&leg](const record::JsonReader& json) {
-                                         return compared_leg(json, leg.is_swapped() ? 1 : 0);
-                                       });
-    if (!read) return tl::unexpected(read.error());
-    read_[leg] = *read;
+    MIROCUP_TRY(const auto text, files_.read(path, {.max_size = system::size_limit::record}));
+    MIROCUP_TRY(const auto read, record::read_json<ComparedLeg>(
+                                     text, path, run_.keeps_legs ? Errc::damaged : Errc::host,
+                                     [&leg](const record::JsonReader& json) {
+                                       return compared_leg(json, leg.is_swapped() ? 1 : 0);
+                                     }));
+    read_[leg] = read;
     if (!run_.keeps_legs) {
       for (const std::string& file : {path, record::replay_path_of(path)}) {
         if (auto removed = files_.remove(file); !removed) return removed;
@@ -268,11 +264,10 @@ Result<nlohmann::ordered_json> comparison_identity(system::Files& files, const C
   for (const std::string& team : run.teams) {
     const std::string path = compared_team(team).team;
     const std::string house = system::house_team(path);
-    const auto library =
-        files.read(house.empty() ? path : house,
-                   {.max_size = system::size_limit::entry, .links = system::Links::followed});
-    if (!library) return tl::unexpected(library.error());
-    teams.push_back({{"team", team}, {"sha256", system::sha256(*library)}});
+    MIROCUP_TRY(const auto library,
+                files.read(house.empty() ? path : house, {.max_size = system::size_limit::entry,
+                                                          .links = system::Links::followed}));
+    teams.push_back({{"team", team}, {"sha256", system::sha256(library)}});
   }
   return Json{{"schema", "mirocup/comparison/1"},
               {"game", record::this_software().behaviour_hash},

@@ -32,11 +32,10 @@ struct RecordedLeg {
 
 Result<RecordedLeg> read_leg(system::Files& files, const Folder& folder, const std::string& path) {
   const std::string file = folder.path + "/" + path;
-  const auto text = files.read(file, {.max_size = system::size_limit::record});
-  if (!text) return tl::unexpected(text.error());
-  if (auto whole = record::expect_whole(*text, file); !whole) return tl::unexpected(whole.error());
+  MIROCUP_TRY(const auto text, files.read(file, {.max_size = system::size_limit::record}));
+  MIROCUP_TRY_VOID(record::expect_whole(text, file));
   return record::read_json<RecordedLeg>(
-      *text, file, Errc::damaged, [&path](const record::JsonReader& json) {
+      text, file, Errc::damaged, [&path](const record::JsonReader& json) {
         const record::JsonReader software = json.at("software");
         RecordedLeg leg{.path = path,
                         .version = software.at("version").text(),
@@ -125,9 +124,8 @@ Result<void> expect_program(system::Files& files, LeagueStore& store,
   if (!state.is_started) return {};
   // Journals of earlier versions name the version only.
   if (before.game.empty()) {
-    const auto game = game_of_last_leg(files, store);
-    if (!game) return tl::unexpected(game.error());
-    before.game = *game;
+    MIROCUP_TRY(const auto game, game_of_last_leg(files, store));
+    before.game = game;
   }
   const bool is_same = before.version == program.version &&
                        (before.game.empty() || before.game == program.behaviour_hash);
@@ -145,10 +143,9 @@ Result<void> expect_program(system::Files& files, LeagueStore& store,
 
 Result<void> keep_program(system::Files& files, const Folder& folder,
                           const record::Software& program) {
-  const auto server = bytes_of_sibling(files, "mirocup");
-  if (!server) return tl::unexpected(server.error());
+  MIROCUP_TRY(const auto server, bytes_of_sibling(files, "mirocup"));
   // Without the list, records are verified by other programs all the same.
-  if (const auto listed = trust_program(*server); !listed)
+  if (const auto listed = trust_program(server); !listed)
     std::cerr << "mirocup: this program will not be found in " << system::printable(folder.path)
               << " after an upgrade: " << system::printable(listed.error().what) << '\n';
   const std::string kept = kept_program(folder, program.behaviour_hash);
@@ -156,28 +153,26 @@ Result<void> keep_program(system::Files& files, const Folder& folder,
   if (const auto there = files.read(kept, {.max_size = max_program});
       there && is_trusted_program(*there).value_or(true))
     return {};
-  const auto host = bytes_of_sibling(files, "mirocup-plugin-host");
-  if (!host) return tl::unexpected(host.error());
+  MIROCUP_TRY(const auto host, bytes_of_sibling(files, "mirocup-plugin-host"));
   const Json about{{"version", program.version},
                    {"build", program.build},
                    {"game", program.behaviour_hash},
-                   {"sha256", system::sha256(*server)}};
+                   {"sha256", system::sha256(server)}};
   const std::string home = std::filesystem::path(kept).parent_path();
   return files.make_folder(home)
-      .and_then([&] { return write_program(files, home + "/mirocup-plugin-host", *host); })
+      .and_then([&] { return write_program(files, home + "/mirocup-plugin-host", host); })
       .and_then(
           [&] { return files.write(home + "/program.json", record::json_text(about, 1) + "\n"); })
-      .and_then([&] { return write_program(files, kept, *server); });
+      .and_then([&] { return write_program(files, kept, server); });
 }
 
 Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs) {
   const Folder& folder = store.folder();
-  const auto names = files.names_in(folder.path + "/records");
-  if (!names) return tl::unexpected(names.error());
+  MIROCUP_TRY(const auto names, files.names_in(folder.path + "/records"));
   VerifiedRecords done;
   std::map<std::string, RecordedLeg> legs;
   std::vector<const RecordedLeg*> waiting;
-  for (const std::string& name : *names) {
+  for (const std::string& name : names) {
     const std::string path = "records/" + name;
     if (!name.ends_with(".json") || name.starts_with('.')) continue;
     ++done.records;
@@ -205,8 +200,7 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
       const int tag = static_cast<int>(next++);
       std::vector<std::string> words = server.words;
       words.insert(words.end(), {"verify", folder.path + "/" + leg.path});
-      const auto started = processes.start(words, tag, -1, output_of(tag));
-      if (!started) return tl::unexpected(started.error());
+      MIROCUP_TRY(const auto started, processes.start(words, tag, -1, output_of(tag)));
       continue;
     }
     const auto exit = processes.wait();

@@ -45,10 +45,9 @@ std::optional<LegId> ResultRecorder::next_leg(const FixtureState& fixture) const
 }
 
 Result<bool> ResultRecorder::book_if_played(const LegId& leg) {
-  const auto played = find_played_leg(files_, folder(), state(), leg);
-  if (!played) return tl::unexpected(played.error());
-  if (!*played) return false;
-  if (auto booked = book_result(leg, **played); !booked) return tl::unexpected(booked.error());
+  MIROCUP_TRY(const auto played, find_played_leg(files_, folder(), state(), leg));
+  if (!played) return false;
+  MIROCUP_TRY_VOID(book_result(leg, *played));
   return true;
 }
 
@@ -57,9 +56,8 @@ Result<int> ResultRecorder::book_played(const std::string& fixture) {
     const FixtureState* now = find(fixture);
     const auto leg = now != nullptr ? next_leg(*now) : std::nullopt;
     if (!leg) return count;
-    const auto booked = book_if_played(*leg);
-    if (!booked) return tl::unexpected(booked.error());
-    if (!*booked) return count;
+    MIROCUP_TRY(const auto booked, book_if_played(*leg));
+    if (!booked) return count;
   }
 }
 

@@ -48,7 +48,7 @@ Runner::Runner(system::Files& files, LeagueStore store, ProgressReporter& progre
 
 Result<int> Runner::run(const RunOptions& options) {
   options_ = options;
-  if (auto started = recorder_.start(); !started) return tl::unexpected(started.error());
+  MIROCUP_TRY_VOID(recorder_.start());
   const std::vector<int> cpus = system::processors();
   const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cpus.size());
   workers_.resize(jobs);
@@ -60,9 +60,9 @@ Result<int> Runner::run(const RunOptions& options) {
 
   bool is_asked_to_stop = false;
   while (true) {
-    if (auto fresh = recorder_.refresh(); !fresh) return tl::unexpected(fresh.error());
+    MIROCUP_TRY_VOID(recorder_.refresh());
     if (!is_asked_to_stop) {
-      if (auto filled = fill_workers(); !filled) return tl::unexpected(filled.error());
+      MIROCUP_TRY_VOID(fill_workers());
     }
     progress_.update(state().played(), state().legs(), playing());
     if (playing() == 0 && !is_asked_to_stop) return state().legs() - state().played();
@@ -77,8 +77,7 @@ Result<int> Runner::run(const RunOptions& options) {
       continue;
     }
     if (exit->tag == joiner_tag) continue;
-    if (auto finished = finish(workers_[exit->tag], *exit); !finished)
-      return tl::unexpected(finished.error());
+    MIROCUP_TRY_VOID(finish(workers_[exit->tag], *exit));
   }
 }
 
@@ -149,7 +148,7 @@ Result<bool> Runner::start_next_leg(Worker& worker) {
       if (*booked) continue;
     }
     worker.playing = leg;
-    if (auto started = start_leg(worker); !started) return tl::unexpected(started.error());
+    MIROCUP_TRY_VOID(start_leg(worker));
   }
   return true;
 }
@@ -218,9 +217,8 @@ Result<void> Runner::start_joiner(Worker& worker, int team, const std::string& c
   command.insert(command.end(), credentials.begin(), credentials.end());
   const std::vector<std::string> domain = dds_domain_of_legs();
   command.insert(command.end(), domain.begin(), domain.end());
-  const auto pid = processes_.start(command, joiner_tag, worker.cpu, log);
-  if (!pid) return tl::unexpected(pid.error());
-  worker.joiner[colour == "blue" ? 0 : 1] = *pid;
+  MIROCUP_TRY(const auto pid, processes_.start(command, joiner_tag, worker.cpu, log));
+  worker.joiner[colour == "blue" ? 0 : 1] = pid;
   return {};
 }
 
@@ -244,9 +242,8 @@ Result<void> Runner::finish(Worker& worker, const system::Exit& exit) {
                                "the match server died of signal " + std::to_string(exit.signal));
   }
   if (exit.code != exit_yes) return recorder_.book_void(leg, recorder_.last_output_line(leg));
-  const auto booked = recorder_.book_if_played(leg);
-  if (!booked) return tl::unexpected(booked.error());
-  if (*booked) return {};
+  MIROCUP_TRY(const auto booked, recorder_.book_if_played(leg));
+  if (booked) return {};
   return recorder_.book_void(leg, record + " is not there, or is not the record of this leg");
 }
 

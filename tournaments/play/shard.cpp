@@ -29,9 +29,9 @@ class Shard {
     if (!before || *before) return before;
     if (processes_.is_asked_to_stop_within(0.0)) return stopped();
     const Folder& folder = store_.folder();
-    const auto started = processes_.start(
-        leg_command(folder, store_.state(), leg, leg.fixture.id()), 0, -1, leg_output(folder, leg));
-    if (!started) return tl::unexpected(started.error());
+    MIROCUP_TRY(const auto started,
+                processes_.start(leg_command(folder, store_.state(), leg, leg.fixture.id()), 0, -1,
+                                 leg_output(folder, leg)));
     if (!processes_.wait()) {
       (void)processes_.wait();
       return stopped();
@@ -81,9 +81,8 @@ Result<int> play_shards(system::Files& files, const LeagueStore& store,
     if (f.fixture.has_both() && joins_from_outside(state, f.fixture))
       return fail(Errc::input, id + " has a team over the network: league start plays it");
     for (const int leg : open_legs(state, f)) {
-      const auto played = shard.play({f.fixture, leg, f.legs[leg - 1].version});
-      if (!played) return tl::unexpected(played.error());
-      if (!*played) ++failed;
+      MIROCUP_TRY(const auto played, shard.play({f.fixture, leg, f.legs[leg - 1].version}));
+      if (!played) ++failed;
     }
   }
   return failed;

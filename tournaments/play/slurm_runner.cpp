@@ -47,18 +47,16 @@ SlurmRunner::SlurmRunner(system::Files& files, LeagueStore store, ProgressReport
     : files_(files), recorder_(files, std::move(store), progress), progress_(progress) {}
 
 Result<int> SlurmRunner::run(int jobs) {
-  if (auto prepared = prepare(jobs); !prepared) return tl::unexpected(prepared.error());
+  MIROCUP_TRY_VOID(prepare(jobs));
   int answered = 0;  // interrupts
   while (true) {
     const std::vector<SlurmTask> before = tasks_;
     const bool is_known = poll_queue();
-    if (auto booked = book_after(before, is_known); !booked) return tl::unexpected(booked.error());
+    MIROCUP_TRY_VOID(book_after(before, is_known));
     if (is_known) {
-      const auto fixtures = unqueued_fixtures();
-      if (!fixtures) return tl::unexpected(fixtures.error());
+      MIROCUP_TRY(const auto fixtures, unqueued_fixtures());
       if (interrupts_ == 0) {
-        if (auto submitted = submit(*fixtures); !submitted)
-          return tl::unexpected(submitted.error());
+        MIROCUP_TRY_VOID(submit(fixtures));
       }
     }
     progress_.update(state().played(), state().legs(), running());
@@ -88,16 +86,14 @@ Result<void> SlurmRunner::prepare(int jobs) {
   if (auto written = files_.write(folder_ + "/shard.sh", script); !written) return written;
   while (files_.exists(plan_path(next_plan_))) ++next_plan_;
 
-  const auto queue = run_slurm(squeue_command());
-  if (!queue) return tl::unexpected(queue.error());
-  tasks_ = parse_queue(*queue, league_);
+  MIROCUP_TRY(const auto queue, run_slurm(squeue_command()));
+  tasks_ = parse_queue(queue, league_);
   if (!tasks_.empty())
     progress_.say(std::to_string(tasks_.size()) + " tasks of this league are in the queue");
   jobs_ = jobs;
   if (jobs == 0) {
-    const auto nodes = run_slurm(sinfo_command());
-    if (!nodes) return tl::unexpected(nodes.error());
-    jobs_ = std::max(1, parse_processors(*nodes));
+    MIROCUP_TRY(const auto nodes, run_slurm(sinfo_command()));
+    jobs_ = std::max(1, parse_processors(nodes));
   }
   return {};
 }
@@ -105,8 +101,7 @@ Result<void> SlurmRunner::prepare(int jobs) {
 // Runs one of Slurm's programs to its end and returns its output. Interrupts are counted.
 Result<std::string> SlurmRunner::run_slurm(const CommandLine& command) {
   const std::string answer = folder_ + "/answer";
-  if (auto started = processes_.start(command, 0, -1, answer); !started)
-    return tl::unexpected(started.error());
+  MIROCUP_TRY_VOID(processes_.start(command, 0, -1, answer));
   auto exit = processes_.wait();
   for (; !exit; exit = processes_.wait()) ++interrupts_;
   const auto text =
@@ -140,9 +135,8 @@ Result<void> SlurmRunner::book_after(const std::vector<SlurmTask>& before, bool 
   for (const SlurmTask& task : before) {
     const bool is_gone = is_known && !holds(tasks_, task);
     if (!is_gone && !task.is_running) continue;
-    const auto fixtures = fixtures_of(task);
-    if (!fixtures) return tl::unexpected(fixtures.error());
-    for (const std::string& fixture : *fixtures) {
+    MIROCUP_TRY(const auto fixtures, fixtures_of(task));
+    for (const std::string& fixture : fixtures) {
       auto booked = is_gone ? book_lost(fixture, "task " + task.id + " has ended without it")
                             : book_records(fixture);
       if (!booked) return booked;
@@ -158,9 +152,8 @@ Result<void> SlurmRunner::book_after(const std::vector<SlurmTask>& before, bool 
 }
 
 Result<void> SlurmRunner::book_records(const std::string& fixture) {
-  const auto count = recorder_.book_played(fixture);
-  if (!count) return tl::unexpected(count.error());
-  if (*count > 0) futile_submissions_ = 0;
+  MIROCUP_TRY(const auto count, recorder_.book_played(fixture));
+  if (count > 0) futile_submissions_ = 0;
   return {};
 }
 
@@ -175,9 +168,8 @@ Result<void> SlurmRunner::book_lost(const std::string& fixture, const std::strin
 }
 
 Result<void> SlurmRunner::requeue(const SlurmTask& task) {
-  const auto fixtures = fixtures_of(task);
-  if (!fixtures) return tl::unexpected(fixtures.error());
-  for (const std::string& fixture : *fixtures) {
+  MIROCUP_TRY(const auto fixtures, fixtures_of(task));
+  for (const std::string& fixture : fixtures) {
     if (auto lost = book_lost(fixture, "task " + task.id + " has lost its node"); !lost)
       return lost;
   }
@@ -197,7 +189,7 @@ Result<std::vector<std::string>> SlurmRunner::unqueued_fixtures() {
   std::vector<std::string> fixtures;
   for (const std::string& id : open_shards(state())) {
     if (covered.contains(id)) continue;
-    if (auto booked = book_records(id); !booked) return tl::unexpected(booked.error());
+    MIROCUP_TRY_VOID(book_records(id));
     const FixtureState* now = recorder_.find(id);
     if (now != nullptr && recorder_.next_leg(*now)) fixtures.push_back(id);
   }
@@ -227,18 +219,18 @@ Result<void> SlurmRunner::submit_array(const std::vector<std::string>& fixtures)
   const int plan = next_plan_++;
   const int tasks = static_cast<int>(lines.size());
   if (auto written = files_.write(plan_path(plan), text); !written) return written;
-  const auto job = run_slurm(
-      sbatch_command({.league = league_,
-                      .plan = plan,
-                      .tasks = tasks,
-                      .max_running = jobs_,
-                      .log = folder_ + "/" + std::to_string(plan),
-                      .shard = {folder_ + "/shard.sh", system::sibling_program("mirocup-league"),
-                                std::filesystem::path(folder_).parent_path(), plan_path(plan)}}));
-  if (!job) return tl::unexpected(job.error());
+  MIROCUP_TRY(const auto job,
+              run_slurm(sbatch_command(
+                  {.league = league_,
+                   .plan = plan,
+                   .tasks = tasks,
+                   .max_running = jobs_,
+                   .log = folder_ + "/" + std::to_string(plan),
+                   .shard = {folder_ + "/shard.sh", system::sibling_program("mirocup-league"),
+                             std::filesystem::path(folder_).parent_path(), plan_path(plan)}})));
   ++futile_submissions_;
   plans_[plan] = std::move(lines);
-  const std::string id = job->substr(0, job->find_first_of(";\n"));
+  const std::string id = job.substr(0, job.find_first_of(";\n"));
   progress_.say("job " + id + ": " + std::to_string(count) + " fixtures in " +
                 std::to_string(tasks) + " tasks");
   for (int i = 1; i <= tasks; ++i)
@@ -259,11 +251,10 @@ void SlurmRunner::drain() {
 // A task whose plan cannot be read may be playing any fixture, so no other may be submitted.
 Result<std::vector<std::string>> SlurmRunner::fixtures_of(const SlurmTask& task) {
   if (!plans_.contains(task.plan)) {
-    const auto plan =
-        files_.read_if_there(plan_path(task.plan), {.max_size = system::size_limit::note});
-    if (!plan) return tl::unexpected(plan.error());
+    MIROCUP_TRY(const auto plan,
+                files_.read_if_there(plan_path(task.plan), {.max_size = system::size_limit::note}));
     PlanLines& lines = plans_[task.plan];
-    std::istringstream text(plan->value_or(""));
+    std::istringstream text(plan.value_or(""));
     for (std::string line; std::getline(text, line);) {
       std::istringstream words(line);
       lines.emplace_back();

@@ -77,12 +77,12 @@ std::string joined(const std::vector<std::string>& members) {
 
 Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::string_view drills_csv,
                         const std::string& path) {
-  const auto marks = path.empty() ? Result<Marks>(Marks{}) : read_drill_marks(drills_csv, path);
-  if (!marks) return tl::unexpected(marks.error());
+  MIROCUP_TRY(const auto marks,
+              path.empty() ? Result<Marks>(Marks{}) : read_drill_marks(drills_csv, path));
   std::vector<std::string> cells{"rank",     "team",         "points",        "played",
                                  "strength", "strength_low", "strength_high", "house_beaten",
                                  "display",  "members"};
-  cells.insert(cells.end(), marks->drills.begin(), marks->drills.end());
+  cells.insert(cells.end(), marks.drills.begin(), marks.drills.end());
   std::string text = system::csv_line(cells);
   bool any_is_known = path.empty();
   for (std::size_t i = 0; i < o.table.size(); ++i) {
@@ -101,10 +101,10 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
              house_teams_beaten(o, row.team),
              who.display,
              joined(who.members)};
-    const auto of_team = marks->of_team.find(team);
-    any_is_known = any_is_known || of_team != marks->of_team.end();
-    for (const std::string& drill : marks->drills) {
-      const bool has_mark = of_team != marks->of_team.end() && of_team->second.count(drill) != 0;
+    const auto of_team = marks.of_team.find(team);
+    any_is_known = any_is_known || of_team != marks.of_team.end();
+    for (const std::string& drill : marks.drills) {
+      const bool has_mark = of_team != marks.of_team.end() && of_team->second.count(drill) != 0;
       cells.push_back(has_mark ? of_team->second.at(drill) : "");
     }
     text += system::csv_line(cells);

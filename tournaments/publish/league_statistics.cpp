@@ -30,9 +30,8 @@ constexpr double lead_in_s = 3.0;  // a link to a goal shows what came before it
 Result<LegReport> kept_report(system::Files& files, const Folder& folder,
                               const std::string& record) {
   const std::string path = folder.site() + "/" + statistics_file_of(record);
-  const auto text = files.read(path, {.max_size = system::size_limit::note});
-  if (!text) return tl::unexpected(text.error());
-  return statistics::parse_leg_report(*text, path);
+  MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::note}));
+  return statistics::parse_leg_report(text, path);
 }
 
 // A leg that counts and was played.
@@ -241,11 +240,10 @@ Result<LegReports> all_statistics(system::Files& files, const Folder& folder,
       places.push_back(i);
     }
   }
-  auto counted = statistics::count_records(files, missing);
-  if (!counted) return tl::unexpected(counted.error());
+  MIROCUP_TRY(auto counted, statistics::count_records(files, missing));
   for (std::size_t i = 0; i < places.size(); ++i) {
     const CountedLeg& leg = legs[places[i]];
-    auto report = named(std::move((*counted)[i]), leg);
+    auto report = named(std::move(counted[i]), leg);
     if (!report) {
       return fail(Errc::damaged, missing[i] + ": it is not the leg that the journal has as " +
                                      leg.name + " (state hash)");

@@ -87,10 +87,9 @@ Result<std::optional<Night>> last_night(const LeagueState& shown, const Journal&
         lines[begin].value("number", Json()) == night.number)
       break;
   }
-  auto before = state_from_lines(shown.file, journal, begin);
-  if (!before) return tl::unexpected(before.error());
-  before->shown_names = shown.shown_names;
-  night.before = std::move(*before);
+  MIROCUP_TRY(auto before, state_from_lines(shown.file, journal, begin));
+  before.shown_names = shown.shown_names;
+  night.before = std::move(before);
   for (std::size_t i = begin + 1; i < lines.size(); ++i) {
     if (lines[i].value("kind", Json()) == NightBegan::kind) break;
     if (lines[i].value("kind", Json()) != LegPlayed::kind) continue;

@@ -241,16 +241,15 @@ Result<std::string> feed_xml(const LeagueState& shown, const Journal& journal) {
     const auto end = std::find_if(ends.begin(), ends.end(),
                                   [&](const auto& e) { return e.first == night.number; });
     if (end == ends.end()) continue;
-    auto state = state_from_lines(shown.file, journal, end->second);
-    if (!state) return tl::unexpected(state.error());
-    state->shown_names = shown.shown_names;
-    const auto table = state->table();
-    const std::string leader = table.empty() ? "" : state->shown_name(table.front().team);
+    MIROCUP_TRY(auto state, state_from_lines(shown.file, journal, end->second));
+    state.shown_names = shown.shown_names;
+    const auto table = state.table();
+    const std::string leader = table.empty() ? "" : state.shown_name(table.front().team);
     entries += "<entry>\n<id>" + tag_of(shown) + ":night:" + std::to_string(night.number) +
                "</id>\n<title>Night " + std::to_string(night.number) + ": " +
                system::html_escaped(leader) + " leads</title>\n<updated>" + night.at +
                "</updated>\n<link href=\"night.html\"/>\n<content type=\"html\">" +
-               system::html_escaped("<pre>" + system::html_escaped(table_text(*state)) + "</pre>") +
+               system::html_escaped("<pre>" + system::html_escaped(table_text(state)) + "</pre>") +
                "</content>\n</entry>\n";
   }
   return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<feed "

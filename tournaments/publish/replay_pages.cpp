@@ -81,9 +81,7 @@ Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folde
   FailedPages failed;
   if (missing.empty()) return failed;
   for (const char* name : {"/replays", "/statistics"}) {
-    if (auto made = files.make_folder(folder.site() + name); !made) {
-      return tl::unexpected(made.error());
-    }
+    MIROCUP_TRY_VOID(files.make_folder(folder.site() + name));
   }
   const std::size_t at_once =
       jobs > 0 ? static_cast<std::size_t>(jobs) : system::processors().size();
@@ -95,9 +93,9 @@ Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folde
     if ((next < missing.size() || !again.empty()) && processes.running() < at_once) {
       const std::size_t page = again.empty() ? next++ : again.back();
       if (!again.empty()) again.pop_back();
-      const auto started = processes.start(command_for(folder, missing[page], attempts[page]),
-                                           static_cast<int>(page), -1, "/dev/null");
-      if (!started) return tl::unexpected(started.error());
+      MIROCUP_TRY(const auto started,
+                  processes.start(command_for(folder, missing[page], attempts[page]),
+                                  static_cast<int>(page), -1, "/dev/null"));
       continue;
     }
     const auto exit = processes.wait();
@@ -119,11 +117,11 @@ Result<void> link_pages(system::Files& files, const Folder& folder, const Overvi
   for (const FixtureState& f : overview.state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
       const std::string path = folder.site() + "/" + replay_page_of(record);
-      const auto page = files.read_if_there(path, {.max_size = system::size_limit::page});
-      if (!page) return tl::unexpected(page.error());
-      if (!*page) continue;
-      const std::string linked = with_league_links(**page, overview, record);
-      if (linked == **page) continue;
+      MIROCUP_TRY(const auto page,
+                  files.read_if_there(path, {.max_size = system::size_limit::page}));
+      if (!page) continue;
+      const std::string linked = with_league_links(*page, overview, record);
+      if (linked == *page) continue;
       if (auto written = files.write(path, linked); !written) return written;
     }
   }
@@ -153,12 +151,10 @@ std::string replay_page_of(const std::string& record) {
 
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
                                       const Overview& overview, int jobs) {
-  if (const auto removed = remove_other_pages(files, folder, overview.state); !removed)
-    return tl::unexpected(removed.error());
+  MIROCUP_TRY_VOID(remove_other_pages(files, folder, overview.state));
   const auto failed = make_missing_pages(files, folder, overview.state, jobs);
   if (!failed) return failed;
-  if (const auto linked = link_pages(files, folder, overview); !linked)
-    return tl::unexpected(linked.error());
+  MIROCUP_TRY_VOID(link_pages(files, folder, overview));
   return failed;
 }
 

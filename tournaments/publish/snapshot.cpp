@@ -163,9 +163,8 @@ Result<void> copy_records(system::Files& files, const Folder& from, const League
     }
   }
   // Records of rounds that were shown there before, and are not any more, are removed.
-  const auto names = files.names_in(to.path + "/records");
-  if (!names) return tl::unexpected(names.error());
-  for (const std::string& name : *names) {
+  MIROCUP_TRY(const auto names, files.names_in(to.path + "/records"));
+  for (const std::string& name : names) {
     const std::string record = "records/" + name;
     if (copies.contains(record) || !files.exists(from.path + "/" + record)) continue;
     if (auto removed = files.remove(to.path + "/" + record); !removed) return removed;

@@ -141,11 +141,10 @@ Result<TuningResult> tune(const TuningOptions& options, const PlayFixtures& play
     std::vector<std::vector<Mark>> marks;
     std::vector<double> goals;
     for (const Eigen::VectorXd& x : candidates) {
-      auto of_one = play(values_of(options, x), seed, fixtures);
-      if (!of_one) return tl::unexpected(of_one.error());
-      goals.push_back(mean_goals(*of_one));
+      MIROCUP_TRY(auto of_one, play(values_of(options, x), seed, fixtures));
+      goals.push_back(mean_goals(of_one));
       played += fixtures;
-      marks.push_back(std::move(*of_one));
+      marks.push_back(std::move(of_one));
     }
     search.tell(candidates, goals);
     const Spread spread = spread_of(marks);
@@ -161,22 +160,20 @@ Result<TuningResult> tune(const TuningOptions& options, const PlayFixtures& play
     now.error = std::sqrt(spread.noise);
     now.fixtures = fixtures;
     now.played = played;
-    if (auto told = tell(result.course); !told) return tl::unexpected(told.error());
+    MIROCUP_TRY_VOID(tell(result.course));
     if (spread.ratio < much_noise) fixtures = std::min(options.most_fixtures, 2 * fixtures);
     if (spread.ratio > little_noise) fixtures = std::max(options.fixtures, fixtures / 2);
   }
   result.values = values_of(options, search.mean());
   const std::uint64_t fresh = mix_seed(~mix_seed(options.seed));
-  const auto after = play(result.values, fresh, options.test_fixtures);
-  if (!after) return tl::unexpected(after.error());
-  const auto before = play(std::nullopt, fresh, options.test_fixtures);
-  if (!before) return tl::unexpected(before.error());
-  result.after = mean_mark(*after);
-  result.before = mean_mark(*before);
-  const auto points = differences(*after, *before, &Mark::points);
+  MIROCUP_TRY(const auto after, play(result.values, fresh, options.test_fixtures));
+  MIROCUP_TRY(const auto before, play(std::nullopt, fresh, options.test_fixtures));
+  result.after = mean_mark(after);
+  result.before = mean_mark(before);
+  const auto points = differences(after, before, &Mark::points);
   result.test_fixtures = static_cast<int>(points.size());
   result.points = mean_with_interval(points);
-  result.goals = mean_with_interval(differences(*after, *before, &Mark::goals));
+  result.goals = mean_with_interval(differences(after, before, &Mark::goals));
   return result;
 }
 

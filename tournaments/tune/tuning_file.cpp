@@ -28,24 +28,23 @@ std::map<std::string, std::vector<Mark>> read_marks(const record::JsonReader& js
 
 Result<TuningFile> TuningFile::open(system::Files& files, const std::string& folder,
                                     TuneJson identity) {
-  if (auto made = files.make_folder(folder); !made) return tl::unexpected(made.error());
+  MIROCUP_TRY_VOID(files.make_folder(folder));
   TuningFile file(files, folder + "/tune.json", std::move(identity));
-  const auto text = files.read_if_there(file.path_, {.max_size = system::size_limit::record});
-  if (!text) return tl::unexpected(text.error());
-  if (!*text) return file;
-  const auto search = record::read_json<TuneJson>(
-      **text, file.path_, Errc::damaged,
-      [](const record::JsonReader& json) { return json.at("search").json(); });
-  if (!search) return tl::unexpected(search.error());
+  MIROCUP_TRY(const auto text,
+              files.read_if_there(file.path_, {.max_size = system::size_limit::record}));
+  if (!text) return file;
+  MIROCUP_TRY(const auto search, record::read_json<TuneJson>(*text, file.path_, Errc::damaged,
+                                                             [](const record::JsonReader& json) {
+                                                               return json.at("search").json();
+                                                             }));
   for (const auto& [key, value] : file.identity_.items()) {
-    if (search->contains(key) && search->at(key) == value) continue;
+    if (search.contains(key) && search.at(key) == value) continue;
     return fail(Errc::input, file.path_ + ": " + key + " is not " + record::json_text(value) +
                                  ": the folder holds another search; name a new folder");
   }
-  auto marks = record::read_json<std::map<std::string, std::vector<Mark>>>(
-      **text, file.path_, Errc::damaged, read_marks);
-  if (!marks) return tl::unexpected(marks.error());
-  file.marks_ = std::move(*marks);
+  MIROCUP_TRY(auto marks, record::read_json<std::map<std::string, std::vector<Mark>>>(
+                              *text, file.path_, Errc::damaged, read_marks));
+  file.marks_ = std::move(marks);
   return file;
 }
 
