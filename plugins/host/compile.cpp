@@ -315,8 +315,7 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
     work.is_program_given = true;
     work.program = program.get();
   }
-  MIROCUP_TRY(
-      const auto added,
+  MIROCUP_TRY_VOID(
       add_headers(kit.headers, std::string(headers_folder) + "/mirocup", work.files).and_then([&] {
         return add_predict(kit.predict, work.files);
       }));

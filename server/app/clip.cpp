@@ -128,7 +128,7 @@ Result<void> write_clip(system::Files& files, const record::MatchRecord& record,
                         const ClipSpan& span, const std::string& output) {
   const PictureFolder folder(output + ".pictures-" + std::to_string(getpid()));
   if (auto made = files.make_folder(folder.path); !made) return made;
-  MIROCUP_TRY(const auto drawn, draw_pictures(files, record.recording, span, folder.path));
+  MIROCUP_TRY_VOID(draw_pictures(files, record.recording, span, folder.path));
   system::ChildOptions ffmpeg;
   ffmpeg.arguments = ffmpeg_command(folder.path, record.recording.setup.control_period, output);
   MIROCUP_TRY(const auto code, system::run_child(ffmpeg));

@@ -277,7 +277,7 @@ Result<bool> Examination::examine_file() {
 
 // Whether the text is a program and has a team, Python says when it is loaded.
 Result<bool> Examination::examine_python() {
-  MIROCUP_TRY(const auto program, host_program(*entry_));
+  MIROCUP_TRY_VOID(host_program(*entry_));
   pass("a text in Python");
   pass("imports mirocup.team");
   return pass("plays with this system's Python and what is installed for it");

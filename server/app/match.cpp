@@ -107,7 +107,7 @@ Result<std::optional<record::MatchRecord>> read_past(const MatchOptions& options
     return fail(Errc::input, options.from_path + ": its leg has " + std::to_string(ticks) +
                                  " ticks, so --tick is at most " + std::to_string(ticks - 1));
   }
-  return std::move(past);
+  return past;
 }
 
 Result<std::optional<double>> factor_of(const MatchOptions& options) {

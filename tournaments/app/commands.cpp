@@ -205,15 +205,15 @@ Result<int> run_publish(const LeagueOptions& options) {
     return fail(Errc::input, "--output " + folder.path +
                                  " is a league, whose records and pages would be replaced: name a "
                                  "folder for the pages alone");
-  MIROCUP_TRY(auto published,
-              options.through.empty()
-                  ? publish_league(disk, folder)
-                  : state_through(store.state(), store.journal(), options.through)
-                        .and_then([&](const LeagueState& shown) {
-                          return copy_records(disk, store.folder(), shown, folder).and_then([&] {
-                            return publish_site(disk, folder, shown, {});
-                          });
-                        }));
+  MIROCUP_TRY_VOID(
+      options.through.empty()
+          ? publish_league(disk, folder)
+          : state_through(store.state(), store.journal(), options.through)
+                .and_then([&](const LeagueState& shown) {
+                  return copy_records(disk, store.folder(), shown, folder).and_then([&] {
+                    return publish_site(disk, folder, shown, {});
+                  });
+                }));
   std::cout << std::filesystem::absolute(folder.site() + "/index.html").lexically_normal().string()
             << '\n';
   return exit_yes;

@@ -57,8 +57,8 @@ Result<int> collect(system::Files& files, const SubmitOptions& options) {
               << ": who writes into it can also remove and rename files of others; chmod +t "
                  "prevents that\n";
   }
-  MIROCUP_TRY(const auto done,
-              submit_inbox(files, Folder{options.folder}, options.inbox, system::now_s(), tell));
+  MIROCUP_TRY_VOID(
+      submit_inbox(files, Folder{options.folder}, options.inbox, system::now_s(), tell));
   return result;
 }
 

@@ -14,7 +14,7 @@ Result<int> run_plan(const ShardOptions& options) {
   system::Disk disk;
   MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
   const record::Software software = record::this_software();
-  MIROCUP_TRY(const auto ready, expect_program(disk, store, software, false).and_then([&] {
+  MIROCUP_TRY_VOID(expect_program(disk, store, software, false).and_then([&] {
     return keep_program(disk, store.folder(), software);
   }));
   const auto progress = make_progress_reporter();

@@ -92,7 +92,7 @@ Result<int> HandInBook::take(WaitingHandIn handed,
     MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder_.submitting()));
     MIROCUP_TRY(const auto next, next_entry(*files_, folder_, team));
     handed.entry = std::max(next, queue_.last_entry(team) + 1);
-    MIROCUP_TRY(const auto made, make_entries_folder(*files_, folder_, team).and_then([&] {
+    MIROCUP_TRY_VOID(make_entries_folder(*files_, folder_, team).and_then([&] {
       return files_->make_folder(folder_.entry(team, handed.entry), Readers::owner);
     }));
   }

@@ -67,14 +67,14 @@ Result<void> FriendlyBook::apply(const Json& line) {
 
 Result<int> FriendlyBook::add(Friendly friendly) {
   friendly.number = friendlies_.last_number(friendly.team) + 1;
-  MIROCUP_TRY(auto written,
-              journal_.append(std::string(asked_line), {{"team", friendly.team},
-                                                        {"number", friendly.number},
-                                                        {"entry", friendly.entry},
-                                                        {"opponent", friendly.opponent},
-                                                        {"opponent_entry", friendly.opponent_entry},
-                                                        {"burst", friendly.is_burst},
-                                                        {"at", friendly.at}}));
+  MIROCUP_TRY_VOID(
+      journal_.append(std::string(asked_line), {{"team", friendly.team},
+                                                {"number", friendly.number},
+                                                {"entry", friendly.entry},
+                                                {"opponent", friendly.opponent},
+                                                {"opponent_entry", friendly.opponent_entry},
+                                                {"burst", friendly.is_burst},
+                                                {"at", friendly.at}}));
   const int number = friendly.number;
   friendlies_.add(std::move(friendly));
   return number;

@@ -94,10 +94,9 @@ Portal::Portal(system::Files& files, Folder folder, PortalOptions options, HandI
 Result<std::unique_ptr<Portal>> Portal::open(system::Files& files, const Folder& folder,
                                              PortalOptions options, std::string* notice) {
   MIROCUP_TRY(auto book, HandInBook::open(files, folder, notice));
-  MIROCUP_TRY(const auto made,
-              files.make_folder(folder.entries(), system::Readers::owner).and_then([&] {
-                return files.make_folder(folder.uploads(), system::Readers::owner);
-              }));
+  MIROCUP_TRY_VOID(files.make_folder(folder.entries(), system::Readers::owner).and_then([&] {
+    return files.make_folder(folder.uploads(), system::Readers::owner);
+  }));
   // Uploads that a killed server has left.
   MIROCUP_TRY_VOID(files.remove_unfinished(folder.uploads()));
   MIROCUP_TRY(auto friendlies, FriendlyDesk::open(files, folder, options.friendlies, notice));

@@ -170,7 +170,7 @@ struct Validator {
   }
 
   Result<void> operator()(const Withdrawn& e) const {
-    MIROCUP_TRY(const auto team, find_present_team(state, e.team));
+    MIROCUP_TRY_VOID(find_present_team(state, e.team));
     return is_open();
   }
 

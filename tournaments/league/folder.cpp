@@ -150,7 +150,7 @@ Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Fol
                                                          {.max_size = system::size_limit::entry}));
       if (before == library) continue;
     }
-    MIROCUP_TRY(const auto added, next_entry(files, folder, team.name).and_then([&](int number) {
+    MIROCUP_TRY_VOID(next_entry(files, folder, team.name).and_then([&](int number) {
       return add_entry(files, folder, team.name, number, library);
     }));
     adopted.push_back(team.name);

@@ -49,7 +49,7 @@ Result<Json> check(system::Files& files, const std::string& library, const Leagu
     command.insert(command.end(), parameters.begin(), parameters.end());
   }
   system::ProcessSet processes;
-  MIROCUP_TRY(const auto started, processes.start(command, 0, -1, log));
+  MIROCUP_TRY_VOID(processes.start(command, 0, -1, log));
   const auto exit = processes.wait();
   close_to_others(gate_leg);
   if (!exit) return fail(Errc::interrupted, "interrupted while an entry was checked");
@@ -140,12 +140,12 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, const L
   const std::string stored = folder.library(handed.team, number);
   const std::string log = folder.check_log(handed.team, number);
   using system::Readers;
-  MIROCUP_TRY(auto written, make_entries_folder(files, folder, handed.team)
-                                .and_then([&] { return files.make_folder(entry, Readers::owner); })
-                                .and_then([&]() -> Result<void> {
-                                  if (handed.path == stored) return {};
-                                  return files.write(stored, library, Readers::owner);
-                                }));
+  MIROCUP_TRY_VOID(make_entries_folder(files, folder, handed.team)
+                       .and_then([&] { return files.make_folder(entry, Readers::owner); })
+                       .and_then([&]() -> Result<void> {
+                         if (handed.path == stored) return {};
+                         return files.write(stored, library, Readers::owner);
+                       }));
   auto verdict =
       check(files, stored, rules, handed.team, log, folder.gate_leg(handed.team, number));
   if (!verdict) return verdict;
@@ -153,7 +153,7 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, const L
   if (verdict->value("sha256", Json()).is_string() && (*verdict)["sha256"] != sha256)
     return fail(Errc::host, stored + " was changed while it was checked");
   name_file(*verdict, stored, handed.name.empty() ? handed.path : handed.name);
-  MIROCUP_TRY(auto added, files.remove(log).and_then([&] {
+  MIROCUP_TRY_VOID(files.remove(log).and_then([&] {
     return add_entry(files, folder, handed.team, number, library,
                      record::json_text(*verdict, 1) + "\n");
   }));
@@ -177,8 +177,7 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
   const std::string log = folder.compile_log(handed.team, number);
   const std::string name = handed.name.empty() ? handed.source : handed.name;
   system::ProcessSet processes;
-  MIROCUP_TRY(
-      const auto started,
+  MIROCUP_TRY_VOID(
       processes.start({system::sibling_program("mirocup"), "compile", handed.source, "-o",
                        folder.library(handed.team, number), "--json", "--language", handed.language,
                        "--seconds", std::to_string(handed.compile_seconds)},
@@ -217,8 +216,8 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
       {"checks", Json::array({{{"name", "compiles"}, {"passed", false}, {"text", reason}}})},
       {"log", said}};
   name_file(verdict, "/compile/source", name);  // as the compiler has named it
-  MIROCUP_TRY(auto added, add_entry(files, folder, handed.team, number, "",
-                                    record::json_text(verdict, 1) + "\n"));
+  MIROCUP_TRY_VOID(
+      add_entry(files, folder, handed.team, number, "", record::json_text(verdict, 1) + "\n"));
   return std::optional(std::move(verdict));
 }
 
@@ -396,7 +395,7 @@ Result<std::optional<Submission>> Desk::receive(const Found& found) {
   note_try(found);
   if (!found.why_not.empty()) return refuse(found);
   // Written before the check, so that a library that stops the check is a try, too.
-  MIROCUP_TRY(const auto noted, write_hand_ins(files_, folder(), team(), known_).and_then([&] {
+  MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_).and_then([&] {
     return files_.make_folder(folder().entry(team(), number_), system::Readers::owner);
   }));
   return std::nullopt;
@@ -466,15 +465,15 @@ Result<Submission> Desk::conclude(const Found& found, Json verdict) {
   Try& noted = *find_try(known_, number_);
   noted.is_accepted = result.is_accepted;
   noted.message = result.message;
-  MIROCUP_TRY(auto done, write_hand_ins(files_, folder(), team(), known_)
-                             .and_then([&]() -> Result<void> {
-                               if (!result.is_accepted) return {};
-                               return let_play(files_, store_, handed_, result.entry, library_);
-                             })
-                             .and_then([&] {
-                               return prune_versions(files_, folder(), team(),
-                                                     played_entries(store_, team()), quota_);
-                             }));
+  MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_)
+                       .and_then([&]() -> Result<void> {
+                         if (!result.is_accepted) return {};
+                         return let_play(files_, store_, handed_, result.entry, library_);
+                       })
+                       .and_then([&] {
+                         return prune_versions(files_, folder(), team(),
+                                               played_entries(store_, team()), quota_);
+                       }));
   return result;
 }
 
@@ -507,8 +506,8 @@ Result<std::string> pin_entry(system::Files& files, const Folder& folder, const 
   if (state.teams[*state.find_team(team)].entry == playing) return "";
   MIROCUP_TRY(const auto library,
               files.read(folder.library(team, playing), {.max_size = system::size_limit::entry}));
-  MIROCUP_TRY(auto booked, store.write(EntryBooked{
-                               .team = team, .entry = playing, .sha256 = system::sha256(library)}));
+  MIROCUP_TRY_VOID(
+      store.write(EntryBooked{.team = team, .entry = playing, .sha256 = system::sha256(library)}));
   return "";
 }
 

@@ -176,8 +176,7 @@ class Comparison {
     if (!run_.conditions.empty())
       arguments.insert(arguments.end(), {"--conditions", run_.conditions});
     playing_[++tag_] = leg;
-    MIROCUP_TRY(const auto started,
-                processes_.start(arguments, tag_, cpu, record_of(leg) + ".out"));
+    MIROCUP_TRY_VOID(processes_.start(arguments, tag_, cpu, record_of(leg) + ".out"));
     return {};
   }
 

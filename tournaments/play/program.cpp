@@ -200,7 +200,7 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
       const int tag = static_cast<int>(next++);
       std::vector<std::string> words = server.words;
       words.insert(words.end(), {"verify", folder.path + "/" + leg.path});
-      MIROCUP_TRY(const auto started, processes.start(words, tag, -1, output_of(tag)));
+      MIROCUP_TRY_VOID(processes.start(words, tag, -1, output_of(tag)));
       continue;
     }
     const auto exit = processes.wait();

@@ -29,9 +29,8 @@ class Shard {
     if (!before || *before) return before;
     if (processes_.is_asked_to_stop_within(0.0)) return stopped();
     const Folder& folder = store_.folder();
-    MIROCUP_TRY(const auto started,
-                processes_.start(leg_command(folder, store_.state(), leg, leg.fixture.id()), 0, -1,
-                                 leg_output(folder, leg)));
+    MIROCUP_TRY_VOID(processes_.start(leg_command(folder, store_.state(), leg, leg.fixture.id()), 0,
+                                      -1, leg_output(folder, leg)));
     if (!processes_.wait()) {
       (void)processes_.wait();
       return stopped();

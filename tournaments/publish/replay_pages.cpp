@@ -93,9 +93,8 @@ Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folde
     if ((next < missing.size() || !again.empty()) && processes.running() < at_once) {
       const std::size_t page = again.empty() ? next++ : again.back();
       if (!again.empty()) again.pop_back();
-      MIROCUP_TRY(const auto started,
-                  processes.start(command_for(folder, missing[page], attempts[page]),
-                                  static_cast<int>(page), -1, "/dev/null"));
+      MIROCUP_TRY_VOID(processes.start(command_for(folder, missing[page], attempts[page]),
+                                       static_cast<int>(page), -1, "/dev/null"));
       continue;
     }
     const auto exit = processes.wait();
