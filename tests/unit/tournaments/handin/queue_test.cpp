@@ -110,8 +110,8 @@ class Hall {
   void stop_one() {
     const WaitingHandIn* stopped = queue_.to_stop(running_);
     if (stopped == nullptr) return;
-    const auto [team, entry] = std::pair(stopped->team, stopped->entry);
-    queue_.wait_again(team, entry, NoAnswer::gave_way);
+    const std::string team = stopped->team;
+    queue_.wait_again(team, stopped->entry, NoAnswer::gave_way);
     std::erase_if(running_, [&](const RunningCheck& c) { return c.team == team; });
   }
 
