@@ -11,7 +11,7 @@ namespace mirocup::policy {
 namespace {
 
 void put(std::string& bytes, std::uint64_t value, int width) {
-  for (int i = 0; i < width; ++i) bytes += static_cast<char>(value >> (8 * i));
+  for (int i = 0; i < width; ++i, value >>= 8) bytes += static_cast<char>(value);
 }
 
 // An archive whose arrays a, b, ... say that they unpack to so many bytes. Two bytes stand for
