@@ -114,11 +114,7 @@ TEST_F(StrangeFiles, ADeviceIsWrittenIntoByAnyUser) {
     words.insert(words.begin(),
                  {"/usr/bin/setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"});
   }
-  words.push_back("/dev/stdout");
-  const Outcome played = run(words);
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_NE(played.out.find("\"mirocup/match/1\""), std::string::npos) << played.out;
-  words.back() = "/dev/null";
+  words.push_back("/dev/null");
   EXPECT_EQ(run(words).exit_code, 0);
   EXPECT_EQ(play("/dev/null").exit_code, 0);
   EXPECT_FALSE(fs::exists("/dev/null.replay.zst"));
