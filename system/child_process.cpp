@@ -77,8 +77,7 @@ Result<pid_t> start_child(const ChildOptions& options) {
   const std::vector<char*> arguments = pointers_to(words);
   Descriptor log;
   if (!options.log.empty()) {
-    MIROCUP_TRY(auto opened, open_log(options.log));
-    log = std::move(opened);
+    MIROCUP_TRY(log, open_log(options.log));
   }
   const pid_t parent = getpid();
   const pid_t pid = fork();

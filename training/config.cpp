@@ -250,8 +250,7 @@ Result<match::Setup> setup_of(const Config& config, std::uint64_t seed) {
   setup.seed = seed;
   Random random(mix_seed(~seed));  // the leg draws from mix_seed(seed)
   if (!config.starts.empty()) {
-    MIROCUP_TRY(auto start, draw_start(config.starts, setup.league, random));
-    setup.start = std::move(start);
+    MIROCUP_TRY(setup.start, draw_start(config.starts, setup.league, random));
   }
   if (!config.pitch.is_null()) {
     const nlohmann::ordered_json numbers = record::drawn(config.pitch, random);

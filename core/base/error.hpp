@@ -40,7 +40,9 @@ inline tl::unexpected<Error> fail(Errc code, std::string what) {
 }
 
 // MIROCUP_TRY(const auto file, open(path)); declares `file` with the value of a Result, or returns
-// its error from the function. MIROCUP_TRY_VOID(write(path)); returns the error, if there is one.
+// its error from the function; MIROCUP_TRY(file, open(path)); assigns the value.
+// MIROCUP_TRY_VOID(write(path)); returns the error, if there is one. Each is a statement of its
+// own and stands in a block.
 #define MIROCUP_TRY(value, ...)                                                                    \
   auto MIROCUP_TRIED(__LINE__) = __VA_ARGS__;                                                      \
   if (!MIROCUP_TRIED(__LINE__)) return tl::unexpected(std::move(MIROCUP_TRIED(__LINE__)).error()); \

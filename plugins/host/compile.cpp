@@ -88,9 +88,8 @@ Result<void> add_predict(const std::string& path, std::vector<TreeFile>& files) 
   system::Disk disk;
   std::string bytes = "!<arch>\n";
   if (disk.exists(path)) {
-    MIROCUP_TRY(auto read, disk.read(path, {.max_size = system::size_limit::entry,
-                                            .links = system::Links::followed}));
-    bytes = std::move(read);
+    MIROCUP_TRY(bytes, disk.read(path, {.max_size = system::size_limit::entry,
+                                        .links = system::Links::followed}));
   }
   files.push_back({.path = "/mirocup/lib", .bytes = "", .is_folder = true});
   files.push_back({.path = "/mirocup/lib/libmirocup_predict.a", .bytes = std::move(bytes)});

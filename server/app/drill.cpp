@@ -110,11 +110,9 @@ Result<DrillTeams> teams_of(const drills::Drill& drill, const std::string& team,
       return Error{error.code, drill.name + ": " + key + ": " + error.what};
     });
   };
-  MIROCUP_TRY(auto opponent, choose_in_drill(drill.opponent, "/opponent"));
-  teams.opponent = std::move(opponent);
+  MIROCUP_TRY(teams.opponent, choose_in_drill(drill.opponent, "/opponent"));
   if (drill.mates.empty()) return teams;
-  MIROCUP_TRY(auto mates, choose_in_drill(drill.mates, "/mates"));
-  teams.mates = std::move(mates);
+  MIROCUP_TRY(teams.mates, choose_in_drill(drill.mates, "/mates"));
   return teams;
 }
 
@@ -165,12 +163,11 @@ Result<DrillReport> test_team(const std::string& team, const std::vector<drills:
     report.drills.push_back(&drill);
   }
   report.team = teams.front().tested.info.name;
-  MIROCUP_TRY(auto played, play_drills(tasks,
-                                       {.first_seed = options.seed,
-                                        .jobs = options.jobs,
-                                        .replay_folder = options.replay_folder},
-                                       progress));
-  report.tries = std::move(played);
+  MIROCUP_TRY(report.tries, play_drills(tasks,
+                                        {.first_seed = options.seed,
+                                         .jobs = options.jobs,
+                                         .replay_folder = options.replay_folder},
+                                        progress));
   return report;
 }
 

@@ -284,10 +284,8 @@ Result<bool> Examination::examine_python() {
 }
 
 Result<bool> Examination::examine_play() {
-  MIROCUP_TRY(auto idle, plugins::SealedEntry::open(system::house_team("idle")));
-  idle_ = std::move(idle);
-  MIROCUP_TRY(auto striker, plugins::SealedEntry::open(system::house_team("striker")));
-  striker_ = std::move(striker);
+  MIROCUP_TRY(idle_, plugins::SealedEntry::open(system::house_team("idle")));
+  MIROCUP_TRY(striker_, plugins::SealedEntry::open(system::house_team("striker")));
 
   for (const auto step : {&Examination::load_and_answer, &Examination::play_whole_legs,
                           &Examination::play_knockout, &Examination::repeat_elsewhere}) {
@@ -549,8 +547,7 @@ Result<bool> Examination::judge(const TrialLeg& leg, const TrialTerms& terms, st
   evidence.is_python = entry_->is_python();
   std::string mistake;
   if (evidence.fault.code == match::FaultCode::crash && !terms.is_careful && !evidence.is_python) {
-    MIROCUP_TRY(auto found, mistake_in_memory(terms, evidence));
-    mistake = std::move(found);
+    MIROCUP_TRY(mistake, mistake_in_memory(terms, evidence));
   }
   return fail_with(evidence.fault.text + " (" + std::string(to_string(evidence.fault.code)) +
                    "): " + advice_on(evidence) + mistake);

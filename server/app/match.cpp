@@ -140,8 +140,7 @@ Result<void> give_parameters(const MatchOptions& options, std::vector<TeamChoice
       return fail(Errc::input, option + " " + own[0] + ": " + info.name +
                                    " plays over the network; give it to mirocup join");
     }
-    MIROCUP_TRY(auto given, record::parameters_with_changes(shared, own, option));
-    info.parameters = std::move(given);
+    MIROCUP_TRY(info.parameters, record::parameters_with_changes(shared, own, option));
     is_for_a_library = true;
   }
   if (is_for_a_library) return {};
@@ -292,9 +291,8 @@ Result<void> Session::open_network(const std::vector<TeamChoice>& choices) {
     return choices[0].info.kind == kind || choices[1].info.kind == kind;
   };
   if (any(record::TeamKind::dds)) {
-    MIROCUP_TRY(auto server, dds::MatchServer::open(options_.match_id, options_.interface,
-                                                    options_.credentials, options_.dds_domain));
-    network_ = std::move(server);
+    MIROCUP_TRY(network_, dds::MatchServer::open(options_.match_id, options_.interface,
+                                                 options_.credentials, options_.dds_domain));
   }
   for (const Team team : both_teams) {
     const bool is_firasim = choices[index_of(team)].info.kind == record::TeamKind::firasim;
@@ -440,12 +438,11 @@ Result<void> Session::open_live_page() {
   MIROCUP_TRY(const auto address,
               web::parse_address(options_.watch->empty() ? "0" : *options_.watch, "--watch"));
   const match::Setup& setup = match_.setup();
-  MIROCUP_TRY(auto live,
+  MIROCUP_TRY(live_,
               web::LiveServer::open(address, match_, {seats_[0].info().name, seats_[1].info().name},
                                     std::string(to_string(setup.league)) + " league, rules " +
                                         std::string(to_string(setup.rules.preset)) + ", seed " +
                                         std::to_string(setup.seed)));
-  live_ = std::move(live);
   std::cerr << "mirocup: watch at " << live_->url() << '\n';
   return {};
 }

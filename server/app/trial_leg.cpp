@@ -45,11 +45,10 @@ Result<Seats> start_teams(const plugins::SealedEntry& entry, const match::Leg& l
     const plugins::SealedEntry& played = is_own ? entry : *terms.opponent;
     MIROCUP_TRY(const auto program,
                 host_program(played, is_own && terms.is_careful ? Care::watched : Care::none));
-    MIROCUP_TRY(auto process,
+    MIROCUP_TRY(seats[index_of(team)],
                 plugins::ProcessController::start(
                     program, played, leg.briefing(team),
                     is_own ? terms.parameters : match::TeamParameters(), process_terms));
-    seats[index_of(team)] = std::move(process);
   }
   return seats;
 }
@@ -62,7 +61,7 @@ double delay_of(const Seats& seats) {
   return sum;
 }
 
-// What a leg uses, as CheckPlan counts.
+// Measures what a leg uses, as CheckPlan counts it.
 class Meter {
  public:
   Meter() : own_before_(own_seconds()), delay_before_(own_delay()) {}
@@ -80,7 +79,7 @@ class Meter {
   }
 
   // Returns for how long the entry slept while it played, s. The controller subtracts all delay of
-  // this process, also that of the legs before.
+  // this process, including that of the legs before.
   double slept(const plugins::ProcessController& own) const {
     const auto slept = own.slept_seconds();
     return slept ? std::max(0.0, *slept + delay_before_) : 0.0;
@@ -122,8 +121,7 @@ std::set<MetRestart> met_restarts(const match::Leg& leg, Team team) {
 Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms& terms) {
   const Meter meter;
   match::Leg leg(terms.setup);
-  MIROCUP_TRY(auto started, start_teams(entry, leg, terms));
-  const Seats& seats = started;
+  MIROCUP_TRY(const Seats seats, start_teams(entry, leg, terms));
   plugins::ProcessController& own = *seats[index_of(terms.team)];
 
   std::optional<match::Fault> fault;
@@ -140,7 +138,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   const double used_to_start = meter.processor(seats) + slept_to_start;
   pace::SteadyWallClock clock;
   const double start = clock.now();
-  // Who has slept has taken at least as long on the wall.
+  // An entry that slept has taken at least as long on the clock, so that is looked at first.
   const auto is_over_time = [&] {
     const double used = meter.processor(seats) - (used_to_start - slept_to_start);
     return used > terms.max_seconds ||

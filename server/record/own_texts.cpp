@@ -21,13 +21,12 @@ Result<OwnTexts> read_own_texts(system::Files& files, const std::string& record_
     if (const std::string path = thoughts_path(record_path, team); files.exists(path)) {
       MIROCUP_TRY(const auto bytes,
                   files.read(path, {.max_size = system::size_limit::replay, .links = links}));
-      MIROCUP_TRY(auto lines, unpacked_thoughts(bytes, path));
-      own.thoughts[index_of(team)] = std::move(lines);
+      MIROCUP_TRY(own.thoughts[index_of(team)], unpacked_thoughts(bytes, path));
     }
     const std::string path = record_path + "." + std::string(to_string(team)) + ".log";
     if (!files.exists(path)) continue;
-    MIROCUP_TRY(auto text, files.read(path, {.max_size = system::size_limit::log, .links = links}));
-    own.logs[index_of(team)] = std::move(text);
+    MIROCUP_TRY(own.logs[index_of(team)],
+                files.read(path, {.max_size = system::size_limit::log, .links = links}));
   }
   return own;
 }

@@ -65,9 +65,8 @@ Result<int> run_grades(const LeagueOptions& options) {
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
   std::string drills;
   if (!options.drills.empty()) {
-    MIROCUP_TRY(auto text, disk.read(options.drills, {.max_size = system::size_limit::note,
-                                                      .links = system::Links::followed}));
-    drills = std::move(text);
+    MIROCUP_TRY(drills, disk.read(options.drills, {.max_size = system::size_limit::note,
+                                                   .links = system::Links::followed}));
   }
   MIROCUP_TRY(const auto people, read_people(disk, folder));
   MIROCUP_TRY(const auto file, grades(overview(store.state()), people, drills, options.drills));

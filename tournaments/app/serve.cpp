@@ -60,8 +60,7 @@ Result<web::SiteLimits> limits_of(const ServeOptions& options) {
   web::SiteLimits limits;
   if (options.hand_in) limits.max_upload = system::size_limit::entry;
   if (options.tls.empty()) return limits;
-  MIROCUP_TRY(auto tls, system::TlsServer::load(options.tls.front(), options.tls.back()));
-  limits.tls = std::move(tls);
+  MIROCUP_TRY(limits.tls, system::TlsServer::load(options.tls.front(), options.tls.back()));
   return limits;
 }
 
@@ -80,8 +79,7 @@ Result<int> run_serve(const ServeOptions& options) {
   std::unique_ptr<Portal> portal;
   if (options.hand_in) {
     league.offer_hand_in();
-    MIROCUP_TRY(auto opened, open_portal(disk, options, league));
-    portal = std::move(opened);
+    MIROCUP_TRY(portal, open_portal(disk, options, league));
     site.desk = [&portal = *portal](const web::Request& request, const web::Body& body) {
       return portal.answer(request, body);
     };

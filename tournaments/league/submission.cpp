@@ -282,8 +282,7 @@ Result<Found> examine(const HandIn& handed) {
     found.why_not = handed.path + ": it has a second name (a hard link); copy it instead";
     return found;
   }
-  MIROCUP_TRY(auto library, system::read_file(*file));
-  found.library = std::move(library);
+  MIROCUP_TRY(found.library, system::read_file(*file));
   return found;
 }
 
@@ -366,8 +365,7 @@ void Desk::note_try(const Found& found) {
 }
 
 Result<std::optional<Submission>> Desk::receive(const Found& found) {
-  MIROCUP_TRY(auto known, read_hand_ins(files_, folder(), team()));
-  known_ = std::move(known);
+  MIROCUP_TRY(known_, read_hand_ins(files_, folder(), team()));
   if (has_verdict()) return std::nullopt;
   if (found.why_not.empty() && handed_.is_from_inbox) {
     MIROCUP_TRY(const auto last, last_entry(files_, folder(), team()).and_then([&](int number) {
@@ -427,8 +425,7 @@ Result<Json> Desk::check(const Found& found) {
   }
   MIROCUP_TRY(auto refused, compile(files_, folder(), handed_, number_));
   if (refused) return std::move(*refused);
-  MIROCUP_TRY(auto library, files_.read(stored, {.max_size = system::size_limit::entry}));
-  library_ = std::move(library);
+  MIROCUP_TRY(library_, files_.read(stored, {.max_size = system::size_limit::entry}));
   return check_library();
 }
 
@@ -440,8 +437,7 @@ Result<Json> Desk::check_library() {
 }
 
 Result<Submission> Desk::conclude(const Found& found, Json verdict) {
-  MIROCUP_TRY(auto known, read_hand_ins(files_, folder(), team()));
-  known_ = std::move(known);
+  MIROCUP_TRY(known_, read_hand_ins(files_, folder(), team()));
   MIROCUP_TRY(const auto playing, playing_entry(files_, folder(), team()));
   // It may have been forgotten since.
   if (find_try(known_, number_) == nullptr) note_try(found);
@@ -523,8 +519,7 @@ Result<Submission> submit(system::Files& files, const Folder& folder, const Hand
   // Hand-ins that waited have a queue of their own, which says how many checks run at once.
   std::optional<system::FileLock> alone;
   if (handed.entry == 0) {
-    MIROCUP_TRY(auto lock, system::FileLock::acquire(folder.checking()));
-    alone = std::move(lock);
+    MIROCUP_TRY(alone, system::FileLock::acquire(folder.checking()));
   }
   auto lock = std::optional(system::FileLock::acquire(folder.submitting()));
   if (!*lock) return tl::unexpected(lock->error());
@@ -539,8 +534,7 @@ Result<Submission> submit(system::Files& files, const Folder& folder, const Hand
   lock = system::FileLock::acquire(folder.submitting());
   if (!*lock) return tl::unexpected(lock->error());
   // Another team may have joined in the meantime.
-  MIROCUP_TRY(auto fresh, LeagueStore::open_unplanned(files, folder));
-  store = std::move(fresh);
+  MIROCUP_TRY(store, LeagueStore::open_unplanned(files, folder));
   return desk.conclude(found, std::move(verdict));
 }
 

@@ -42,9 +42,8 @@ Result<TuningFile> TuningFile::open(system::Files& files, const std::string& fol
     return fail(Errc::input, file.path_ + ": " + key + " is not " + record::json_text(value) +
                                  ": the folder holds another search; name a new folder");
   }
-  MIROCUP_TRY(auto marks, record::read_json<std::map<std::string, std::vector<Mark>>>(
-                              *text, file.path_, Errc::damaged, read_marks));
-  file.marks_ = std::move(marks);
+  MIROCUP_TRY(file.marks_, record::read_json<std::map<std::string, std::vector<Mark>>>(
+                               *text, file.path_, Errc::damaged, read_marks));
   return file;
 }
 
