@@ -23,6 +23,22 @@ std::string temporary_name() {
   return name;
 }
 
+// Leagues of tests put nothing on this user's list of programs.
+std::string state_folder() {
+  const auto folder = std::filesystem::temp_directory_path() / "mirocup-test-state-";
+  return "XDG_STATE_HOME=" + folder.string() + std::to_string(geteuid());
+}
+
+// Returns this process's environment and a variable that it does not set itself.
+std::vector<char*> environment_with(const std::string& variable) {
+  const std::string name = variable.substr(0, variable.find('='));
+  std::vector<char*> variables;
+  if (getenv(name.c_str()) == nullptr) variables.push_back(const_cast<char*>(variable.c_str()));
+  for (char** one = environ; *one != nullptr; ++one) variables.push_back(*one);
+  variables.push_back(nullptr);
+  return variables;
+}
+
 }  // namespace
 
 Running::Running(const std::vector<std::string>& arguments)
@@ -31,15 +47,15 @@ Running::Running(const std::vector<std::string>& arguments)
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
+  const std::string state = state_folder();
+  std::vector<char*> variables = environment_with(state);
   pid_ = fork();
   if (pid_ == 0) {
+    // Nothing is allocated here: another thread may have held the allocator's lock.
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
     dup2(open(out_.c_str(), O_WRONLY | O_TRUNC), STDOUT_FILENO);
     dup2(open(err_.c_str(), O_WRONLY | O_TRUNC), STDERR_FILENO);
-    // Leagues of tests put nothing on this user's list of programs.
-    const auto state = std::filesystem::temp_directory_path() / "mirocup-test-state-";
-    setenv("XDG_STATE_HOME", (state.string() + std::to_string(geteuid())).c_str(), 0);
-    execv(argv[0], argv.data());
+    execve(argv[0], argv.data(), variables.data());
     _exit(126);
   }
 }

@@ -104,9 +104,10 @@ TEST_F(Credentials, LetTheTeamPlayAndNobodyElse) {
 // distinguish them from its commands.
 TEST_F(Credentials, DetectForgedPackets) {
   const std::string id = match_id("forged");
-  Running leg(match(id));
+  Running leg(under_garbage(match(id), folder_ / "leaks.txt"));
   Running remote(on_bad_network(join(id, of("teams/remote")), {"BAD_NETWORK_GARBAGE=1"}));
-  ASSERT_EQ(leg.wait().exit_code, 0);
+  const Outcome played = leg.wait();
+  ASSERT_EQ(played.exit_code, 0) << played.err << remote.err();
   run({program("mirocup"), "match", "--blue", "striker", "--yellow", "keeper", "--half", "5",
        "--record", folder_ / "so.json"});
   EXPECT_EQ(state_hash("leg.json"), state_hash("so.json"));

@@ -32,8 +32,10 @@ TEST(DdsHostile, PlaysTheSameLegAfterAStormOfChangedPackets) {
   const std::string packets = asked != nullptr ? asked : "2000";
   const TemporaryFolder folder;
   const std::string id = match_id("storm");
-  Running leg({program("mirocup"), "match", "--blue", "dds:remote", "--yellow", "keeper", "--half",
-               "5", "--match", id, "--record", folder / "leg.json", "--join-within", "60"});
+  Running leg(under_garbage(
+      {program("mirocup"), "match", "--blue", "dds:remote", "--yellow", "keeper", "--half", "5",
+       "--match", id, "--record", folder / "leg.json", "--join-within", "60"},
+      folder / "leaks.txt"));
   Running storm(on_bad_network({program("dds/intruder"), "imitate", id, "remote"},
                                {"BAD_NETWORK_GARBAGE=20", "BAD_NETWORK_LIMIT=" + packets}));
   ASSERT_TRUE(has_said(storm, packets + " changed packets were sent")) << storm.err();

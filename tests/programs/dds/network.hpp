@@ -94,6 +94,17 @@ inline std::vector<std::string> on_bad_network(const std::vector<std::string>& a
   return preloaded("bad_network.so", arguments, how);
 }
 
+// A program that receives changed packets. Cyclone DDS forgets to free what it has copied of a few
+// of them (ddsrt_memdup), which LeakSanitizer would make an exit code of the program. `list`: a
+// new file that tells it so.
+inline std::vector<std::string> under_garbage(std::vector<std::string> arguments,
+                                              const std::string& list) {
+  write_file(list, "leak:ddsrt_memdup\n");
+  arguments.insert(arguments.begin(),
+                   {"/usr/bin/env", "LSAN_OPTIONS=print_suppressions=0:suppressions=" + list});
+  return arguments;
+}
+
 // The program and the processes that it starts see a clock that is this many hours behind.
 inline std::vector<std::string> behind(int hours, const std::vector<std::string>& arguments) {
   return preloaded("old_clock.so", arguments, {"OLD_CLOCK=" + std::to_string(3600L * hours)});
