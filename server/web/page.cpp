@@ -89,7 +89,7 @@ Json calls_as_text(const Json& decisions, const match::ByTeam<std::string>& name
     std::string gainer = text_of(call, call.contains("gainer") ? "gainer" : "team");
     if (is_goal && !gainer.empty()) score[gainer] = score[gainer].get<int>() + 1;
     const std::string name = gainer.empty() ? "" : names[gainer == "blue" ? 0 : 1];
-    std::string what = words(call["decision"]);
+    std::string what = words(call["decision"].get<std::string>());
     if (is_goal && call.value("own_goal", false)) what += " (own goal)";
     if (is_goal) what += " · " + name + " " + score_text(score);
     if (!is_goal && !name.empty()) what += " for " + name;
@@ -135,7 +135,7 @@ std::string page(const match::Leg& first_moment, const match::ByTeam<std::string
               {"phase", "First half"}};
   if (data.contains("result")) {
     values["score"] = score_text(data["result"]["score"]);
-    values["phase"] = words(data["result"]["end"]);
+    values["phase"] = words(data["result"]["end"].get<std::string>());
     values["calls"] = calls_as_text(data["decisions"], names);
   }
   return filled(asset, "page.html", values);

@@ -72,7 +72,7 @@ void expect_rejected(const std::string& library, const std::string& first_failed
   const Examined examined = check(library);
   EXPECT_EQ(examined.exit_code, 1) << library;
   EXPECT_EQ(examined.report["accepted"], false);
-  const std::string reason = examined.report["reason"];
+  const std::string reason = examined.report["reason"].get<std::string>();
   EXPECT_EQ(reason.rfind(first_failed + ": ", 0), 0u) << reason;
   EXPECT_NE(reason.find(text), std::string::npos) << reason;
   // All checks before the failed one passed, and none was run after it.

@@ -156,7 +156,7 @@ TEST_P(Mistakes, AreRefusedWithTheirReason) {
 TEST(Check, RefusesATeamThatWouldLoseEachLegByItsBudget) {
   const Answer examined = check_team_with(Mistake::slow, "10");
   EXPECT_EQ(examined.exit_code, 1);
-  const std::string reason = examined.report["reason"];
+  const std::string reason = examined.report["reason"].get<std::string>();
   EXPECT_EQ(reason.rfind("budget: a leg with halves of 10 s would take ", 0), 0u) << reason;
   for (const char* text : {"of processor time", "1 ms"}) {
     EXPECT_NE(reason.find(text), std::string::npos) << reason;

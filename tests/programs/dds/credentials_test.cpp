@@ -49,7 +49,7 @@ class Credentials : public testing::Test {
   }
 
   std::string state_hash(const std::string& record) const {
-    return read_json(folder_ / record)["state_hash"];
+    return read_json(folder_ / record)["state_hash"].get<std::string>();
   }
 
   TemporaryFolder folder_;

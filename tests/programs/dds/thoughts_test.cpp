@@ -34,7 +34,7 @@ std::string lines_of_library(std::string& hash) {
   const Outcome played =
       run(drawn_match("none", program("teams/draws.so"), folder / "leg.json", {"--thoughts"}));
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  hash = read_json(folder / "leg.json")["state_hash"];
+  hash = read_json(folder / "leg.json")["state_hash"].get<std::string>();
   const std::string lines = lines_of(folder / "");
   EXPECT_GT(lines.size(), 100'000U);
   return lines;

@@ -93,7 +93,7 @@ TEST(Firasim, InLockstepTheSameSeedIsTheSameLeg) {
       EXPECT_GE(record["network"][colour]["datagrams"]["placements"], restarts_of(record));
       EXPECT_GT(record["result"]["score"][colour], 0) << "its robots go the wrong way";
       EXPECT_TRUE(i == 0 || record["state_hash"] == hash);
-      hash = record["state_hash"];
+      hash = record["state_hash"].get<std::string>();
       EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
     }
   }
@@ -142,7 +142,7 @@ TEST(Firasim, ABusyClientPlaysTheSameLeg) {
     const Json record = read_json(folder / "leg.json");
     EXPECT_EQ(record["network"]["yellow"]["in_step"], record["ticks"]);
     EXPECT_TRUE(hash.empty() || record["state_hash"] == hash) << way;
-    hash = record["state_hash"];
+    hash = record["state_hash"].get<std::string>();
   }
 }
 
@@ -202,7 +202,7 @@ TEST(Firasim, StrangersHaveNoEffect) {
       std::cout << "sent " << sent.out << "counted: foreign " << network["foreign"] << ", "
                 << network["datagrams"].dump() << ", ticks " << record["ticks"] << '\n';
     }
-    hash = record["state_hash"];
+    hash = record["state_hash"].get<std::string>();
   }
 }
 
@@ -239,7 +239,7 @@ TEST(Firasim, LostAndDoubledPacketsHaveNoEffect) {
       EXPECT_EQ(record["state_hash"], hash);
       EXPECT_GT(network["datagrams"]["stale"], 0) << "nothing was doubled";
     }
-    hash = record["state_hash"];
+    hash = record["state_hash"].get<std::string>();
   }
 }
 

@@ -202,8 +202,9 @@ TEST_F(HandIn, ShowsThoughtsToTheirTeamAndTheStaffOnly) {
   ASSERT_EQ(legs.size(), 2u);
   for (const auto& leg : legs) {
     ASSERT_TRUE(leg.contains("thoughts")) << leg;
-    const std::string own = leg["colour"], other = own == "blue" ? "yellow" : "blue";
-    const std::string path = leg["thoughts"];
+    const std::string own = leg["colour"].get<std::string>(),
+                      other = own == "blue" ? "yellow" : "blue";
+    const std::string path = leg["thoughts"].get<std::string>();
     const auto seen_with = [&](const std::string& token, const std::string& more = "") {
       return data_of(get(path + more, token).body)["own"];
     };
@@ -216,7 +217,8 @@ TEST_F(HandIn, ShowsThoughtsToTheirTeamAndTheStaffOnly) {
     EXPECT_EQ(get(path, gamma).status, 404);
     EXPECT_EQ(get(path, "").status, 401);
 
-    const std::string page = leg["replay"], record = leg["record"];
+    const std::string page = leg["replay"].get<std::string>(),
+                      record = leg["record"].get<std::string>();
     for (const std::string& token : {alpha, beta, staff, std::string()}) {
       const auto open = get(page, token);
       EXPECT_EQ(open.status, 200);
@@ -349,7 +351,7 @@ TEST_F(HandIn, LosesAndDoublesNothingByKills) {
       const auto reply = client.Put("/api/v1/entries", {{"Authorization", "Bearer " + token}},
                                     bytes, "application/octet-stream");
       if (!reply || reply->status != 202) continue;  // killed, or the team has had enough
-      const int entry = ordered_json::parse(reply->body)["entry"];
+      const int entry = ordered_json::parse(reply->body)["entry"].get<int>();
       EXPECT_TRUE(taken.emplace(std::pair(team, entry), bytes).second) << "numbered twice";
     }
     usleep(static_cast<useconds_t>(random() % 200'000));
@@ -378,7 +380,8 @@ TEST_F(HandIn, LosesAndDoublesNothingByKills) {
   }
   std::map<std::pair<std::string, int>, int> answers;
   for (const auto& line : book()) {
-    if (line["kind"] == "answer") ++answers[{line["team"], line["entry"]}];
+    if (line["kind"] == "answer")
+      ++answers[{line["team"].get<std::string>(), line["entry"].get<int>()}];
   }
   for (const auto& [key, count] : answers) EXPECT_EQ(count, 1) << key.first << key.second;
   for (const auto& [key, bytes] : taken) {

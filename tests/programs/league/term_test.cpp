@@ -147,27 +147,28 @@ struct Tally {
     }
     for (std::size_t i = 0; i < std::min(lines, all.size()); ++i) {
       const auto& line = all[i];
-      const std::string kind = line["kind"];
-      if (kind == "join") teams.push_back(line["team"]);
+      const std::string kind = line["kind"].get<std::string>();
+      if (kind == "join") teams.push_back(line["team"].get<std::string>());
       if (kind == "night") {
         ++nights;
-        for (const auto& entry : line["entries"]) entries[entry["team"]] = entry["entry"];
+        for (const auto& entry : line["entries"])
+          entries[entry["team"].get<std::string>()] = entry["entry"].get<int>();
       }
       if (kind != "leg" && kind != "ruling" && kind != "void") continue;
       const std::string id = line["fixture"].get<std::string>() + "/" + line["leg"].dump();
       if (kind == "void") legs.erase(id);
       if (kind == "leg") {
-        legs[id] = {line["home"],
-                    line["away"],
-                    line["score"]["home"],
-                    line["score"]["away"],
-                    entries[line["home"]],
-                    entries[line["away"]],
+        legs[id] = {line["home"].get<std::string>(),
+                    line["away"].get<std::string>(),
+                    line["score"]["home"].get<int>(),
+                    line["score"]["away"].get<int>(),
+                    entries[line["home"].get<std::string>()],
+                    entries[line["away"].get<std::string>()],
                     nights,
                     true};
       } else if (kind == "ruling" && !undone.contains(line["n"].get<int>())) {
-        legs[id].home_goals = line["score"]["home"];
-        legs[id].away_goals = line["score"]["away"];
+        legs[id].home_goals = line["score"]["home"].get<int>();
+        legs[id].away_goals = line["score"]["away"].get<int>();
       }
     }
     for (const auto& [id, leg] : legs) {
@@ -381,7 +382,7 @@ TEST_F(Term, OfThreeWeeks) {
   // An appeal, decided wrongly, taken back, and decided again.
   std::string fixture;
   for (const auto& line : journal_of(folder_)) {
-    if (line["kind"] == "leg") fixture = line["fixture"];
+    if (line["kind"] == "leg") fixture = line["fixture"].get<std::string>();
   }
   const std::vector<std::string> rule{fixture, "--score", "2:1", "--reason", "the goal was valid"};
   ask("rule", rule, 2);
@@ -404,7 +405,7 @@ TEST_F(Term, OfThreeWeeks) {
 
   // Day 14: a new version of the program. It goes on only if it is told to.
   go_to_day(14);
-  const std::string game = journal_of(folder_).front()["game"];
+  const std::string game = journal_of(folder_).front()["game"].get<std::string>();
   const std::string home = upgraded(game, "0123456789abcdef");
   const auto by_new = [&](const std::string& command, const std::vector<std::string>& more) {
     std::vector<std::string> words{home + "/mirocup", "league", command, folder_};
@@ -457,7 +458,7 @@ TEST_F(Term, OfThreeWeeks) {
   const std::string asked = read_file(notes);
   for (const auto& line : journal_of(folder_)) {
     if (line["kind"] != "leg") continue;
-    const std::string record = line["record"];
+    const std::string record = line["record"].get<std::string>();
     EXPECT_EQ(contains(asked, "/" + record + "\n"), !record.starts_with("records/r3-")) << record;
   }
   for (const auto& line : journal_of(folder_)) EXPECT_TRUE(line.contains("at")) << line;
@@ -550,7 +551,7 @@ TEST_F(Term, AVoidLegIsPlayedInTheNextNight) {
   ask("submit", {"alpha", house("chaser")});
   ask("nightly");
   go_to_day(1);
-  const std::string fixture = journal_of(folder_).back()["fixture"];
+  const std::string fixture = journal_of(folder_).back()["fixture"].get<std::string>();
   ask("void", {fixture, "--leg", "1", "--reason", "a cable was loose"});
   ask("nightly");
   EXPECT_EQ(count_kind(folder_, "night"), 2);

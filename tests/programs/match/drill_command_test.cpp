@@ -50,7 +50,7 @@ TEST(DrillCommand, TriesEveryDrill) {
     EXPECT_GE(one["high"], one["score"]);
     sum += one["score"].get<double>();
   }
-  EXPECT_NEAR(report["score"], sum / static_cast<double>(drills.size()), 0.11);
+  EXPECT_NEAR(report["score"].get<double>(), sum / static_cast<double>(drills.size()), 0.11);
   EXPECT_GT(report["score"], 20.0);
 }
 

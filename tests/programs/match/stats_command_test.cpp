@@ -55,10 +55,10 @@ TEST_F(StatsCommand, TellsTheGoalsOfTheRecord) {
     EXPECT_EQ(json["legs"][i]["score"], record["result"]["played"]);
     EXPECT_EQ(json["legs"][i]["teams"]["blue"]["goals"], record["result"]["played"]["blue"]);
     std::vector<int> ticks;
-    for (const Json& goal : json["legs"][i]["goals"]) ticks.push_back(goal["tick"]);
+    for (const Json& goal : json["legs"][i]["goals"]) ticks.push_back(goal["tick"].get<int>());
     std::vector<int> recorded;
     for (const auto& call : record["decisions"]) {
-      if (call["decision"] == "GOAL") recorded.push_back(call["tick"]);
+      if (call["decision"] == "GOAL") recorded.push_back(call["tick"].get<int>());
     }
     EXPECT_EQ(ticks, recorded);
     goals += static_cast<int>(ticks.size());

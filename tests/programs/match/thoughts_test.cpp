@@ -65,7 +65,7 @@ TEST(Thoughts, AreKeptBesideTheRecordAndChangeNothing) {
               std::to_string(ticks) + " shapes of the leg were left out");
     EXPECT_EQ(thoughts_in(folder / "leg.yellow.thoughts.zst").size(), 0u);
     const std::string now = read_file(folder / "leg.blue.thoughts.zst");
-    if (!is_trusted) bytes = now, hash = record["state_hash"];
+    if (!is_trusted) bytes = now, hash = record["state_hash"].get<std::string>();
     EXPECT_EQ(now, bytes);
     EXPECT_EQ(record["state_hash"], hash);
     EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
@@ -118,8 +118,8 @@ TEST(Thoughts, OfHouseTeamsTellTheirPlansAndChangeNothing) {
     std::set<std::string> drawn;
     std::map<std::size_t, std::size_t> roles;  // by tick
     for (const ThoughtJson& thought : thoughts_in(folder / "leg.blue.thoughts.zst")) {
-      drawn.insert(thought["layer"]);
-      if (thought["layer"] == "roles") ++roles[thought["tick"]];
+      drawn.insert(thought["layer"].get<std::string>());
+      if (thought["layer"] == "roles") ++roles[thought["tick"].get<int>()];
     }
     EXPECT_EQ(drawn, expected) << team;
     const std::size_t told = team == "planner" ? 2 : 11;  // robots in a tick
@@ -163,7 +163,7 @@ TEST(Thoughts, OfTeamsInPython) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const auto record = test_support::read_json(folder / "leg.json");
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"];
-    if (hash.empty()) hash = record["state_hash"];
+    if (hash.empty()) hash = record["state_hash"].get<std::string>();
     EXPECT_EQ(record["state_hash"], hash);
     if (how.empty()) continue;
     for (const int team : {0, 1}) {

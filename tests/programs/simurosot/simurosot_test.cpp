@@ -70,7 +70,7 @@ TEST(Simurosot, SamplesKeepTheLaws) {
     int fouls = 0;
     const Json record = read_json(folder / "leg.json");
     for (const Json& decision : record["decisions"]) {
-      const std::string law = decision["law"];
+      const std::string law = decision["law"].get<std::string>();
       if (law == "two_defenders" || law == "four_defenders" || law == "keeper_charge") ++fouls;
     }
     EXPECT_LE(fouls, 4) << samples[i] << " against " << other;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Feeds inputs of libFuzzer to the readers of what strangers write. Usage: tests/security/fuzz/run.sh [SECONDS [READER...]]
-# (for each reader, 600 by default). Builds into build/fuzz. A reader stops at its first input that crashes it or takes 10 s
+# (for each reader, 600 by default). Builds into build/fuzz. A reader stops at its first input that crashes it or takes 30 s
 # or 2 GB, which is what the sanitizers make of 2 s and 512 MB, and the input is kept in build/fuzz/finds. At the end the release
 # build reads all inputs that were kept, with 2 s and 512 MB for each. Exits with 1 after any find.
 set -euo pipefail
@@ -33,7 +33,7 @@ for reader in "${readers[@]}"; do
     alone=(unshare -rn sh -c 'ip link set lo up && exec "$@"' sh)
   fi
   max_len=$(((${most[$reader]:-0} << 20) + 65536))
-  "${alone[@]}" "build/fuzz/${reader}_fuzz" -max_total_time="$seconds" -max_len="$max_len" -timeout=10 -rss_limit_mb=2048 \
+  "${alone[@]}" "build/fuzz/${reader}_fuzz" -max_total_time="$seconds" -max_len="$max_len" -timeout=30 -rss_limit_mb=2048 \
     -artifact_prefix="build/fuzz/finds/$reader-" -print_final_stats=1 "$corpus/$reader" || found=1
 done
 build/fuzz_corpus "$corpus" || found=1

@@ -53,7 +53,7 @@ TEST_P(Honest, PlaysTheSameEverywhere) {
     ASSERT_EQ(played.exit_code, 0) << played.err;
     const auto record = read_json(folder / "leg.json");
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
-    if (hash.empty()) hash = record["state_hash"];
+    if (hash.empty()) hash = record["state_hash"].get<std::string>();
     EXPECT_EQ(record["state_hash"], hash) << how.back();
     EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
     if (how.front() == "--trusted") continue;

@@ -124,7 +124,7 @@ TEST(HostileEntry, FileThatChangesPlaysAsItWasHashed) {
     const Outcome played = run(match(folder / "entry.so", folder / "leg.json"));
     EXPECT_EQ(played.exit_code, 0) << played.err;
     const Json record = read_json(folder / "leg.json");
-    const std::string sha256 = record["teams"]["blue"]["sha256"];
+    const std::string sha256 = record["teams"]["blue"]["sha256"].get<std::string>();
     std::string& hash = record["result"]["fault"].is_null() ? hash_of_good : hash_of_bad;
     if (hash.empty()) hash = sha256;
     EXPECT_EQ(sha256, hash);
@@ -162,7 +162,7 @@ TEST(TeamProcess, KilledFromOutsideVoidsTheLeg) {
   const Json result = read_json(folder / "leg.json")["result"];
   EXPECT_EQ(result["end"], "void");
   EXPECT_TRUE(result["fault"].is_null());
-  const std::string why = result["why_void"];
+  const std::string why = result["why_void"].get<std::string>();
   EXPECT_NE(why.find("team's process was killed from outside"), std::string::npos) << why;
 }
 
@@ -353,7 +353,7 @@ TEST(TeamProcess, ThatTheKernelEndsForItsMemoryIsNamed) {
   const Json result = read_json(folder / "leg.json")["result"];
   EXPECT_EQ(result["end"], "void");
   EXPECT_TRUE(result["fault"].is_null());
-  const std::string why = result["why_void"];
+  const std::string why = result["why_void"].get<std::string>();
   EXPECT_EQ(
       why.rfind("the blue team's process was ended for want of memory when it had taken 1", 0), 0u)
       << why;

@@ -342,8 +342,8 @@ TEST(Training, TermsSayWhatTheirNamesSay) {
   ASSERT_EQ(batch.reset(1), 0);
   const json spec = json::parse(mirocup_training_spec(batch.get()));
   const int x = column(batch, "observation", "ball_x"), y = x + 1;
-  const double metre = spec["observation"][0]["scale"];
-  const double half_length = spec["field"]["half_length"];
+  const double metre = spec["observation"][0]["scale"].get<double>();
+  const double half_length = spec["field"]["half_length"].get<double>();
   const int goal = column(batch, "rewards", "goal");
   const int ball_to_goal = column(batch, "rewards", "ball_to_goal");
   const int time = column(batch, "rewards", "time");
@@ -408,8 +408,8 @@ TEST(Training, TheWayBehindTheBallIsSeenAndRewarded) {
   BatchOfMatches batch(configuration);
   ASSERT_EQ(batch.reset(1), 0);
   const json spec = json::parse(mirocup_training_spec(batch.get()));
-  const double metre = spec["observation"][0]["scale"];
-  const double half_length = spec["field"]["half_length"];
+  const double metre = spec["observation"][0]["scale"].get<double>();
+  const double half_length = spec["field"]["half_length"].get<double>();
   const double gap =
       double(spec["bodies"]["robot_side"]) / 2.0 + double(spec["bodies"]["ball_radius"]);
   const int term = column(batch, "rewards", "behind_ball");

@@ -466,8 +466,8 @@ TEST_F(Desk, ShowsTheLogsOfOwnLegsOnly) {
   ASSERT_EQ(legs.size(), 1u);
   EXPECT_EQ(legs[0]["slowest_tick_ms"], 2.5);
   EXPECT_EQ(legs[0]["replay"], "/replays/r1-f1-1-1.html");
-  EXPECT_EQ(ask(api(legs[0]["log"], alpha_)).bytes, "hello\\x1b[31m");
-  EXPECT_EQ(ask(api(legs[0]["log"], beta_)).status, 404);
+  EXPECT_EQ(ask(api(legs[0]["log"].get<std::string>(), alpha_)).bytes, "hello\\x1b[31m");
+  EXPECT_EQ(ask(api(legs[0]["log"].get<std::string>(), beta_)).status, 404);
   for (const char* strange :
        {"/api/v1/legs/log", "/api/v1/legs//log", "/api/v1/legs/../r1-f1-1-1/log",
         "/api/v1/legs/r1-f1-1-1", "/api/v1/legs/r1-f1-1-1.json.blue.log",
@@ -496,7 +496,7 @@ TEST_F(Desk, ShowsTheThoughtsOfOwnLegsOnly) {
   ASSERT_TRUE(disk_.write(temporary_ / "records/r1-f1-1-1.blue.thoughts.zst", "the other's"));
   EXPECT_FALSE(told(alpha_).contains("thoughts"));
   ASSERT_TRUE(disk_.write(temporary_ / "records/r1-f1-1-1.yellow.thoughts.zst", "own"));
-  const std::string path = told(alpha_)["thoughts"];
+  const std::string path = told(alpha_)["thoughts"].get<std::string>();
   EXPECT_EQ(path, "/hand-in/replays/r1-f1-1-1.html");
   EXPECT_EQ(ask(api(path, alpha_)).bytes, "replay of r1-f1-1-1, yellow's thoughts");
   EXPECT_EQ(ask(with(get(path), "cookie", log_in(alpha_))).status, 200);
