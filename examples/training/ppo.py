@@ -182,7 +182,7 @@ def collect(envs: VectorEnv, learner: Learner, opponents: Opponents, observation
             with torch.no_grad():
                 gain[t, cut] += GAMMA * learner.value(torch.from_numpy(infos["final_obs"][cut]))[:, 0]
         for i in np.flatnonzero(ended):
-            episodes.append({"return": float(infos["episode"]["r"][i]), "goal": float(infos["episode"]["goal"][i])})
+            episodes.append({name: float(infos["statistics"][name][i]) for name in ("return", "goal")})
     with torch.no_grad():
         after = learner.value(torch.from_numpy(observations))[:, 0]
     advantage, running = torch.zeros_like(gain), torch.zeros(rows)
@@ -364,7 +364,7 @@ def scores(policy: Path, episodes: int, seed: int) -> dict[str, float]:
         observations, _, terminations, truncations, infos = envs.step(act(observations))
         new = (terminations | truncations) & ~ended
         if new.any():
-            goals[new] = infos["episode"]["goal"][new]
+            goals[new] = infos["statistics"]["goal"][new]
         ended |= new
     share = float((goals > 0).mean())
     error = 1.96 * (share * (1.0 - share) / episodes) ** 0.5
@@ -381,7 +381,7 @@ def against(policy: Path, opponent: str, matches: int) -> float:
     while True:
         observations, _, terminations, truncations, infos = envs.step(act(observations))
         if (terminations | truncations).all():
-            return float((infos["episode"]["score"] - infos["episode"]["opponent_score"]).mean())
+            return float((infos["statistics"]["score"] - infos["statistics"]["opponent_score"]).mean())
 
 
 def main() -> None:

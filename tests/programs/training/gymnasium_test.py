@@ -1,6 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The written rules of gymnasium.vector.VectorEnv, gymnasium.Env and pettingzoo.ParallelEnv, which Debian does not
-have: so they are tested on the stand-ins. Run with PYTHONPATH=BUILD/python."""
+"""The written rules of gymnasium.vector.VectorEnv, gymnasium.Env and pettingzoo.ParallelEnv. Debian has neither package: what
+their own checkers and wrappers say is asked where both can be imported, and skipped elsewhere. Run with PYTHONPATH=BUILD/python,
+or PYTHONPATH=BUILD/python:GYMNASIUM:PETTINGZOO, the folders of their sources."""
+import copy
+import importlib.util
+import os
+import pickle
+import signal
 import subprocess
 import sys
 import tempfile
@@ -77,11 +83,11 @@ class Vector(unittest.TestCase):
             _, _, terminations, truncations, infos = envs.step(zero)
             self.assertEqual(truncations.all(), step == 14)
             self.assertFalse(terminations.any())
-        self.assertTrue(infos["_episode"].all())
-        self.assertTrue((infos["episode"]["l"] == 15).all())
+        self.assertTrue(infos["_statistics"].all())
+        self.assertTrue((infos["statistics"]["steps"] == 15).all())
         observations, rewards, terminations, truncations, infos = envs.step(zero + 1.0)
         self.assertFalse(truncations.any() or terminations.any() or rewards.any())
-        self.assertNotIn("episode", infos)
+        self.assertNotIn("statistics", infos)
         reference = short(autoreset_mode=AutoresetMode.SAME_STEP)
         reference.reset(seed=1)
         for _ in range(15):
@@ -120,7 +126,7 @@ class Vector(unittest.TestCase):
             ends["goal"] += int(terminations.sum())
             ends["cut"] += int(truncations.sum())
             if terminations.any():
-                goals = infos["episode"]["score"] - infos["episode"]["opponent_score"]
+                goals = infos["statistics"]["score"] - infos["statistics"]["opponent_score"]
                 self.assertTrue(np.array_equal(goals[terminations], rewards[terminations]))
         self.assertGreater(ends["goal"], 3)
         self.assertGreater(ends["cut"], 3)
@@ -169,6 +175,31 @@ class Vector(unittest.TestCase):
         envs.close()
         with self.assertRaisesRegex(mirocup.TrainingError, "closed"):
             envs.reset()
+
+    def test_after_a_fork(self):
+        """Catches a step in a child, which waited for ever for threads that only the parent has."""
+        envs = short()
+        envs.reset(seed=1)
+        zero = np.zeros(envs.action_space.shape)
+        envs.step(zero)
+        child = os.fork()
+        if child == 0:
+            signal.alarm(60)
+            code = 1
+            try:
+                envs.step(zero)
+            except mirocup.TrainingError as error:
+                code = 0 if "make one after the fork" in str(error) else 2
+            envs.close()
+            os._exit(code)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+        envs.step(zero)
+
+    def test_copies(self):
+        """Catches a copy with the matches of the first one, which both would end."""
+        for copied in (copy.deepcopy, pickle.dumps):
+            with self.assertRaisesRegex(mirocup.TrainingError, "make another one"):
+                copied(short())
 
     def test_records_and_pictures(self):
         """Catches an episode that does not verify, a page that is none, and a picture without bodies."""
@@ -221,7 +252,9 @@ class Single(unittest.TestCase):
             if terminated or truncated:
                 break
         self.assertTrue(terminated or truncated)
-        self.assertIn("r", info["episode"])
+        self.assertIn("return", info["statistics"])
+        self.assertNotIn("episode", info, "the key of RecordEpisodeStatistics")
+        self.assertEqual((env._np_random_seed, env._np_random), (1, env.np_random), "what Gymnasium's checker reads")
 
 
 class Parallel(unittest.TestCase):
@@ -250,6 +283,11 @@ class Parallel(unittest.TestCase):
             self.assertTrue(all(result[3].values()))
             self.assertEqual(env.step({}), ({}, {}, {}, {}, {}))
             self.assertEqual(env.state().shape, (42,))
+            self.assertIn(env.state(), env.state_space)
+        env.reset(seed=1)
+        actions = {agent: env.action_space(agent).sample() for agent in env.agents}
+        with self.assertRaisesRegex(ValueError, "green_0"):
+            env.step({**actions, "green_0": actions["blue_0"]})
 
     def test_an_agent_comes_first_in_its_own_observation(self):
         """Catches an agent that sees another robot as itself."""
@@ -263,6 +301,38 @@ class Parallel(unittest.TestCase):
         for i, agent in enumerate(env.possible_agents):
             own = np.abs(bodies[i, :2])  # the frame of a team may be turned
             self.assertTrue(np.allclose(np.abs(observations[agent][x:x + 2]) * metre, own, atol=1e-5), agent)
+
+
+@unittest.skipUnless(importlib.util.find_spec("gymnasium") and importlib.util.find_spec("pettingzoo"),
+                     "Gymnasium and PettingZoo are not on PYTHONPATH")
+class Real(unittest.TestCase):
+    """The packages themselves."""
+
+    def test_gymnasium(self):
+        """Catches an environment that check_env refuses, and infos that its wrappers do not bear."""
+        import gymnasium
+        from gymnasium.utils.env_checker import check_env
+        for arguments in ({}, {"render_mode": "rgb_array"}, {"preset": "vss"}, {"conditions": "camera", "opponent": "chaser"}):
+            check_env(Env(**arguments))
+        wrapped = gymnasium.wrappers.RecordEpisodeStatistics(Env(episode_seconds=0.5))
+        wrapped.reset(seed=1)
+        for _ in range(15):
+            info = wrapped.step(wrapped.action_space.sample())[-1]
+        self.assertEqual((info["episode"]["l"], info["statistics"]["steps"]), (15, 15.0))
+        wrapped = gymnasium.wrappers.vector.RecordEpisodeStatistics(short())
+        wrapped.reset(seed=1)
+        for _ in range(15):
+            infos = wrapped.step(wrapped.action_space.sample())[-1]
+        self.assertTrue(np.allclose(infos["episode"]["r"], infos["statistics"]["return"]))
+
+    def test_pettingzoo(self):
+        """Catches what PettingZoo's own tests of an environment refuse."""
+        from pettingzoo.test import parallel_api_test, parallel_seed_test
+        from pettingzoo.test.state_test import test_parallel_env
+        for agents in ("robot", "team"):
+            parallel_api_test(ParallelEnv(episode_seconds=1.0, agents=agents), num_cycles=100)
+        parallel_seed_test(lambda: ParallelEnv(episode_seconds=1.0))
+        test_parallel_env(ParallelEnv(episode_seconds=1.0))
 
 
 class Vss(unittest.TestCase):

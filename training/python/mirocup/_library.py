@@ -102,6 +102,7 @@ class Batch:
     def __init__(self, configuration: dict[str, Any]) -> None:
         self._library = _library()
         self._handle: int | None = None
+        self._process = os.getpid()
         error = ctypes.create_string_buffer(2000)
         self._handle = self._library.mirocup_training_create(json.dumps(configuration).encode(), error, len(error))
         if not self._handle:
@@ -110,6 +111,7 @@ class Batch:
         self.matches: int = self.spec["matches"]
         self.slots = len(self.spec["slots"])
         self.rows = self.matches * self.slots
+        self.bodies_count: int = 2 * self.spec["field"]["robots"] + 1
         rows, observation = self.rows, len(self.spec["observation"])
         self.actions = np.zeros((rows, len(self.spec["action"])), np.float32)
         self.observations = np.zeros((rows, observation), np.float32)
@@ -130,7 +132,14 @@ class Batch:
     def _open(self) -> int:
         if self._handle is None:
             raise TrainingError("the environment is closed")
+        if self._process != os.getpid():
+            raise TrainingError(f"the environment was made by process {self._process}, and its threads are there: make "
+                                "one after the fork, in the process that uses it")
         return self._handle
+
+    def __reduce__(self) -> Any:
+        raise TrainingError("an environment cannot be copied or pickled: make another one with the same arguments; "
+                            "save() and restore() copy its matches")
 
     def reset(self, mask: np.ndarray | None = None, seeds: np.ndarray | None = None) -> None:
         """Starts episodes: of the matches where `mask` (matches,) is true, from `seeds` (matches,)."""
@@ -153,7 +162,7 @@ class Batch:
 
     def bodies(self, match: int) -> np.ndarray:
         """(2 * robots + 1, 6): x, y (m), heading (rad), vx, vy (m/s), turn (rad/s) in the field's frame."""
-        bodies = np.zeros((2 * self.spec["field"]["robots"] + 1, 6))
+        bodies = np.zeros((self.bodies_count, 6))
         self._check(self._library.mirocup_training_bodies(self._open(), match, bodies.ctypes.data))
         return bodies
 
@@ -172,7 +181,7 @@ class Batch:
         self._check(self._library.mirocup_training_restore(self._open(), match, copy, len(copy)))
 
     def close(self) -> None:
-        if self._handle is not None:
+        if self._handle is not None and self._process == os.getpid():
             self._library.mirocup_training_destroy(self._handle)
         self._handle = None
 

@@ -34,6 +34,7 @@ class ParallelEnv(_ParallelBase):  # type: ignore[misc,valid-type]
         self.render_mode = render_mode
         self.possible_agents: list[str] = [slot["name"] for slot in self.envs.batch.spec["slots"]]
         self.agents: list[str] = []
+        self.state_space = Box(-np.inf, np.inf, (self.envs.batch.bodies_count * 6,), dtype=np.float32)
         self.observation_spaces: dict[str, Box] = {a: self.envs.single_observation_space for a in self.possible_agents}
         self.action_spaces: dict[str, Box] = {}
         for agent in self.possible_agents:  # each with a generator of its own
@@ -60,14 +61,17 @@ class ParallelEnv(_ParallelBase):  # type: ignore[misc,valid-type]
         missing = [agent for agent in self.agents if agent not in actions]
         if missing:
             raise ValueError(f"no action of {missing[0]}: every agent acts in every step")
+        unknown = [agent for agent in actions if agent not in self.agents]
+        if unknown:
+            raise ValueError(f"there is no agent {unknown[0]!r}: the agents are {', '.join(self.agents)}")
         stacked = np.stack([np.asarray(actions[agent], np.float32) for agent in self.agents])
         observations, rewards, terminations, truncations, vector_infos = self.envs.step(stacked)
         agents = self.agents
         infos: dict[str, dict[str, Any]] = {}
         for i, agent in enumerate(agents):
             infos[agent] = {"reward_terms": {k: float(v[i]) for k, v in vector_infos["reward_terms"].items()}}
-            if "episode" in vector_infos:
-                infos[agent]["episode"] = {k: v[i].item() for k, v in vector_infos["episode"].items()}
+            if "statistics" in vector_infos:
+                infos[agent]["statistics"] = {k: v[i].item() for k, v in vector_infos["statistics"].items()}
         if terminations.any() or truncations.any():
             self.agents = []
         return (dict(zip(agents, observations)), dict(zip(agents, rewards.tolist())),
@@ -82,7 +86,8 @@ class ParallelEnv(_ParallelBase):  # type: ignore[misc,valid-type]
         return self.action_spaces[agent]
 
     def state(self) -> np.ndarray:
-        """The true state of all bodies in the field's frame: float32 ((2 * robots + 1) * 6,)."""
+        """The true state of all bodies in the field's frame, as VectorEnv.state: float32 of state_space.shape, which is
+        ((2 * robots + 1) * 6,)."""
         return self.envs.state[0].astype(np.float32).ravel()
 
     @property

@@ -165,8 +165,8 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
         terminations  bool (num_envs,): a goal, or the end of the leg
         truncations   bool (num_envs,): the episode was cut at its length
         infos         "reward_terms": each term without its weight, by name, (num_envs,) each; when episodes ended,
-                      "episode": "r" (return), "l" (steps) and the other statistics, where "_episode" is true; with
-                      SAME_STEP "final_obs" and "_final_obs"
+                      "statistics" of each, by name, where "_statistics" is true; with SAME_STEP "final_obs" and
+                      "_final_obs". ("episode" is the key of Gymnasium's RecordEpisodeStatistics)
         """
         batch = self.batch
         actions = np.asarray(actions)
@@ -274,9 +274,8 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
         if not ended.any():
             return infos
         statistics = np.where(ended[:, None], batch.statistics, 0.0).T
-        episode = dict(zip(batch.spec["statistics"], statistics))
-        infos["episode"] = {"r": episode["return"], "l": episode["steps"].astype(np.int64), **episode}
-        infos["_episode"] = ended
+        infos["statistics"] = dict(zip(batch.spec["statistics"], statistics))
+        infos["_statistics"] = ended
         if self.autoreset_mode == AutoresetMode.SAME_STEP:
             infos["final_obs"] = np.where(ended[:, None], batch.final_observations, np.float32(0.0))
             infos["_final_obs"] = ended.copy()
@@ -307,11 +306,11 @@ class Env(_EnvBase):  # type: ignore[misc,valid-type]
 
     def step(self, action: np.ndarray) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
         """Plays one step. Returns observation, reward, terminated, truncated, info. The info has "reward_terms", and
-        "episode" when the episode has ended. Then reset() has to be called."""
+        "statistics" when the episode has ended. Then reset() has to be called."""
         observations, rewards, terminations, truncations, infos = self.envs.step(np.asarray(action)[None])
         info: dict[str, Any] = {"reward_terms": {k: float(v[0]) for k, v in infos["reward_terms"].items()}}
-        if "episode" in infos:
-            info["episode"] = {k: v[0].item() for k, v in infos["episode"].items()}
+        if "statistics" in infos:
+            info["statistics"] = {k: v[0].item() for k, v in infos["statistics"].items()}
         return observations[0], float(rewards[0]), bool(terminations[0]), bool(truncations[0]), info
 
     def render(self) -> np.ndarray | None:
@@ -325,9 +324,18 @@ class Env(_EnvBase):  # type: ignore[misc,valid-type]
     def unwrapped(self) -> Env:
         return self
 
+    # Gymnasium's programs read the generator and its seed under both names.
     @property
     def np_random(self) -> np.random.Generator:
+        """A generator for wrappers, as VectorEnv.np_random."""
         return self.envs.np_random
+
+    @property
+    def np_random_seed(self) -> int:
+        return self.envs.np_random_seed
+
+    _np_random = np_random
+    _np_random_seed = np_random_seed
 
     def record(self, path: str, episode: str = "current") -> None:
         """As VectorEnv.record(); the episode that has ended is the current one until reset()."""
