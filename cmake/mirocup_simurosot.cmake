@@ -83,6 +83,20 @@ function(mirocup_simurosot_team)
   execute_process(COMMAND "${kit}/forward.sh" ${forward} "${kit}/stand_in" "${CMAKE_BINARY_DIR}" "${root}" ${folders}
     COMMAND_ERROR_IS_FATAL ANY)
 
+  # The platform's structures may be in a namespace, whose name is then a part of the names of functions: Platform, 8Platform.
+  execute_process(COMMAND awk -v structure=Field -f "${kit}/namespace.awk" "${header}"
+    OUTPUT_VARIABLE namespace OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  set(definitions)
+  if(namespace)
+    set(mangled "")
+    string(REPLACE "::" ";" levels "${namespace}")
+    foreach(level IN LISTS levels)
+      string(LENGTH "${level}" length)
+      string(APPEND mangled "${length}${level}")
+    endforeach()
+    set(definitions MIROCUP_SIMUROSOT_NAMESPACE=${namespace} MIROCUP_SIMUROSOT_MANGLED="${mangled}")
+  endif()
+
   # The team's own sources, by the rules of their time; then the adapter, which knows both sides.
   set(flags -include ${kit}/prefix.h -fpermissive -w -fno-strict-aliasing -fwrapv -fno-operator-names -O1)
   string(REGEX REPLACE "[^0-9]" "" standard "${team_STANDARD}")
@@ -109,7 +123,7 @@ function(mirocup_simurosot_team)
   target_compile_options(${adapter} PRIVATE -include ${kit}/prefix.h -fpermissive -w -fno-strict-aliasing -fno-math-errno)
   target_compile_definitions(${adapter} PRIVATE MIROCUP_SIMUROSOT_HEADER="${header}" MIROCUP_SIMUROSOT_NAME="${team_NAME}"
     MIROCUP_SIMUROSOT_STYLE=${number_STYLE} MIROCUP_SIMUROSOT_SIDE=${number_SIDE} MIROCUP_SIMUROSOT_WHEELS=${number_WHEELS}
-    MIROCUP_SIMUROSOT_STICKY=${number_STATE} MIROCUP_SIMUROSOT_PLACING=${placing})
+    MIROCUP_SIMUROSOT_STICKY=${number_STATE} MIROCUP_SIMUROSOT_PLACING=${placing} ${definitions})
 
   add_library(${team_NAME} MODULE ${kit}/runtime.cpp $<TARGET_OBJECTS:${old}> $<TARGET_OBJECTS:${adapter}>)
   # An old team is never told that the match is over, so what it has opened and registered outlives it: it stays loaded.

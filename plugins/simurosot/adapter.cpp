@@ -330,15 +330,24 @@ class OldTeam {
 
 #else
 
+// The platform's structures are in a namespace, as its own template has them, or in none.
+#ifdef MIROCUP_SIMUROSOT_NAMESPACE
+using MIROCUP_SIMUROSOT_NAMESPACE::Field;
+using MIROCUP_SIMUROSOT_NAMESPACE::TeamInfo;
+#define MIROCUP_PLATFORM(structure) "N" MIROCUP_SIMUROSOT_MANGLED structure "E"
+#else
+#define MIROCUP_PLATFORM(structure) structure
+#endif
+
 extern "C" {
 void MIROCUP_TEAM_FUNCTION(info_c(TeamInfo*), "GetTeamInfo");
-void MIROCUP_TEAM_FUNCTION(info_cpp(TeamInfo*), "_Z11GetTeamInfoP8TeamInfo");
+void MIROCUP_TEAM_FUNCTION(info_cpp(TeamInfo*), "_Z11GetTeamInfoP" MIROCUP_PLATFORM("8TeamInfo"));
 void MIROCUP_TEAM_FUNCTION(instruct_c(Field*), "GetInstruction");
-void MIROCUP_TEAM_FUNCTION(instruct_cpp(Field*), "_Z14GetInstructionP5Field");
+void MIROCUP_TEAM_FUNCTION(instruct_cpp(Field*), "_Z14GetInstructionP" MIROCUP_PLATFORM("5Field"));
 void MIROCUP_TEAM_FUNCTION(place_c(Field*), "GetPlacement");
-void MIROCUP_TEAM_FUNCTION(place_cpp(Field*), "_Z12GetPlacementP5Field");
+void MIROCUP_TEAM_FUNCTION(place_cpp(Field*), "_Z12GetPlacementP" MIROCUP_PLATFORM("5Field"));
 void MIROCUP_TEAM_FUNCTION(event_c(int, void*), "OnEvent");
-void MIROCUP_TEAM_FUNCTION(event_cpp(int, void*), "_Z7OnEvent9EventTypePv");
+void MIROCUP_TEAM_FUNCTION(event_cpp(int, void*), "_Z7OnEvent" MIROCUP_PLATFORM("9EventType") "Pv");
 }
 
 template <class F, class... Arguments>

@@ -45,7 +45,8 @@ class BracketTables {
                          {"tournament_id", 0},
                          {"name", name},
                          {"type", is_knockout ? "single_elimination" : "round_robin"},
-                         {"number", stages_.size() + 1}});
+                         {"number", stages_.size() + 1},
+                         {"settings", Json::object()}});
     }
     return found->second;
   }

@@ -394,6 +394,40 @@ TEST(Simurosot, BuildsAnUntidyFolder) {
   EXPECT_GT(result["score"]["blue"], 0);
 }
 
+// Catches structures of the platform in a namespace, as Simuro5v5's own template has them, that are
+// not found: it does not build, or its functions are not called.
+TEST(Simurosot, BuildsATeamWhoseStructuresAreInANamespace) {
+  const TemporaryFolder folder;
+  const std::string sample = MIROCUP_SOURCE_FOLDER "/plugins/simurosot/samples/v5/";
+  std::string header = read_file(sample + "platform.h");
+  header.insert(header.find("struct Vector2"),
+                "using namespace std; namespace Simuro /* 5v5 */\n{ namespace Platform {\n");
+  std::string source = read_file(sample + "strategy.cpp");
+  source.insert(source.find("static JudgeType"), "using namespace Simuro::Platform;\n");
+  std::filesystem::create_directories(folder / "old");
+  write_file(folder / "old/platform.h", header + "} }\n");
+  write_file(folder / "old/strategy.cpp", source);
+  const Outcome made =
+      run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Outcome configured = run({"/usr/bin/env", "cmake", "-S", folder / "made", "-B",
+                                  folder / "build", "-DCMAKE_PREFIX_PATH=" + program("")});
+  ASSERT_EQ(configured.exit_code, 0) << configured.err;
+  const Outcome built = run({"/usr/bin/env", "cmake", "--build", folder / "build"});
+  ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
+  std::string hash;
+  for (const std::string& team : {program("simurosot/v5.so"), folder / "build/team.so"}) {
+    const Outcome played =
+        run({program("mirocup"), "match", "--blue", team, "--yellow", "idle", "--league", "middle",
+             "--rules", "simurosot", "--half", "20", "--record", folder / "leg.json"});
+    ASSERT_EQ(played.exit_code, 0) << played.err;
+    const auto record = read_json(folder / "leg.json");
+    EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
+    if (hash.empty()) hash = record["state_hash"].get<std::string>();
+    EXPECT_EQ(record["state_hash"], hash) << "its functions are called, as those of the sample";
+  }
+}
+
 // Catches a folder of two teams that is taken for one, a copy of a source that is built in place of
 // the source, and a project that names files which are not there.
 TEST(Simurosot, SaysWhichOfTwoTeamsItCannotTell) {

@@ -13,7 +13,8 @@ mkdir -p "$modules"
 exec {lock}>"$modules/lock"  # tests may run at the same time
 flock "$lock"
 cp "$here/package.json" "$here/package-lock.json" "$modules/"
-[[ -d $modules/node_modules/axe-core && -d $modules/node_modules/playwright-core ]] || npm ci --prefix "$modules" --no-audit --no-fund >&2
+cmp -s "$here/package-lock.json" "$modules/installed" ||
+  { npm ci --prefix "$modules" --no-audit --no-fund >&2 && cp "$here/package-lock.json" "$modules/installed"; }
 exec {lock}>&-
 files=("$here"/*.test.js)
 [[ $# -eq 0 ]] || { files=("${@/#/$here/}") && files=("${files[@]/%/.test.js}"); }

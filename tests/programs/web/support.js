@@ -9,6 +9,7 @@ import { join } from 'node:path';
 
 const modules = createRequire(join(process.env.MIROCUP_WEB_MODULES, 'x'));
 const { chromium } = modules('playwright-core');
+export const moduleFile = (name) => modules.resolve(name);
 export const mirocup = join(process.env.MIROCUP_BUILD, 'mirocup');
 
 export const folder = mkdtempSync(join(tmpdir(), 'mirocup-web-'));
