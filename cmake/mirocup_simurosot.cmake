@@ -81,7 +81,12 @@ function(mirocup_simurosot_team)
   file(MAKE_DIRECTORY ${forward})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header} ${sources})
   execute_process(COMMAND "${kit}/forward.sh" ${forward} "${kit}/stand_in" "${CMAKE_BINARY_DIR}" "${root}" ${folders}
-    COMMAND_ERROR_IS_FATAL ANY)
+    OUTPUT_VARIABLE quoted OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  if(quoted)
+    string(REPLACE "\n" ";" quoted "${quoted}")
+    list(REMOVE_ITEM folders ${quoted})
+    list(TRANSFORM quoted PREPEND "-iquote")
+  endif()
 
   # The platform's structures may be in a namespace, whose name is then a part of the names of functions: Platform, 8Platform.
   execute_process(COMMAND awk -v structure=Field -f "${kit}/namespace.awk" "${header}"
@@ -110,6 +115,7 @@ function(mirocup_simurosot_team)
     add_library(${${part}} OBJECT)
     target_include_directories(${${part}} PRIVATE ${folders} ${forward})
     target_include_directories(${${part}} AFTER PRIVATE ${kit}/stand_in)
+    target_compile_options(${${part}} PRIVATE ${quoted})
     target_compile_definitions(${${part}} PRIVATE ${team_DEFINITIONS})
     set_target_properties(${${part}} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden UNITY_BUILD OFF
       CXX_EXTENSIONS ON CXX_STANDARD 20 MIROCUP_NOT_SANITIZED ON)

@@ -363,6 +363,24 @@ struct Judged {
   wchar_t reason[128] = {};
 };
 
+// The platform has renamed members of Field: ourRobots, tickTotal and tickRound came first.
+template <class F>
+auto& own_robots_of(F& field) {
+  if constexpr (requires { field.selfRobots; }) {
+    return field.selfRobots;
+  } else {
+    return field.ourRobots;
+  }
+}
+
+// `round`: ticks since the last restart.
+template <class F>
+void set_ticks(F& field, std::int32_t total, std::int32_t round) {
+  if constexpr (requires { field.tick; }) field.tick = total;
+  if constexpr (requires { field.tickTotal; }) field.tickTotal = total;
+  if constexpr (requires { field.tickRound; }) field.tickRound = round;
+}
+
 class OldTeam {
  public:
   explicit OldTeam(const mirocup_setup& setup) : setup_(setup) {
@@ -376,7 +394,7 @@ class OldTeam {
     show(now);
     call(instruct_c, instruct_cpp, &field_);
     for (int i = 0; i < std::min<int>(now.robots, robots); ++i) {
-      const auto& wheel = field_.selfRobots[i].wheel;
+      const auto& wheel = own_robots_of(field_)[i].wheel;
       command.wheels[i] = wheels_for(setup_, now.own[i], wheel.leftSpeed, wheel.rightSpeed);
     }
   }
@@ -387,8 +405,8 @@ class OldTeam {
     Field asked = field_;
     call(place_c, place_cpp, &asked);
     for (int i = 0; i < std::min<int>(now.robots, robots); ++i) {
-      const auto& wanted = asked.selfRobots[i];
-      const auto& shown = field_.selfRobots[i];
+      const auto& wanted = own_robots_of(asked)[i];
+      const auto& shown = own_robots_of(field_)[i];
       if (!differs(wanted.position, shown.position) && wanted.rotation == shown.rotation) continue;
       placement.robots[i] = frame_.in(wanted.position.x, wanted.position.y, wanted.rotation);
     }
@@ -413,10 +431,11 @@ class OldTeam {
     field_.ball.position.x = static_cast<float>(ball.x);
     field_.ball.position.y = static_cast<float>(ball.y);
     for (int i = 0; i < robots; ++i) {
-      put(field_.selfRobots[i], now.own, now.robots, i, -setup_.half_length - 0.2);
+      put(own_robots_of(field_)[i], now.own, now.robots, i, -setup_.half_length - 0.2);
       put(field_.opponentRobots[i], now.opponent, now.robots, i, setup_.half_length + 0.2);
     }
-    field_.tick = static_cast<std::int32_t>(now.tick);
+    set_ticks(field_, static_cast<std::int32_t>(now.tick),
+              static_cast<std::int32_t>(now.tick - restarted_));
   }
 
   // Tells of the match, of a half and of a restart when they begin.
@@ -429,7 +448,10 @@ class OldTeam {
     was_told_ = true;
     phase_ = now.phase;
     const bool is_ready = now.state == MIROCUP_READY;
-    if (is_ready && !was_ready_) tell_restart(now);
+    if (is_ready && !was_ready_) {
+      restarted_ = now.tick;
+      tell_restart(now);
+    }
     was_ready_ = is_ready;
   }
 
@@ -467,6 +489,7 @@ class OldTeam {
   bool was_told_ = false;
   bool was_ready_ = false;
   int phase_ = 0;
+  decltype(mirocup_observation::tick) restarted_ = 0;
 };
 
 #endif

@@ -1,12 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Windows is blind to the case of file names and takes \ for /. For each name that the sources of an old team include and that Linux
+# Windows is blind to the case of file names and to blanks around them, and takes \ for /. For each name that the sources of an old team include and that Linux
 # would not find, this makes a file of that very name which leads to the one that is meant: the team's own, or a stand-in. One more
 # file, which the prefix of all sources includes, gives other names to what the team calls like a function of the C library.
 #
 # forward.sh FORWARD STAND_IN SKIP ROOT FOLDER...: writes below FORWARD; looks for the team's files below ROOT, but not in SKIP; FOLDERs
-# are those where the compiler looks anyway.
+# are those where the compiler looks anyway. Prints those of them that have a header with the name of one of the system's: the compiler
+# may look there only for #include "...".
 set -eu
 forward=$1 stand_in=$2 skip=$3 root=$4
 shift 4
@@ -15,6 +16,17 @@ trap 'rm -f "$files" "$files.wanted"' EXIT
 system=" assert.h ctype.h errno.h float.h limits.h math.h memory.h malloc.h signal.h stdarg.h stddef.h stdint.h stdio.h stdlib.h string.h time.h \
 algorithm cmath cstdio cstdlib cstring ctime deque fstream functional iomanip iostream limits list map numeric queue set sstream stack \
 string utility vector "
+
+for folder in "$@"; do
+  shift
+  is_quoted=
+  for file in "$folder"/*; do
+    case $system in
+    *" ${file##*/} "*) is_quoted=yes ;;
+    esac
+  done
+  if [ -n "$is_quoted" ]; then printf '%s\n' "$folder"; else set -- "$@" "$folder"; fi
+done
 
 lower() {
   printf %s "$1" | LC_ALL=C tr A-Z a-z
@@ -37,7 +49,7 @@ stand_in_for() {
 }
 
 while IFS= read -r wanted; do
-  plain=$(printf %s "$wanted" | tr '\\' / | sed 's://*:/:g')
+  plain=$(printf %s "$wanted" | tr '\\' / | sed 's://*:/:g; s:^ *::; s: *$::')
   name=${plain##*/}
   [ -n "$name" ] || continue
   case /$wanted/ in
@@ -49,6 +61,9 @@ while IFS= read -r wanted; do
   done
   [ -z "$found" ] || continue
   small=$(lower "$name")
+  case $system in
+  *" $wanted "*) continue ;;
+  esac
   # Where several files have one name, the one in folders of the same names is meant.
   real=$(lower "$plain" | LC_ALL=C awk '
     NR == FNR { name = wanted = $0; sub(/.*\//, "", name); sub(/^(\.*\/)*/, "/", wanted); next }

@@ -46,6 +46,9 @@
 #define ctime_s(out, size, in) ctime_r((in), (out))
 #define asctime_s(out, size, in) asctime_r((in), (out))
 #define CLK_TCK CLOCKS_PER_SEC
+#define _tzset tzset
+#define _timezone timezone
+#define _daylight daylight
 
 static inline int fopen_s(FILE** file, const char* name, const char* mode) {
   *file = fopen(name, mode);

@@ -56,6 +56,26 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+/* Microsoft's <cmath> has the functions of <math.h> in std, too. */
+namespace std {
+using ::acosf;
+using ::asinf;
+using ::atan2f;
+using ::atanf;
+using ::ceilf;
+using ::cosf;
+using ::expf;
+using ::fabsf;
+using ::floorf;
+using ::fmodf;
+using ::hypotf;
+using ::log10f;
+using ::logf;
+using ::powf;
+using ::sinf;
+using ::sqrtf;
+using ::tanf;
+}  // namespace std
 #ifndef M_PI
 #define M_PI 3.14159265358979323846
 #endif

@@ -247,7 +247,8 @@ Result<OldSources> find_old_sources(const std::string& folder) {
     return included[lower(fs::path(path).filename().string())];
   };
   const auto defines = [](const std::string& path, const std::string& code) {
-    return is_header(path) && (has_word(code, "selfRobots") || has_word(code, "currentBall")) &&
+    const bool has_field = has_word(code, "selfRobots") || has_word(code, "ourRobots");
+    return is_header(path) && (has_field || has_word(code, "currentBall")) &&
            (has_word(code, "struct") || has_word(code, "class"));
   };
   std::vector<std::string> headers, sources;

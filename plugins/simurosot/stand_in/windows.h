@@ -225,12 +225,15 @@ static inline void GetLocalTime(SYSTEMTIME* now) {
 static inline void GetSystemTime(SYSTEMTIME* now) {
   GetLocalTime(now);
 }
+static inline void GetSystemTimeAsFileTime(FILETIME* now) {
+  now->dwLowDateTime = mirocup_simurosot_ms() * 10000u;
+  now->dwHighDateTime = 0;
+}
 static inline ULONGLONG GetTickCount64(void) {
   return mirocup_simurosot_ms();
 }
 static inline BOOL SystemTimeToFileTime(const SYSTEMTIME*, FILETIME* to) {
-  to->dwLowDateTime = mirocup_simurosot_ms() * 10000u;
-  to->dwHighDateTime = 0;
+  GetSystemTimeAsFileTime(to);
   return 1;
 }
 static inline HWND FindWindowA(LPCSTR, LPCSTR) {
@@ -314,7 +317,10 @@ MIROCUP_DOES_NOTHING(void, ExitThread, )
 MIROCUP_DOES_NOTHING(DWORD, WaitForSingleObject, WAIT_OBJECT_0)
 MIROCUP_DOES_NOTHING(DWORD, WaitForMultipleObjects, WAIT_OBJECT_0)
 MIROCUP_DOES_NOTHING(void, InitializeCriticalSection, )
+MIROCUP_DOES_NOTHING(BOOL, InitializeCriticalSectionAndSpinCount, TRUE)
+MIROCUP_DOES_NOTHING(BOOL, InitializeCriticalSectionEx, TRUE)
 MIROCUP_DOES_NOTHING(void, EnterCriticalSection, )
+MIROCUP_DOES_NOTHING(BOOL, TryEnterCriticalSection, TRUE)
 MIROCUP_DOES_NOTHING(void, LeaveCriticalSection, )
 MIROCUP_DOES_NOTHING(void, DeleteCriticalSection, )
 MIROCUP_DOES_NOTHING(DWORD, GetCurrentThreadId, 1)

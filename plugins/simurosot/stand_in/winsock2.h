@@ -45,6 +45,9 @@ typedef struct in_addr IN_ADDR;
 #define SO_BROADCAST 0x20
 #define SO_RCVTIMEO 0x1006
 #define FIONBIO 0x8004667e
+#define SD_RECEIVE 0
+#define SD_SEND 1
+#define SD_BOTH 2
 #define INADDR_ANY 0u
 #define INADDR_BROADCAST 0xffffffffu
 #define WSAEWOULDBLOCK 10035

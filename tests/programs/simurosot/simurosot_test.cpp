@@ -276,6 +276,30 @@ TEST(Simurosot, FindsIncludesAsWindowsDoes) {
   EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
 }
 
+// Catches a header of the team's own, beside its sources, that the C library's headers take for one
+// of theirs.
+TEST(Simurosot, LetsATeamHaveHeadersWithNamesOfTheLibrary) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "old/own parts");
+  std::filesystem::create_directories(folder / "forward");
+  write_file(folder / "old/own parts/string.h", "int own_length(const char* s);\n");
+  write_file(folder / "old/own parts/parts.h", "int part();\n");
+  write_file(folder / "old/main.cpp",
+             "#include <cstring>\n#include \"string.h\"\n#include <parts.h>\n"
+             "int all(const char* s) { return own_length(s) + std::strlen(s) + part(); }\n");
+  const std::string parts = folder / "old/own parts";
+  const std::string forward = folder / "forward";
+  const Outcome made = run({MIROCUP_SOURCE_FOLDER "/plugins/simurosot/forward.sh", forward,
+                            MIROCUP_SOURCE_FOLDER "/plugins/simurosot/stand_in", folder / "build",
+                            folder / "old", folder / "old", parts});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(made.out, parts + "\n");
+  const Outcome compiled = run({"/usr/bin/env", "g++", "-fsyntax-only", "-include",
+                                MIROCUP_SOURCE_FOLDER "/plugins/simurosot/prefix.h", "-w", "-I",
+                                forward, "-iquote" + parts, folder / "old/main.cpp"});
+  EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
+}
+
 // The paths of the cases in a folder beside this file.
 std::vector<std::string> idioms(const std::string& kind) {
   std::vector<std::string> paths;
@@ -394,15 +418,24 @@ TEST(Simurosot, BuildsAnUntidyFolder) {
   EXPECT_GT(result["score"]["blue"], 0);
 }
 
-// Catches structures of the platform in a namespace, as Simuro5v5's own template has them, that are
-// not found: it does not build, or its functions are not called.
-TEST(Simurosot, BuildsATeamWhoseStructuresAreInANamespace) {
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+// Catches structures of the platform in a namespace, as Simuro5v5's own template has them, or with
+// their older names, that are not found: it does not build, or its functions are not called.
+TEST(Simurosot, TakesThePlatformsStructuresInANamespaceAndByTheirOlderNames) {
   const TemporaryFolder folder;
   const std::string sample = MIROCUP_SOURCE_FOLDER "/plugins/simurosot/samples/v5/";
   std::string header = read_file(sample + "platform.h");
   header.insert(header.find("struct Vector2"),
                 "using namespace std; namespace Simuro /* 5v5 */\n{ namespace Platform {\n");
-  std::string source = read_file(sample + "strategy.cpp");
+  header = with(with(header, "selfRobots", "ourRobots"), "int32_t tick;",
+                "int32_t tickTotal, tickRound;");
+  std::string source = with(read_file(sample + "strategy.cpp"), "selfRobots", "ourRobots");
   source.insert(source.find("static JudgeType"), "using namespace Simuro::Platform;\n");
   std::filesystem::create_directories(folder / "old");
   write_file(folder / "old/platform.h", header + "} }\n");

@@ -1,5 +1,7 @@
 #include <stdio.h>
 #include <math.h>
+#include <cmath>
+#include < time.h >
 #include <float.h>
 void f()
 {
@@ -15,5 +17,7 @@ void f()
   if (_isnan(m) || !_finite(m)) m = sqrt(2) + pow(2, 3) + atan2(1, 2) + abs(-1.5);
   FILE *file = fopen("C:\\strategy\\a.txt", "w"); fprintf(file, "x"); fclose(file);
   fopen_s(&file, "x", "a+"); fscanf_s(file, "%d", &t.tm_sec); _fcloseall();
+  float e = std::sqrtf(2.0f) + std::atan2f(1, 2) + std::fabsf(-1) + std::powf(2, 3); _tzset();
+  long zone = _timezone + _daylight;
   freopen("out.txt", "w", stdout); clock_t ticks = clock() / CLK_TCK;
 }

@@ -11,5 +11,5 @@ void f()
   char text[4]; int size = sizeof to; recvfrom(s, text, 4, 0, (SOCKADDR *)&to, &size);
   u_long one = 1; ioctlsocket(s, FIONBIO, &one);
   if (connect(s, (SOCKADDR *)&to, sizeof to) == SOCKET_ERROR) WSAGetLastError();
-  closesocket(s); WSACleanup();
+  shutdown(s, SD_SEND); closesocket(s); WSACleanup();
 }

@@ -6,7 +6,8 @@ void run_too(void *p) { _endthread(); }
 void f()
 {
   InitializeCriticalSection(&section); EnterCriticalSection(&section);
-  LeaveCriticalSection(&section);
+  if (TryEnterCriticalSection(&section)) LeaveCriticalSection(&section);
+  InitializeCriticalSectionAndSpinCount(&section, 1); LeaveCriticalSection(&section);
   DWORD id;
   HANDLE thread = CreateThread(NULL, 0, (LPTHREAD_START_ROUTINE)run, NULL, 0, &id);
   _beginthread(run_too, 0, NULL);
@@ -18,7 +19,7 @@ void f()
   wsprintf(text, "%d", 3); lstrcpy(text, "x"); lstrcat(text, "y"); int n = lstrlen(text);
   GetModuleFileName(NULL, text, 100); GetCurrentDirectory(100, text); ZeroMemory(text, 3);
   CopyMemory(text, "x", 2); FillMemory(text, 3, 0);
-  SYSTEMTIME now; GetLocalTime(&now); LARGE_INTEGER count; QueryPerformanceFrequency(&count);
+  SYSTEMTIME now; GetLocalTime(&now); FILETIME t; GetSystemTimeAsFileTime(&t); LARGE_INTEGER count; QueryPerformanceFrequency(&count);
   QueryPerformanceCounter(&count); double s = (double)count.QuadPart + count.LowPart;
   srand(GetTickCount() + timeGetTime()); Sleep(1);
   HMODULE library = LoadLibrary("a.dll"); FARPROC p = GetProcAddress(library, "x");
