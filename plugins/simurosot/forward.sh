@@ -17,13 +17,17 @@ system=" assert.h ctype.h errno.h float.h limits.h math.h memory.h malloc.h sign
 algorithm cmath cstdio cstdlib cstring ctime deque fstream functional iomanip iostream limits list map numeric queue set sstream stack \
 string utility vector "
 
+# True if the system has a header of that name.
+is_of_the_system() {
+  set -- /usr/include/"$1" /usr/include/c++/*/"$1" /usr/include/*-linux-gnu/"$1"
+  [ -f "$1" ] || [ -f "$2" ] || [ -f "$3" ]
+}
+
 for folder in "$@"; do
   shift
   is_quoted=
   for file in "$folder"/*; do
-    case $system in
-    *" ${file##*/} "*) is_quoted=yes ;;
-    esac
+    is_of_the_system "${file##*/}" && is_quoted=yes && break
   done
   if [ -n "$is_quoted" ]; then printf '%s\n' "$folder"; else set -- "$@" "$folder"; fi
 done

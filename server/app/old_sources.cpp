@@ -158,11 +158,28 @@ bool is_named(const std::vector<std::string>& names, const std::string& path) {
                      [&](const std::string& name) { return lower(name) == lower(path); });
 }
 
-// The sources that the folder's only project compiles; all of them if there is no project, or more
-// than one, or one that names none of them.
+// The project that counts: of several the one nearest to the top, and of those the one for the
+// newest Visual C++, since older ones are left over. Empty if there is none, or two are alike.
+std::string project_of(const Folder& folder) {
+  const auto rank = [](const std::string& path) {
+    const std::string kind = lower(fs::path(path).extension().string());
+    const int age = kind == ".vcxproj" ? 0 : kind == ".vcproj" ? 1 : 2;
+    return std::pair(std::count(path.begin(), path.end(), '/'), age);
+  };
+  std::vector<std::string> paths;
+  for (const auto& [path, files] : folder.projects) paths.push_back(path);
+  std::stable_sort(paths.begin(), paths.end(),
+                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  const bool are_two = paths.size() > 1 && rank(paths[0]) == rank(paths[1]);
+  return paths.empty() || are_two ? "" : paths[0];
+}
+
+// The sources that the folder's project compiles; all of them if none counts, or if it names none
+// of them.
 std::vector<std::string> compiled_of(const Folder& folder, std::vector<std::string> sources) {
-  if (folder.projects.size() != 1) return sources;
-  const auto& [project, files] = *folder.projects.begin();
+  const std::string project = project_of(folder);
+  if (project.empty()) return sources;
+  const std::vector<std::string>& files = folder.projects.at(project);
   const fs::path at = fs::path(project).parent_path();
   std::vector<std::string> names;
   for (const std::string& file : files) names.push_back((at / file).lexically_normal().string());

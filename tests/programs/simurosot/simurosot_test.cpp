@@ -461,6 +461,33 @@ TEST(Simurosot, TakesThePlatformsStructuresInANamespaceAndByTheirOlderNames) {
   }
 }
 
+// Catches a backup that is taken for a second team, and a project that is left over: what neither
+// names is compiled.
+TEST(Simurosot, CompilesWhatTheProjectNamesThatCounts) {
+  const TemporaryFolder folder;
+  const std::string sample = MIROCUP_SOURCE_FOLDER "/plugins/simurosot/samples/classic/";
+  for (const char* where : {"old", "old/Backup"}) {
+    std::filesystem::create_directories(folder / where);
+    for (const char* file : {"Strategy.h", "Strategy.cpp", "StdAfx.h", "StdAfx.cpp"}) {
+      write_file(folder / where + "/" + file, read_file(sample + file));
+    }
+    write_file(folder / where + "/Team.dsp",
+               "SOURCE=.\\Strategy.cpp\n# End\nSOURCE=.\\Notes.cpp\n");
+  }
+  write_file(folder / "old/Notes.cpp", "these are notes");
+  write_file(folder / "old/Team.vcxproj",
+             "<ClCompile Include=\"Strategy.cpp\" /><ClCompile Include=\"StdAfx.cpp\" />");
+  const Outcome made =
+      run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.out.find("2 sources"), std::string::npos) << made.out;
+  std::filesystem::remove(folder / "old/Team.vcxproj");
+  const Outcome older =
+      run({program("mirocup"), "new", folder / "older", "--from-simurosot", folder / "old"});
+  ASSERT_EQ(older.exit_code, 0) << older.err;
+  EXPECT_NE(older.out.find("2 sources"), std::string::npos) << older.out;
+}
+
 // Catches a folder of two teams that is taken for one, a copy of a source that is built in place of
 // the source, and a project that names files which are not there.
 TEST(Simurosot, SaysWhichOfTwoTeamsItCannotTell) {

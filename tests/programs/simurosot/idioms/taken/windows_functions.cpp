@@ -19,7 +19,8 @@ void f()
   wsprintf(text, "%d", 3); lstrcpy(text, "x"); lstrcat(text, "y"); int n = lstrlen(text);
   GetModuleFileName(NULL, text, 100); GetCurrentDirectory(100, text); ZeroMemory(text, 3);
   CopyMemory(text, "x", 2); FillMemory(text, 3, 0);
-  SYSTEMTIME now; GetLocalTime(&now); FILETIME t; GetSystemTimeAsFileTime(&t); LARGE_INTEGER count; QueryPerformanceFrequency(&count);
+  SYSTEMTIME now; GetLocalTime(&now);
+  FILETIME t; GetSystemTimeAsFileTime(&t); LARGE_INTEGER count; QueryPerformanceFrequency(&count);
   QueryPerformanceCounter(&count); double s = (double)count.QuadPart + count.LowPart;
   srand(GetTickCount() + timeGetTime()); Sleep(1);
   HMODULE library = LoadLibrary("a.dll"); FARPROC p = GetProcAddress(library, "x");
