@@ -91,17 +91,22 @@ function showEnds(left) {
 // The shown moment as a part of an address. It is rounded up: a moment before a goal's is before the goal.
 const momentLink = () => `#t=${(Math.ceil(1000 * player.time - 1e-6) / 1000).toFixed(3)}`;
 
-// Writes the shown moment into the page's address, at most twice a second: browsers refuse more.
+// Writes the shown moment into the page's address, at most twice a second: browsers refuse more. An address that somebody else has
+// just written is left for goToAddress.
 let rememberLater = 0;
+let knownAddress = location.hash;
 function rememberMoment() {
   if (rememberLater || player.isFollowing) return;
   rememberLater = setTimeout(() => {
     rememberLater = 0;
-    if (!player.isFollowing) history.replaceState(null, '', momentLink());
+    if (player.isFollowing || location.hash !== knownAddress) return;
+    history.replaceState(null, '', momentLink());
+    knownAddress = location.hash;
   }, 500);
 }
 
 function goToAddress() {
+  knownAddress = location.hash;
   const match = /^#t=([0-9]+(\.[0-9]+)?)$/.exec(location.hash);
   if (match) player.seek(Number(match[1]));
   return match !== null;
@@ -152,6 +157,7 @@ function showNumbers(numbers) {
 
 async function copyLink() {
   history.replaceState(null, '', momentLink());
+  knownAddress = location.hash;
   try {
     await navigator.clipboard.writeText(location.href);
     by('link').textContent = 'Copied';
