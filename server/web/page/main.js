@@ -91,17 +91,20 @@ function showEnds(left) {
 // The shown moment as a part of an address. It is rounded up: a moment before a goal's is before the goal.
 const momentLink = () => `#t=${(Math.ceil(1000 * player.time - 1e-6) / 1000).toFixed(3)}`;
 
-// Writes the shown moment into the page's address, at most twice a second: browsers refuse more. An address that somebody else has
-// just written is left for goToAddress.
+let knownAddress = location.hash;  // of the address that this page has followed or written
+function writeAddress() {
+  history.replaceState(null, '', momentLink());
+  knownAddress = location.hash;
+}
+
+// Writes the shown moment into the page's address, at most twice a second: browsers refuse more. The page first follows a new
+// address that a visitor has typed.
 let rememberLater = 0;
-let knownAddress = location.hash;
 function rememberMoment() {
   if (rememberLater || player.isFollowing) return;
   rememberLater = setTimeout(() => {
     rememberLater = 0;
-    if (player.isFollowing || location.hash !== knownAddress) return;
-    history.replaceState(null, '', momentLink());
-    knownAddress = location.hash;
+    if (!player.isFollowing && location.hash === knownAddress) writeAddress();
   }, 500);
 }
 
@@ -156,8 +159,7 @@ function showNumbers(numbers) {
 }
 
 async function copyLink() {
-  history.replaceState(null, '', momentLink());
-  knownAddress = location.hash;
+  writeAddress();
   try {
     await navigator.clipboard.writeText(location.href);
     by('link').textContent = 'Copied';

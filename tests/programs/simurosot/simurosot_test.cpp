@@ -253,6 +253,28 @@ TEST(Simurosot, FindsWhatAnOldFolderHolds) {
   EXPECT_EQ(many.exit_code, 2) << many.out;
 }
 
+const std::string kit = MIROCUP_SOURCE_FOLDER "/plugins/simurosot";
+
+// Makes the files that lead to the headers of the team below `root`, where the compiler looks in
+// `folders`.
+Outcome forwarded(const std::string& forward, const std::string& root,
+                  const std::vector<std::string>& folders) {
+  std::vector<std::string> words{kit + "/forward.sh", forward, kit + "/stand_in", root + "/build",
+                                 root};
+  words.insert(words.end(), folders.begin(), folders.end());
+  return run(words);
+}
+
+// Compiles a source as mirocup_simurosot_team does.
+Outcome compiled(const std::string& path, const std::vector<std::string>& options) {
+  std::vector<std::string> words{kit + "/compile.sh",   "g++",          "-include",
+                                 kit + "/prefix.h",     "-w",           "-fpermissive",
+                                 "-fno-operator-names", "-fsyntax-only"};
+  words.insert(words.end(), options.begin(), options.end());
+  words.insert(words.end(), {"-I", kit + "/stand_in", path});
+  return run(words);
+}
+
 // Catches a folder that only a file system blind to case, where \\ parts folders, could compile.
 TEST(Simurosot, FindsIncludesAsWindowsDoes) {
   const TemporaryFolder folder;
@@ -265,15 +287,11 @@ TEST(Simurosot, FindsIncludesAsWindowsDoes) {
              "#include \"StdAfx.h\"\r\n#include <Math.h>\r\n#include <vector>\r\n"
              "\t#\tinclude \"..\\Include\\STRATEGY.H\"\r\n#include \"Tools/Move.h\"\r\n"
              "double all() { return strategy() + move() + sqrt(4.0); }");
-  const std::string stand_in = MIROCUP_SOURCE_FOLDER "/plugins/simurosot/stand_in";
   const std::string forward = folder / "forward/of/the/team";
-  const Outcome made = run({MIROCUP_SOURCE_FOLDER "/plugins/simurosot/forward.sh", forward,
-                            stand_in, folder / "build", folder / "old", folder / "old/src"});
+  const Outcome made = forwarded(forward, folder / "old", {folder / "old/src"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  const Outcome compiled = run({"/usr/bin/env", "g++", "-fsyntax-only", "-include",
-                                MIROCUP_SOURCE_FOLDER "/plugins/simurosot/prefix.h", "-fpermissive",
-                                "-w", "-I", forward, "-I", stand_in, folder / "old/src/main.cpp"});
-  EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
+  const Outcome outcome = compiled(folder / "old/src/main.cpp", {"-I", forward});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 // Catches a header of the team's own, beside its sources, that the C library's headers take for one
@@ -289,15 +307,11 @@ TEST(Simurosot, LetsATeamHaveHeadersWithNamesOfTheLibrary) {
              "int all(const char* s) { return own_length(s) + std::strlen(s) + part(); }\n");
   const std::string parts = folder / "old/own parts";
   const std::string forward = folder / "forward";
-  const Outcome made = run({MIROCUP_SOURCE_FOLDER "/plugins/simurosot/forward.sh", forward,
-                            MIROCUP_SOURCE_FOLDER "/plugins/simurosot/stand_in", folder / "build",
-                            folder / "old", folder / "old", parts});
+  const Outcome made = forwarded(forward, folder / "old", {folder / "old", parts});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_EQ(made.out, parts + "\n");
-  const Outcome compiled = run({"/usr/bin/env", "g++", "-fsyntax-only", "-include",
-                                MIROCUP_SOURCE_FOLDER "/plugins/simurosot/prefix.h", "-w", "-I",
-                                forward, "-iquote" + parts, folder / "old/main.cpp"});
-  EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
+  const Outcome outcome = compiled(folder / "old/main.cpp", {"-I", forward, "-iquote" + parts});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 // The paths of the cases in a folder beside this file.
@@ -311,21 +325,17 @@ std::vector<std::string> idioms(const std::string& kind) {
   return paths;
 }
 
-// Compiles a source as mirocup_simurosot_team does.
-Outcome compiled(const std::string& path, const std::string& standard) {
+// Compiles a source that is alone in its folder.
+Outcome compiled_alone(const std::string& path, const std::string& standard) {
   const TemporaryFolder folder;
-  const std::string kit = MIROCUP_SOURCE_FOLDER "/plugins/simurosot";
   std::filesystem::create_directories(folder / "old");
   std::filesystem::create_directories(folder / "forward/of/the/team");
   const std::string old = folder / "old", forward = folder / "forward/of/the/team";
   const std::string name = std::filesystem::path(path).filename().string();
   std::filesystem::copy_file(path, old + "/" + name);
-  const Outcome made =
-      run({kit + "/forward.sh", forward, kit + "/stand_in", folder / "build", old, old});
+  const Outcome made = forwarded(forward, old, {old});
   EXPECT_EQ(made.exit_code, 0) << made.err;
-  return run({kit + "/compile.sh", "g++", "-std=" + standard, "-include", kit + "/prefix.h",
-              "-fpermissive", "-w", "-fno-operator-names", "-fsyntax-only", "-I", forward, "-I",
-              kit + "/stand_in", old + "/" + name});
+  return compiled(old + "/" + name, {"-std=" + standard, "-I", forward});
 }
 
 // Catches a name of Windows, a habit of Visual C++ or a name of the team's own that g++ stumbles
@@ -333,7 +343,7 @@ Outcome compiled(const std::string& path, const std::string& standard) {
 TEST(Simurosot, TakesWhatVisualCppTook) {
   for (const std::string& path : idioms("taken")) {
     for (const char* standard : {"gnu++98", "gnu++14"}) {
-      const Outcome outcome = compiled(path, standard);
+      const Outcome outcome = compiled_alone(path, standard);
       EXPECT_EQ(outcome.exit_code, 0) << path << ", " << standard << ":\n" << outcome.err;
     }
   }
@@ -343,7 +353,7 @@ TEST(Simurosot, TakesWhatVisualCppTook) {
 // named with line and cure. Each case begins with both.
 TEST(Simurosot, NamesWhatItDoesNotTake) {
   for (const std::string& path : idioms("cured")) {
-    const Outcome outcome = compiled(path, "gnu++98");
+    const Outcome outcome = compiled_alone(path, "gnu++98");
     EXPECT_NE(outcome.exit_code, 0) << path;
     std::istringstream lines(read_file(path));
     for (int i = 0; i < 2; ++i) {
@@ -395,6 +405,15 @@ void make_old_folder(const std::string& folder) {
              "SOURCE=.\\Team.cpp\r\n# End\r\nSOURCE=.\\tools\\Log.cxx\r\nSOURCE=.\\Strategy.h\r\n");
 }
 
+// Builds a project that `mirocup new` has made.
+void build_project(const std::string& project, const std::string& build) {
+  const Outcome configured = run(
+      {"/usr/bin/env", "cmake", "-S", project, "-B", build, "-DCMAKE_PREFIX_PATH=" + program("")});
+  ASSERT_EQ(configured.exit_code, 0) << configured.err;
+  const Outcome built = run({"/usr/bin/env", "cmake", "--build", build});
+  ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
+}
+
 // Catches a folder of an old disk that has to be tidied up by hand before it builds.
 TEST(Simurosot, BuildsAnUntidyFolder) {
   const TemporaryFolder folder;
@@ -404,11 +423,7 @@ TEST(Simurosot, BuildsAnUntidyFolder) {
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_NE(made.out.find("2 sources, gnu++98"), std::string::npos) << made.out;
   EXPECT_NE(made.out.find("src/TEAM.CPP: its text was made readable"), std::string::npos);
-  const Outcome configured = run({"/usr/bin/env", "cmake", "-S", folder / "made", "-B",
-                                  folder / "build", "-DCMAKE_PREFIX_PATH=" + program("")});
-  ASSERT_EQ(configured.exit_code, 0) << configured.err;
-  const Outcome built = run({"/usr/bin/env", "cmake", "--build", folder / "build"});
-  ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
+  ASSERT_NO_FATAL_FAILURE(build_project(folder / "made", folder / "build"));
   const Outcome played = run({program("mirocup"), "match", "--blue", folder / "build/team.so",
                               "--yellow", "idle", "--league", "middle", "--rules", "simurosot",
                               "--half", "50", "--record", folder / "leg.json"});
@@ -443,11 +458,7 @@ TEST(Simurosot, TakesThePlatformsStructuresInANamespaceAndByTheirOlderNames) {
   const Outcome made =
       run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  const Outcome configured = run({"/usr/bin/env", "cmake", "-S", folder / "made", "-B",
-                                  folder / "build", "-DCMAKE_PREFIX_PATH=" + program("")});
-  ASSERT_EQ(configured.exit_code, 0) << configured.err;
-  const Outcome built = run({"/usr/bin/env", "cmake", "--build", folder / "build"});
-  ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
+  ASSERT_NO_FATAL_FAILURE(build_project(folder / "made", folder / "build"));
   std::string hash;
   for (const std::string& team : {program("simurosot/v5.so"), folder / "build/team.so"}) {
     const Outcome played =
@@ -457,7 +468,7 @@ TEST(Simurosot, TakesThePlatformsStructuresInANamespaceAndByTheirOlderNames) {
     const auto record = read_json(folder / "leg.json");
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
     if (hash.empty()) hash = record["state_hash"].get<std::string>();
-    EXPECT_EQ(record["state_hash"], hash) << "its functions are called, as those of the sample";
+    EXPECT_EQ(record["state_hash"], hash) << "a function of the team was not called";
   }
 }
 

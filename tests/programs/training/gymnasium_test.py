@@ -196,7 +196,7 @@ class Vector(unittest.TestCase):
         envs.step(zero)
 
     def test_copies(self):
-        """Catches a copy with the matches of the first one, which both would end."""
+        """Catches a copy that shares its matches with the original: closing one would end those of both."""
         for copied in (copy.deepcopy, pickle.dumps):
             with self.assertRaisesRegex(mirocup.TrainingError, "make another one"):
                 copied(short())
