@@ -12,7 +12,7 @@ install(TARGETS mirocup_team mirocup_training EXPORT mirocup LIBRARY COMPONENT m
 install(TARGETS mirocup-league COMPONENT mirocup)
 install(TARGETS mirocup-plugin-host mirocup-careful-host mirocup-project-compiler RUNTIME DESTINATION libexec/mirocup COMPONENT mirocup)
 install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup COMPONENT mirocup)
-install(FILES server/record/record.schema.json DESTINATION share/mirocup COMPONENT mirocup)
+install(FILES record/record.schema.json DESTINATION share/mirocup COMPONENT mirocup)
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team COMPONENT mirocup USE_SOURCE_PERMISSIONS)
 install(DIRECTORY plugins/drills DESTINATION share/mirocup COMPONENT mirocup)
 install(DIRECTORY plugins/simurosot DESTINATION share/mirocup COMPONENT mirocup USE_SOURCE_PERMISSIONS)
@@ -54,6 +54,7 @@ install(FILES cmake/mirocup-config.cmake cmake/mirocup_simurosot.cmake ${PROJECT
 
 # python3-mirocup: teams in Python, and teams that learn.
 install(DIRECTORY training/python/ DESTINATION ${MIROCUP_PYTHON_DIR} COMPONENT python3-mirocup PATTERN __pycache__ EXCLUDE)
+install(FILES plugins/python/team.py DESTINATION ${MIROCUP_PYTHON_DIR}/mirocup COMPONENT python3-mirocup)
 if(TARGET mirocup-python)
   install(TARGETS mirocup-python-host RUNTIME DESTINATION libexec/mirocup COMPONENT python3-mirocup)
   install(TARGETS mirocup-python LIBRARY DESTINATION libexec/mirocup COMPONENT python3-mirocup)
@@ -66,7 +67,7 @@ install(DIRECTORY examples DESTINATION ${doc_folder} COMPONENT mirocup-doc USE_S
 install(DIRECTORY docs DESTINATION ${doc_folder} COMPONENT mirocup-doc PATTERN "*.py" EXCLUDE)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${doc_folder} COMPONENT mirocup-doc)
 install(FILES plugins/host/README.md DESTINATION ${doc_folder}/plugins/host COMPONENT mirocup-doc)
-install(FILES server/record/schema.md server/record/scene.md DESTINATION ${doc_folder}/server/record COMPONENT mirocup-doc)
+install(FILES record/schema.md record/scene.md DESTINATION ${doc_folder}/record COMPONENT mirocup-doc)
 install(FILES server/dds/README.md DESTINATION ${doc_folder}/server/dds COMPONENT mirocup-doc)
 install(FILES tournaments/README.md DESTINATION ${doc_folder}/tournaments COMPONENT mirocup-doc)
 install(FILES tournaments/journal/format.md DESTINATION ${doc_folder}/tournaments/journal COMPONENT mirocup-doc)

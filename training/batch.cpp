@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "training/batch.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 
 #include <algorithm>
 #include <mutex>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "training/config.hpp"
 
-#include "server/record/conditions_json.hpp"
-#include "server/record/drawn_situation.hpp"
-#include "server/record/json_reader.hpp"
-#include "server/record/parameters_json.hpp"
-#include "server/record/pitch_json.hpp"
-#include "server/record/rules_json.hpp"
-#include "server/record/team_parameters_json.hpp"
+#include "record/conditions_json.hpp"
+#include "record/drawn_situation.hpp"
+#include "record/json_reader.hpp"
+#include "record/parameters_json.hpp"
+#include "record/pitch_json.hpp"
+#include "record/rules_json.hpp"
+#include "record/team_parameters_json.hpp"
 #include "system/locations.hpp"
 
 #include <algorithm>

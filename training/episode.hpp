@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/match/leg.hpp"
-#include "server/record/match_record.hpp"
+#include "record/match_record.hpp"
 #include "system/files.hpp"
 #include "training/config.hpp"
 

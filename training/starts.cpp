@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "training/starts.hpp"
 
-#include "server/record/drawn_situation.hpp"
+#include "record/drawn_situation.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
 

@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/base/random.hpp"
 #include "core/match/start.hpp"
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 // are commanded. The field itself is the league's (core/field).
 //
 // Three presets stand for platforms that teams know. pitch_spec.cpp states the source of each of
-// their numbers. Other pitches come from files (server/record/pitch_json.hpp), for example those
+// their numbers. Other pitches come from files (record/pitch_json.hpp), for example those
 // that `mirocup identify` writes.
 #pragma once
 

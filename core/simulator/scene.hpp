@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A scene: bodies, parameters and commands without a game. For physics tests, for comparing speed
-// with error, and for teaching; a leg does not use it. As JSON: server/record/scene.md.
+// with error, and for teaching; a leg does not use it. As JSON: record/scene.md.
 //
 // Units: m, s, rad. Threads: none. These functions allocate.
 #pragma once

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A team that is written in Python, played by an interpreter in this process. Its class derives
-// from mirocup.team.Team (training/python/mirocup/team.py), whose text is part of the program, so
+// from mirocup.team.Team (plugins/python/team.py), whose text is part of the program, so
 // that a team needs nothing but the system's Python.
 //
 // The team is handed over as the functions of strategy.h. So host and match treat it as they treat

@@ -8,8 +8,8 @@
 // late for its tick is a sign of life as well. The absences are added up over the leg.
 #pragma once
 
+#include "record/absence.hpp"
 #include "server/dds/presence.hpp"
-#include "server/pace/absence.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -54,7 +54,7 @@ class Liveliness {
   Standing standing(double now) const;
 
   // Returns the first absences of the leg, at most 100.
-  const std::vector<pace::Absence>& absences() const { return absences_; }
+  const std::vector<record::Absence>& absences() const { return absences_; }
 
  private:
   bool end_absence(std::uint32_t tick, double now);
@@ -67,11 +67,11 @@ class Liveliness {
   double heard_ = 0.0;
   std::uint32_t next_tick_ = 0;  // the one after the last answered tick
   std::optional<double> away_since_;
-  pace::Absence present_;  // the absence that began at away_since_
-  double away_ = 0.0;      // sum of the absences that are over, s
+  record::Absence present_;  // the absence that began at away_since_
+  double away_ = 0.0;        // sum of the absences that are over, s
   std::optional<double> lost_at_;
   bool is_listed_ = false;
-  std::vector<pace::Absence> absences_;
+  std::vector<record::Absence> absences_;
 };
 
 }  // namespace mirocup::dds

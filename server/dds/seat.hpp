@@ -11,6 +11,7 @@
 // all seats of the server at once, because what one team's absence means depends on the other one.
 #pragma once
 
+#include "record/durations.hpp"
 #include "server/dds/convert.hpp"
 #include "server/dds/entity.hpp"
 #include "server/dds/few_words.hpp"
@@ -19,7 +20,6 @@
 #include "server/dds/round_trip.hpp"
 #include "server/dds/thoughts_inbox.hpp"
 #include "server/dds/wall_time.hpp"
-#include "server/pace/durations.hpp"
 
 #include <functional>
 #include <string>
@@ -95,9 +95,9 @@ class Seat final : public match::Controller {
   std::uint64_t heard() const { return inbox_.heard(); }
   const CommandCounts& commands() const { return inbox_.counts(); }
   const ThoughtCounts& thoughts() const { return thoughts_.counts(); }
-  const std::vector<pace::Absence>& absences() const { return liveliness_.absences(); }
-  int processes() const { return processes_; }                 // number that have had the seat
-  const pace::Durations& answers() const { return answers_; }  // from state to answer, s
+  const std::vector<record::Absence>& absences() const { return liveliness_.absences(); }
+  int processes() const { return processes_; }                   // number that have had the seat
+  const record::Durations& answers() const { return answers_; }  // from state to answer, s
 
  private:
   void take_hellos();
@@ -137,7 +137,7 @@ class Seat final : public match::Controller {
   bool is_ready_ = false;
   std::uint32_t tick_ = 0;
   double posted_at_ = 0.0;
-  pace::Durations answers_;
+  record::Durations answers_;
   RoundTrip round_trip_;
   std::optional<match::Command> answer_;  // to tick_
   std::optional<match::Command> late_;    // the newest late command, until it is driven

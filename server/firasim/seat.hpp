@@ -12,10 +12,10 @@
 #pragma once
 
 #include "core/match/controller.hpp"
+#include "record/absence.hpp"
+#include "record/durations.hpp"
 #include "server/firasim/convert.hpp"
 #include "server/firasim/udp.hpp"
-#include "server/pace/absence.hpp"
-#include "server/pace/durations.hpp"
 
 #include <functional>
 #include <optional>
@@ -94,8 +94,8 @@ class Seat final : public match::Controller {
   const Terms& terms() const { return terms_; }
   match::Fault disconnected() const;
 
-  const std::vector<pace::Absence>& absences() const { return absences_; }
-  const pace::Durations& answers() const { return answers_; }
+  const std::vector<record::Absence>& absences() const { return absences_; }
+  const record::Durations& answers() const { return answers_; }
 
  private:
   bool awaits_commands() const;
@@ -131,8 +131,8 @@ class Seat final : public match::Controller {
   bool may_place_ = false;                  // in this tick
 
   Counts counts_;
-  std::vector<pace::Absence> absences_;
-  pace::Durations answers_;
+  std::vector<record::Absence> absences_;
+  record::Durations answers_;
   std::optional<match::Answer> end_;
 };
 

@@ -3,7 +3,7 @@
 // The speed of a match: real time, a multiple of it, or as fast as the teams answer.
 #pragma once
 
-#include "server/pace/durations.hpp"
+#include "record/durations.hpp"
 #include "server/pace/wall_clock.hpp"
 
 #include <algorithm>
@@ -37,14 +37,14 @@ class Pacer {
   double period() const { return period_; }
 
   // The delays of the ticks: start minus due time. Empty without waiting.
-  const Durations& lateness() const { return lateness_; }
+  const record::Durations& lateness() const { return lateness_; }
 
  private:
   WallClock& clock_;
   double period_;
   bool has_started_ = false;
   double start_ = 0.0;  // when tick 0 was due
-  Durations lateness_;
+  record::Durations lateness_;
 };
 
 }  // namespace mirocup::pace

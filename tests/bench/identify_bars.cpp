@@ -4,7 +4,7 @@
 // with a noise of 2 mm and 1 degree, 60 pictures a second, 2 % gaps and 1 % outliers. Prints for
 // each number how often its interval of 95 % holds the truth, its mean half-width, and the mean and
 // the root mean square of the errors in standard deviations, which should be 0 and 1.
-#include "server/pitch/identify.hpp"
+#include "pitch/identify.hpp"
 #include "tests/support/driven_pitch.hpp"
 
 #include <algorithm>

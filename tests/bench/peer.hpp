@@ -3,7 +3,7 @@
 // Other engines with recordings of pitches: as a yardstick of a validation, and as a pitch.
 #pragma once
 
-#include "server/pitch/validate.hpp"
+#include "pitch/validate.hpp"
 #include "tests/bench/engine.hpp"
 
 #include <optional>

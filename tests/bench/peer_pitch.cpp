@@ -7,8 +7,8 @@
 // one, which was not fitted, is predicted with the default pitch, with the identified one and with
 // the one that the engine was given. With the last, what is off is the difference of the engines.
 // Exit 0 if the identified pitch predicts better than the default one at every horizon.
-#include "server/pitch/identify.hpp"
-#include "server/pitch/validate.hpp"
+#include "pitch/identify.hpp"
+#include "pitch/validate.hpp"
 #include "tests/bench/peer.hpp"
 #include "tests/support/driven_pitch.hpp"
 

@@ -15,7 +15,7 @@
 // A scene gives a heading as [cos, sin], so every number of a find is repeated bit for bit.
 #include "core/simulator/scene.hpp"
 #include "core/simulator/world.hpp"
-#include "server/record/scene_json.hpp"
+#include "record/scene_json.hpp"
 
 #include <gtest/gtest.h>
 

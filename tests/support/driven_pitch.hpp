@@ -7,8 +7,8 @@
 
 #include "core/base/random.hpp"
 #include "core/simulator/statistics.hpp"
-#include "server/pitch/recording.hpp"
-#include "server/pitch/unknowns.hpp"
+#include "pitch/recording.hpp"
+#include "pitch/unknowns.hpp"
 
 #include <array>
 

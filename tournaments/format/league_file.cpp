@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/format/league_file.hpp"
 
-#include "server/record/conditions_json.hpp"
-#include "server/record/json_reader.hpp"
-#include "server/record/pitch_json.hpp"
-#include "server/record/rules_json.hpp"
-#include "server/record/team_parameters_json.hpp"
+#include "record/conditions_json.hpp"
+#include "record/json_reader.hpp"
+#include "record/pitch_json.hpp"
+#include "record/rules_json.hpp"
+#include "record/team_parameters_json.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/check_runner.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 #include "system/clock.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"

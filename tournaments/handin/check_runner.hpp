@@ -23,7 +23,7 @@ namespace mirocup::league {
 
 struct CheckLimits {
   // Processor time of a check, s, and in addition that of CompileTime for a source. A check plans
-  // to take half of it (server/app/entry_check.hpp).
+  // to take half of it (programs/mirocup/entry_check.hpp).
   double processor = 40.0;
   // Time on the clock, s. A check that takes longer was not given a processor: the host's fault.
   double clock = 900.0;

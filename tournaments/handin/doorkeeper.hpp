@@ -10,10 +10,10 @@
 // Threads: one at a time.
 #pragma once
 
-#include "server/web/request.hpp"
 #include "tournaments/handin/sessions.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/handin/wrong_tokens.hpp"
+#include "web/request.hpp"
 
 #include <set>
 #include <variant>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/entry_report.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 #include "system/printable.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/friendly_book.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/friendly_desk.hpp"
 
-#include "server/record/json_reader.hpp"
-#include "server/record/match_record.hpp"
-#include "server/record/thoughts_file.hpp"
+#include "record/json_reader.hpp"
+#include "record/match_record.hpp"
+#include "record/thoughts_file.hpp"
 #include "system/printable.hpp"
 #include "tournaments/handin/replies.hpp"
 #include "tournaments/league/hand_ins.hpp"

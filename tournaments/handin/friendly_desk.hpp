@@ -7,9 +7,9 @@
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
 
-#include "server/web/request.hpp"
 #include "tournaments/handin/friendly_book.hpp"
 #include "tournaments/handin/own_legs.hpp"
+#include "web/request.hpp"
 
 #include <functional>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/own_legs.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 
 #include <nlohmann/json.hpp>

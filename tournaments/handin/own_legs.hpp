@@ -4,7 +4,7 @@
 // Of the opponent it reads what everybody does: result and replay.
 #pragma once
 
-#include "server/record/own_texts.hpp"
+#include "record/own_texts.hpp"
 #include "tournaments/league/folder.hpp"
 
 #include <nlohmann/json_fwd.hpp>

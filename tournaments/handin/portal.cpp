@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/portal.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 #include "system/printable.hpp"
 #include "tournaments/handin/form.hpp"
 #include "tournaments/handin/replies.hpp"

@@ -7,10 +7,10 @@
 // Threads: any. The league is opened for each request.
 #pragma once
 
-#include "server/web/request.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/folder.hpp"
+#include "web/request.hpp"
 
 #include <cstdint>
 #include <functional>

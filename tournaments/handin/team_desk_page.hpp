@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The pages of the desk: the one that asks for a token, and the private page of a team, where it
-// hands in and reads what became of its entries. page/hand_in.js of server/web sends what is filled
+// hands in and reads what became of its entries. page/hand_in.js of web sends what is filled
 // in and follows checks.
 #pragma once
 

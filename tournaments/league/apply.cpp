@@ -2,7 +2,7 @@
 #include "tournaments/league/apply.hpp"
 
 #include "core/base/assert.hpp"
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 #include "tournaments/format/swiss.hpp"
 #include "tournaments/league/decisions.hpp"
 #include "tournaments/league/schedule_growth.hpp"

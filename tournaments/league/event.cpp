@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/event.hpp"
 
-#include "server/record/conditions_json.hpp"
-#include "server/record/json_reader.hpp"
+#include "record/conditions_json.hpp"
+#include "record/json_reader.hpp"
 
 #include <nlohmann/json.hpp>
 

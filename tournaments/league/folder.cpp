@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/folder.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 #include "system/digest.hpp"
 #include "system/file_lock.hpp"
 #include "system/locations.hpp"

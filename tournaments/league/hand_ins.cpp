@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/hand_ins.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 
 #include <nlohmann/json.hpp>
 

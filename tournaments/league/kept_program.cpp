@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/kept_program.hpp"
 
-#include "server/record/json_reader.hpp"
-#include "server/record/match_record.hpp"
+#include "record/json_reader.hpp"
+#include "record/match_record.hpp"
 #include "system/locations.hpp"
 #include "system/trusted_program.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/start.hpp"
 
-#include "server/record/match_record.hpp"
+#include "record/match_record.hpp"
 #include "system/digest.hpp"
 #include "tournaments/league/hand_ins.hpp"
 

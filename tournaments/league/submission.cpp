@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/submission.hpp"
 
-#include "server/record/json_reader.hpp"
-#include "server/record/team_parameters_json.hpp"
+#include "record/json_reader.hpp"
+#include "record/team_parameters_json.hpp"
 #include "system/digest.hpp"
 #include "system/file_lock.hpp"
 #include "system/locations.hpp"

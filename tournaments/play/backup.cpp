@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/backup.hpp"
 
-#include "server/record/match_record.hpp"
+#include "record/match_record.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,8 +2,8 @@
 #include "tournaments/play/comparison_run.hpp"
 
 #include "core/base/random.hpp"
-#include "server/record/json_reader.hpp"
-#include "server/record/match_record.hpp"
+#include "record/json_reader.hpp"
+#include "record/match_record.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 #include "system/process_set.hpp"

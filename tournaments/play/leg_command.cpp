@@ -2,11 +2,11 @@
 #include "tournaments/play/leg_command.hpp"
 
 #include "core/base/random.hpp"
-#include "server/record/conditions_json.hpp"
-#include "server/record/json_reader.hpp"
-#include "server/record/pitch_json.hpp"
-#include "server/record/rules_json.hpp"
-#include "server/record/team_parameters_json.hpp"
+#include "record/conditions_json.hpp"
+#include "record/json_reader.hpp"
+#include "record/pitch_json.hpp"
+#include "record/rules_json.hpp"
+#include "record/team_parameters_json.hpp"
 #include "system/locations.hpp"
 #include "system/shell_word.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "core/field/team.hpp"
 #include "core/match/leg.hpp"
-#include "server/record/json_reader.hpp"
-#include "server/record/team_parameters_json.hpp"
+#include "record/json_reader.hpp"
+#include "record/team_parameters_json.hpp"
 
 namespace mirocup::league {
 

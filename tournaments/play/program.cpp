@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/program.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
 #include "system/process_set.hpp"

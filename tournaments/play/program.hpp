@@ -5,7 +5,7 @@
 // that played them, and no league goes on with another one by accident.
 #pragma once
 
-#include "server/record/match_record.hpp"
+#include "record/match_record.hpp"
 #include "tournaments/league/league_store.hpp"
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/runner.hpp"
 
-#include "server/record/team_parameters_json.hpp"
+#include "record/team_parameters_json.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 #include "system/memory.hpp"

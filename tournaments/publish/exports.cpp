@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/exports.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 #include "system/csv.hpp"
 #include "tournaments/publish/bracket_json.hpp"
 #include "tournaments/publish/decision_view.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/league_statistics.hpp"
 
-#include "server/record/json_reader.hpp"
-#include "server/statistics/statistics_json.hpp"
+#include "record/json_reader.hpp"
+#include "record/statistics/statistics_json.hpp"
 #include "tournaments/publish/html.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/team_page.hpp"

@@ -5,7 +5,7 @@
 // site/statistics/LEG.json.
 #pragma once
 
-#include "server/statistics/report.hpp"
+#include "record/statistics/report.hpp"
 #include "tournaments/league/folder.hpp"
 #include "tournaments/publish/bests.hpp"
 #include "tournaments/publish/leg_view.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/night_pages.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 #include "system/markup.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/publish/html.hpp"

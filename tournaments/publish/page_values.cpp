@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/page_values.hpp"
 
-#include "server/web/design/template.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/team_page.hpp"
+#include "web/design/template.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/site.hpp"
 
-#include "server/web/design/template.hpp"
 #include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/night_pages.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/team_page.hpp"
+#include "web/design/template.hpp"
 
 #include <iomanip>
 #include <sstream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/snapshot.hpp"
 
-#include "server/record/match_record.hpp"
+#include "record/match_record.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/league/decisions.hpp"
 

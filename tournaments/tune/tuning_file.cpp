@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/tune/tuning_file.hpp"
 
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 
 namespace mirocup::league {
 

@@ -2,7 +2,7 @@
 //
 // A recording as plain bytes, so that core alone can read it: no JSON, no zstd. Structs are copied
 // as they lie in memory: for machines that agree in sizes and byte order, as x86-64 and arm64 do,
-// and for programs of the same sources. server/record writes the records that are kept.
+// and for programs of the same sources. record writes the records that are kept.
 #pragma once
 
 #include "core/replay/recording.hpp"

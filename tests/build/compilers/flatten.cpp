@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes a record and its replay as one flat recording. Usage: flatten RECORD FLAT
-#include "server/record/match_record.hpp"
+#include "record/match_record.hpp"
 #include "tests/build/compilers/flat_recording.hpp"
 
 #include <iostream>

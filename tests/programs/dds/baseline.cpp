@@ -4,7 +4,7 @@
 // prints percentiles of durations, in seconds, as JSON.
 //   udp    a datagram as large as a state to two other processes and back, once in a period
 //   sleep  how late clock_nanosleep() wakes, once in a period
-#include "server/pace/durations.hpp"
+#include "record/durations.hpp"
 
 #include <arpa/inet.h>
 #include <csignal>
@@ -19,7 +19,7 @@
 
 namespace {
 
-using mirocup::pace::Durations;
+using mirocup::record::Durations;
 
 constexpr int echoes = 2;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A team in Python, which uses libmirocup_team and only Python's standard library.
-#include "server/record/thoughts_file.hpp"
+#include "record/thoughts_file.hpp"
 #include "tests/programs/dds/network.hpp"
 
 #include <gtest/gtest.h>

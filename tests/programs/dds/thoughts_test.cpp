@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What teams on the network draw, with real processes and packets.
-#include "server/record/thoughts_file.hpp"
+#include "record/thoughts_file.hpp"
 #include "tests/programs/dds/network.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 // grades are computed again from the journal alone, by the few lines of Tally. Catches a night that
 // plays what was not accepted, a result that pages tell before it is released, an old record that
 // no program verifies any more, a grade that is not what was played.
-#include "server/record/match_record.hpp"
+#include "record/match_record.hpp"
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/record/thoughts_file.hpp"
+#include "record/thoughts_file.hpp"
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>

@@ -70,6 +70,6 @@ for record in "${records[@]}"; do
   }
 done
 grep -ho '"end": "[a-z_]*"' "${records[@]}" | sort | uniq -c
-"$here/schema.py" "$here/../../../server/record/record.schema.json" "${records[@]}" || fit=no
+"$here/schema.py" "$here/../../../record/record.schema.json" "${records[@]}" || fit=no
 echo "${#records[@]} records, $((${#records[@]} - bad)) verified"
 [[ ${#records[@]} -ge 200 && $bad -eq 0 && $fit == yes ]]

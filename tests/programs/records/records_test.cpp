@@ -4,7 +4,7 @@
 // schema does not describe, a reader that no longer reads older records, and a record that is
 // reported as wrong only because physics or laws have changed since.
 #include "core/replay/verification.hpp"
-#include "server/record/match_record.hpp"
+#include "record/match_record.hpp"
 #include "tests/build/compilers/flat_recording.hpp"
 #include "tests/programs/records/endings.hpp"
 #include "tests/support/program.hpp"
@@ -49,7 +49,7 @@ Outcome verify(const std::string& path) {
 // Expects the schema to be valid, and the records to fit it.
 void expect_valid(const std::vector<std::string>& records) {
   std::vector<std::string> words{source + "/tests/programs/records/schema.py",
-                                 source + "/server/record/record.schema.json"};
+                                 source + "/record/record.schema.json"};
   words.insert(words.end(), records.begin(), records.end());
   const Outcome outcome = run(words);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
@@ -86,8 +86,8 @@ TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
   const TemporaryFolder folder;
   system::Disk disk;
   std::vector<std::string> words{source + "/tests/programs/records/documented.py",
-                                 source + "/server/record/record.schema.json",
-                                 source + "/server/record/schema.md", source + "/docs/laws.md"};
+                                 source + "/record/record.schema.json",
+                                 source + "/record/schema.md", source + "/docs/laws.md"};
   for (const auto end : {match::OutcomeKind::shoot_out, match::OutcomeKind::forfeit}) {
     words.push_back(folder / (std::string(to_string(end)) + ".json"));
     record::MatchRecord record = record_of(leg_that_ends(end));

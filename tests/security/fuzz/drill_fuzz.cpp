@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads any bytes as a drill, and draws the situation of one that is whole.
-#include "server/drills/drill.hpp"
+#include "record/drills/drill.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
 
 MIROCUP_FUZZ_TARGET(drill) {

@@ -3,10 +3,10 @@
 // Sends any bytes to a site's server with a desk as a browser would, over a connection of this
 // host, and reads what it answers. Run it where no other program listens: run.sh
 // does so in a network of its own.
-#include "server/web/site_server.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/handin/portal.hpp"
+#include "web/site_server.hpp"
 
 #include <arpa/inet.h>
 #include <cerrno>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads any bytes as the arrays of a policy, and writes the source of one that is whole.
-#include "server/policy/policy.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
+#include "training/policy/policy.hpp"
 
 #include <cstdlib>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads any bytes as a pitch. One that is whole must come back from its own text.
-#include "server/record/json_reader.hpp"
-#include "server/record/pitch_json.hpp"
+#include "record/json_reader.hpp"
+#include "record/pitch_json.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads any bytes as a record: the reader must return an error and never crash.
-#include "server/record/match_record.hpp"
+#include "record/match_record.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
 #include "tests/support/memory_files.hpp"
 

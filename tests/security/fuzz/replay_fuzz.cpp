@@ -3,7 +3,7 @@
 // Reads any bytes as a replay: the reader must return an error and never crash. The first byte
 // chooses the league, and whether the harness compresses the bytes, since a fuzzer hardly finds a
 // zstd frame by itself. The second chooses what the record says of its ticks.
-#include "server/record/replay_file.hpp"
+#include "record/replay_file.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
 
 #include <zstd.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads any bytes as a scene. A short one is also run: what a scene may ask for must end.
-#include "server/record/json_reader.hpp"
-#include "server/record/scene_json.hpp"
+#include "record/json_reader.hpp"
+#include "record/scene_json.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
 
 MIROCUP_FUZZ_TARGET(scene) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads any bytes as a situation. One that is whole must come back from its own text.
-#include "server/record/json_reader.hpp"
-#include "server/record/situation_json.hpp"
+#include "record/json_reader.hpp"
+#include "record/situation_json.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
 
 #include <nlohmann/json.hpp>

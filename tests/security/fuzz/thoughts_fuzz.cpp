@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Unpacks any bytes as what a team has drawn in a leg.
-#include "server/record/thoughts_file.hpp"
+#include "record/thoughts_file.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
 
 MIROCUP_FUZZ_TARGET(thoughts) {

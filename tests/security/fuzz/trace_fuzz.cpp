@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads any bytes as one line of a trace, and judges it where it is a situation.
-#include "server/record/json_reader.hpp"
-#include "server/traces/trace.hpp"
-#include "server/traces/trace_verdict.hpp"
+#include "record/json_reader.hpp"
+#include "record/traces/trace.hpp"
+#include "record/traces/trace_verdict.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
 
 MIROCUP_FUZZ_TARGET(trace) {

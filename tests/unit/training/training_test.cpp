@@ -2,7 +2,7 @@
 #include "mirocup/training.h"
 
 #include "core/replay/verification.hpp"
-#include "server/record/match_record.hpp"
+#include "record/match_record.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/training/batch_of_matches.hpp"
 

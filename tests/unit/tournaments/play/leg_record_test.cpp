@@ -5,7 +5,7 @@
 #include "tournaments/play/leg_record.hpp"
 
 #include "core/match/leg.hpp"
-#include "server/record/json_reader.hpp"
+#include "record/json_reader.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/unreadable.hpp"
 #include "tournaments/league/apply.hpp"

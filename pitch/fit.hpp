@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+//
+// Least squares over windows: the step of identification that moves the numbers of a pitch until
+// the simulator goes through the pictures (identify.hpp describes the method).
+#pragma once
+
+#include "pitch/unknowns.hpp"
+#include "pitch/windows.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace mirocup::pitch {
+
+// A window in the fit. Its bodies have unknowns at its start: the ball x, y, vx, vy; a robot x, y,
+// heading, forward, turn and, where wheels may slide, its sideways speed. That of wheels which hold
+// shows in nothing, so it has a residual of its own, which keeps it near 0.
+struct Piece {
+  const Footage* footage = nullptr;
+  Window window;
+  std::vector<simulator::BodyState> start;
+  std::array<bool, unknown_count> tells{};  // the numbers that its bodies depend on
+  int states = 0;                           // unknowns of the starts
+  int rows = 0;                             // residuals: two or three for each sight, then those
+                                            // of sideways speeds
+  double square = 0.0;                      // of its residuals, weighted
+  bool counts = true;                       // explained by some start
+  std::vector<simulator::BodyState> trial;
+  Eigen::MatrixXd gain;  // of the starts on the pitch: A^-1 B
+  Eigen::VectorXd own;   // A^-1 a
+
+  bool is_ball(std::size_t i) const { return window.bodies[i] == footage->ball(); }
+  bool may_slide(std::size_t i) const { return window.may_slide && !is_ball(i); }
+};
+
+// The camera's noise, of a coordinate (m) and of a heading (rad).
+struct Noise {
+  double position = 0.005;
+  double heading = 0.05;
+};
+
+class Fit {
+ public:
+  Fit(const Guess& start, const Noise& noise) : guess_(start), noise_(noise) {}
+
+  // Adds a window, unless its bodies are hardly seen at its start, or touch something there.
+  void add(const Footage& footage, Window window);
+  // Ends windows of several bodies a little after their first impact in the simulator: each further
+  // one multiplies errors. Windows without an impact tell nothing about impacts, and are left out.
+  void end_after_impacts();
+
+  bool is_empty() const { return pieces_.empty(); }
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  Guess guess() const { return tied(guess_); }
+  const Noise& noise() const { return noise_; }
+  void set_noise_known(bool known) { noise_is_known_ = known; }
+
+  // The unknowns that are searched. Tied lags are that of driving.
+  void set_free(int unknown, bool free) { is_free_[unknown] = free; }
+  bool is_free(int unknown) const { return is_free_[unknown]; }
+  void tie_turn_lag(bool tied) { turn_is_tied_ = tied; }
+  void tie_brake_lag(bool tied) { brake_is_tied_ = tied; }
+  bool turn_lag_is_tied() const { return turn_is_tied_; }
+  bool brake_lag_is_tied() const { return brake_is_tied_; }
+  std::vector<int> free_unknowns() const;
+
+  // Begins from each guess with some of the windows, and keeps the best: the cost can have several
+  // minima.
+  void choose(std::span<const Guess> guesses);
+  // Steps until the cost falls no more. `hard`: outliers are left out rather than weighed down.
+  void run(bool hard);
+  // Looks for better starts of the windows that the present ones explain badly: a hit with the
+  // other edge first is a minimum of its own.
+  void retry();
+  // The least cost at each of some values of an unknown, with the rest of the pitch as it is, of
+  // the windows that depend on it. Each window has the best starts that a sweep to and
+  // fro finds. Goes to the best value if that is better than the present one.
+  struct Profile {
+    std::vector<double> values, costs;
+    std::vector<std::vector<double>> parts;  // of each window, its cost at each value
+
+    int windows() const { return static_cast<int>(parts.size()); }
+  };
+  Profile profile(int unknown, std::vector<double> values);
+  // Computes the equations of all windows at the present guess.
+  void linearise();
+  // Returns the inverse of the covariance of the free unknowns, in their order.
+  const Eigen::MatrixXd& information() const { return information_; }
+  // What each window adds to the information, and the gradient of its cost.
+  struct Told {
+    Eigen::MatrixXd information;
+    Eigen::VectorXd gradient;
+  };
+  const std::vector<Told>& told() const { return told_; }
+
+ private:
+  struct Variant {
+    Guess guess;
+    std::map<const Footage*, std::unique_ptr<Rerun>> reruns;
+  };
+
+  Guess tied(Guess guess) const;
+  Variant variant(const Guess& guess) const;
+  void residuals(Variant& variant, const Piece& piece,
+                 const std::vector<simulator::BodyState>& start, Eigen::VectorXd& r) const;
+  double weigh(const Piece& piece, const Eigen::VectorXd& r, Eigen::VectorXd& weight) const;
+  bool is_explained(const Piece& piece, const Eigen::VectorXd& r,
+                    const Eigen::VectorXd& weight) const;
+  Eigen::MatrixXd slopes_by_start(Variant& variant, const Piece& piece,
+                                  const Eigen::VectorXd& r) const;
+  bool depends_on(std::span<Variant> variants, const Piece& piece) const;
+  void settle(Variant& variant, Piece& piece);
+  double capped_cost(Variant& variant, const Piece& piece);
+  void try_other_starts(Variant& variant, Piece& piece);
+  bool step(double most);
+  Guess stepped(const std::vector<int>& free, Eigen::VectorXd& step, double most) const;
+  double cost_of_trial(const Guess& guess, const Eigen::VectorXd& step);
+  void estimate_noise();
+  void count_rows(Piece& piece) const;
+
+  std::vector<Piece> pieces_;
+  Guess guess_;
+  Noise noise_;
+  std::array<bool, unknown_count> is_free_{};
+  bool noise_is_known_ = false;
+  bool turn_is_tied_ = false;
+  bool brake_is_tied_ = false;
+  bool hard_ = false;
+  Eigen::MatrixXd information_;
+  std::vector<Told> told_;  // by the windows that count
+  Eigen::VectorXd gradient_;
+  double cost_ = 0.0;
+  double damping_ = 1e-3;
+};
+
+}  // namespace mirocup::pitch

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// Identification: the numbers of a pitch with which the simulator moves robots and ball as a
+// recording shows them.
+//
+// Least squares over windows (windows.hpp). The unknowns are the numbers of the pitch, and the
+// state of each body at the start of each window. Levenberg and Marquardt's steps; the states are
+// eliminated window by window (Schur's complement), so a step costs one small system for each
+// window and one of the size of the pitch. What is left of a window's equations after that
+// elimination is what it tells about the pitch, and their sum is the inverse of the covariance.
+//
+// Robust: pictures count less the further they are off (Huber), and in the end those beyond five
+// standard deviations not at all. Windows that no state explains, such as one in which a hand moves
+// a robot, are left out and counted.
+#pragma once
+
+#include "pitch/recording.hpp"
+#include "pitch/unknowns.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mirocup::pitch {
+
+// A number with its interval of 95 %.
+struct Estimate {
+  double value = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+struct Identified {
+  Guess guess;  // what is not known is as in the pitch from which the search began
+  std::array<std::optional<Estimate>, unknown_count> known;  // nothing: the recording does not tell
+  std::array<std::string, unknown_count> why_not;            // a sentence for each of these
+  bool has_one_lag = true;                                   // turning lags as driving does
+  bool has_brake = false;
+  Estimate deceleration;  // of the ball at 0.5 m/s, m/s^2; meaningless without a rolling ball
+  bool has_deceleration = false;
+  Estimate position_noise;  // m
+  Estimate heading_noise;   // rad
+  double unseen = 0.0;      // share of bodies that a picture misses
+  double outliers = 0.0;    // share of sights that are left out
+  int windows = 0;          // that count
+  int unexplained = 0;      // that no state explains
+};
+
+// Identifies from one recording or several of the same pitch, from `start` on. An error,
+// Errc::input: no window has a body that moves by known commands, or a ball that rolls.
+Result<Identified> identify(const std::vector<Recording>& recordings, const Guess& start);
+
+}  // namespace mirocup::pitch

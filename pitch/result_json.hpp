@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// Results as JSON: the pitch file of an identification, and the object that `validate --json`
+// prints.
+#pragma once
+
+#include "core/match/pitch_spec.hpp"
+#include "pitch/identify.hpp"
+#include "pitch/validate.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace mirocup::pitch {
+
+// Returns a file of schema mirocup/pitch/1. What was identified has {"value", "low", "high"}; what
+// was not is as in `start`, and "not_known" says why. `name` is that of the pitch.
+nlohmann::ordered_json pitch_json(const Identified& identified, const match::PitchSpec& start,
+                                  const std::string& name);
+
+nlohmann::ordered_json to_json(const Validation& validation);
+
+}  // namespace mirocup::pitch

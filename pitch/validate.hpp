@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+//
+// Validation: how far from a recording the simulator is some pictures ahead, beside yardsticks.
+//
+// From every few pictures on, all bodies start with the positions and velocities that the pictures
+// until then show, and are predicted. The yardsticks start from the same states:
+//   straight  each body keeps its speed and its turn rate, through everything
+//   peer      another engine with the same motors, where one is given
+//   paper     the simulator with the paper's equations alone: wheels that never slide, motors with
+//             one lag, friction of the ball in x and y separately, contacts without friction
+// An error is the distance from where the body was seen. What the camera's noise adds to it is
+// subtracted in the mean: of the picture ahead, and of the start that the noise has disturbed.
+#pragma once
+
+#include "pitch/recording.hpp"
+#include "pitch/unknowns.hpp"
+#include "pitch/windows.hpp"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mirocup::pitch {
+
+// What happens to a body between the start and the picture ahead, as the simulator has it. The
+// first of these that applies counts.
+enum class EventKind { push, robot_and_robot, robot_and_ball, wall, slide, drive, free_roll };
+
+inline constexpr std::array<int, 5> horizons{1, 2, 5, 10, 30};  // pictures
+
+enum class Predictor { simulator, straight, paper, peer };
+inline constexpr int predictors = 4;
+
+// The errors of one kind of event at one horizon.
+struct ErrorCell {
+  int count = 0;
+  std::array<double, predictors> rms{};            // m, without the camera's noise
+  std::array<bool, predictors> beats_simulator{};  // surely: by two standard errors
+};
+
+// One prediction for a picture: where a body was seen, and where it was predicted.
+struct Track {
+  EventKind kind = EventKind::drive;
+  bool is_ball = false;
+  std::string body;    // "blue 1", "the ball"
+  double t = 0.0;      // s, of the recording
+  double error = 0.0;  // m, of the simulator at the last horizon
+  std::vector<Vec2> seen;
+  std::array<std::vector<Vec2>, predictors> predicted;
+};
+
+struct Validation {
+  std::string peer;     // the name of the other engine; "": none
+  double noise = 0.0;   // m, of the camera
+  double period = 0.0;  // s, between two pictures
+  std::array<std::array<ErrorCell, horizons.size()>, 7> cells{};  // [kind][horizon]
+  std::vector<Track> examples;  // one for each kind that was seen: of the median error
+  // Sentences: where a yardstick is better than the simulator.
+  std::vector<std::string> objections;
+};
+
+// Another engine as a yardstick.
+struct Peer {
+  std::string name;
+  // Calls see(frame, place in window.bodies, position) for each body in each frame of the window
+  // but its first, in that order, after the bodies were set to `start`.
+  using See = std::function<void(int, std::size_t, const Vec2&)>;
+  std::function<void(const Recording&, const Footage&, const Guess&, const Window&,
+                     const std::vector<simulator::BodyState>& start, const See&)>
+      play;
+};
+
+// `peer` may be null.
+Validation validate(const std::vector<Recording>& recordings, const Guess& pitch,
+                    const Peer* peer = nullptr);
+
+}  // namespace mirocup::pitch
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 7> enum_names<pitch::EventKind>{
+    "push", "robot_and_robot", "robot_and_ball", "wall", "slide", "drive", "free_roll"};
+template <>
+inline constexpr std::array<std::string_view, 4> enum_names<pitch::Predictor>{
+    "simulator", "straight", "paper", "peer"};
+
+}  // namespace mirocup

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// A validation from files to a page: what `mirocup validate` does, and mirocup-bench with a peer.
+#pragma once
+
+#include "pitch/validate.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mirocup::pitch {
+
+struct ValidationRequest {
+  std::vector<std::string> recordings;
+  std::string pitch = "mirosot";  // a preset's name, or a file
+  std::string page;               // "": none
+  bool json = false;
+};
+
+struct ValidationReport {
+  std::string text;       // for standard output
+  bool is_worse = false;  // than a yardstick, somewhere
+};
+
+// Reads all files, and errors name them. `peer` may be null.
+Result<ValidationReport> report_of(const ValidationRequest& request, const Peer* peer);
+
+Result<std::vector<Recording>> read_recordings(const std::vector<std::string>& paths);
+
+}  // namespace mirocup::pitch

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+//
+// Windows: short pieces of a recording in which a few bodies move by themselves. The state of each
+// body at the start of its window is unknown, and the simulator moves it from there. So an error
+// of the model shows within a window and does not add up over the recording.
+#pragma once
+
+#include "core/simulator/world.hpp"
+#include "pitch/recording.hpp"
+#include "pitch/unknowns.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace mirocup::pitch {
+
+// Frames first to last of the recording, and the bodies that met nothing but each other in it.
+// Bodies are numbered as in the recording; the ball is 2 * robots, and is the last of the list.
+struct Window {
+  int first = 0, last = 0;
+  std::vector<int> bodies;
+  bool may_slide = false;  // wheels at the start: then sideways speeds are unknown, too
+};
+
+// The recording as windows need it: flat, with obvious outliers left out.
+class Footage {
+ public:
+  explicit Footage(const Recording& recording);
+
+  struct Sight {
+    bool is_seen = false;
+    Vec2 position{0.0, 0.0};
+    double heading = 0.0;  // unwrapped: no jumps by 2 pi
+  };
+  // A command that holds from `t` on.
+  struct Told {
+    double t;
+    simulator::WheelSpeeds wheels;
+  };
+
+  int bodies() const { return static_cast<int>(sights_.size()); }
+  int ball() const { return bodies() - 1; }
+  int frames() const { return static_cast<int>(times_.size()); }
+  double time(int frame) const { return times_[frame]; }
+  const Sight& sight(int body, int frame) const { return sights_[body][frame]; }
+  const std::vector<Told>& told(int body) const { return told_[body]; }
+  const field::Field& field() const { return field_; }
+  double usual_period() const { return period_; }
+
+  // A body's state at a frame, from pictures near it: position and velocity of a line or a parabola
+  // through them.
+  struct FittedState {
+    simulator::BodyState state;
+    double misfit = 0.0;  // m: root mean square of what the pictures are off, for their freedom
+    // Variances of a coordinate and of its velocity, and their covariance, for a noise of 1 m.
+    double position = 0.0, both = 0.0, velocity = 0.0;
+  };
+  // Fits the `count` pictures from the frame on or, with a negative count, up to it. `degree` is 1
+  // for a line, 2 for a parabola. Nothing if less than half of them see the body, or less than
+  // degree + 2.
+  std::optional<FittedState> state_at(int body, int frame, int count, int degree) const;
+
+  // True if a body is moved by hand between two frames of the range (no robot is that fast), or if
+  // the camera pauses between them.
+  bool is_broken(int first, int last) const;
+
+  // Returns the camera's noise of a coordinate, m: robustly, from third differences, which hardly
+  // see motion. 0: too few pictures.
+  double position_noise() const;
+
+ private:
+  void leave_out_outliers(int body);
+  void find_breaks();
+
+  field::Field field_;
+  double period_;
+  std::vector<double> times_;
+  std::vector<std::vector<Sight>> sights_;  // [body][frame]
+  std::vector<std::vector<Told>> told_;     // [body]
+  std::vector<int> breaks_;                 // breaks_[f]: their number before frame f
+};
+
+// Simulates windows under one guess. Keeps a world for each kind of window.
+class Rerun {
+ public:
+  Rerun(const Footage& footage, const Guess& guess) : footage_(footage), guess_(guess) {}
+
+  // Calls see(frame, place in window.bodies, state) for each body in each frame of the window but
+  // its first, after the bodies were set to `start`.
+  // With `statistics` it records the impacts; their times count from the first frame. A robot whose
+  // commands are not known keeps the speeds that it starts with.
+  template <class See>
+  void play(const Window& window, const std::vector<simulator::BodyState>& start, See see,
+            simulator::RunStatistics* statistics = nullptr) {
+    simulator::World& world = world_for(window);
+    world.set_statistics(statistics);
+    begin(world, window, start);
+    double t = footage_.time(window.first);
+    for (int frame = window.first + 1; frame <= window.last; ++frame) {
+      if (statistics != nullptr) statistics->origin = t - footage_.time(window.first);
+      advance(world, window, t, footage_.time(frame));
+      t = footage_.time(frame);
+      for (std::size_t i = 0; i < window.bodies.size(); ++i) see(frame, i, state(world, window, i));
+    }
+  }
+
+ private:
+  simulator::World& world_for(const Window& window);
+  void begin(simulator::World& world, const Window& window,
+             const std::vector<simulator::BodyState>& start);
+  void advance(simulator::World& world, const Window& window, double from, double to) const;
+  simulator::BodyState state(const simulator::World& world, const Window& window,
+                             std::size_t i) const;
+
+  const Footage& footage_;
+  Guess guess_;
+  std::array<simulator::WheelSpeeds, simulator::max_robots> kept_{};  // of unknown commands
+  std::map<std::pair<int, bool>, std::unique_ptr<simulator::World>> worlds_;
+};
+
+}  // namespace mirocup::pitch

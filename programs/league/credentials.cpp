@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommand credentials. credentials/credentials.sh makes the certificates with openssl; this
+// source determines the teams.
+#include "programs/league/commands.hpp"
+#include "record/match_record.hpp"
+#include "system/child_process.hpp"
+#include "system/locations.hpp"
+#include "tournaments/league/folder.hpp"
+
+#include <algorithm>
+
+namespace mirocup::league {
+
+namespace {
+
+// Returns the teams of the command line and those of the league in the folder, if there is one.
+Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
+  std::vector<std::string> names = options.teams;
+  system::Disk disk;
+  const std::string config = Folder{options.folder}.config();
+  if (!disk.exists(config)) {
+    if (!names.empty() || !options.revoked.empty()) return names;
+    return fail(Errc::input, options.folder + " holds no league, and --team names nobody");
+  }
+  MIROCUP_TRY(const auto text, disk.read(config, {.max_size = system::size_limit::league_file,
+                                                  .links = system::Links::followed}));
+  MIROCUP_TRY(const auto league, parse_league_file(text, config));
+  for (const TeamConfig& team : league.teams) names.push_back(team.name);
+  return names;
+}
+
+// A team's name must fit the topic Hello, and becomes the name of a folder.
+constexpr std::size_t max_name = 64;  // bytes
+
+Result<void> check_name(const std::string& option, const std::string& name) {
+  const auto bad = [&](const std::string& why) {
+    return fail(Errc::input, option + ": a team's name " + why);
+  };
+  if (name.empty()) return bad("must not be empty");
+  if (name == "." || name == "..") return bad("must not be that of a folder itself");
+  if (name.size() > max_name) {
+    return bad("has at most " + std::to_string(max_name) + " bytes, this one has " +
+               std::to_string(name.size()));
+  }
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  if (std::ranges::any_of(name, is_control)) return bad("has no control characters");
+  return {};
+}
+
+Result<void> check_names(const CredentialsOptions& options) {
+  for (const std::string& name : options.teams) {
+    if (auto checked = check_name("--team", name); !checked) return checked;
+  }
+  for (const std::string& name : options.revoked) {
+    if (auto checked = check_name("--revoke", name); !checked) return checked;
+  }
+  return {};
+}
+
+Result<void> run_script(std::vector<std::string> arguments) {
+  const auto code = system::run_child({.arguments = arguments, .cpu = -1, .log = ""});
+  if (!code || *code == system::not_found) {
+    return fail(Errc::unavailable, arguments[0] + " cannot be run");
+  }
+  if (*code == 0) return {};
+  return fail(Errc::unavailable, "the credentials could not be made; see above");
+}
+
+}  // namespace
+
+Result<int> run_credentials(const CredentialsOptions& options) {
+  MIROCUP_TRY_VOID(check_names(options));
+  MIROCUP_TRY(const auto teams, teams_of(options));
+  system::Disk disk;
+  const std::string folder = Folder{options.folder}.credentials();
+  MIROCUP_TRY_VOID(disk.make_folder(folder));
+  std::vector<std::string> arguments{system::sibling_program("mirocup-credentials"), folder,
+                                     std::to_string(options.days)};
+  const auto is_revoked = [&options](const std::string& team) {
+    return std::find(options.revoked.begin(), options.revoked.end(), team) != options.revoked.end();
+  };
+  for (const std::string& team : teams) {
+    if (!is_revoked(team)) arguments.insert(arguments.end(), {"team", team});
+  }
+  for (const std::string& team : options.revoked) {
+    arguments.insert(arguments.end(), {"revoke", team});
+  }
+  MIROCUP_TRY_VOID(run_script(std::move(arguments)));
+  return exit_yes;
+}
+
+}  // namespace mirocup::league

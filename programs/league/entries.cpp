@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommands submit and owner.
+#include "programs/league/commands.hpp"
+#include "record/json_reader.hpp"
+#include "system/clock.hpp"
+#include "system/file_lock.hpp"
+#include "system/locations.hpp"
+#include "system/printable.hpp"
+#include "system/users.hpp"
+#include "tournaments/league/firasim_team.hpp"
+#include "tournaments/league/inbox.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+namespace mirocup::league {
+
+namespace {
+
+// Prints the answer to one file.
+void print(const std::string& path, const std::string& team, const Submission& done, bool json) {
+  if (!json) {
+    std::cout << system::printable(done.message) << '\n';
+    return;
+  }
+  std::cout << record::json_text({{"accepted", done.is_accepted},
+                                  {"team", team.empty() ? Json() : Json(team)},
+                                  {"file", path},
+                                  {"entry", done.entry > 0 ? Json(done.entry) : Json()},
+                                  {"message", done.message},
+                                  {"verdict", done.verdict}})
+            << '\n';
+}
+
+// Hands in each TEAM.so of the inbox that is news. The answer is no if one was not accepted; a
+// fault of the host is told by its own code, after the other files.
+Result<int> collect(system::Files& files, const SubmitOptions& options) {
+  int result = exit_yes;
+  const auto tell = [&](const std::string& path, const std::string& team,
+                        const Result<Submission>& answer) {
+    Submission done;
+    if (answer) {
+      done = *answer;
+    } else {
+      done.message = (team.empty() ? path : team) + ": not taken: " + answer.error().what;
+    }
+    print(path, team, done, options.json);
+    if (!answer && answer.error().code == Errc::host) result = exit_code(Errc::host);
+    if (!done.is_accepted && result == exit_yes) result = exit_no;
+  };
+  MIROCUP_TRY(const auto writers, system::writers_of(options.inbox));
+  if (writers.others_remove) {
+    std::cerr << "mirocup: " << system::printable(options.inbox)
+              << ": who writes into it can also remove and rename files of others; chmod +t "
+                 "prevents that\n";
+  }
+  MIROCUP_TRY_VOID(
+      submit_inbox(files, Folder{options.folder}, options.inbox, system::now_s(), tell));
+  return result;
+}
+
+// A program for FIRASim is no file to be checked: the team joins at once.
+Result<int> enter_program(system::Files& files, const SubmitOptions& options) {
+  TeamConfig team;
+  team.name = options.team;
+  team.source = options.file;
+  team.program.run = options.run;
+  if (!options.run.empty())
+    team.program.folder = std::filesystem::absolute(options.run_folder).lexically_normal().string();
+  team.program.lockstep = options.lockstep;
+  MIROCUP_TRY(const auto why,
+              enter_firasim_team(files, Folder{options.folder}, team, system::now_s()));
+  Submission done;
+  done.is_accepted = why.empty();
+  done.message = team.name + (!done.is_accepted ? ": not taken: " + why
+                              : team.is_started_by_people()
+                                  ? ": its program is waited for at the start of each leg"
+                                  : ": each leg starts its program: " + team.program.run);
+  print(options.file, options.team, done, options.json);
+  return done.is_accepted ? exit_yes : exit_no;
+}
+
+}  // namespace
+
+Result<int> run_submit(const SubmitOptions& options) {
+  system::Disk disk;
+  if (options.inbox.empty() && options.file.empty())
+    return fail(Errc::input, "TEAM and FILE are expected, or --inbox DIR");
+  // Before anything is locked there, and although an inbox may be empty.
+  MIROCUP_TRY_VOID(expect_league(disk, Folder{options.folder}));
+  if (!options.inbox.empty()) return collect(disk, options);
+  if (options.file.starts_with(TeamConfig::firasim_prefix)) return enter_program(disk, options);
+  if (!options.run.empty() || options.lockstep) {
+    return fail(Errc::input, std::string(options.run.empty() ? "--lockstep" : "--run") +
+                                 " is of a team that is entered as firasim:NAME");
+  }
+  HandIn handed;
+  handed.team = options.team;
+  handed.path = options.file;
+  constexpr std::string_view house = "house:";
+  if (options.file.starts_with(house)) {
+    const std::string name = options.file.substr(house.size());
+    handed.path = system::house_team(name);
+    handed.name = options.file;
+    handed.is_house = true;
+    if (handed.path.empty()) return fail(Errc::input, "there is no house team \"" + name + "\"");
+  }
+  handed.at = system::now_s();
+  MIROCUP_TRY(const auto done, submit(disk, Folder{options.folder}, handed));
+  print(options.file, options.team, done, options.json);
+  return done.is_accepted ? exit_yes : exit_no;
+}
+
+Result<int> run_owner(const OwnerOptions& options) {
+  system::Disk disk;
+  const Folder folder{options.folder};
+  if (!is_good_name(options.team))
+    return fail(Errc::input, "\"" + options.team + "\" is no name of a team");
+  MIROCUP_TRY_VOID(LeagueStore::open(disk, folder));
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.submitting()));
+  MIROCUP_TRY(auto known, read_hand_ins(disk, folder, options.team));
+  if (options.is_free || !options.user.empty()) {
+    known.owner.reset();
+    if (!options.is_free) {
+      known.owner = system::find_user(options.user);
+      if (!known.owner) return fail(Errc::input, "there is no user " + options.user);
+    }
+    MIROCUP_TRY_VOID(write_hand_ins(disk, folder, options.team, known));
+  }
+  std::cout << options.team << ": "
+            << (known.owner ? system::printable(system::name_of_user(*known.owner)) +
+                                  " hands in by a shared inbox"
+                            : "who hands in first by a shared inbox is its owner")
+            << '\n';
+  return exit_yes;
+}
+
+}  // namespace mirocup::league

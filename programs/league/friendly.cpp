@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommand play-friendly: becomes the match of one friendly, at a low priority.
+#include "tournaments/handin/friendly.hpp"
+
+#include "programs/league/commands.hpp"
+#include "system/locations.hpp"
+#include "tournaments/play/leg_command.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr int priority_of_friendlies = 15;  // checks, pages and matches come first
+
+}  // namespace
+
+Result<int> run_play_friendly(const PlayFriendlyOptions& options) {
+  setpriority(PRIO_PROCESS, 0, priority_of_friendlies);
+  system::Disk disk;
+  const Folder folder{options.folder};
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
+  FriendlyTerms terms;
+  terms.blue = {folder.library(options.team, options.entry), options.team};
+  const std::string& opponent = options.opponent;
+  const std::string name = opponent.substr(opponent.find(':') + 1);
+  terms.yellow = is_house(opponent)
+                     ? FriendlyTerms::Side{system::house_team(name), name}
+                     : FriendlyTerms::Side{folder.library(opponent, options.opponent_entry), name};
+  terms.seed = static_cast<std::uint64_t>(options.number);
+  terms.record = folder.friendly(options.team, options.number);
+  const std::vector<std::string> command = friendly_command(store.state(), terms);
+  std::vector<char*> words;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  execv(words[0], words.data());
+  return fail(Errc::host, command[0] + ": " + std::strerror(errno));
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup-league: plays leagues, each in a folder. `mirocup league` starts this program.
+#include "programs/league/command_line.hpp"
+#include "system/printable.hpp"
+#include "system/standard_output.hpp"
+
+#include <iostream>
+
+using namespace mirocup;
+
+int main(int argc, char** argv) {
+  league::Action action;
+  if (const auto done = league::read_command_line(argc, argv, action))
+    return system::after_standard_output(*done);
+  const Result<int> result = action();
+  if (result) return system::after_standard_output(*result);
+  std::cerr << "mirocup: " << system::printable(result.error().what) << '\n';
+  return exit_code(result.error().code);
+}

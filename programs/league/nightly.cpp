@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommand nightly: what is accepted now plays, every team hears what has changed.
+#include "programs/league/commands.hpp"
+#include "programs/league/progress_bar.hpp"
+#include "programs/league/publishing.hpp"
+#include "record/json_reader.hpp"
+#include "system/child_process.hpp"
+#include "system/clock.hpp"
+#include "system/file_lock.hpp"
+#include "system/printable.hpp"
+#include "tournaments/league/hand_ins.hpp"
+#include "tournaments/league/roster.hpp"
+#include "tournaments/league/start.hpp"
+#include "tournaments/play/leg_command.hpp"
+#include "tournaments/play/program.hpp"
+#include "tournaments/publish/night_pages.hpp"
+#include "tournaments/publish/site.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+namespace mirocup::league {
+
+namespace {
+
+// Returns for each team its last accepted entry, or the one that it has pinned, unless it plays
+// with that already.
+Result<std::vector<EntryBooked>> new_entries(system::Files& files, const LeagueStore& store) {
+  std::vector<EntryBooked> entries;
+  const LeagueState& state = store.state();
+  if (state.file.format.kind != FormatKind::nightly) return entries;
+  for (std::size_t i = 0; i < state.teams.size(); ++i) {
+    const std::string& team = state.file.teams[i].name;
+    if (state.teams[i].status == TeamStatus::withdrawn) continue;
+    MIROCUP_TRY(const auto number, playing_entry(files, store.folder(), team));
+    if (number == 0 || number == state.teams[i].entry) continue;
+    MIROCUP_TRY(const auto library, files.read(store.folder().library(team, number),
+                                               {.max_size = system::size_limit::entry}));
+    entries.push_back({.team = team, .entry = number, .sha256 = system::sha256(library)});
+  }
+  return entries;
+}
+
+// An interrupted night is gone on with for so long, whatever the date says. Later a new one
+// begins, which plays what is open of those before, so that no day is left out.
+constexpr std::int64_t longest_night_s = 12 * 3600;
+
+// True if the last night has legs to play: those of paused teams stay open for longer.
+bool has_legs_to_play(const LeagueState& state) {
+  if (state.played() == state.legs() || state.file.format.kind != FormatKind::nightly) return false;
+  return std::any_of(state.fixtures.begin(), state.fixtures.end(), [&state](const FixtureState& f) {
+    return f.fixture.round == static_cast<int>(state.nights.size()) && !open_legs(state, f).empty();
+  });
+}
+
+// True if the command goes on with the last night: it began on the day that it is in the league's
+// zone, or was interrupted not long ago.
+bool goes_on(const LeagueState& state, std::int64_t now) {
+  if (state.nights.empty()) return false;
+  const auto began = system::parse_time(state.nights.back().at);
+  if (!began) return false;
+  if (state.file.time_zone.date(began->at) == state.file.time_zone.date(now)) return true;
+  return now - began->at < longest_night_s && has_legs_to_play(state);
+}
+
+// Begins a night, or goes on with the one that was interrupted.
+Result<void> begin_night(system::Files& files, LeagueStore& store, const LeagueOptions& options,
+                         std::int64_t now) {
+  if (store.state().is_closed) return fail(Errc::input, "the league is closed: no night follows");
+  if (auto started = start_league(files, store); !started) return started;
+  if (!options.another && goes_on(store.state(), now)) {
+    std::cerr << "mirocup: night " << store.state().nights.size()
+              << " goes on; --another begins one more on the same day\n";
+    return {};
+  }
+  // Hand-ins that are being checked count from the next night on.
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(store.folder().submitting()));
+  MIROCUP_TRY(const auto entries, new_entries(files, store));
+  return store.write(NightBegan{.number = static_cast<int>(store.state().nights.size()) + 1,
+                                .entries = entries,
+                                .at = utc_text(now)});
+}
+
+// Writes what each team is told to nights/N, which only the host can read.
+Result<void> write_digests(system::Files& files, const Folder& folder, const Overview& o,
+                           const Night& night, const std::string& address) {
+  const std::string home = folder.nights() + "/" + std::to_string(night.number);
+  if (auto made = files.make_folder(folder.nights(), system::Readers::owner).and_then([&] {
+        return files.make_folder(home, system::Readers::owner);
+      });
+      !made)
+    return made;
+  for (const TeamDigest& digest : digests(night, o)) {
+    const std::string path = home + "/" + o.state.name(digest.team);
+    auto written =
+        files.write(path + ".txt", digest_text(o, night, digest, address), system::Readers::owner)
+            .and_then([&] {
+              return files.write(path + ".json",
+                                 record::json_text(digest_json(o, digest), 1) + "\n",
+                                 system::Readers::owner);
+            });
+    if (!written) return written;
+  }
+  return {};
+}
+
+// Returns what the host reads in the morning.
+Result<std::string> report(system::Files& files, const LeagueStore& store, const Night& night) {
+  const LeagueState& state = store.state();
+  std::ostringstream text;
+  text << system::printable(state.file.title) << ", night " << night.number << ", "
+       << shown_time(state.file, night.at) << '\n';
+  text << night.records.size() << " legs played in this night; " << state.legs() - state.played()
+       << " are not decided\n\n"
+       << table_text(state) << '\n';
+  MIROCUP_TRY(const auto rows, roster(files, store));
+  for (const RosterRow& row : rows) {
+    if (row.status == TeamStatus::withdrawn) continue;
+    const int before = [&] {
+      const auto team = night.before.find_team(row.team);
+      return team ? night.before.teams[*team].entry : 0;
+    }();
+    if (row.playing_entry != before)
+      text << row.team << " plays with entry " << row.playing_entry << " from this night on\n";
+    if (row.last_entry == 0) text << row.team << " has not handed in\n";
+    if (!row.handed_in.empty() && !row.was_accepted)
+      text << system::printable(row.message) << " (" << shown_time(state.file, row.handed_in)
+           << ")\n";
+    if (row.status == TeamStatus::paused)
+      text << row.team << " is paused: " << system::printable(row.why) << '\n';
+    for (const std::string& other : row.same_as) {
+      if (row.team < other) text << row.team << " and " << other << " handed in the same file\n";
+    }
+  }
+  for (const FixtureState& f : state.fixtures) {
+    for (const LegState& leg : f.legs) {
+      if (leg.played && leg.played->fault && night.records.contains(leg.played->record))
+        text << f.fixture.id() << ": " << system::printable(leg.played->fault->summary()) << '\n';
+    }
+  }
+  return text.str();
+}
+
+// Starts the host's program with the folder of the digests, once for each night: a file says that
+// it has ended well. While nothing is told to teams, the program is told nothing either.
+Result<void> tell_program(system::Files& files, const std::string& program, const std::string& home,
+                          const LeagueState& state) {
+  if (program.empty()) return {};
+  if (state.release.level == ReleaseLevel::hidden) {
+    std::cerr << "mirocup: " << program << " is not started: this night is hidden from teams\n";
+    return {};
+  }
+  const std::string told = home + "/told";
+  MIROCUP_TRY(const auto mark, files.read_if_there(told, {.max_size = system::size_limit::note}));
+  if (mark) return {};
+  const std::string folder = std::filesystem::absolute(home);
+  MIROCUP_TRY(const auto code, system::run_child({.arguments = {program, folder}, .log = ""}));
+  if (code == system::not_found)
+    return fail(Errc::unavailable, program + " cannot be started; the night itself is played");
+  if (code != 0)
+    return fail(Errc::unavailable, program + " " + folder + ": exit code " + std::to_string(code) +
+                                       "; the night itself is played, and the same command on the "
+                                       "same day starts it again");
+  return files.write(told, utc_text(system::now_s()) + "\n", system::Readers::owner);
+}
+
+}  // namespace
+
+Result<int> run_nightly(const LeagueOptions& options) {
+  system::Disk disk;
+  const Folder folder{options.folder};
+  std::string notice;
+  MIROCUP_TRY(auto store, LeagueStore::open(disk, folder, &notice));
+  if (!notice.empty()) std::cerr << "mirocup: " << notice << '\n';
+  MIROCUP_TRY(const auto mine, system::FileLock::try_acquire(folder.running()));
+  if (!mine)
+    return fail(Errc::unavailable,
+                folder.path + " is being played already: this night is left out");
+  const std::int64_t now = system::now_s();
+  if (auto same =
+          expect_program(disk, store, record::this_software(), options.accepts_other_program);
+      !same)
+    return tl::unexpected(same.error());
+  MIROCUP_TRY_VOID(begin_night(disk, store, options, now));
+
+  auto progress = make_progress_reporter();
+  MIROCUP_TRY(const auto played, play_league(disk, std::move(store), *progress, options));
+  progress->say("making pages");
+  MIROCUP_TRY_VOID(publish_league(disk, folder, options.jobs));
+  progress.reset();
+
+  MIROCUP_TRY(const auto after, LeagueStore::open(disk, folder));
+  MIROCUP_TRY(const auto night, last_night(after.state(), after.journal()));
+  const FactsOfLegs facts = read_facts(disk, folder, after.state());
+  const Overview o = overview(after.state(), facts);
+  MIROCUP_TRY_VOID(write_digests(disk, folder, o, *night, options.address));
+  MIROCUP_TRY(const auto text, report(disk, after, *night));
+  const std::string home = folder.nights() + "/" + std::to_string(night->number);
+  MIROCUP_TRY_VOID(disk.write(home + "/report.txt", text, system::Readers::owner));
+  std::cout << text << std::flush;
+  MIROCUP_TRY_VOID(tell_program(disk, options.on_night, home, after.state()));
+  if (after.state().played() == after.state().legs()) return exit_yes;
+  say_what_is_left(after.state());
+  return exit_no;
+}
+
+}  // namespace mirocup::league

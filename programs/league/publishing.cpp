@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "programs/league/publishing.hpp"
+
+#include "record/json_reader.hpp"
+#include "system/printable.hpp"
+#include "tournaments/league/roster.hpp"
+#include "tournaments/publish/former_pages.hpp"
+#include "tournaments/publish/league_statistics.hpp"
+#include "tournaments/publish/night_pages.hpp"
+#include "tournaments/publish/release.hpp"
+#include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/site.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <set>
+#include <vector>
+
+namespace mirocup::league {
+
+// In formats in which a night is no round, what is held back of a night would show in the news.
+Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store) {
+  const bool is_whole = is_all_released(store.state());
+  if (!is_whole && shown.file.format.kind != FormatKind::nightly) return NightNews{};
+  MIROCUP_TRY(auto night, last_night(shown, store.journal()));
+  if (!night) return NightNews{};
+  MIROCUP_TRY(auto feed, feed_xml(shown, store.journal()));
+  return NightNews{.night = std::move(night), .feed = std::move(feed)};
+}
+
+Result<void> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
+                          const NightNews& news, int jobs) {
+  // What was told before may not be released any more.
+  for (const char* part : {"/digests", "/night.html", "/feed.xml"}) {
+    if (auto removed = files.remove(folder.site() + part); !removed) return removed;
+  }
+  for (const char* part : {"/teams", "/rounds", "/digests"}) {
+    if (part == std::string("/digests") && !news.night) continue;
+    if (auto made = files.make_folder(folder.site() + part); !made) return made;
+  }
+  if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
+  // First what takes long: the pages of league and teams show the statistics of every leg.
+  MIROCUP_TRY(const auto failed, make_replay_pages(files, folder, overview(shown), jobs));
+  const Site site({.state = shown,
+                   .reports = kept_statistics(files, folder, shown),
+                   .facts = read_facts(files, folder, shown),
+                   .night = news.night,
+                   .feed = news.feed});
+  const std::vector<std::string> names = site.names();
+  for (const std::string& name : names) {
+    if (auto written = files.write(folder.site() + "/" + name, *site.file(name)); !written)
+      return written;
+  }
+  // Rounds that are not shown any more, and teams that joined after those that are.
+  const std::set<std::string> made(names.begin(), names.end());
+  for (const std::string part : {"rounds/", "teams/"}) {
+    if (auto removed = remove_former_pages(files, folder.site(), part, made); !removed)
+      return removed;
+  }
+  if (failed.count > 0) {
+    std::cerr << "mirocup: " << failed.count
+              << " replay pages could not be made; mirocup replay RECORD says why\n";
+  }
+  for (const std::string& reason : failed.reasons)
+    std::cerr << "mirocup: " << system::printable(reason) << '\n';
+  return {};
+}
+
+Result<void> publish_league(system::Files& files, const Folder& folder, int jobs) {
+  MIROCUP_TRY(const auto store, LeagueStore::open(files, folder));
+  MIROCUP_TRY(const auto shown, released_state(store.state(), store.journal()));
+  MIROCUP_TRY(const auto news, news_for(shown, store));
+  return publish_site(files, folder, shown, news, jobs);
+}
+
+namespace {
+
+void print_row(const LeagueFile& file, const RosterRow& row) {
+  std::cout << row.team;
+  if (!row.people.display.empty()) std::cout << " \"" << row.people.display << '"';
+  std::cout << ": " << row.state();
+  if (!row.handed_in.empty()) std::cout << ", " << shown_time(file, row.handed_in);
+  if (row.playing_entry > 0) {
+    std::cout << ", plays with entry " << row.playing_entry;
+    if (row.last_accepted > 0 && row.last_accepted != row.playing_entry)
+      std::cout << ", entry " << row.last_accepted << " from the next night on";
+  } else if (row.last_accepted > 0) {
+    std::cout << ", entry " << row.last_accepted << " will play";
+  }
+  if (!row.has_joined) std::cout << ", not in the league";
+  if (row.status == TeamStatus::paused) std::cout << ", paused: " << system::printable(row.why);
+  if (row.status == TeamStatus::withdrawn) std::cout << ", has withdrawn";
+  std::cout << '\n';
+  if (!row.handed_in.empty() && !row.was_accepted)
+    std::cout << "    " << system::printable(row.message) << '\n';
+  for (const std::string& other : row.same_as)
+    std::cout << "    the same file as " << other << '\n';
+}
+
+}  // namespace
+
+Result<void> print_roster(system::Files& files, const LeagueStore& store, bool is_json) {
+  MIROCUP_TRY(const auto rows, roster(files, store));
+  const LeagueState& state = store.state();
+  const std::string last = last_leg_at(store.journal());
+  if (is_json) {
+    const Json json{{"title", state.file.title},
+                    {"played", state.played()},
+                    {"legs", state.legs()},
+                    {"last_leg_at", last.empty() ? Json() : Json(last)},
+                    {"teams", roster_json(rows)}};
+    std::cout << record::json_text(json) << '\n';
+    return {};
+  }
+  for (const RosterRow& row : rows) print_row(state.file, row);
+  if (!last.empty())
+    std::cout << "the last leg was played at " << shown_time(state.file, last) << '\n';
+  return {};
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: MIT
+#include "programs/league/served_league.hpp"
+
+#include "programs/league/publishing.hpp"
+#include "record/match_record.hpp"
+#include "tournaments/league/apply.hpp"
+#include "tournaments/league/hand_ins.hpp"
+#include "tournaments/league/submission.hpp"
+#include "tournaments/play/leg_command.hpp"
+#include "tournaments/publish/night_pages.hpp"
+#include "tournaments/publish/release.hpp"
+#include "tournaments/publish/replay_nav.hpp"
+#include "tournaments/publish/replay_pages.hpp"
+#include "web/assets.hpp"
+#include "web/page.hpp"
+#include "web/page_json.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+namespace mirocup::league {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto poll_interval = 500ms;
+constexpr auto entries_interval = 2s;  // between two looks at the entries of all teams
+
+// While a class joins or a night is played, each new team and each leg changes all pages. To begin
+// them anew takes one part in that many of the time, or more where the rest would grow too long.
+constexpr int rest_factor = 20;
+constexpr std::chrono::nanoseconds longest_rest = 5s;
+
+// The line that `mirocup match --watch` prints. Only matches of this host are passed on.
+constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
+
+// Content from this server only, and no code but its script.
+constexpr const char* policy =
+    "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'";
+constexpr std::string_view script = "<script type=\"module\" src=\"/league.js\"></script>\n";
+
+std::string type_of(const std::string& path) {
+  const std::string end = std::filesystem::path(path).extension();
+  if (end == ".html") return "text/html; charset=utf-8";
+  if (end == ".json") return "application/json";
+  if (end == ".csv") return "text/csv; charset=utf-8";
+  if (end == ".css") return "text/css; charset=utf-8";
+  if (end == ".xml") return "application/atom+xml";
+  if (end == ".js") return "text/javascript; charset=utf-8";
+  return "application/octet-stream";
+}
+
+std::string stem_of(const LegId& leg) {
+  return std::filesystem::path(Folder::record_name(leg.fixture, leg.leg, leg.version)).stem();
+}
+
+// Returns the port in the output of a match server; 0 if it has not printed one.
+int port_in(const std::string& text) {
+  const std::size_t begin = text.find(watched);
+  if (begin == std::string::npos) return 0;
+  int port = 0;
+  const char* digits = text.data() + begin + watched.size();
+  const auto [end, error] = std::from_chars(digits, text.data() + text.size(), port);
+  return error == std::errc() && end != text.data() + text.size() && *end == '/' ? port : 0;
+}
+
+constexpr std::string_view hand_in_link = "<p><a href=\"/hand-in\">Hand in</a></p>\n";
+
+std::string with_script(std::string html, bool takes_hand_ins) {
+  constexpr std::string_view title_end = "</h1>\n";
+  const std::size_t title = html.find(title_end);
+  if (takes_hand_ins && title != std::string::npos)
+    html.insert(title + title_end.size(), hand_in_link);
+  const std::size_t end = html.rfind("</body>");
+  return end == std::string::npos ? html : html.insert(end, script);
+}
+
+}  // namespace
+
+// Requires mutex_. Until the league starts, league.json may be edited; what people are called may
+// change at any time.
+void ServedLeague::notice_edits() {
+  std::string people =
+      files_.read(store_.folder().people(), {.max_size = system::size_limit::league_file})
+          .value_or("");
+  const bool has_new_names = people != people_;
+  if (store_.state().is_started && !has_new_names) return;
+  const auto config =
+      files_.read(store_.folder().config(),
+                  {.max_size = system::size_limit::league_file, .links = system::Links::followed});
+  if (!config || (*config == config_ && !has_new_names)) return;
+  if (!open_again()) return;
+  config_ = *config;
+  people_ = std::move(people);
+}
+
+// Requires mutex_. What shows fixtures before the start plans them itself.
+bool ServedLeague::open_again() {
+  auto fresh = LeagueStore::open_unplanned(files_, store_.folder());
+  if (!fresh) return false;
+  store_ = std::move(*fresh);
+  ++teams_version_;
+  version_ = version_ > 0 ? version_ + 1 : 0;
+  return true;
+}
+
+// Requires mutex_. A file that cannot be read leaves the state as it was.
+void ServedLeague::poll() {
+  const auto now = std::chrono::steady_clock::now();
+  if (version_ > 0 && now - polled_at_ < poll_interval) return;
+  polled_at_ = now;
+  notice_edits();
+  const std::size_t teams = store_.state().teams.size();
+  (void)store_.refresh();
+  if (store_.state().teams.size() != teams) open_again();  // with what people call the new ones
+  std::vector<LiveLeg> playing = find_live_legs();
+  if (version_ > 0 && store_.lines() == lines_ && playing == live_legs_) return;
+  lines_ = store_.lines();
+  live_legs_ = std::move(playing);
+  ++version_;
+}
+
+std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
+  const LeagueState& state = store_.state();
+  std::vector<LiveLeg> playing;
+  if (!state.is_started || !is_all_released(state)) return playing;
+  for (std::size_t i = state.first_open(); i < state.fixtures.size(); ++i) {
+    const FixtureState& f = state.fixtures[i];
+    for (const int number : open_legs(state, f)) {
+      const LegId leg{f.fixture, number, f.legs[number - 1].version};
+      const std::string output = leg_output(store_.folder(), leg);
+      if (!files_.exists(output)) continue;
+      const int port = port_in(files_
+                                   .read(output, {.max_size = system::size_limit::log,
+                                                  .growth = system::Growth::ignored})
+                                   .value_or(""));
+      if (port == 0 || !web::is_watched_at(port)) continue;
+      const int blue = blue_team(leg.fixture, number);
+      const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
+      playing.push_back({stem_of(leg),
+                         {{"name", stem_of(leg)},
+                          {"fixture", leg.fixture.id()},
+                          {"leg", number},
+                          {"blue", state.name(blue)},
+                          {"yellow", state.name(yellow)}},
+                         port});
+    }
+  }
+  return playing;
+}
+
+// Requires mutex_.
+bool ServedLeague::are_pages_fresh() const {
+  return site_ && lines_of_pages_ == lines_ && version_of_pages_ == teams_version_;
+}
+
+// Requires mutex_.
+bool ServedLeague::do_pages_rest() const {
+  return site_ && std::chrono::steady_clock::now() < pages_rest_until_;
+}
+
+// Requires mutex_. Each page is made when it is asked for.
+void ServedLeague::begin_pages() {
+  if (are_pages_fresh() || do_pages_rest()) return;
+  const auto begun = std::chrono::steady_clock::now();
+  lines_of_pages_ = lines_;
+  version_of_pages_ = teams_version_;
+  pages_.clear();
+  statistics_.clear();
+  // What cannot be shown alone, such as a round that does not exist any more, is not shown at all.
+  auto released = released_state(store_.state(), store_.journal());
+  LeagueState shown = released ? std::move(*released) : unplanned_league(store_.state().file);
+  plan(shown);
+  NightNews news = news_for(shown, store_).value_or(NightNews{});
+  facts_ = read_facts(files_, store_.folder(), shown, std::move(facts_));
+  LegReports reports = kept_statistics(files_, store_.folder(), shown, &known_reports_);
+  site_ = std::make_unique<Site>(SiteSource{.state = std::move(shown),
+                                            .reports = std::move(reports),
+                                            .facts = facts_,
+                                            .night = std::move(news.night),
+                                            .feed = std::move(news.feed)});
+  records_.clear();
+  for (const FixtureState& f : site_->state().fixtures) {
+    for (int leg = 1; leg <= max_legs; ++leg) {
+      const LegState& now = f.legs[leg - 1];
+      const int versions =
+          now.played && !now.played->record.empty() ? now.version : now.version - 1;
+      for (int version = 1; version <= versions; ++version)
+        records_.insert(stem_of({f.fixture, leg, version}));
+    }
+  }
+  const auto ended = std::chrono::steady_clock::now();
+  pages_rest_until_ = ended + std::min(rest_factor * (ended - begun), longest_rest);
+}
+
+// Requires mutex_. Returns null if the site has no such page.
+const web::Page* ServedLeague::page_of_site(const std::string& path) {
+  if (!path.starts_with('/')) return nullptr;
+  begin_pages();
+  if (const auto found = pages_.find(path); found != pages_.end()) return &found->second;
+  const std::string name = path == "/" ? "index.html" : path.substr(1);
+  if (name == "league.js" || (takes_hand_ins_ && name == "hand_in.js"))
+    return &(pages_[path] = {type_of(name), "", std::string(web::asset(name))});
+  auto bytes = site_->file(name);
+  if (!bytes) return nullptr;
+  const std::string type = type_of(name);
+  const bool is_html = type.starts_with("text/html");
+  return &(pages_[path] = {type, is_html ? policy : "",
+                           is_html ? with_script(std::move(*bytes), takes_hand_ins_) : *bytes});
+}
+
+std::optional<web::Page> ServedLeague::page(const std::string& path) {
+  std::string stem;
+  {
+    const std::lock_guard lock(mutex_);
+    poll();
+    if (const web::Page* made = page_of_site(path)) return *made;
+    // Only files that the journal names are read from disk.
+    const std::filesystem::path file(path);
+    stem = file.filename();
+    stem = stem.substr(0, stem.find('.'));
+    if (!records_.contains(stem)) return std::nullopt;
+  }
+  if (path == "/replays/" + stem + ".html") return replay(stem);
+  if (path != "/records/" + stem + ".json" && path != "/records/" + stem + ".replay.zst")
+    return std::nullopt;
+  auto bytes = files_.read(store_.folder().path + path, {.max_size = system::size_limit::replay});
+  if (!bytes) return std::nullopt;
+  return web::Page{type_of(path), "", std::move(*bytes)};
+}
+
+// Returns the page as publish has made it or would make it.
+std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
+  const std::string record = "records/" + stem + ".json";
+  const std::string html = replay_page_of(record);
+  if (auto made =
+          files_.read(store_.folder().site() + "/" + html, {.max_size = system::size_limit::page}))
+    return web::Page{type_of(html), "", linked(std::move(*made), record)};
+  const std::lock_guard one_at_a_time(replaying_);
+  const auto loaded = record::load(files_, store_.folder().path + "/" + record);
+  if (!loaded) return std::nullopt;
+  auto page = web::replay_page(*loaded, web::Times::left_out);
+  if (!page) return std::nullopt;
+  return web::Page{type_of(html), "", linked(std::move(page->html), record)};
+}
+
+std::string ServedLeague::linked(std::string page, const std::string& record) {
+  const std::lock_guard lock(mutex_);
+  begin_pages();
+  return with_league_links(std::move(page), site_->overview(), record);
+}
+
+std::string ServedLeague::why_not(const std::string& team, const std::string& now) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  return why_not_now(store_.state(), team, now);
+}
+
+std::vector<OwnLeg> ServedLeague::legs_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  const bool is_hidden = store_.state().release.level == ReleaseLevel::hidden;
+  if (is_hidden) begin_pages();
+  return own_legs(is_hidden ? site_->state() : store_.state(), team);
+}
+
+std::string ServedLeague::digest_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  const LeagueState& state = store_.state();
+  if (state.release.level == ReleaseLevel::hidden) return "";
+  const auto night = last_night(state, store_.journal());
+  if (!night || !*night) return "";
+  facts_ = read_facts(files_, store_.folder(), state, std::move(facts_));
+  const Overview o = overview(state, facts_);
+  for (const TeamDigest& digest : digests(**night, o)) {
+    if (state.name(digest.team) == team) return digest_html(o, **night, digest, "/hand-in/");
+  }
+  return "";
+}
+
+std::optional<std::string> ServedLeague::own_replay(const std::string& name,
+                                                    const record::Whose& whose) {
+  const std::string record = "records/" + name + ".json";
+  if (record::has_thoughts(files_, store_.folder().path + "/" + record, whose)) {
+    // A leg of an earlier version may go another way here: then its page is the one that is kept.
+    if (auto own = replay_of(store_.folder().path + "/" + record, whose))
+      return linked(std::move(*own), record);
+  }
+  auto page = replay(name);
+  return page ? std::optional(std::move(page->bytes)) : std::nullopt;
+}
+
+std::map<std::string, int> ServedLeague::entries_that_play() {
+  const std::lock_guard lock(mutex_);
+  poll();
+  const auto now = std::chrono::steady_clock::now();
+  if (now - entries_looked_up_at_ < entries_interval) return entries_that_play_;
+  entries_looked_up_at_ = now;
+  std::map<std::string, int> entries;
+  const LeagueState& state = store_.state();
+  for (std::size_t i = 0; i < state.teams.size(); ++i) {
+    const TeamConfig& team = state.file.teams[i];
+    if (state.teams[i].status == TeamStatus::withdrawn || team.is_on_network()) continue;
+    const int booked = state.teams[i].entry;
+    const auto entry =
+        booked > 0 ? Result<int>(booked) : playing_entry(files_, store_.folder(), team.name);
+    if (!entry) return entries_that_play_;  // those of before, until it can be read
+    if (*entry > 0) entries[team.name] = *entry;
+  }
+  return entries_that_play_ = std::move(entries);
+}
+
+std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {
+  constexpr std::ptrdiff_t reach = 2;  // ranks
+  const std::lock_guard lock(mutex_);
+  poll();
+  const LeagueState& state = store_.state();
+  const auto index = state.find_team(team);
+  if (!state.is_started || !index) return {};
+  const std::vector<TableRow> table = state.table();
+  const auto own = std::find_if(table.begin(), table.end(),
+                                [&](const TableRow& row) { return row.team == *index; });
+  if (own == table.end()) return {};
+  std::vector<std::string> names;
+  const auto first = own - std::min(reach, own - table.begin());
+  const auto end = own + std::min(reach + 1, table.end() - own);
+  for (auto row = first; row != end; ++row) {
+    if (row != own) names.push_back(state.name(row->team));
+  }
+  return names;
+}
+
+std::string ServedLeague::time_in_words(const std::string& utc) {
+  const std::lock_guard lock(mutex_);
+  return shown_time(store_.state().file, utc);
+}
+
+std::string ServedLeague::statistics_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  if (!store_.state().is_started) return "";
+  begin_pages();
+  const auto index = site_->state().find_team(team);
+  if (!index) return "";
+  const auto known = statistics_.find(*index);
+  if (known != statistics_.end()) return known->second;
+  std::string html = team_statistics_html(site_->overview(), site_->reports(), *index);
+  return statistics_[*index] = std::move(html);
+}
+
+std::optional<std::string> ServedLeague::replay_of(const std::string& record,
+                                                   const record::Whose& whose) {
+  const std::lock_guard one_at_a_time(replaying_);
+  const auto loaded = record::load(files_, record);
+  if (!loaded) return std::nullopt;
+  const bool has_own = record::has_thoughts(files_, record, whose);
+  const auto own = record::read_own_texts(files_, record, has_own ? whose : record::of_nobody);
+  auto page = web::replay_page(*loaded, web::Times::left_out, own.value_or(record::OwnTexts{}));
+  return page ? std::optional(std::move(page->html)) : std::nullopt;
+}
+
+std::string ServedLeague::news(std::uint64_t& seen) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  // A viewer that is told asks for the page at once, and would get the former one.
+  if (seen == version_ || (!are_pages_fresh() && do_pages_rest())) return "";
+  seen = version_;
+  Json playing = Json::array();
+  for (const LiveLeg& leg : live_legs_) playing.push_back(leg.about);
+  return web::event_text("league", {{"version", lines_}, {"playing", playing}});
+}
+
+std::optional<int> ServedLeague::match(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  for (const LiveLeg& leg : live_legs_) {
+    if (leg.name == name) return leg.port;
+  }
+  return std::nullopt;
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// A league as `mirocup league serve` shows it: the pages that publish would write, made from the
+// present journal; records and replays; and the legs that are being played. It only reads the
+// folder.
+//
+// Threads: all public functions may be called by any thread at any time.
+#pragma once
+
+#include "tournaments/handin/own_legs.hpp"
+#include "tournaments/league/league_store.hpp"
+#include "tournaments/publish/site.hpp"
+#include "web/site_server.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+
+namespace mirocup::league {
+
+class ServedLeague {
+ public:
+  ServedLeague(system::Files& files, LeagueStore store) : files_(files), store_(std::move(store)) {}
+
+  // The functions of web::Site.
+  std::optional<web::Page> page(const std::string& path);
+  std::string news(std::uint64_t& seen);
+  std::optional<int> match(const std::string& name);
+
+  // Lets the pages show where teams hand in.
+  void offer_hand_in() { takes_hand_ins_ = true; }
+
+  // Returns why no entry of this team is taken at a time (UTC); "" if entries are taken.
+  std::string why_not(const std::string& team, const std::string& now);
+
+  // Returns the decided legs of a team.
+  std::vector<OwnLeg> legs_of(const std::string& team);
+
+  // Returns what the last night changed for a team, as the inside of a page of the desk; "" if that
+  // is hidden, or there was no night.
+  std::string digest_of(const std::string& team);
+
+  // Returns the replay page of a leg that a team may see, released or not. If thoughts of these
+  // teams were kept, it shows them and what the teams printed.
+  std::optional<std::string> own_replay(const std::string& name, const record::Whose& whose);
+
+  // Returns the teams that have an entry which would play now, with its number. It is a few seconds
+  // old at most.
+  std::map<std::string, int> entries_that_play();
+
+  // Returns the teams next to a team in the table, above before below; none before the start.
+  std::vector<std::string> neighbours_of(const std::string& team);
+
+  // Returns a time of the journal as people of the league read it: shown_time().
+  std::string time_in_words(const std::string& utc);
+
+  // Returns the football statistics of a team, HTML; "" if there are none.
+  std::string statistics_of(const std::string& team);
+
+  // Returns the page that replays a record, a path, likewise; nothing if it cannot be made.
+  std::optional<std::string> replay_of(const std::string& record, const record::Whose& whose);
+
+ private:
+  // A leg that is being played and can be watched.
+  struct LiveLeg {
+    std::string name;  // of its record, without ".json"
+    Json about;        // for page/league.js
+    int port = 0;
+
+    bool operator==(const LiveLeg&) const = default;
+  };
+
+  void poll();
+  void notice_edits();
+  bool open_again();
+  std::vector<LiveLeg> find_live_legs() const;
+  void begin_pages();
+  const web::Page* page_of_site(const std::string& path);
+  bool are_pages_fresh() const;
+  bool do_pages_rest() const;
+  std::optional<web::Page> replay(const std::string& stem);
+  std::string linked(std::string page, const std::string& record);
+
+  system::Files& files_;
+  std::mutex mutex_;  // guards all members up to replaying_
+  LeagueStore store_;
+  std::string config_;  // league.json, as long as the league has not started
+  bool takes_hand_ins_ = false;
+  std::chrono::steady_clock::time_point polled_at_{};
+  std::uint64_t version_ = 0;  // grows with each change of the journal or of the live legs
+  std::size_t lines_ = 0;      // of the journal
+  std::vector<LiveLeg> live_legs_;
+  std::uint64_t teams_version_ = 0;     // grows when teams or their names change
+  std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
+  std::size_t lines_of_pages_ = 0;      // lines_ then
+  std::chrono::steady_clock::time_point pages_rest_until_{};
+  std::unique_ptr<Site> site_;  // of what is released; null before the first page
+  std::string people_;          // teams.json
+  FactsOfLegs facts_;
+  KnownReports known_reports_;
+  std::map<int, std::string> statistics_;  // of teams, as far as they were asked for
+  std::map<std::string, int> entries_that_play_;
+  std::chrono::steady_clock::time_point entries_looked_up_at_{};
+  std::map<std::string, web::Page> pages_;  // of site_, as far as they were asked for, by path
+  std::set<std::string> records_;           // names without .json
+
+  std::mutex replaying_;  // held while a replay page is made: one at a time
+};
+
+}  // namespace mirocup::league

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "programs/league/commands.hpp"
+#include "programs/league/progress_bar.hpp"
+#include "tournaments/play/program.hpp"
+#include "tournaments/play/result_recorder.hpp"
+#include "tournaments/play/shard.hpp"
+
+#include <iostream>
+
+namespace mirocup::league {
+
+// The records of shards are booked first, because they may open the next round.
+Result<int> run_plan(const ShardOptions& options) {
+  system::Disk disk;
+  MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
+  const record::Software software = record::this_software();
+  MIROCUP_TRY_VOID(expect_program(disk, store, software, false).and_then([&] {
+    return keep_program(disk, store.folder(), software);
+  }));
+  const auto progress = make_progress_reporter();
+  ResultRecorder recorder(disk, std::move(store), *progress);
+  MIROCUP_TRY_VOID(recorder.start());
+  for (int booked = 1; booked > 0;) {
+    booked = 0;
+    for (const std::string& id : open_shards(recorder.state())) {
+      MIROCUP_TRY(const auto count, recorder.book_played(id));
+      booked += count;
+    }
+  }
+  for (const std::string& id : open_shards(recorder.state())) std::cout << id << '\n';
+  return exit_yes;
+}
+
+Result<int> run_shards(const ShardOptions& options) {
+  system::Disk disk;
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY(const auto failed, play_shards(disk, store, options.fixtures));
+  if (failed == 0) return exit_yes;
+  return fail(Errc::host, std::to_string(failed) + " legs could not be played; run it again");
+}
+
+}  // namespace mirocup::league

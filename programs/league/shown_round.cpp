@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "programs/league/shown_round.hpp"
+
+#include "programs/league/show_files.hpp"
+#include "record/json_reader.hpp"
+#include "tournaments/publish/bracket_svg.hpp"
+#include "tournaments/publish/page_values.hpp"
+#include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/snapshot.hpp"
+#include "web/assets.hpp"
+#include "web/design/template.hpp"
+#include "web/page.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <iostream>
+#include <set>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr const char* show_policy =
+    "default-src 'none'; style-src 'self' 'unsafe-inline'; script-src 'self'; connect-src 'self'";
+constexpr std::array<std::string_view, 7> known_commands{"toggle", "skip", "slower", "faster",
+                                                         "one",    "two",  "four"};
+constexpr std::array<std::string_view, 3> modules{"field.js", "text.js", "track.js"};
+
+// Returns the number in a path like "/legs/12.json"; nothing if it is another path.
+std::optional<std::size_t> number_in(const std::string& path, std::string_view before,
+                                     std::string_view after) {
+  if (!path.starts_with(before) || !path.ends_with(after)) return std::nullopt;
+  const char* first = path.data() + before.size();
+  const char* last = path.data() + path.size() - after.size();
+  std::size_t number = 0;
+  const auto read = std::from_chars(first, std::max(first, last), number);
+  if (read.ec != std::errc() || read.ptr != last || first >= last) return std::nullopt;
+  return number;
+}
+
+std::string standing_html(const Overview& o, const std::string& heading) {
+  Json rows = Json::array();
+  for (const TableRow& row : o.table) {
+    const std::int64_t difference = row.difference();
+    rows.push_back(
+        {{"rank", rows.size() + 1},
+         {"name", o.state.name(row.team)},
+         {"points", row.points},
+         {"played", row.played},
+         {"goals", std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against)},
+         {"difference", (difference > 0 ? "+" : "") + std::to_string(difference)}});
+  }
+  return web::filled(show_file, "standing.html",
+                     {{"heading", heading}, {"rows", rows}, {"bracket", bracket_svg(o)}});
+}
+
+const RoundView* round_named(const std::vector<RoundView>& rounds, const std::string& key) {
+  for (auto round = rounds.rbegin(); round != rounds.rend(); ++round) {
+    if (key.empty() ? round->decided > 0 : round->key == key) return &*round;
+  }
+  return nullptr;
+}
+
+web::Page text_page(std::string type, std::string bytes) {
+  return {std::move(type), show_policy, std::move(bytes)};
+}
+
+}  // namespace
+
+Result<ShownRound> ShownRound::of(system::Files& files, const LeagueStore& store,
+                                  const std::string& round, std::string key, int at_once) {
+  ShownRound shown(files, std::move(key), at_once);
+  MIROCUP_TRY_VOID(shown.read(store, round));
+  return shown;
+}
+
+Result<void> ShownRound::read(const LeagueStore& store, const std::string& key) {
+  const LeagueState& state = store.state();
+  const FactsOfLegs facts = read_facts(*files_, store.folder(), state);
+  const Overview o = overview(state, facts);
+  const std::vector<RoundView> rounds = rounds_of(o);
+  const RoundView* round = round_named(rounds, key);
+  if (round == nullptr)
+    return fail(Errc::input, key.empty() ? store.folder().path + ": no leg has been played yet"
+                                         : "there is no round " + key);
+  league_ = state.file.title;
+  title_ = round->title;
+  std::set<LegName> shown;
+  const auto add_standing = [&]() -> Result<void> {
+    MIROCUP_TRY(const auto then, state_with_legs(state, store.journal(), round->key, shown));
+    const std::string heading =
+        shown.empty() ? "Before " + title_ : "After leg " + std::to_string(shown.size());
+    standings_.push_back(standing_html(overview(then, facts), heading));
+    return {};
+  };
+  if (auto added = add_standing(); !added) return added;
+  for (const FixtureView& f : round->fixtures) {
+    for (const LegView* leg : f.legs) {
+      if (!leg->has_replay()) continue;
+      const bool is_home_blue = blue_team(f.state->fixture, leg->leg) == leg->home;
+      legs_.push_back({{{"blue", state.name(is_home_blue ? leg->home : leg->away)},
+                        {"yellow", state.name(is_home_blue ? leg->away : leg->home)},
+                        {"where", leg->round + ", leg " + std::to_string(leg->leg)},
+                        {"data", "/legs/" + std::to_string(legs_.size()) + ".json"}},
+                       store.folder().path + "/" + leg->played->record,
+                       store.folder().site() + "/" + replay_page_of(leg->played->record)});
+      shown.insert({leg->fixture, leg->leg});
+      if (auto added = add_standing(); !added) return added;
+    }
+  }
+  if (legs_.empty())
+    return fail(Errc::input, "no leg of round " + round->key + " has a record that can be shown");
+  for (const RoundView& after : rounds) {
+    if (&after <= round) continue;
+    for (const FixtureView& f : after.fixtures)
+      next_.push_back(state.name(f.state->fixture.home) + " – " +
+                      state.name(f.state->fixture.away));
+    break;
+  }
+  return {};
+}
+
+std::optional<web::Page> ShownRound::page(const std::string& path) {
+  const Json values{
+      {"league", league_}, {"round", title_}, {"about", std::to_string(legs_.size()) + " legs"}};
+  if (path == "/")
+    return text_page("text/html; charset=utf-8", web::filled(show_file, "show.html", values));
+  if (path == "/remote")
+    return text_page("text/html; charset=utf-8", web::filled(show_file, "remote.html", values));
+  if (path == "/show.css")
+    return text_page("text/css; charset=utf-8", std::string(web::design_file("design.css")) +
+                                                    std::string(page_file("site.css")) +
+                                                    std::string(show_file("show.css")));
+  for (const std::string_view script : {"show.js", "remote.js"}) {
+    if (path == "/" + std::string(script))
+      return text_page("text/javascript; charset=utf-8", std::string(show_file(script)));
+  }
+  for (const std::string_view module : modules) {
+    if (path == "/page/" + std::string(module))
+      return text_page("text/javascript; charset=utf-8", std::string(web::asset(module)));
+  }
+  if (path == "/programme.json") {
+    Json legs = Json::array();
+    for (const Leg& leg : legs_) legs.push_back(leg.about);
+    return text_page("application/json",
+                     record::json_text({{"round", title_}, {"at_once", at_once_}, {"legs", legs}}));
+  }
+  // Asked for at the end only: the pairs of a knockout tell who has won.
+  if (path == "/next.json") return text_page("application/json", record::json_text(Json(next_)));
+  if (const auto count = number_in(path, "/after/", ".html"); count && *count < standings_.size())
+    return text_page("text/html; charset=utf-8", standings_[*count]);
+  if (const auto index = number_in(path, "/legs/", ".json"); index && *index < legs_.size())
+    return leg(legs_[*index]);
+  return std::nullopt;
+}
+
+// A leg of an earlier version may go another way here. Then its replay page shows it, which the
+// program has made that played it.
+std::optional<Json> ShownRound::data_of(const Leg& leg, const record::MatchRecord& record) {
+  if (auto data = web::replay_data(record, web::Times::left_out)) return std::move(*data);
+  const auto page = files_->read(leg.page, {.max_size = system::size_limit::page});
+  return page ? web::data_of_page(*page) : std::nullopt;
+}
+
+std::optional<web::Page> ShownRound::leg(const Leg& leg) {
+  const auto loaded = record::load(*files_, leg.record);
+  if (!loaded) {
+    std::cerr << "mirocup: " << loaded.error().what << '\n';
+    return std::nullopt;
+  }
+  auto data = data_of(leg, *loaded);
+  if (!data) {
+    std::cerr << "mirocup: " << leg.record
+              << " cannot be shown: this program does not reproduce it. mirocup league publish lets"
+                 " the program make its page that has played it\n";
+    return std::nullopt;
+  }
+  (*data)["picture"] = web::first_picture(*loaded);
+  return text_page("application/json", record::json_text(*data));
+}
+
+// A viewer that has just come gets no commands of before.
+std::string ShownRound::news(std::uint64_t& seen) {
+  const std::lock_guard lock(commands_->mutex);
+  const std::vector<std::string>& given = commands_->given;
+  const std::uint64_t now = given.size() + 1;
+  if (seen == now) return "";
+  Json fresh = Json::array();
+  if (seen > 0) {
+    for (std::size_t i = seen - 1; i < given.size(); ++i) fresh.push_back(given[i]);
+  }
+  seen = now;
+  return "event: command\ndata: " + record::json_text(fresh) + "\n\n";
+}
+
+bool ShownRound::control(const std::string& body) {
+  const std::size_t space = body.find(' ');
+  if (space == std::string::npos || body.substr(0, space) != key_) return false;
+  const std::string command = body.substr(space + 1);
+  if (std::find(known_commands.begin(), known_commands.end(), command) == known_commands.end())
+    return false;
+  const std::lock_guard lock(commands_->mutex);
+  commands_->given.push_back(command);
+  return true;
+}
+
+}  // namespace mirocup::league

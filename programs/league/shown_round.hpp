@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// A round as `mirocup league show` shows it on a projector: the page, the legs as they were
+// recorded, the table after each of them, and the commands of a remote. The league is read once;
+// what is played meanwhile is not shown.
+//
+// Threads: all public functions may be called by any thread at any time.
+#pragma once
+
+#include "record/match_record.hpp"
+#include "tournaments/league/league_store.hpp"
+#include "tournaments/publish/rounds.hpp"
+#include "web/site_server.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+class ShownRound {
+ public:
+  // `round` is its key ("r3", "k1"); "": the last round of which a leg was played. `key` is the
+  // secret of the remote. `at_once`: number of legs side by side, until the remote says another.
+  // Errors: Errc::input if there is no such round, or no leg of it has a
+  // record.
+  static Result<ShownRound> of(system::Files& files, const LeagueStore& store,
+                               const std::string& round, std::string key, int at_once);
+
+  // The functions of web::Site.
+  std::optional<web::Page> page(const std::string& path);
+  std::string news(std::uint64_t& seen);
+  bool control(const std::string& body);
+
+  const std::string& title() const { return title_; }
+  std::size_t legs() const { return legs_.size(); }
+
+ private:
+  struct Leg {
+    Json about;          // for the programme
+    std::string record;  // path
+    std::string page;    // path of its replay page, if the league has been published
+  };
+
+  ShownRound(system::Files& files, std::string key, int at_once)
+      : files_(&files), key_(std::move(key)), at_once_(at_once) {}
+  Result<void> read(const LeagueStore& store, const std::string& round);
+  std::optional<web::Page> leg(const Leg& leg);
+  std::optional<Json> data_of(const Leg& leg, const record::MatchRecord& record);
+
+  system::Files* files_;
+  std::string key_;
+  int at_once_;
+  std::string league_;
+  std::string title_;
+  std::vector<Leg> legs_;
+  std::vector<std::string> standings_;  // HTML after 0, 1, … legs
+  std::vector<std::string> next_;       // fixtures of the next round, in words
+
+  // Both on the heap, so that the round can be moved before it is served.
+  struct Commands {
+    std::mutex mutex;  // guards `given`
+    std::vector<std::string> given;
+  };
+  std::unique_ptr<Commands> commands_ = std::make_unique<Commands>();
+};
+
+}  // namespace mirocup::league

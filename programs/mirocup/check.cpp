@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup check FILE.so: prints whether the library would be accepted as an entry, and why.
+#include "programs/mirocup/commands.hpp"
+#include "programs/mirocup/entry_check.hpp"
+#include "record/json_reader.hpp"
+#include "record/match_record.hpp"
+#include "record/team_parameters_json.hpp"
+#include "server/seats.hpp"
+#include "system/files.hpp"
+#include "system/printable.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace mirocup::app {
+
+namespace {
+
+record::Json to_json(const CheckOptions& options, const EntryReport& report) {
+  record::Json checks = record::Json::array();
+  for (const Check& check : report.checks) {
+    checks.push_back({{"name", check.name},
+                      {"passed", check.passed ? record::Json(*check.passed) : record::Json()},
+                      {"text", check.text}});
+  }
+  record::Json warnings = record::Json::array();
+  for (const std::string& warning : report.warnings) warnings.push_back(warning);
+  const Check* failure = report.failure();
+  return {{"file", options.path},
+          {"sha256", report.sha256.empty() ? record::Json() : record::Json(report.sha256)},
+          {"accepted", failure == nullptr},
+          {"reason", failure == nullptr ? record::Json()
+                                        : record::Json(failure->name + ": " + failure->text)},
+          {"checks", checks},
+          {"isolation", to_string(report.isolation)},
+          {"timing",
+           {{"check_seconds", report.used_seconds},
+            {"start_ms", report.start_ms},
+            {"mean_tick_ms", report.mean_tick_ms},
+            {"slowest_tick_ms", report.slowest_tick_ms},
+            {"bank_share", report.bank_share},
+            {"leg_seconds", report.leg_seconds},
+            {"leg_share", report.leg_share}}},
+          {"peak_memory_bytes", report.peak_memory},
+          {"unknown_parameters", record::to_json(report.unknown_parameters)},
+          {"bad_values", report.bad_values},
+          {"moved_placements", report.moved_placements},
+          {"warnings", warnings},
+          {"log", report.log}};
+}
+
+void print(const Check& check) {
+  std::cout << (*check.passed ? " ok " : "NO  ") << check.name << ": "
+            << system::printable(check.text) << std::endl;  // at once: the next one takes a while
+}
+
+// Prints the log, without its middle if it is long.
+void print_log(const std::string& log) {
+  constexpr std::size_t shown = 20;  // lines at each end
+  std::vector<std::string> lines;
+  std::istringstream in(log);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  std::cout << "--- log\n";
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines.size() > 2 * shown && i == shown)
+      std::cout << "--- " << lines.size() - 2 * shown << " lines more\n";
+    if (i < shown || i + shown >= lines.size()) std::cout << lines[i] << '\n';
+  }
+  std::cout << "--- end of log\n";
+}
+
+void print(const CheckOptions& options, const EntryReport& report) {
+  if (report.mean_tick_ms > 0.0) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "    a tick takes %.3f ms of processor time in the mean, %.3f ms at most; start "
+                  "%.1f ms; memory %.1f MiB; sandbox %s\n",
+                  report.mean_tick_ms, report.slowest_tick_ms, report.start_ms,
+                  static_cast<double>(report.peak_memory) / (1 << 20),
+                  std::string(to_string(report.isolation)).c_str());
+    std::cout << text;
+  }
+  for (const std::string& warning : report.warnings)
+    std::cout << "    warning: " << warning << '\n';
+  for (const auto& parameter : report.unknown_parameters) {
+    std::cout << "    warning: the team did not ask for the parameter " << parameter.first << '\n';
+  }
+  if (!report.log.empty()) print_log(report.log);
+  const Check* failure = report.failure();
+  std::cout << system::printable(options.path)
+            << (failure == nullptr ? ": accepted" : ": not accepted, see " + failure->name) << '\n';
+}
+
+// Writes the leg against striker, if it came to its end.
+Result<void> write_gate_leg(const CheckOptions& options, const EntryReport& report) {
+  if (options.record_path.empty() || !report.gate_leg) return {};
+  record::MatchRecord record;
+  record.software = record::this_software();
+  record.isolation = to_string(report.isolation);
+  const int own = index_of(report.gate_colour);
+  record.teams[own] = {.name = "entry", .sha256 = report.sha256};
+  record.teams[1 - own] = {.name = "striker", .kind = record::TeamKind::house, .sha256 = {}};
+  record.budget[own].slowest_tick_ms = report.slowest_tick_ms;
+  record.recording = *report.gate_leg;
+  system::Disk disk;
+  return record::save(disk, options.record_path, record);
+}
+
+}  // namespace
+
+Result<int> run_check(const CheckOptions& options) {
+  MIROCUP_TRY(const auto parameters,
+              record::parameters_with_changes({}, options.parameters, "--param"));
+  const auto tell = [&options](int number, int of, const char* name) {
+    if (options.steps) std::cerr << "step " << number << " of " << of << ": " << name << std::endl;
+  };
+  EntryTerms terms;
+  terms.league = *from_string<League>(options.league);
+  terms.rules = referee::make_rules(*from_string<referee::Preset>(options.rules), terms.league);
+  if (options.half_s) terms.rules.half_s = *options.half_s;
+  terms.parameters = parameters;
+  server::stay_on_this_core();  // the teams and this process take turns
+  MIROCUP_TRY(const auto report,
+              check_entry(
+                  options.path, terms,
+                  options.json ? OnCheck() : [](const Check& check) { print(check); }, tell));
+  MIROCUP_TRY_VOID(write_gate_leg(options, report));
+  if (options.json) {
+    std::cout << record::json_text(to_json(options, report)) << '\n';
+  } else {
+    print(options, report);
+  }
+  return report.failure() == nullptr ? exit_yes : exit_no;
+}
+
+}  // namespace mirocup::app

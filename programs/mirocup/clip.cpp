@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "programs/mirocup/clip.hpp"
+
+#include "core/replay/playback.hpp"
+#include "system/child_process.hpp"
+#include "web/picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <unistd.h>
+
+namespace mirocup::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double clip_trail_s = 1.0;
+constexpr const char* video_scale = "scale=960:-2";  // px; codecs want an even height
+
+// Removes the folder of the pictures at the end, whatever happens.
+struct PictureFolder {
+  std::string path;
+  PictureFolder(const PictureFolder&) = delete;
+  PictureFolder& operator=(const PictureFolder&) = delete;
+  explicit PictureFolder(std::string where) : path(std::move(where)) {}
+  ~PictureFolder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+};
+
+std::string decimal(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4f", value);
+  return text;
+}
+
+std::string picture_name(int index) {
+  char text[32];
+  std::snprintf(text, sizeof text, "/%05d.svg", index);
+  return text;
+}
+
+// Returns the number of pictures that were drawn.
+Result<int> draw_pictures(system::Files& files, const replay::Recording& recording,
+                          const ClipSpan& span, const std::string& folder) {
+  replay::Playback playback(recording);
+  const double period = recording.setup.control_period;
+  std::vector<Vec2> balls;
+  int pictures = 0;
+  while (true) {
+    const match::Snapshot scene = playback.leg().snapshot();
+    const double now = playback.leg().tick() * period;
+    if (now > span.to) break;
+    if (now >= span.from) {
+      const auto trail = std::min(balls.size(), static_cast<std::size_t>(clip_trail_s / period));
+      const web::Moment moment{scene,
+                               {balls.end() - static_cast<std::ptrdiff_t>(trail), balls.end()}};
+      const std::string svg =
+          web::picture(playback.leg().field(), recording.setup.parameters, moment);
+      MIROCUP_TRY_VOID(files.write(folder + picture_name(pictures), svg));
+      ++pictures;
+    }
+    balls.push_back(scene.ball.position);
+    if (!playback.advance()) break;
+  }
+  if (playback.divergence()) {
+    return fail(Errc::damaged, "the record differs from tick " +
+                                   std::to_string(playback.divergence()->tick) +
+                                   " on: " + playback.divergence()->what);
+  }
+  if (pictures == 0)
+    return fail(Errc::input, "--clip: the leg ends before " + decimal(span.from) + " s");
+  return pictures;
+}
+
+std::vector<std::string> ffmpeg_command(const std::string& folder, double period,
+                                        const std::string& output) {
+  std::vector<std::string> command{"ffmpeg", "-nostdin", "-loglevel", "error", "-y"};
+  command.insert(command.end(), {"-framerate", decimal(1.0 / period), "-i", folder + "/%05d.svg"});
+  if (output.ends_with(".gif")) {
+    command.insert(command.end(),
+                   {"-vf", "fps=25,scale=640:-2,split[a][b];[a]palettegen[p];[b][p]paletteuse"});
+  } else if (output.ends_with(".mp4")) {
+    command.insert(command.end(),
+                   {"-vf", video_scale, "-pix_fmt", "yuv420p", "-movflags", "+faststart"});
+  } else {
+    command.insert(command.end(),
+                   {"-vf", video_scale, "-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "34"});
+  }
+  command.push_back("file:" + output);
+  return command;
+}
+
+bool read_seconds(std::string_view text, double& seconds) {
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  return read.ec == std::errc() && read.ptr == text.data() + text.size() && seconds >= 0.0;
+}
+
+}  // namespace
+
+Result<ClipSpan> parse_clip(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  ClipSpan span;
+  const std::string_view all(text);
+  if (colon == std::string::npos || !read_seconds(all.substr(0, colon), span.from) ||
+      !read_seconds(all.substr(colon + 1), span.to)) {
+    return fail(Errc::input, "--clip " + text + ": FROM:TO in seconds is expected, as in 12:18.5");
+  }
+  if (span.to <= span.from)
+    return fail(Errc::input, "--clip " + text + ": it ends before it begins");
+  if (span.to - span.from > max_clip_s)
+    return fail(Errc::input, "--clip " + text + ": a clip has at most 60 s");
+  return span;
+}
+
+bool is_video_name(const std::string& path) {
+  constexpr std::array<std::string_view, 3> endings{".webm", ".mp4", ".gif"};
+  return std::any_of(endings.begin(), endings.end(),
+                     [&path](std::string_view ending) { return path.ends_with(ending); });
+}
+
+Result<void> write_clip(system::Files& files, const record::MatchRecord& record,
+                        const ClipSpan& span, const std::string& output) {
+  const PictureFolder folder(output + ".pictures-" + std::to_string(getpid()));
+  if (auto made = files.make_folder(folder.path); !made) return made;
+  MIROCUP_TRY_VOID(draw_pictures(files, record.recording, span, folder.path));
+  system::ChildOptions ffmpeg;
+  ffmpeg.arguments = ffmpeg_command(folder.path, record.recording.setup.control_period, output);
+  MIROCUP_TRY(const auto code, system::run_child(ffmpeg));
+  if (code == system::not_found)
+    return fail(Errc::unavailable, "--clip needs ffmpeg: apt-get install ffmpeg");
+  if (code != 0)
+    return fail(Errc::unavailable,
+                "ffmpeg could not write " + output + ": exit code " + std::to_string(code));
+  return {};
+}
+
+}  // namespace mirocup::app

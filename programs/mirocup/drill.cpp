@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup drill: tries situations many times and gives marks.
+#include "programs/mirocup/commands.hpp"
+#include "programs/mirocup/drill_report.hpp"
+#include "record/json_reader.hpp"
+#include "record/team_parameters_json.hpp"
+#include "system/files.hpp"
+#include "system/locations.hpp"
+#include "system/printable.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <list>
+#include <set>
+#include <string>
+#include <unistd.h>
+
+namespace mirocup::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<std::vector<std::string>> drills_in(const std::string& folder) {
+  MIROCUP_TRY(const auto names, system::Disk().names_in(folder));
+  std::vector<std::string> paths;
+  for (const std::string& name : names) {
+    if (name.ends_with(".json")) paths.push_back((fs::path(folder) / name).string());
+  }
+  if (paths.empty()) return fail(Errc::unavailable, folder + ": there is no drill in it");
+  return paths;
+}
+
+// The files that a word of the command line stands for.
+Result<std::vector<std::string>> paths_of(const std::string& word) {
+  const std::string own = system::drill_folder();
+  const bool is_whole_folder = word == "all" || word == "list";
+  std::error_code none;
+  if (is_whole_folder || fs::is_directory(word, none)) {
+    return drills_in(is_whole_folder ? own : word);
+  }
+  system::Disk disk;
+  if (word.find('/') == std::string::npos) {
+    const std::string path = (fs::path(own) / (word + ".json")).string();
+    if (disk.exists(path)) return std::vector<std::string>{path};
+  }
+  if (disk.exists(word)) return std::vector<std::string>{word};
+  return fail(Errc::input,
+              "\"" + word + "\" is neither a drill nor a file; mirocup drill list has their names");
+}
+
+Result<std::vector<drills::Drill>> read_drills(const std::string& word) {
+  MIROCUP_TRY(const auto paths, paths_of(word));
+  std::vector<drills::Drill> drills;
+  system::Disk disk;
+  for (const std::string& path : paths) {
+    MIROCUP_TRY(const auto text, disk.read(path, {.max_size = system::size_limit::note,
+                                                  .links = system::Links::followed}));
+    MIROCUP_TRY(auto drill, drills::parse_drill(text, path));
+    drills.push_back(std::move(drill));
+  }
+  return drills;
+}
+
+void print_list(const std::vector<drills::Drill>& drills, bool as_json) {
+  record::JsonReader::Json list = record::JsonReader::Json::array();
+  for (const drills::Drill& drill : drills) {
+    if (as_json) {
+      list.push_back({{"name", drill.name},
+                      {"title", drill.title},
+                      {"teaches", drill.teaches},
+                      {"league", to_string(drill.league)},
+                      {"opponent", drill.opponent},
+                      {"seconds", drill.seconds},
+                      {"tries", drill.tries}});
+      continue;
+    }
+    std::cout << drill.name << std::string(drill.name.size() < 26 ? 26 - drill.name.size() : 1, ' ')
+              << system::printable(drill.title) << '\n';
+  }
+  if (as_json) std::cout << record::json_text({{"drills", list}}) << '\n';
+}
+
+// `text` is a team, or NAME=TEAM: the entries of a league all have the same file name. `what`
+// stands before `text` in the sentence about a team that is on the network.
+Result<server::TeamChoice> choose(const std::string& text, const std::string& what) {
+  const std::size_t equals = text.find('=');
+  const bool is_named = equals != std::string::npos && equals < text.find('/');
+  auto choice = server::choose_team(is_named ? text.substr(equals + 1) : text);
+  if (choice && is_named) choice->info.name = text.substr(0, equals);
+  if (choice && record::is_on_network(choice->info.kind)) {
+    return fail(Errc::input, what + text + ": drills are for libraries and house teams");
+  }
+  return choice;
+}
+
+Result<DrillTeams> teams_of(const drills::Drill& drill, const std::string& team,
+                            const match::TeamParameters& parameters) {
+  MIROCUP_TRY(auto tested, choose(team, "TEAM "));
+  DrillTeams teams{.tested = std::move(tested), .opponent = {}, .mates = std::nullopt};
+  teams.tested.info.parameters = drill.parameters;
+  for (const auto& [name, value] : parameters) teams.tested.info.parameters[name] = value;
+  const auto choose_in_drill = [&drill](const std::string& text, const char* key) {
+    return choose(text, "").map_error([&](const Error& error) {
+      return Error{error.code, drill.name + ": " + key + ": " + error.what};
+    });
+  };
+  MIROCUP_TRY(teams.opponent, choose_in_drill(drill.opponent, "/opponent"));
+  if (drill.mates.empty()) return teams;
+  MIROCUP_TRY(teams.mates, choose_in_drill(drill.mates, "/mates"));
+  return teams;
+}
+
+// On a terminal, a line that counts.
+class Progress {
+ public:
+  explicit Progress(int all) : all_(all), is_shown_(isatty(STDERR_FILENO) != 0) {}
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void clear() {
+    if (is_shown_ && shown_ >= 0) std::cerr << "\r\033[K" << std::flush;
+    shown_ = -1;
+  }
+
+  void show(int done) {
+    if (!is_shown_ || done == shown_) return;
+    shown_ = done;
+    std::cerr << "\r" << done << " of " << all_ << " tries" << std::flush;
+  }
+
+ private:
+  int all_;
+  int shown_ = -1;
+  bool is_shown_;
+};
+
+Result<void> make_folder(const std::string& folder) {
+  if (folder.empty()) return {};
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return fail(Errc::unavailable, folder + ": " + error.message());
+  return {};
+}
+
+// Tries all drills with one team.
+Result<DrillReport> test_team(const std::string& team, const std::vector<drills::Drill>& drills,
+                              const DrillOptions& options, const match::TeamParameters& parameters,
+                              const std::function<void(int)>& progress) {
+  DrillReport report;
+  std::list<DrillTeams> teams;  // tasks point to its elements
+  std::vector<DrillTask> tasks;
+  for (const drills::Drill& drill : drills) {
+    MIROCUP_TRY(auto of_this, teams_of(drill, team, parameters));
+    teams.push_back(std::move(of_this));
+    tasks.push_back({&drill, &teams.back(), options.tries.value_or(drill.tries)});
+    report.drills.push_back(&drill);
+  }
+  report.team = teams.front().tested.info.name;
+  MIROCUP_TRY(report.tries, play_drills(tasks,
+                                        {.first_seed = options.seed,
+                                         .jobs = options.jobs,
+                                         .replay_folder = options.replay_folder},
+                                        progress));
+  return report;
+}
+
+// The files of tries are named after the team.
+Result<void> check_drill_names(const DrillOptions& options) {
+  if (options.replay_folder.empty()) return {};
+  std::set<std::string> names;
+  for (const std::string& team : options.teams) {
+    MIROCUP_TRY(const auto choice, choose(team, "TEAM "));
+    if (names.insert(choice.info.name).second) continue;
+    return fail(Errc::input, "TEAM " + team + ": there is another one called \"" +
+                                 choice.info.name +
+                                 "\", and one would overwrite the replays of the other: NAME=TEAM "
+                                 "gives it another name");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<int> run_drill(const DrillOptions& options) {
+  const auto drills = read_drills(options.drill);
+  if (!drills) return tl::unexpected(drills.error());
+  if (options.drill == "list") {
+    print_list(*drills, options.json);
+    return exit_yes;
+  }
+  if (options.teams.empty()) return fail(Errc::input, "a team is needed: mirocup drill DRILL TEAM");
+  MIROCUP_TRY(const auto parameters,
+              record::parameters_with_changes({}, options.parameters, "--param"));
+  MIROCUP_TRY_VOID(check_drill_names(options));
+  MIROCUP_TRY_VOID(make_folder(options.replay_folder));
+
+  int all_tries = 0;
+  for (const drills::Drill& drill : *drills) all_tries += options.tries.value_or(drill.tries);
+  Progress progress(all_tries * static_cast<int>(options.teams.size()));
+  std::vector<DrillReport> reports;
+  for (const std::string& team : options.teams) {
+    MIROCUP_TRY(auto report, test_team(team, *drills, options, parameters, [&](int done) {
+                  progress.show(static_cast<int>(reports.size()) * all_tries + done);
+                }));
+    reports.push_back(std::move(report));
+  }
+  progress.clear();
+  if (options.json) {
+    std::cout << record::json_text(json_of(reports)) << '\n';
+  } else if (options.csv) {
+    std::cout << csv_of(reports);
+  } else {
+    for (const DrillReport& report : reports) std::cout << text_of(report);
+  }
+  const double wanted = options.at_least.value_or(0.0);
+  const bool is_enough = std::all_of(reports.begin(), reports.end(), [wanted](const auto& report) {
+    return report.score() >= wanted;
+  });
+  return is_enough ? exit_yes : exit_no;
+}
+
+}  // namespace mirocup::app

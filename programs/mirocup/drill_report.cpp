@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "programs/mirocup/drill_report.hpp"
+
+#include "system/printable.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace mirocup::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double z = 1.959963984540054;  // of an interval of 95 %
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  std::array<char, 128> text;
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+double to_a_tenth(double value) {
+  return std::round(10.0 * value) / 10.0;
+}
+
+std::vector<std::uint64_t> failed_seeds(const std::vector<PlayedTry>& tries) {
+  std::vector<std::uint64_t> seeds;
+  for (const PlayedTry& one : tries) {
+    if (!one.result.passed) seeds.push_back(one.seed);
+  }
+  return seeds;
+}
+
+Json json_of(const DrillReport& report) {
+  Json drills = Json::array();
+  for (std::size_t i = 0; i < report.drills.size(); ++i) {
+    const Score score = score_of(report.tries[i]);
+    drills.push_back({{"name", report.drills[i]->name},
+                      {"score", to_a_tenth(score.value)},
+                      {"low", to_a_tenth(score.low)},
+                      {"high", to_a_tenth(score.high)},
+                      {"tries", report.tries[i].size()},
+                      {"failed_seeds", failed_seeds(report.tries[i])}});
+  }
+  return {{"team", report.team}, {"drills", drills}, {"score", to_a_tenth(report.score())}};
+}
+
+// A field of CSV (RFC 4180).
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+// The faults of a team, each once.
+std::string faults_text(const DrillReport& report) {
+  std::vector<std::string> faults;
+  for (const auto& tries : report.tries) {
+    for (const PlayedTry& one : tries) {
+      const bool is_new = std::find(faults.begin(), faults.end(), one.fault) == faults.end();
+      if (!one.fault.empty() && is_new) faults.push_back(one.fault);
+    }
+  }
+  std::string text;
+  for (const std::string& fault : faults) text += "  fault: " + system::printable(fault) + "\n";
+  return text;
+}
+
+}  // namespace
+
+Score score_of(const std::vector<PlayedTry>& tries) {
+  const double n = static_cast<double>(tries.size());
+  double sum = 0.0;
+  for (const PlayedTry& one : tries) sum += one.result.marks;
+  const double p = sum / n;
+  const double middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
+  const double reach = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
+  return {.value = 100.0 * p,
+          .low = 100.0 * std::max(0.0, middle - reach),
+          .high = 100.0 * std::min(1.0, middle + reach)};
+}
+
+double DrillReport::score() const {
+  const double sum = std::accumulate(
+      tries.begin(), tries.end(), 0.0,
+      [](double so_far, const auto& of_a_drill) { return so_far + score_of(of_a_drill).value; });
+  return sum / static_cast<double>(tries.size());
+}
+
+std::string text_of(const DrillReport& report) {
+  std::string text = system::printable(report.team) + "\n";
+  for (std::size_t i = 0; i < report.drills.size(); ++i) {
+    const Score score = score_of(report.tries[i]);
+    const auto failed = failed_seeds(report.tries[i]);
+    text += formatted("  %-28s %5.1f  (%.0f to %.0f)", report.drills[i]->name.c_str(), score.value,
+                      score.low, score.high);
+    if (!failed.empty()) {
+      text += formatted("  failed %zu of %zu", failed.size(), report.tries[i].size());
+      text += ", first with seed " + std::to_string(failed.front());
+    }
+    text += "\n";
+  }
+  if (report.drills.size() > 1) text += formatted("  %-28s %5.1f\n", "all", report.score());
+  return text + faults_text(report);
+}
+
+Json json_of(const std::vector<DrillReport>& reports) {
+  if (reports.size() == 1) return json_of(reports.front());
+  Json teams = Json::array();
+  for (const DrillReport& report : reports) teams.push_back(json_of(report));
+  return {{"teams", teams}};
+}
+
+std::string csv_of(const std::vector<DrillReport>& reports) {
+  std::string text = "team,drill,score,low,high,tries,failed_seeds\n";
+  for (const DrillReport& report : reports) {
+    std::size_t tries = 0;
+    for (std::size_t i = 0; i < report.drills.size(); ++i) {
+      const Score score = score_of(report.tries[i]);
+      tries += report.tries[i].size();
+      text += csv_field(report.team) + "," + csv_field(report.drills[i]->name) +
+              formatted(",%.1f,%.1f,%.1f,%zu,", score.value, score.low, score.high,
+                        report.tries[i].size());
+      std::string seeds;
+      for (const std::uint64_t seed : failed_seeds(report.tries[i])) {
+        seeds += (seeds.empty() ? "" : " ") + std::to_string(seed);
+      }
+      text += seeds + "\n";
+    }
+    text += csv_field(report.team) + formatted(",all,%.1f,,,%zu,\n", report.score(), tries);
+  }
+  return text;
+}
+
+}  // namespace mirocup::app

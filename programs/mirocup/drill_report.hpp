@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// The marks of drills as text, CSV and JSON.
+#pragma once
+
+#include "programs/mirocup/drill_run.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace mirocup::app {
+
+// A score of 0 to 100 with the bounds of its interval of 95 %.
+struct Score {
+  double value = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+// Returns the mean of the tries' marks with Wilson's interval. For marks between nothing and all it
+// is a little too wide.
+Score score_of(const std::vector<PlayedTry>& tries);
+
+// The marks of one team.
+struct DrillReport {
+  std::string team;
+  std::vector<const drills::Drill*> drills;
+  std::vector<std::vector<PlayedTry>> tries;  // of each drill
+
+  double score() const;  // the mean over the drills
+};
+
+std::string text_of(const DrillReport& report);
+
+// One team: {"team", "drills", "score"}. Several: {"teams": [of each such an object]}.
+nlohmann::ordered_json json_of(const std::vector<DrillReport>& reports);
+
+// A line for each team and drill, and one for all drills of a team, below a line of titles.
+std::string csv_of(const std::vector<DrillReport>& reports);
+
+}  // namespace mirocup::app

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Plays the tries of drills, each as a leg with its teams in sandboxed processes, several at once.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "record/drills/judge.hpp"
+#include "server/seats.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mirocup::app {
+
+// The teams of a drill.
+struct DrillTeams {
+  server::TeamChoice tested;
+  server::TeamChoice opponent;
+  std::optional<server::TeamChoice> mates;  // nothing: the tested team steers all its robots
+};
+
+// One drill for one team. Drill and teams belong to the caller.
+struct DrillTask {
+  const drills::Drill* drill = nullptr;
+  const DrillTeams* teams = nullptr;
+  int tries = 0;
+};
+
+// A try as it was played.
+struct PlayedTry {
+  std::uint64_t seed = 0;
+  drills::TryResult result;
+  std::string fault;  // of the tested team; "": none
+};
+
+struct DrillTerms {
+  std::uint64_t first_seed = 1;
+  int jobs = 0;               // tries at once; 0: one for each processor
+  std::string replay_folder;  // where record and page of a failed try go; "": nowhere
+};
+
+// Plays all tries and returns those of each task, in the order of their seeds. `progress` is called
+// now and then with the number of tries that have been played. An error is a failure of the host, a
+// replay that cannot be written, or Errc::interrupted.
+Result<std::vector<std::vector<PlayedTry>>> play_drills(const std::vector<DrillTask>& tasks,
+                                                        const DrillTerms& terms,
+                                                        const std::function<void(int)>& progress);
+
+}  // namespace mirocup::app

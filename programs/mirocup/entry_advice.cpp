@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "programs/mirocup/entry_advice.hpp"
+
+#include <csignal>
+
+namespace mirocup::app {
+
+namespace {
+
+using match::FaultCode;
+using plugins::AddressKind;
+using plugins::LastWords;
+
+constexpr const char* in_a_debugger =
+    "build it with -g and run gdb --args mirocup match --trusted --blue FILE.so --yellow striker";
+
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string advice_on_signal(const LastWords& words) {
+  switch (words.signal) {
+    case SIGILL:
+      return "it was built for a newer processor than this one (leave out -march=native), or by "
+             "clang++ with a function that ends without its return: heed the warnings of -Wall";
+    case SIGFPE:
+      return std::string("an integer was divided by zero: ") + in_a_debugger;
+    case SIGABRT:
+      return "an assert(), abort() or std::terminate() ended it; the log's last line may say which";
+    default:
+      break;
+  }
+  switch (words.address) {
+    case AddressKind::null:
+      return std::string("a pointer was null: ") + in_a_debugger;
+    case AddressKind::end_of_stack:
+      return "the stack of 8 MiB was full: look for a recursion without end, and keep large arrays "
+             "as members of the team";
+    default:
+      return std::string("an index or a pointer was out of bounds: ") + in_a_debugger;
+  }
+}
+
+std::string advice_on_crash(const FaultEvidence& evidence) {
+  const LastWords words = evidence.words.value_or(LastWords());
+  const std::string& text = evidence.fault.text;
+  if (words.team_call == plugins::TeamCall::none && words.signal == 0)
+    return "a constructor of a global object ended it; make the object a member of the team";
+  if (has(evidence.requests, "thread\n") && has(text, "threw"))
+    return "it asked for a thread: a team has one, so compute in decide()";
+  if (has(text, "bad_alloc"))
+    return "it used more than 1 GiB of memory; keep what a team needs, and free the rest";
+  if (has(text, "from null is not valid") && has(evidence.requests, "variable "))
+    return "getenv() returned null: a team's process has no such variable, so look at what it "
+           "returns, or use a parameter";
+  if (has(text, "locale"))
+    return "a team's process has the locale \"C\" and no other: do without another one";
+  if (has(evidence.requests, "program ") && words.address == AddressKind::null)
+    return "it asked for a program, which no team can run: popen() returned null";
+  if (has(evidence.requests, "file ") && has(text, "threw"))
+    return "it asked for a file, which no team can open: put its data into the source";
+  if (has(text, "threw"))
+    return std::string("catch it, or mend what throws it; gdb stops there with catch throw: ") +
+           in_a_debugger;
+  if (has(text, "freed") || has(text, " a block of "))
+    return "build a test of yours with -g -fsanitize=address, which names the line";
+  if (words.signal != 0) return advice_on_signal(words);
+  if (has(text, "ended itself")) return "return from decide() instead of calling exit()";
+  return in_a_debugger;
+}
+
+// A team in Python: its log has the traceback.
+std::string advice_on_python(const FaultEvidence& evidence) {
+  const std::string& text = evidence.fault.text;
+  switch (evidence.fault.code) {
+    case FaultCode::no_load:
+      if (has(text, "ModuleNotFoundError") || has(text, "No module named"))
+        return "use Python's library, or a module that the host has installed";
+      if (has(text, "FileNotFoundError") || has(text, "PermissionError"))
+        return "a team opens no file: put its data into the source";
+      return "mend that line; the log shows it";
+    case FaultCode::crash:
+      if (has(text, "start new thread")) return "a team has one thread: compute in decide()";
+      if (has(text, "No module named") || has(text, "ModuleNotFoundError"))
+        return "import it at the top of the file: no file can be opened while the team plays";
+      if (has(text, "PermissionError") || has(text, "FileNotFoundError"))
+        return "a team opens no file and no connection: put its data into the source";
+      if (has(text, "MemoryError"))
+        return "it used more than 1 GiB of memory; keep what a team needs, and free the rest";
+      if (has(text, "SystemExit")) return "return from decide() instead of calling exit()";
+      return "the log has the traceback; mirocup match --trusted stops at breakpoint()";
+    case FaultCode::budget:
+      return advice_on_time_in_python;
+    case FaultCode::illegal_call:
+      return "a module that it imports needs more of the system than a team gets: do without it";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+std::string advice_on(const FaultEvidence& evidence) {
+  if (evidence.is_python) {
+    if (std::string advice = advice_on_python(evidence); !advice.empty()) return advice;
+  }
+  const std::string& text = evidence.fault.text;
+  switch (evidence.fault.code) {
+    case FaultCode::no_load:
+      if (has(text, "undefined symbol: __ubsan_"))
+        return "it was built with -fsanitize=undefined by clang++: hand it in without";
+      if (has(text, "undefined symbol"))
+        return "a function of its own is missing: link the source or the library that defines it";
+      if (has(text, "returned null")) return "create() has to return the team";
+      return "link everything that it uses into the library, or use what the system has";
+    case FaultCode::bad_abi:
+      if (has(text, "returned null"))
+        return "mirocup_entry() has to return a pointer to a static mirocup_strategy";
+      if (has(text, "incomplete"))
+        return "set size, create and decide of the mirocup_strategy that mirocup_entry() returns";
+      return "build it again against the strategy.h of this version, and export mirocup_entry()";
+    case FaultCode::start_timeout:
+      return "do less in create() and in static constructors";
+    case FaultCode::crash:
+      return advice_on_crash(evidence);
+    case FaultCode::hang:
+      if (has(text, "slept")) return "do not sleep or wait in decide()";
+      return "look for a loop that does not end";
+    case FaultCode::budget:
+      return advice_on_time;
+    case FaultCode::illegal_call:
+      return "a strategy computes; files, network, processes and threads are not for it";
+    default:
+      return "see strategy.h";
+  }
+}
+
+}  // namespace mirocup::app

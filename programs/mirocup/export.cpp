@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup export POLICY: writes a learned network as the source of a team.
+#include "programs/mirocup/commands.hpp"
+#include "system/files.hpp"
+#include "system/locations.hpp"
+#include "system/printable.hpp"
+#include "training/policy/policy.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+namespace mirocup::app {
+
+namespace {
+
+// The name of the team: that of the file, in letters that a string and a report may have.
+std::string team_name(const std::string& path) {
+  std::string name = std::filesystem::path(path).stem().string();
+  for (char& c : name) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    if (!is_plain) c = '_';
+  }
+  return name.empty() ? "learned" : name.substr(0, 31);
+}
+
+}  // namespace
+
+Result<int> run_export(const ExportOptions& options) {
+  system::Disk disk;
+  MIROCUP_TRY(const auto bytes, disk.read(options.policy, {.max_size = system::size_limit::scene,
+                                                           .links = system::Links::followed}));
+  const auto policy = policy::parse_policy(bytes, options.policy);
+  if (!policy) return tl::unexpected(policy.error());
+  const std::string source = policy::source_of(*policy, team_name(options.output));
+  MIROCUP_TRY_VOID(disk.write(options.output, source));
+  std::cout << system::printable(options.output) << ": the source of a team. "
+            << "Compile it: c++ -std=c++17 -O2 -fPIC -shared -I "
+            << system::printable(system::team_kit().prefix) << "/include" << ' '
+            << system::printable(options.output) << " -o learned.so\n";
+  return exit_yes;
+}
+
+}  // namespace mirocup::app

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup join: lets a library, or a team in Python, play in a match on the network.
+#include "mirocup/team.hpp"
+#include "plugins/host/elf.hpp"
+#include "plugins/host/file_advice.hpp"
+#include "plugins/host/host_program.hpp"
+#include "plugins/host/plugin.hpp"
+#include "plugins/host/python_module.hpp"
+#include "plugins/host/sealed_entry.hpp"
+#include "plugins/host/team_host.hpp"
+#include "programs/mirocup/commands.hpp"
+#include "record/team_parameters_json.hpp"
+#include "server/dds/credentials.hpp"
+#include "system/certificate.hpp"
+#include "system/interrupt.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace mirocup::app {
+
+namespace {
+
+using std::chrono::steady_clock;
+
+// A server that sends nothing for longer than this is taken to be gone, s.
+constexpr double max_silence = 10.0;
+constexpr double poll_interval = 0.25;  // s, for interrupts
+
+// A team is warned if its credentials are valid for less than this, s.
+constexpr std::int64_t short_validity = 86400;
+
+// dlopen() searches for a name without a slash in the system's folders.
+std::string library_path(const JoinOptions& options) {
+  const bool is_bare = options.library.find('/') == std::string::npos;
+  return is_bare ? "./" + options.library : options.library;
+}
+
+// Returns the path of mirocup-python.so if the file is a team in Python, and "" if it is a library
+// that can be loaded.
+Result<std::string> python_for(const JoinOptions& options) {
+  const std::string path = library_path(options);
+  if (const auto entry = plugins::SealedEntry::open(path)) {
+    if (entry->is_python()) return plugins::python_module();
+    const std::string known = plugins::advice_on_file(entry->bytes());
+    const bool is_library = plugins::read_shared_library(entry->bytes()).has_value();
+    if (!is_library && !known.empty()) return fail(Errc::input, options.library + ": " + known);
+  }
+  if (auto checked = plugins::Plugin::check(path); !checked)
+    return fail(Errc::input, options.library + ": " + checked.error().text);
+  return std::string();
+}
+
+// The match server refuses credentials that expire before the latest end of the leg.
+void warn_of_expiry(const std::string& credentials) {
+  if (credentials.empty()) return;
+  const auto end = dds::credentials_end(credentials);
+  const std::int64_t now = system::present_moment();
+  if (!end || *end < now || *end - now >= short_validity) return;
+  std::cerr << "mirocup: warning: the credentials in " << credentials << " are valid until "
+            << system::date_text(*end) << " only\n";
+}
+
+// The host of a library that plays over the network: its parameters are those of the command line,
+// and what it draws goes to the match.
+struct RemoteHost : plugins::TeamHost {
+  const mirocup_setup* match = nullptr;  // of the connection
+};
+
+// Gives the setup the functions that pass a shape on to the match.
+void draw_in_match(mirocup_setup& setup) {
+  static constexpr auto match = [](void* host) -> const mirocup_setup& {
+    return *static_cast<const RemoteHost*>(static_cast<plugins::TeamHost*>(host))->match;
+  };
+  setup.draw_line = [](void* host, const char* layer, std::uint32_t colour, double x1, double y1,
+                       double x2, double y2) {
+    match(host).draw_line(match(host).host, layer, colour, x1, y1, x2, y2);
+  };
+  setup.draw_circle = [](void* host, const char* layer, std::uint32_t colour, double x, double y,
+                         double radius) {
+    match(host).draw_circle(match(host).host, layer, colour, x, y, radius);
+  };
+  setup.draw_polygon = [](void* host, const char* layer, std::uint32_t colour, const double* points,
+                          std::int32_t corners) {
+    match(host).draw_polygon(match(host).host, layer, colour, points, corners);
+  };
+  setup.draw_text = [](void* host, const char* layer, std::uint32_t colour, double x, double y,
+                       const char* text) {
+    match(host).draw_text(match(host).host, layer, colour, x, y, text);
+  };
+}
+
+// A team that answers the ticks that come over a connection.
+class RemoteTeam {
+ public:
+  // `python` is what python_for() returned.
+  RemoteTeam(const JoinOptions& options, std::string python,
+             const match::TeamParameters& parameters, system::Interrupt& interrupt,
+             team::Connection& match)
+      : options_(options),
+        python_(std::move(python)),
+        given_(parameters),
+        parameters_(plugins::parameter_table(parameters)),
+        interrupt_(interrupt),
+        match_(match) {}
+
+  // Plays until the match is over.
+  Result<int> play();
+
+ private:
+  Result<void> take_seat();
+  Result<void> answer();
+  Result<void> check_silence() const;
+  int report() const;
+
+  const JoinOptions& options_;
+  std::string python_;
+  const match::TeamParameters& given_;
+  plugins::ParameterTable parameters_;
+  plugins::AskedRows asked_{0};
+  RemoteHost host_{{&parameters_, &asked_}};
+  mirocup_setup setup_{};  // while the plugin lives
+  system::Interrupt& interrupt_;
+  team::Connection& match_;
+  std::optional<plugins::Plugin> plugin_;
+  steady_clock::time_point heard_ = steady_clock::now();
+};
+
+Result<int> RemoteTeam::play() {
+  while (!interrupt_.is_asked_for()) {
+    const int news = match_.wait(poll_interval);
+    Result<void> done;
+    switch (news) {
+      case MIROCUP_TEAM_SEATED:
+        done = take_seat();
+        break;
+      case MIROCUP_TEAM_TICK:
+        done = answer();
+        break;
+      case MIROCUP_TEAM_OVER:
+        return report();
+      case MIROCUP_TEAM_REFUSED:
+        return fail(Errc::unavailable, "the match server refuses the team: " + match_.text());
+      default:
+        done = check_silence();
+    }
+    if (!done) return tl::unexpected(done.error());
+    if (news != MIROCUP_TEAM_NOTHING) heard_ = steady_clock::now();
+  }
+  return fail(Errc::interrupted, "interrupted");
+}
+
+// Loads the library afresh for every leg, as for a team with a process of its own.
+Result<void> RemoteTeam::take_seat() {
+  plugin_.reset();
+  setup_ = match_.setup();
+  host_.match = &match_.setup();
+  plugins::give_host(setup_, host_);
+  draw_in_match(setup_);
+  const std::string path = library_path(options_);
+  auto plugin = python_.empty() ? plugins::Plugin::load(path, setup_)
+                                : plugins::load_python(path, python_, setup_);
+  if (!plugin) return fail(Errc::input, options_.library + ": " + plugin.error().text);
+  plugin_.emplace(std::move(*plugin));
+  std::cerr << "mirocup: " << options_.name << " plays " << options_.team << " in match "
+            << options_.match_id << '\n';
+  return {};
+}
+
+Result<void> RemoteTeam::answer() {
+  const mirocup_observation& now = match_.observation();
+  if (now.placing != 0) {
+    const auto placement = plugin_->place(now);
+    if (!placement) return fail(Errc::input, options_.library + ": " + placement.error().text);
+    match_.place(*placement);
+  }
+  const auto decided = plugin_->decide(now);
+  if (!decided) return fail(Errc::input, options_.library + ": " + decided.error().text);
+  match_.send(*decided);
+  return {};
+}
+
+Result<void> RemoteTeam::check_silence() const {
+  const double silence = std::chrono::duration<double>(steady_clock::now() - heard_).count();
+  if (!plugin_ && silence > options_.join_within) {
+    return fail(
+        Errc::unavailable,
+        match_.text() + ", for " + std::to_string(static_cast<int>(options_.join_within)) + " s");
+  }
+  if (plugin_ && silence > max_silence) {
+    return fail(Errc::unavailable, "the match server has not been heard of for 10 s");
+  }
+  return {};
+}
+
+int RemoteTeam::report() const {
+  for (const auto& parameter : plugins::not_asked_for(given_, asked_)) {
+    std::cerr << "mirocup: warning: the team did not ask for the parameter " << parameter.first
+              << '\n';
+  }
+  std::cout << "the match is over (" << match_.text() << "): blue " << match_.score()[0]
+            << ", yellow " << match_.score()[1] << '\n';
+  return exit_yes;
+}
+
+}  // namespace
+
+Result<int> run_join(const JoinOptions& options) {
+  system::Interrupt interrupt;
+  MIROCUP_TRY(const auto parameters,
+              record::parameters_with_changes({}, options.parameters, "--param"));
+  MIROCUP_TRY(const auto python, python_for(options));
+  warn_of_expiry(options.credentials);
+  team::Connection match({.match = options.match_id,
+                          .team = index_of(*from_string<Team>(options.team)),
+                          .name = options.name,
+                          .server = options.server,
+                          .domain = options.dds_domain,
+                          .credentials = options.credentials});
+  if (!match.is_open()) {
+    return fail(match.is_wrong() ? Errc::input : Errc::unavailable, match.why());
+  }
+  return RemoteTeam(options, python, parameters, interrupt, match).play();
+}
+
+}  // namespace mirocup::app

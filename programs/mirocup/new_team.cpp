@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup new DIR: writes a team that builds, or in Python plays, without changes: a new one, or an
+// old one of SimuroSot.
+#include "programs/mirocup/commands.hpp"
+#include "programs/mirocup/old_sources.hpp"
+#include "programs/mirocup/old_text.hpp"
+#include "system/files.hpp"
+#include "system/locations.hpp"
+#include "system/printable.hpp"
+#include "system/shell_word.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+namespace mirocup::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string replaced(std::string text, const std::string& word, const std::string& by) {
+  for (std::size_t at = text.find(word); at != std::string::npos;
+       at = text.find(word, at + by.size())) {
+    text.replace(at, word.size(), by);
+  }
+  return text;
+}
+
+// A program that every shell finds is called by its name, so that the files outlive a move.
+std::string called_as(const std::string& program) {
+  const fs::path path(program);
+  for (const char* folder : {"/usr/bin", "/usr/local/bin"}) {
+    if (path.parent_path() == folder) return path.filename().string();
+  }
+  return program;
+}
+
+using Words = std::vector<std::pair<std::string, std::string>>;
+
+// Copies a file of the installation into the folder, with other words in place of some.
+Result<void> write_filled(system::Disk& disk, const fs::path& file, const std::string& folder,
+                          const Words& words) {
+  MIROCUP_TRY(auto text, disk.read(file.string(), {.max_size = system::size_limit::system_file,
+                                                   .links = system::Links::followed}));
+  std::string filled = std::move(text);
+  for (const auto& [word, by] : words) filled = replaced(std::move(filled), word, by);
+  const std::string path = (fs::path(folder) / file.filename()).string();
+  if (auto written = disk.write(path, filled); !written) return written;
+  // Scripts can be run.
+  std::error_code none;
+  if ((fs::status(file).permissions() & fs::perms::owner_exec) != fs::perms::none)
+    fs::permissions(path, fs::perms::all & ~fs::perms(022), none);
+  return {};
+}
+
+// Copies a source of an old team, in the form that compilers of today read. Returns whether that
+// is another one.
+Result<bool> copy_source(system::Disk& disk, const fs::path& from, const fs::path& to) {
+  MIROCUP_TRY(const auto text, disk.read(from.string(), {.max_size = system::size_limit::note}));
+  std::error_code error;
+  fs::create_directories(to.parent_path(), error);
+  if (error) return fail(Errc::unavailable, to.string() + ": " + error.message());
+  const std::string now = readable(text);
+  MIROCUP_TRY_VOID(disk.write(to.string(), now));
+  return now != text;
+}
+
+// Makes a team of old sources, which are copied to src.
+Result<void> adopt(system::Disk& disk, const system::TeamKit& kit, const NewOptions& options,
+                   const OldSources& old, Words words) {
+  for (const std::string& path : old.files) {
+    MIROCUP_TRY(const auto is_changed, copy_source(disk, fs::path(options.simurosot) / path,
+                                                   fs::path(options.folder) / "src" / path));
+    if (is_changed) {
+      std::cout << "src/" << system::printable(path) << ": its text was made readable for g++\n";
+    }
+  }
+  std::string sources;
+  for (const std::string& path : old.sources) sources += "\n    \"src/" + path + '"';
+  words.insert(words.end(), {{"@HEADER@", "src/" + old.header},
+                             {"@SOURCES@", sources},
+                             {"@STYLE@", old.style},
+                             {"@STANDARD@", old.standard}});
+  const fs::path templates = fs::path(kit.prefix) / "share" / "mirocup" / "simurosot" / "template";
+  for (const fs::path& file : {templates / "CMakeLists.txt", templates / "README.md",
+                               fs::path(kit.templates) / "c++" / "CMakePresets.json"}) {
+    if (auto done = write_filled(disk, file, options.folder, words); !done) return done;
+  }
+  std::cout << "style " << old.style << ", header " << system::printable(old.header) << ", "
+            << old.sources.size() << (old.sources.size() == 1 ? " source" : " sources") << ", "
+            << old.standard << '\n';
+  return {};
+}
+
+}  // namespace
+
+Result<int> run_new(const NewOptions& options) {
+  const std::string& folder = options.folder;
+  system::Disk disk;
+  std::error_code none;
+  if (fs::exists(folder, none) && !fs::is_empty(folder, none))
+    return fail(Errc::input, folder + ": there is something in it already; name a new folder");
+  const system::TeamKit kit = system::team_kit();
+  const fs::path templates = fs::path(kit.templates) / options.language;
+  if (!fs::is_directory(templates, none)) {
+    return fail(Errc::unavailable,
+                templates.string() + ": the files of a new team are missing here");
+  }
+  Result<OldSources> old = OldSources{};
+  if (!options.simurosot.empty()) old = find_old_sources(options.simurosot);
+  if (!old) return tl::unexpected(old.error());
+  MIROCUP_TRY_VOID(disk.make_folder(folder));
+
+  const Words words{{"@MIROCUP@", system::shell_word(called_as(kit.program))},
+                    {"@MIROCUP_PREFIX@", kit.prefix},
+                    {"@MIROCUP_HEADERS@", kit.headers},
+                    {"@MIROCUP_PYTHON@", kit.python}};
+  if (!options.simurosot.empty()) {
+    MIROCUP_TRY_VOID(adopt(disk, kit, options, *old, words));
+  } else {
+    for (const auto& file : fs::directory_iterator(templates)) {
+      MIROCUP_TRY_VOID(write_filled(disk, file.path(), folder, words));
+    }
+  }
+  std::cout << system::printable(folder) << ": a team. "
+            << (options.language == "python" ? "Test" : "Build, test") << " and check it: cd "
+            << system::shell_word(folder)
+            << (options.language == "python" ? " && ./test\n"
+                                             : " && cmake --workflow --preset team\n");
+  return exit_yes;
+}
+
+}  // namespace mirocup::app

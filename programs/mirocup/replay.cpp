@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup replay RECORD: writes a page that shows the leg, a picture of one moment, or a
+// video of a part.
+#include "programs/mirocup/clip.hpp"
+#include "programs/mirocup/commands.hpp"
+#include "record/statistics/statistics_json.hpp"
+#include "system/printable.hpp"
+#include "web/page.hpp"
+#include "web/picture.hpp"
+
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <spawn.h>
+#include <unistd.h>
+
+namespace mirocup::app {
+
+namespace {
+
+constexpr double trail_seconds = 1.0;
+
+tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording& recording,
+                                                         double time) {
+  replay::Playback playback(recording);
+  const double period = recording.setup.control_period;
+  std::vector<Vec2> balls;
+  while (playback.leg().tick() * period < time) {
+    if (playback.leg().is_over()) {
+      std::cerr << "mirocup: the leg is over after " << playback.leg().tick() * period
+                << " s; this is its last moment\n";
+      break;
+    }
+    balls.push_back(playback.leg().snapshot().ball.position);
+    if (!playback.advance()) break;
+  }
+  if (playback.divergence()) return tl::unexpected(*playback.divergence());
+  const auto trail = std::min(balls.size(), static_cast<std::size_t>(trail_seconds / period));
+  web::Moment moment{playback.leg().snapshot(),
+                     {balls.end() - static_cast<std::ptrdiff_t>(trail), balls.end()}};
+  return web::picture(playback.leg().field(), recording.setup.parameters, moment);
+}
+
+// A page is written as .html and a picture as .svg, so that programs open them as what they are.
+Result<std::string> output_of(const ReplayOptions& options) {
+  const std::string ending = options.svg ? ".svg" : ".html";
+  if (options.output.empty())
+    return std::filesystem::path(options.record).replace_extension(ending).string();
+  const std::string given = std::filesystem::path(options.output).extension();
+  if (given == ending || (!options.svg && given == ".htm")) return options.output;
+  // Something that is no file of its own, such as /dev/stdout, has no ending.
+  if (given.empty()) return options.output;
+  return fail(Errc::input, options.output + ": " + (options.svg ? "a picture" : "a page") +
+                               " is written as " + ending);
+}
+
+Result<int> run_clip(const ReplayOptions& options) {
+  MIROCUP_TRY(const auto span, parse_clip(options.clip));
+  const std::string output =
+      options.output.empty()
+          ? std::filesystem::path(options.record).replace_extension(".webm").string()
+          : options.output;
+  if (!is_video_name(output))
+    return fail(Errc::input, output + ": a video ends in .webm, .mp4 or .gif");
+  system::Disk disk;
+  MIROCUP_TRY(const auto record, record::load(disk, options.record));
+  MIROCUP_TRY_VOID(write_clip(disk, record, span, output));
+  std::cout << system::printable(output) << '\n';
+  return exit_yes;
+}
+
+// Starts the desktop's program for the file and does not wait for it. Returns false if there is no
+// desktop.
+bool open_in_browser(const std::string& path) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return false;
+  std::string program = "xdg-open";
+  std::string file = std::filesystem::absolute(path).string();
+  char* const arguments[] = {program.data(), file.data(), nullptr};
+  posix_spawn_file_actions_t silence;
+  posix_spawn_file_actions_init(&silence);
+  for (const int descriptor : {0, 1, 2})
+    posix_spawn_file_actions_addopen(&silence, descriptor, "/dev/null", O_RDWR, 0);
+  pid_t pid = 0;
+  const int failed = posix_spawnp(&pid, program.c_str(), &silence, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&silence);
+  return failed == 0;
+}
+
+}  // namespace
+
+Result<int> run_replay(const ReplayOptions& options) {
+  if (!options.clip.empty()) return run_clip(options);
+  MIROCUP_TRY(const auto output, output_of(options));
+  if (options.svg != options.at.has_value()) {
+    return fail(Errc::input, "--at T and --svg belong together: a still picture of a moment");
+  }
+  if (options.svg && !options.statistics.empty()) {
+    return fail(Errc::input, "--statistics belongs to a page, not to a picture of a moment");
+  }
+  system::Disk disk;
+  const auto record = record::load(disk, options.record);
+  if (!record) return tl::unexpected(record.error());
+  const bool shows_own = !options.svg && !options.public_page;
+  MIROCUP_TRY(
+      const auto own,
+      record::read_own_texts(disk, options.record, shows_own ? record::of_both : record::of_nobody,
+                             system::Links::followed));
+  const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
+  std::optional<statistics::LegStatistics> counted;
+  const auto made = options.svg
+                        ? picture_at(record->recording, *options.at)
+                        : web::replay_page(*record, times, own).map([&](web::ReplayPage page) {
+                            counted = std::move(page.statistics);
+                            return std::move(page.html);
+                          });
+  if (!made && record::has_other_behaviour(*record)) {
+    return tl::unexpected(record::behaviour_mismatch(options.record, *record, made.error().tick));
+  }
+  if (!made) {
+    std::cerr << "mirocup: " << system::printable(options.record)
+              << ": cannot be shown, it differs from tick " << made.error().tick
+              << " on: " << made.error().what << '\n';
+    return exit_no;
+  }
+  MIROCUP_TRY_VOID(disk.write(output, *made));
+  if (!options.statistics.empty()) {
+    // The name alone, so that the file has the same bytes wherever the record is.
+    const std::string name = std::filesystem::path(options.record).filename();
+    const std::string text =
+        statistics::leg_report_text(statistics::report_of(name, *record, *std::move(counted)));
+    MIROCUP_TRY_VOID(disk.write(options.statistics, text));
+  }
+  std::cout << system::printable(output) << '\n';
+  if (options.open && !open_in_browser(output))
+    std::cerr << "mirocup: no browser can be opened from here: open the file in one\n";
+  return exit_yes;
+}
+
+}  // namespace mirocup::app

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup scene FILE: simulates bodies and wheel commands, without teams and laws.
+#include "programs/mirocup/commands.hpp"
+#include "record/json_reader.hpp"
+#include "record/scene_json.hpp"
+#include "system/files.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <ctime>
+#include <iostream>
+
+namespace mirocup::app {
+
+Result<int> run_scene(const SceneOptions& options) {
+  system::Disk disk;
+  MIROCUP_TRY(const auto text, disk.read(options.path, {.max_size = system::size_limit::scene,
+                                                        .links = system::Links::followed}));
+  MIROCUP_TRY(const auto scene, record::parse_scene(text, options.path));
+
+  const auto accuracy = *from_string<simulator::Accuracy>(options.accuracy);
+  const std::clock_t begin = std::clock();
+  const auto result = simulator::run_scene(scene, simulator::tolerances_of(accuracy));
+  if (result.stopped_at) {
+    return fail(Errc::input, options.path + ": more than " +
+                                 std::to_string(simulator::max_scene_impacts) + " impacts until " +
+                                 std::to_string(*result.stopped_at) +
+                                 " s: choose a shorter duration");
+  }
+  const double cpu_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+
+  const std::string json = record::json_text(record::to_json(scene, result, cpu_seconds)) + "\n";
+  if (options.out.empty()) {
+    std::cout << json;
+  } else if (auto written = disk.write(options.out, json); !written) {
+    return tl::unexpected(written.error());
+  }
+  return exit_yes;
+}
+
+}  // namespace mirocup::app

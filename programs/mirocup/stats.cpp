@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup stats RECORD…|LEAGUE: football statistics. Records are played again here; the legs of a
+// league are known to mirocup-league only.
+#include "programs/mirocup/commands.hpp"
+#include "system/child_process.hpp"
+#include "system/locations.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+namespace mirocup::app {
+
+namespace {
+
+bool is_folder(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
+Result<int> become_league_program(const StatsOptions& options) {
+  std::vector<std::string> arguments{system::sibling_program("mirocup-league"), "stats",
+                                     options.paths.front()};
+  if (!options.team.empty()) arguments.insert(arguments.end(), {"--team", options.team});
+  if (options.goals) arguments.emplace_back("--goals");
+  if (options.csv) arguments.emplace_back("--csv");
+  if (options.json) arguments.emplace_back("--json");
+  return tl::unexpected(system::become_program(std::move(arguments)));
+}
+
+}  // namespace
+
+Result<int> run_stats(const StatsOptions& options) {
+  if (options.paths.size() == 1 && is_folder(options.paths.front())) {
+    return become_league_program(options);
+  }
+  for (const std::string& path : options.paths) {
+    if (is_folder(path)) {
+      return fail(Errc::input,
+                  path + ": is a folder; name one league alone, or records without a league");
+    }
+  }
+  system::Disk disk;
+  MIROCUP_TRY(const auto legs, statistics::count_records(disk, options.paths));
+  MIROCUP_TRY(const auto text, statistics::report(legs, options));
+  std::cout << text;
+  return exit_yes;
+}
+
+}  // namespace mirocup::app

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// One leg that an entry plays in the sandbox so that `mirocup check` can look at it.
+#pragma once
+
+#include "core/match/leg.hpp"
+#include "core/replay/recording.hpp"
+#include "plugins/host/process_controller.hpp"
+#include "programs/mirocup/check_plan.hpp"
+#include "programs/mirocup/entry_advice.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mirocup::app {
+
+struct TrialTerms {
+  match::Setup setup;
+  const plugins::SealedEntry* opponent = nullptr;
+  Team team = Team::blue;  // the colour of the entry
+  match::TeamParameters parameters;
+  std::uint32_t max_ticks = UINT32_MAX;
+  double max_seconds = CheckPlan::longest;  // used while it is played; then the leg stops
+  plugins::Isolation isolation = plugins::Isolation::T2;
+  plugins::Surroundings surroundings;
+  bool is_recorded = false;
+  bool is_careful = false;  // played by mirocup-careful-host
+};
+
+// A restart, and whether the entry took it.
+using MetRestart = std::pair<referee::Restart, bool>;
+
+// What the entry did. A leg that was stopped early has no fault.
+struct TrialLeg {
+  std::optional<FaultEvidence> fault;
+  std::vector<match::TickLog> log;
+  int bad_values = 0;                          // values of commands that were zeroed or clamped
+  int moved_placements = 0;                    // placements that were asked for and not legal
+  bool has_moved = false;                      // some command turned a wheel
+  double start_seconds = 0.0;                  // to load and create
+  double playing_seconds = 0.0;                // processor time
+  double slowest_tick_ms = 0.0;                // processor time
+  std::uint32_t places = 0;                    // times that it was asked to place
+  double slept_seconds = 0.0;                  // neither computing nor waiting for a processor
+  double used_seconds = 0.0;                   // as CheckPlan counts, loading included
+  double used_to_start = 0.0;                  // of these
+  bool is_whole = false;                       // played to the end of the leg
+  std::size_t memory_at_start = 0;             // bytes, when its team was created
+  std::size_t peak_memory = 0;                 // bytes
+  std::set<MetRestart> restarts;               // for which it was asked to place
+  std::optional<replay::Recording> recording;  // of a leg that came to its end
+  std::string output;
+  std::string requests;  // lines of ProcessController::requests()
+  std::uint32_t asked_parameters = 0;
+
+  std::uint32_t ticks() const { return static_cast<std::uint32_t>(log.size()); }
+};
+
+// Plays the leg, or as much of it as the terms allow. An error is a failure of the host.
+Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms& terms);
+
+}  // namespace mirocup::app

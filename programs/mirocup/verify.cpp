@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup verify RECORD: simulates the leg again and compares it with the record.
+#include "core/replay/verification.hpp"
+#include "programs/mirocup/commands.hpp"
+#include "programs/mirocup/other_versions.hpp"
+#include "record/json_reader.hpp"
+#include "record/match_record.hpp"
+#include "system/child_process.hpp"
+#include "system/printable.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+
+namespace mirocup::app {
+
+Result<int> run_verify(const VerifyOptions& options) {
+  system::Disk disk;
+  const auto whole = record::load(disk, options.path);
+  // For a record that was changed, its first wrong statement is a better answer than the checksum.
+  const auto record =
+      whole ? whole : record::load(disk, options.path, record::ChecksumPolicy::ignored);
+  if (!record) return tl::unexpected(record.error());
+  const auto divergence = replay::verify(record->recording);
+  const bool has_other_behaviour = record::has_other_behaviour(*record);
+  if (!whole && (!divergence || has_other_behaviour)) return tl::unexpected(whole.error());
+  if (divergence && has_other_behaviour) {
+    const std::string program = version_that_reproduces(options.path, *record);
+    if (!program.empty()) {
+      std::cerr << "mirocup: it was played by another version; " << system::printable(program)
+                << " verifies it\n";
+      std::vector<std::string> words{program, "verify", options.path};
+      if (options.json) words.emplace_back("--json");
+      return tl::unexpected(system::become_program(std::move(words)));
+    }
+    return tl::unexpected(record::behaviour_mismatch(options.path, *record, divergence->tick));
+  }
+
+  if (options.json) {
+    record::Json answer{{"record", options.path}, {"reproduced", !divergence}};
+    answer["tick"] = divergence ? record::Json(divergence->tick) : record::Json();
+    answer["what"] = divergence ? record::Json(divergence->what) : record::Json();
+    std::cout << record::json_text(answer) << '\n';
+  } else if (divergence) {
+    std::cout << system::printable(options.path) << ": differs from tick " << divergence->tick
+              << " on: " << divergence->what << '\n';
+  } else {
+    std::cout << system::printable(options.path) << ": reproduced, "
+              << record->recording.ticks.size() << " ticks, state hash "
+              << to_hex(record->recording.state_hash) << '\n';
+  }
+  return divergence ? exit_no : exit_yes;
+}
+
+}  // namespace mirocup::app

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// Judges one try of a drill: follows the leg tick by tick, says when the try is over, and gives its
+// marks.
+//
+// What counts as what:
+//   foul      a call with which the tested team gives the opponents something
+//   contact   a touch of one robot in consecutive ticks
+//   pass      a contact of another robot of the team after one of its own, with no opponent's
+//             between them, when the ball has rolled for at least 0.15 m
+//   save      a contact of the tested team with a ball that would have gone into its goal, after
+//             which no goal falls for half a second, or until play is stopped
+#pragma once
+
+#include "record/drills/drill.hpp"
+
+namespace mirocup::drills {
+
+// The result of one try.
+struct TryResult {
+  bool passed = false;   // all that was asked for came true
+  double marks = 0.0;    // 0 to 1
+  double seconds = 0.0;  // of play, until it was over
+  std::string why;       // the first thing that was missing: "goal"; "" if it passed
+};
+
+class Judge {
+ public:
+  // Drill and leg outlive the judge. Made before the leg's first tick.
+  Judge(const Drill& drill, const match::Leg& leg);
+
+  // Looks at the tick that the leg has just played. Returns false when the try is decided, or the
+  // leg is over; not to be called after that.
+  bool follow();
+
+  // Returns the result of the try so far.
+  TryResult result() const;
+
+ private:
+  struct State {
+    int count = 0;
+    double held = 0.0;         // s
+    std::optional<double> at;  // s since the start: when it came true
+  };
+  struct Contact {
+    match::Touch who;
+    std::uint32_t tick = 0;  // the last one
+    Vec2 ball{0.0, 0.0};     // where the ball was then
+  };
+
+  void see_decisions();
+  void see_touch();
+  void see_save();
+  void end_save();
+  void see_places();
+  void count(EventKind kind);
+  void hold(const Event& event, State& state, bool is_there);
+  bool is_in_pose(const Event& event) const;
+  bool is_in_area(const Event& event) const;
+  bool is_true(const Event& event, const State& state) const;
+  bool is_decided() const;
+  double now() const;  // s of play since the start
+
+  const Drill& drill_;
+  const match::Leg& leg_;
+  std::vector<State> states_;  // of the drill's events
+  double begin_ = 0.0;         // the clock at the start
+  double last_clock_ = 0.0;
+  std::size_t decisions_ = 0;  // looked at so far
+  bool was_stopped_ = false;   // since the start
+  bool touched_by_opponent_ = false;
+  int conceded_ = 0;
+  int fouls_ = 0;
+  std::optional<Contact> contact_;  // the last one
+  std::optional<double> saved_at_;  // s, of a save that may yet fail
+  simulator::BallState ball_before_;
+};
+
+}  // namespace mirocup::drills

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+//
+// The record of one leg: a JSON file, and beside it the replay file that proves it.
+//
+// This is the only code that knows the JSON of matches; schema.md is its specification. A record is
+// written as a Json tree and read with JsonReader.
+#pragma once
+
+#include "core/match/team_parameters.hpp"
+#include "core/replay/recording.hpp"
+#include "record/absence.hpp"
+#include "record/durations.hpp"
+#include "system/files.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mirocup::record {
+
+using Json = nlohmann::ordered_json;
+
+// The kind of program that steered a team.
+enum class TeamKind { plugin, house, dds, firasim };
+
+struct TeamInfo {
+  std::string name;
+  TeamKind kind = TeamKind::plugin;
+  std::optional<std::string> sha256;  // of the library; nothing for a DDS team
+  match::TeamParameters parameters = {};
+};
+
+// The time that a team used. `bad_commands` counts commands, not the values in them.
+struct BudgetReport {
+  double cpu_seconds = 0.0;
+  double slowest_tick_ms = 0.0;
+  double bank_seconds = 0.0;  // processor time that it was allowed; 0: not counted
+  int late_ticks = 0;
+  int bad_commands = 0;
+};
+
+// True if the team is a program of its own that plays over the network.
+inline bool is_on_network(TeamKind kind) {
+  return kind == TeamKind::dds || kind == TeamKind::firasim;
+}
+
+// What became of the datagrams of a team that plays by FIRASim's protocol. Only those that reached
+// the server are counted.
+struct DatagramReport {
+  std::uint64_t received = 0;        // commands of the team's own sender
+  std::uint64_t placements = 0;      // of the team
+  std::uint64_t stale = 0;           // came after the answer that counted, or for another step
+  std::uint64_t malformed = 0;       // no message at all, whoever sent it
+  std::uint64_t replacements = 0;    // refused, whoever sent it
+  std::uint64_t not_finite = 0;      // commands with NaN or an infinity
+  std::uint64_t unknown_robots = 0;  // commands to a robot that there is not
+};
+
+// The traffic between the server and a team on the network. Commands are counted by their fate:
+// those in step were driven, and of the late ones the newest where nothing newer was there.
+struct NetworkReport {
+  std::uint64_t in_step = 0;
+  std::uint64_t late = 0;         // for a tick that was over
+  std::uint64_t late_driven = 0;  // of these, the ones that were driven
+  std::uint64_t duplicate = 0;    // a further one for the tick that was answered last
+  std::uint64_t ahead = 0;        // for a tick that had not begun
+  std::uint64_t foreign = 0;      // from a process that is not the team's
+  int processes = 0;              // that played for the team, one after the other
+  std::vector<Absence> absences;
+  Durations answers;  // wall time from a tick's state to the answer in step
+  std::optional<DatagramReport> datagrams = std::nullopt;  // of a firasim team
+};
+
+// The lateness of a match in real time, or in a multiple of it.
+struct PaceReport {
+  double period = 0.0;  // wall seconds between two ticks
+  Durations lateness;   // of the ticks: start minus due time
+};
+
+// The program that plays or played a match. `behaviour_hash` stands for its physics, laws and
+// conditions: the first 16 digits of the SHA-256 of core/golden_hash.txt. A program with another
+// one may play another leg from the same commands.
+struct Software {
+  std::string version;
+  std::string build;
+  std::string behaviour_hash;  // JSON key "game"; "": a record from before it was written down
+
+  bool operator==(const Software&) const = default;
+};
+
+// The record from which a leg was played on: its commands up to that tick are those of this record,
+// too, and only then its own teams played.
+struct PlayedOnFrom {
+  std::uint32_t tick = 0;            // the first one in which the teams of this leg were asked
+  std::uint64_t state_hash = 0;      // of the whole leg of that record
+  match::ByTeam<std::string> teams;  // the names of those who had played until then
+};
+
+struct MatchRecord {
+  Software software;  // the program that played the leg
+  match::ByTeam<TeamInfo> teams;
+  match::ByTeam<BudgetReport> budget;
+  match::ByTeam<std::optional<NetworkReport>> network;  // written, but not read
+  std::optional<PaceReport> pace;                       // as above; nothing at full speed
+  std::string isolation;                                // "T2", "T1", "none", "network"
+  std::optional<PlayedOnFrom> from;                     // nothing: played from its start
+  replay::Recording recording;
+};
+
+// Returns the version and the description of this program.
+std::string software_version();
+Software this_software();
+
+// True if the record was played by a program with other physics or laws. A difference then says
+// nothing about the record or its teams.
+bool has_other_behaviour(const MatchRecord& record);
+
+// Returns the error for such a record if it differs from `tick` on: Errc::damaged, as for data of
+// another version.
+Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick);
+
+Json to_json(const match::Outcome& result);
+Json to_json(const match::LoggedDecision& decision);
+
+// The whole record except the keys that save() adds: the replay's name and digest, and the record's
+// own digest.
+Json to_json(const MatchRecord& record);
+
+// Writes the replay, then the record: a record that is there has its replay.
+Result<void> save(system::Files& files, const std::string& path, const MatchRecord& record);
+
+// Whether load() checks the digest of the record's own text, which is its last key. It finds every
+// byte that was changed or lost. It does not prevent forgery, since a forger can compute digests,
+// too: that is found by replay::verify(). The digest of the replay is always checked.
+enum class ChecksumPolicy { checked, ignored };
+
+// Returns an error unless the text of a record is what was written: Errc::damaged, with the path.
+Result<void> expect_whole(const std::string& text, const std::string& path);
+
+// Reads the record and its replay, which must be in the same folder. Errors: Errc::unavailable if a
+// file cannot be read, Errc::damaged for everything else.
+Result<MatchRecord> load(system::Files& files, const std::string& path,
+                         ChecksumPolicy policy = ChecksumPolicy::checked);
+
+// "leg.json" -> "leg.replay.zst"
+std::string replay_path_of(const std::string& record_path);
+
+}  // namespace mirocup::record
+
+namespace mirocup {
+
+template <>
+inline constexpr std::array<std::string_view, 4> enum_names<record::TeamKind>{"plugin", "house",
+                                                                              "dds", "firasim"};
+
+}  // namespace mirocup

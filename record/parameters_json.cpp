@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "record/parameters_json.hpp"
+
+#include "record/json_reader.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace mirocup::record {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using simulator::infinite_grip;
+using simulator::Parameters;
+using simulator::PerPair;
+
+constexpr double min_grip = 1e-6;
+constexpr double max_corner = 1e6;  // m
+constexpr double min_parameter = 1e-9;
+constexpr double max_parameter = 1e9;
+
+Vec2 read_corner(const JsonReader& json) {
+  if (!json.expect_array(2, 2)) return {0.0, 0.0};
+  return {json.at(0).number(-max_corner, max_corner), json.at(1).number(-max_corner, max_corner)};
+}
+
+// A number, or an identified one with its interval: {"value", "low", "high"}.
+JsonReader plain_value(const JsonReader& json) {
+  if (!json.has("value")) return json;
+  json.expect_object({"value", "low", "high"});
+  return json.at("value");
+}
+
+void read_per_pair(const JsonReader& json, double max, PerPair& value) {
+  if (!json.expect_object({"ball_wall", "ball_robot", "robot_wall", "robot_robot"})) return;
+  const auto read = [&](const char* key, double& member) {
+    if (json.has(key)) member = plain_value(json.at(key)).number(0.0, max);
+  };
+  read("ball_wall", value.ball_wall);
+  read("ball_robot", value.ball_robot);
+  read("robot_wall", value.robot_wall);
+  read("robot_robot", value.robot_robot);
+}
+
+// A convex polygon around the origin, with its corners in either direction.
+geometry::OutlineCorners read_corners(const JsonReader& json) {
+  geometry::OutlineCorners outline;
+  if (!json.expect_array(3, geometry::max_corners)) return outline;
+  const std::size_t n = json.size();
+  std::vector<Vec2> corners;
+  for (std::size_t i = 0; i < n; ++i) corners.push_back(read_corner(json.at(i)));
+  double area = 0.0;
+  for (std::size_t i = 0; i < n; ++i) area += cross(corners[i], corners[(i + 1) % n]);
+  if (area < 0.0) std::reverse(corners.begin(), corners.end());
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 edge = corners[(i + 1) % n] - corners[i];
+    const Vec2 next = corners[(i + 2) % n] - corners[(i + 1) % n];
+    if (!(cross(edge, next) > 0.0)) {
+      json.complain("the corners are not those of a convex polygon, one after the other");
+    } else if (!(cross(corners[i], corners[(i + 1) % n]) > 0.0)) {
+      json.complain("the centre of mass, [0, 0], is not inside");
+    }
+    outline.x[i] = corners[i].x();
+    outline.y[i] = corners[i].y();
+  }
+  outline.corners = static_cast<int>(n);
+  return outline;
+}
+
+double read_grip(const JsonReader& json) {
+  if (!json.is_string()) return json.number(min_grip);
+  if (json.text() != "infinite") json.complain("a number or \"infinite\" is expected");
+  return infinite_grip;
+}
+
+Json to_json(const PerPair& value) {
+  return {{"ball_wall", value.ball_wall},
+          {"ball_robot", value.ball_robot},
+          {"robot_wall", value.robot_wall},
+          {"robot_robot", value.robot_robot}};
+}
+
+}  // namespace
+
+geometry::OutlineCorners read_outline(const JsonReader& json) {
+  return read_corners(json);
+}
+
+void read_physics(const JsonReader& json, Parameters& p) {
+  if (!json.expect_object({"robot_side", "robot_mass", "wheel_distance", "wheel_radius",
+                           "motor_time_constant", "turn_time_constant", "brake_time_constant",
+                           "wheel_speed_limit", "grip", "ball_radius", "ball_mass",
+                           "rolling_resistance", "viscous_friction", "rolling_friction", "k",
+                           "restitution", "contact_friction", "shape"})) {
+    return;
+  }
+  const auto positive = [&](const char* key, double& member) {
+    if (!json.has(key)) return;
+    const JsonReader value = plain_value(json.at(key));
+    member = value.positive_number();
+    if (member > 0.0) member = value.number(min_parameter, max_parameter);
+  };
+  const auto not_negative = [&](const char* key, double& member) {
+    if (json.has(key)) member = plain_value(json.at(key)).number(0.0, max_parameter);
+  };
+  positive("robot_side", p.robot_side);
+  positive("robot_mass", p.robot_mass);
+  positive("wheel_distance", p.wheel_distance);
+  positive("wheel_radius", p.wheel_radius);
+  positive("motor_time_constant", p.motor_time_constant);
+  not_negative("turn_time_constant", p.turn_time_constant);
+  not_negative("brake_time_constant", p.brake_time_constant);
+  not_negative("wheel_speed_limit", p.wheel_speed_limit);
+  if (json.has("grip")) p.grip = read_grip(plain_value(json.at("grip")));
+  positive("ball_radius", p.ball_radius);
+  positive("ball_mass", p.ball_mass);
+  not_negative("rolling_resistance", p.rolling_resistance);
+  not_negative("viscous_friction", p.viscous_friction);
+  json.read_if_present("rolling_friction", p.rolling_friction);
+  positive("k", p.k);
+  if (json.has("restitution")) read_per_pair(json.at("restitution"), 1.0, p.restitution);
+  if (json.has("contact_friction")) {
+    read_per_pair(json.at("contact_friction"), infinite_grip, p.contact_friction);
+  }
+  if (json.has("shape")) p.robot_corners = read_outline(json.at("shape"));
+}
+
+Json to_json(const Parameters& p) {
+  Json json{{"robot_side", p.robot_side},
+            {"robot_mass", p.robot_mass},
+            {"wheel_distance", p.wheel_distance},
+            {"wheel_radius", p.wheel_radius},
+            {"motor_time_constant", p.motor_time_constant},
+            {"wheel_speed_limit", p.wheel_speed_limit},
+            {"grip", p.grip == infinite_grip ? Json("infinite") : Json(p.grip)},
+            {"ball_radius", p.ball_radius},
+            {"ball_mass", p.ball_mass},
+            {"rolling_resistance", p.rolling_resistance},
+            {"viscous_friction", p.viscous_friction},
+            {"rolling_friction", to_string(p.rolling_friction)},
+            {"restitution", to_json(p.restitution)},
+            {"contact_friction", to_json(p.contact_friction)}};
+  const Parameters plain;
+  if (p.turn_time_constant > 0.0) json["turn_time_constant"] = p.turn_time_constant;
+  if (p.brake_time_constant > 0.0) json["brake_time_constant"] = p.brake_time_constant;
+  if (p.k != plain.k) json["k"] = p.k;
+  return json;
+}
+
+Json outline_json(const Parameters& p) {
+  Json corners = Json::array();
+  for (int i = 0; i < p.robot_corners.corners; ++i) {
+    corners.push_back({p.robot_corners.x[i], p.robot_corners.y[i]});
+  }
+  return corners;
+}
+
+}  // namespace mirocup::record

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+//
+// Counts the statistics of a leg, tick by tick. docs/statistics.md says in words what each function
+// here counts; the numbers below are the limits that it names.
+//
+// A half-turn of the field and an exchange of the colours leave every count as it is.
+#pragma once
+
+#include "core/field/field.hpp"
+#include "record/statistics/play_tick.hpp"
+
+namespace mirocup::statistics {
+
+inline constexpr double min_flight_m = 0.15;    // of a pass, and of a ball that is intercepted
+inline constexpr double shot_speed = 0.5;       // m/s; a slower ball is no shot
+inline constexpr double shot_distance_m = 1.0;  // to the goal line; from further away is no shot
+inline constexpr double wide_goals = 2.0;       // a shot misses by at most half a goal's width
+inline constexpr double shot_pause_s = 0.5;     // off its course for longer, it is another shot
+inline constexpr double save_s = 0.5;           // within which a saved ball is not in the goal
+inline constexpr double duel_pause_s = 0.5;     // without both at the ball, and a duel is over
+
+class Counter {
+ public:
+  // `control_period` is the time of a tick, s.
+  Counter(const field::Field& field, double control_period);
+
+  // To be called for each tick in its order.
+  void add(const PlayTick& tick);
+
+  // Returns the numbers as if play had ended now. What is undecided by then, such as a duel, is won
+  // by no team.
+  LegStatistics statistics() const;
+
+ private:
+  // The robots that touched the ball last, all of one team.
+  struct Sender {
+    Team team;
+    referee::RobotSet robots;
+  };
+  // A ball on its way to the other goal, which counts as one shot.
+  struct Shot {
+    Team team = Team::blue;
+    std::size_t mark = 0;            // its place in LegStatistics::shots
+    bool on_goal = false;            // at any time
+    std::uint32_t last = 0;          // tick in which it was on its way, past or into the goal
+    std::uint32_t last_on_goal = 0;  // tick in which it was on its way into the goal
+  };
+  struct Save {
+    Team team;
+    std::uint32_t tick;
+    std::size_t mark;  // of the shot
+  };
+  struct Restart {
+    referee::Restart kind = referee::Restart::none;
+    referee::Law law = referee::Law::toss;
+    Team taker = Team::blue;
+    std::uint32_t play_ticks = 0;  // before it
+  };
+  enum class Course { elsewhere, wide, on_goal };
+
+  void count_play(const PlayTick& tick);
+  void count_touches(const PlayTick& tick);
+  void count_touch(const PlayTick& tick, Team team);
+  void count_contest(const PlayTick& tick);
+  void count_shot(const PlayTick& tick);
+  std::size_t mark_shot(std::uint32_t tick, Team team);
+  void end_what_is_over(const PlayTick& tick);
+  void count_decisions(const PlayTick& tick);
+  void count_goal(const match::LoggedDecision& goal);
+  void stop_play(std::optional<Team> scoring);
+  void end_duel(std::optional<Team> winner);
+  void lose_ball(const PlayTick& tick, Team team, LossKind kind);
+  Course course_of(const PlayTick& tick, Team team) const;
+  double seconds(std::uint32_t ticks) const { return ticks * control_period_; }
+
+  field::Field field_;
+  double control_period_;
+  LegStatistics counted_;  // without the times
+  std::uint32_t play_ticks_ = 0;
+  std::uint32_t dead_ticks_ = 0;
+  ByTeam<std::uint32_t> possession_ticks_{};
+  ByTeam<std::uint32_t> opponent_half_ticks_{};
+
+  // Since the last restart:
+  Restart restart_;
+  std::optional<Team> holder_;    // the team that has the ball
+  std::optional<Sender> sender_;  // nothing before the first touch, and after a contested one
+  std::uint32_t last_touch_ = 0;  // tick
+  Vec2 ball_then_{0.0, 0.0};      // at its end
+  ByTeam<Vec2> last_place_{Vec2{0.0, 0.0}, Vec2{0.0, 0.0}};  // of the ball at a team's last touch
+  ByTeam<std::optional<Loss>> last_loss_;
+  std::optional<Shot> shot_;
+  std::optional<Save> save_;                   // that may still turn out to be none
+  std::optional<std::uint32_t> last_contest_;  // tick; nothing if no duel is on
+};
+
+// Counts a leg: a LegWatcher and a Counter.
+class LegCounter {
+ public:
+  // To be made before the first tick of the leg.
+  explicit LegCounter(const match::Leg& leg);
+
+  // To be called after each tick.
+  void add(const match::Leg& leg) { counter_.add(watcher_.see(leg)); }
+
+  LegStatistics statistics() const { return counter_.statistics(); }
+
+ private:
+  LegWatcher watcher_;
+  Counter counter_;
+};
+
+}  // namespace mirocup::statistics

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "record/statistics/leg_report.hpp"
+
+#include "record/statistics/counter.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace mirocup::statistics {
+
+LegReport report_of(const std::string& path, const record::MatchRecord& record,
+                    LegStatistics statistics) {
+  return {.record = path,
+          .leg = "",
+          .names = {record.teams[0].name, record.teams[1].name},
+          .played = record.recording.outcome.played,
+          .control_period = record.recording.setup.control_period,
+          .state_hash = record.recording.state_hash,
+          .statistics = std::move(statistics)};
+}
+
+tl::expected<LegReport, replay::Divergence> count_leg(const std::string& path,
+                                                      const record::MatchRecord& record) {
+  replay::Playback playback(record.recording);
+  LegCounter counter(playback.leg());
+  while (playback.advance()) counter.add(playback.leg());
+  if (playback.divergence()) return tl::unexpected(*playback.divergence());
+  return report_of(path, record, counter.statistics());
+}
+
+Result<LegReport> count_record(system::Files& files, const std::string& path) {
+  const auto record = record::load(files, path);
+  if (!record) return tl::unexpected(record.error());
+  auto report = count_leg(path, *record);
+  if (report) return *std::move(report);
+  const replay::Divergence& first = report.error();
+  if (record::has_other_behaviour(*record)) {
+    return tl::unexpected(record::behaviour_mismatch(path, *record, first.tick));
+  }
+  return fail(Errc::damaged, path + ": has no statistics, since it is not reproduced from tick " +
+                                 std::to_string(first.tick) + " on: " + first.what);
+}
+
+Result<std::vector<LegReport>> count_records(system::Files& files,
+                                             const std::vector<std::string>& paths) {
+  std::vector<std::optional<Result<LegReport>>> counted(paths.size());
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> has_failed = false;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < paths.size() && !has_failed; i = next++) {
+      counted[i] = count_record(files, paths[i]);
+      if (!*counted[i]) has_failed = true;
+    }
+  };
+  const std::size_t workers =
+      std::min<std::size_t>(paths.size(), std::max(1u, std::thread::hardware_concurrency()));
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 1; i < workers; ++i) threads.emplace_back(work);
+    work();
+  }
+  std::vector<LegReport> reports;
+  for (auto& result : counted) {
+    if (!result) break;  // not reached, since another one failed
+    if (!*result) return tl::unexpected(result->error());
+    reports.push_back(*std::move(*result));
+  }
+  return reports;
+}
+
+}  // namespace mirocup::statistics

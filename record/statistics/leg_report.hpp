@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// The statistics of legs that were recorded. A record holds no positions, so the leg is played
+// again from its commands.
+#pragma once
+
+#include "core/replay/playback.hpp"
+#include "record/match_record.hpp"
+#include "record/statistics/statistics.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mirocup::statistics {
+
+// A leg and its statistics.
+struct LegReport {
+  std::string record;  // its path
+  std::string leg;     // "r3-f1 leg 2" in a league; "" otherwise
+  ByTeam<std::string> names;
+  ByTeam<int> played{};  // goals, which a forfeit or a ruling does not change
+  double control_period = 0.033;
+  std::uint64_t state_hash = 0;
+  LegStatistics statistics;
+};
+
+// Returns the report of a leg whose statistics are known.
+LegReport report_of(const std::string& path, const record::MatchRecord& record,
+                    LegStatistics statistics);
+
+// Plays the leg again and counts. The error is the first tick that is not reproduced.
+tl::expected<LegReport, replay::Divergence> count_leg(const std::string& path,
+                                                      const record::MatchRecord& record);
+
+// Reads the record, plays it again and counts. Errors: those of record::load(); Errc::damaged for a
+// record that is not reproduced, with the first tick that differs.
+Result<LegReport> count_record(system::Files& files, const std::string& path);
+
+// Counts several records, on all processors, and returns the reports in the order of `paths`. The
+// error is that of the first record that has one. `files` is used by several threads.
+Result<std::vector<LegReport>> count_records(system::Files& files,
+                                             const std::vector<std::string>& paths);
+
+}  // namespace mirocup::statistics

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+#include "record/statistics/report.hpp"
+
+#include "record/json_reader.hpp"
+#include "record/statistics/statistics_json.hpp"
+#include "system/csv.hpp"
+#include "system/printable.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+namespace mirocup::statistics {
+
+namespace {
+
+constexpr std::size_t max_examples = 3;  // of legs in which a goal fell in some way
+
+std::string fixed(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+std::string exact(double value) {
+  return record::json_text(Json(value));
+}
+
+// A table for a terminal: the first column to the left, the others to the right.
+std::string table_text(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string space(widths[i] - row[i].size(), ' ');
+      text += i == 0 ? row[i] + space : "  " + space + row[i];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+template <class E>
+std::string names_text(const PerName<E>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::string(enum_names<E>[i]) + " " +
+            std::to_string(numbers[i]);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string name_of(const TeamTotals& team) {
+  return system::printable(team.name);
+}
+
+// True for a team of that name, and for both of its colours in legs against itself.
+bool is_named(const TeamTotals& team, const std::string& name) {
+  return team.name == name || std::any_of(both_teams.begin(), both_teams.end(), [&](Team colour) {
+           return team.name == name + " (" + std::string(to_string(colour)) + ")";
+         });
+}
+
+// "leg.json tick 812", to be looked at by `mirocup replay`.
+std::string place_of(const LegReport& leg, std::uint32_t tick) {
+  return system::printable(leg.record) + " tick " + std::to_string(tick);
+}
+
+// Goals that fell in the same way.
+struct WayOfGoals {
+  int goals = 0;
+  double since_restart = 0.0;  // s, the sum
+  PerName<Third> lost{};
+  int never_lost = 0;
+  std::vector<std::string> places;
+};
+
+std::string way_of(const Goal& goal) {
+  return std::string(to_string(goal.origin)) + ", last restart " +
+         std::string(to_string(goal.restart)) + " (" + std::string(to_string(goal.restart_law)) +
+         ")";
+}
+
+std::string way_text(const std::string& name, const WayOfGoals& way) {
+  std::string lost = names_text<Third>(way.lost);
+  if (way.never_lost > 0) {
+    lost = (lost == "none" ? "" : lost + ", ") + ("not lost " + std::to_string(way.never_lost));
+  }
+  std::string text = "  " + std::to_string(way.goals) + "  " + name + ", " +
+                     fixed(way.since_restart / way.goals, 1) +
+                     " s of play after it; ball lost: " + lost + "\n";
+  for (std::size_t i = 0; i < std::min(max_examples, way.places.size()); ++i) {
+    text += "       " + way.places[i] + "\n";
+  }
+  if (way.places.size() > max_examples) {
+    text += "       and " + std::to_string(way.places.size() - max_examples) + " more\n";
+  }
+  return text;
+}
+
+// The ways in which goals fell against a team, the most frequent first.
+std::vector<std::pair<std::string, WayOfGoals>> ways_against(const std::vector<LegReport>& legs,
+                                                             const std::string& name) {
+  std::map<std::string, WayOfGoals> ways;
+  for (const LegReport& leg : legs) {
+    for (const Goal& goal : leg.statistics.goals) {
+      if (counted_name(leg, opponent_of(goal.team)) != name) continue;
+      WayOfGoals& way = ways[way_of(goal)];
+      ++way.goals;
+      way.since_restart += goal.since_restart;
+      goal.loss ? ++way.lost[at(goal.loss->third)] : ++way.never_lost;
+      way.places.push_back(place_of(leg, goal.tick) +
+                           (goal.loss ? ", ball lost in tick " + std::to_string(goal.loss->tick) +
+                                            " by " + std::string(to_string(goal.loss->kind))
+                                      : ""));
+    }
+  }
+  std::vector<std::pair<std::string, WayOfGoals>> sorted(ways.begin(), ways.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second.goals > b.second.goals; });
+  return sorted;
+}
+
+std::string fouls_of(const std::vector<LegReport>& legs, const TeamTotals& team) {
+  std::map<referee::Law, std::vector<std::string>> fouls;
+  for (const LegReport& leg : legs) {
+    for (const Foul& foul : leg.statistics.fouls) {
+      if (counted_name(leg, foul.team) == team.name) {
+        fouls[foul.law].push_back(place_of(leg, foul.tick));
+      }
+    }
+  }
+  std::string text;
+  for (const auto& [law, places] : fouls) {
+    text += "  " + std::to_string(places.size()) + "  " + std::string(to_string(law)) +
+            ", the first in " + places.front() + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string percent(const std::optional<double>& share) {
+  return share ? fixed(100.0 * *share, 0) + " %" : "-";
+}
+
+std::string numbers_text(const std::vector<LegReport>& legs) {
+  double play = 0.0;
+  double dead = 0.0;
+  int stoppages = 0;
+  for (const LegReport& leg : legs) {
+    play += leg.statistics.play_s;
+    dead += leg.statistics.dead_ball_s;
+    stoppages += leg.statistics.stoppages;
+  }
+  std::string text = std::to_string(legs.size()) + (legs.size() == 1 ? " leg, " : " legs, ") +
+                     fixed(play, 1) + " s of play, " + fixed(dead, 1) + " s dead ball, " +
+                     std::to_string(stoppages) + " stoppages\n\n";
+  std::vector<std::vector<std::string>> rows{{"team", "legs", "goals", "shots", "on goal", "saves",
+                                              "passes", "interceptions", "possession", "territory",
+                                              "ball lost", "duels won", "fouls"}};
+  std::vector<std::vector<std::string>> kinds{{"goals by kind"}};
+  for (const auto name : enum_names<GoalOrigin>) kinds[0].emplace_back(name);
+  std::string fouls;
+  for (const TeamTotals& team : totals_of(legs)) {
+    const TeamStatistics& own = team.own;
+    std::vector<std::string> row{
+        name_of(team), std::to_string(team.legs),
+        std::to_string(own.all_goals()) + " : " + std::to_string(team.against.all_goals())};
+    for (const int number :
+         {own.shots, own.shots_on_goal, own.saves, own.passes, own.interceptions}) {
+      row.push_back(std::to_string(number));
+    }
+    row.push_back(percent(share(own.possession_s, team.against.possession_s)));
+    row.push_back(percent(share(own.opponent_half_s, team.against.opponent_half_s)));
+    row.push_back(std::to_string(own.all_losses()));
+    row.push_back(std::to_string(own.duels_won) + " of " + std::to_string(team.duels));
+    row.push_back(std::to_string(own.all_fouls()));
+    rows.push_back(row);
+    std::vector<std::string> kind{name_of(team)};
+    for (const int goals : own.goals) kind.push_back(std::to_string(goals));
+    kinds.push_back(kind);
+    fouls += "fouls of " + name_of(team) + ": " + names_text<referee::Law>(own.fouls) + "\n";
+  }
+  return text + table_text(rows) + "\n" + table_text(kinds) + "\n" + fouls;
+}
+
+std::string numbers_csv(const std::vector<LegReport>& legs) {
+  std::vector<std::string> head{
+      "record",    "leg",           "team",         "colour",        "opponent",
+      "goals",     "against",       "shots",        "shots_on_goal", "saves",
+      "passes",    "interceptions", "possession_s", "possession",    "opponent_half_s",
+      "territory", "losses",        "duels",        "duels_won",     "distance_m",
+      "play_s",    "dead_ball_s",   "stoppages",    "fouls"};
+  for (const auto name : enum_names<GoalOrigin>) head.push_back("goals_" + std::string(name));
+  for (const auto name : enum_names<Third>) head.push_back("losses_" + std::string(name));
+  for (const auto name : enum_names<referee::Law>) head.push_back("fouls_" + std::string(name));
+  std::string text = system::csv_line(head);
+  for (const LegReport& leg : legs) {
+    const LegStatistics& s = leg.statistics;
+    for (const Team team : both_teams) {
+      const TeamStatistics& own = s.teams[index_of(team)];
+      const TeamStatistics& other = s.teams[index_of(opponent_of(team))];
+      const auto share_cell = [](double one, double two) {
+        const auto value = share(one, two);
+        return value ? fixed(*value, 4) : std::string();
+      };
+      std::vector<std::string> cells{leg.record, leg.leg, leg.names[index_of(team)],
+                                     std::string(to_string(team)),
+                                     leg.names[index_of(opponent_of(team))]};
+      for (const int number : {own.all_goals(), other.all_goals(), own.shots, own.shots_on_goal,
+                               own.saves, own.passes, own.interceptions}) {
+        cells.push_back(std::to_string(number));
+      }
+      cells.push_back(exact(own.possession_s));
+      cells.push_back(share_cell(own.possession_s, other.possession_s));
+      cells.push_back(exact(own.opponent_half_s));
+      cells.push_back(share_cell(own.opponent_half_s, other.opponent_half_s));
+      for (const int number : {own.all_losses(), s.duels, own.duels_won}) {
+        cells.push_back(std::to_string(number));
+      }
+      for (const double number : {own.distance_m, s.play_s, s.dead_ball_s}) {
+        cells.push_back(exact(number));
+      }
+      for (const int number : {s.stoppages, own.all_fouls()}) {
+        cells.push_back(std::to_string(number));
+      }
+      for (const int number : own.goals) cells.push_back(std::to_string(number));
+      for (const int number : own.losses) cells.push_back(std::to_string(number));
+      for (const int number : own.fouls) cells.push_back(std::to_string(number));
+      text += system::csv_line(cells);
+    }
+  }
+  return text;
+}
+
+std::string goals_text(const std::vector<LegReport>& legs, const std::string& only) {
+  std::string text;
+  for (const TeamTotals& team : totals_of(legs)) {
+    if (!only.empty() && !is_named(team, only)) continue;
+    text += (text.empty() ? "" : "\n") + name_of(team) + ", " + std::to_string(team.legs) +
+            (team.legs == 1 ? " leg" : " legs") + ": " + std::to_string(team.against.all_goals()) +
+            " goals against it\n";
+    for (const auto& [name, way] : ways_against(legs, team.name)) text += way_text(name, way);
+    text += "  it lost the ball " + std::to_string(team.own.all_losses()) +
+            " times; thirds of the field: " + names_text<Third>(team.own.losses) + "\n";
+    const std::string fouls = fouls_of(legs, team);
+    text += "  fouls called against it: " + std::to_string(team.own.all_fouls()) + "\n" + fouls;
+  }
+  return text;
+}
+
+std::string goals_csv(const std::vector<LegReport>& legs) {
+  std::string text =
+      system::csv_line({"record", "leg", "tick", "seconds", "event", "team", "colour", "opponent",
+                        "kind", "restart", "restart_law", "since_restart_s", "loss_tick",
+                        "loss_kind", "loss_third", "loss_x", "loss_y"});
+  for (const LegReport& leg : legs) {
+    const auto line = [&](std::uint32_t tick, const char* event, Team team,
+                          std::vector<std::string> rest) {
+      std::vector<std::string> cells{leg.record,
+                                     leg.leg,
+                                     std::to_string(tick),
+                                     fixed(tick * leg.control_period, 3),
+                                     event,
+                                     leg.names[index_of(team)],
+                                     std::string(to_string(team)),
+                                     leg.names[index_of(opponent_of(team))]};
+      rest.resize(9);
+      cells.insert(cells.end(), rest.begin(), rest.end());
+      text += system::csv_line(cells);
+    };
+    for (const Goal& goal : leg.statistics.goals) {
+      std::vector<std::string> rest{
+          std::string(to_string(goal.origin)), std::string(to_string(goal.restart)),
+          std::string(to_string(goal.restart_law)), exact(goal.since_restart)};
+      if (goal.loss) {
+        rest.insert(rest.end(),
+                    {std::to_string(goal.loss->tick), std::string(to_string(goal.loss->kind)),
+                     std::string(to_string(goal.loss->third)), fixed(goal.loss->place.x(), 3),
+                     fixed(goal.loss->place.y(), 3)});
+      }
+      line(goal.tick, "goal", goal.team, std::move(rest));
+    }
+    for (const Foul& foul : leg.statistics.fouls) {
+      line(foul.tick, "foul", foul.team,
+           {std::string(to_string(foul.law)), std::string(to_string(foul.restart))});
+    }
+  }
+  return text;
+}
+
+Result<std::string> report(std::vector<LegReport> legs, const ReportOptions& options) {
+  const std::string& team = options.team;
+  if (!team.empty()) {
+    std::erase_if(
+        legs, [&](const LegReport& leg) { return leg.names[0] != team && leg.names[1] != team; });
+    if (legs.empty()) {
+      return fail(Errc::input, "--team " + system::in_quotes(team) + ": none of the legs is of it");
+    }
+  }
+  if (options.json) return record::json_text(report_json(legs)) + "\n";
+  if (options.goals) return options.csv ? goals_csv(legs) : goals_text(legs, team);
+  return options.csv ? numbers_csv(legs) : numbers_text(legs);
+}
+
+}  // namespace mirocup::statistics

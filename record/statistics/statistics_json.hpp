@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// The JSON of statistics, schema mirocup/statistics/1: docs/statistics.md describes it. Pages, the
+// command and the files of a league hold the same objects.
+#pragma once
+
+#include "record/statistics/totals.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string_view>
+
+namespace mirocup::statistics {
+
+using record::Json;
+
+// The statistics of a leg without what names it: {play_s, dead_ball_s, …, teams, goals, fouls}.
+Json to_json(const LegStatistics& statistics);
+
+// A leg with its record and the names of its teams.
+Json to_json(const LegReport& leg);
+
+Json to_json(const TeamTotals& team);
+
+// The whole document: {schema, legs, teams}.
+Json report_json(const std::vector<LegReport>& legs);
+
+// Reads the text of one leg as `to_json(LegReport)` writes it. Errors: Errc::damaged, also for a
+// text of another version.
+Result<LegReport> parse_leg_report(std::string_view text, const std::string& path);
+
+// The text of the file that keeps a leg's statistics beside its replay page.
+std::string leg_report_text(const LegReport& leg);
+
+}  // namespace mirocup::statistics

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "record/thoughts_file.hpp"
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+#include <zstd.h>
+
+namespace mirocup::record {
+
+namespace {
+
+// The lines are alike, so the lowest level packs them to a tenth already.
+constexpr int thoughts_level = 1;
+
+constexpr std::size_t packed_at_once = 64u << 10;  // bytes of lines; they stay in the cache
+constexpr int most_window = 23;                    // as a power of 2; the lowest level needs 19
+
+}  // namespace
+
+std::string thoughts_path(const std::string& record_path, Team team) {
+  const std::string ending = "." + std::string(to_string(team)) + ".thoughts.zst";
+  return std::filesystem::path(record_path).replace_extension().string() + ending;
+}
+
+void ThoughtsWriter::add(std::uint32_t tick, const match::Thought& thought) {
+  last_tick_ = tick;
+  if (!is_full_) {
+    const std::string_view line = line_.write(tick, thought);
+    is_full_ = size_ + line.size() > match::max_thought_bytes;
+    if (!is_full_) {
+      size_ += line.size();
+      lines_ += line;
+      if (lines_.size() >= packed_at_once) pack(false);
+      return;
+    }
+  }
+  ++left_out_;
+}
+
+void ThoughtsWriter::Free::operator()(ZSTD_CCtx_s* packer) const {
+  ZSTD_freeCCtx(packer);
+}
+
+void ThoughtsWriter::pack(bool is_end) {
+  if (!packer_) {
+    packer_.reset(ZSTD_createCCtx());
+    ZSTD_CCtx_setParameter(packer_.get(), ZSTD_c_compressionLevel, thoughts_level);
+  }
+  const ZSTD_EndDirective how = is_end ? ZSTD_e_end : ZSTD_e_continue;
+  ZSTD_inBuffer in{lines_.data(), lines_.size(), 0};
+  char bytes[1 << 14];
+  std::size_t left = 0;
+  do {
+    ZSTD_outBuffer out{bytes, sizeof bytes, 0};
+    left = ZSTD_compressStream2(packer_.get(), &out, &in, how);
+    packed_.append(bytes, out.pos);
+  } while (!ZSTD_isError(left) && (is_end ? left > 0 : in.pos < in.size));
+  lines_.clear();
+}
+
+std::string ThoughtsWriter::packed() {
+  if (left_out_ > 0) {
+    lines_ += "{\"tick\":" + std::to_string(last_tick_) +
+              ",\"layer\":\"mirocup\",\"colour\":\"#808080ff\",\"text\":[0,0,\"" +
+              std::to_string(left_out_) + " shapes of the leg were left out\"]}\n";
+    left_out_ = 0;
+  }
+  pack(true);
+  return std::move(packed_);
+}
+
+namespace {
+
+constexpr std::size_t most_unpacked = match::max_thought_bytes + 1024;  // with the last line
+
+// Unpacks a file that says how long its text is, as those of earlier versions do.
+bool unpack_at_once(std::string_view bytes, std::string& lines) {
+  const std::size_t got = ZSTD_decompress(lines.data(), lines.size(), bytes.data(), bytes.size());
+  return !ZSTD_isError(got) && got == lines.size();
+}
+
+// Returns false if the bytes are damaged, are too many or end too early or too late.
+bool unpack_in_parts(std::string_view bytes, std::string& lines) {
+  const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> unpacker(ZSTD_createDCtx(),
+                                                                         ZSTD_freeDCtx);
+  ZSTD_DCtx_setParameter(unpacker.get(), ZSTD_d_windowLogMax, most_window);
+  ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
+  std::vector<char> part(ZSTD_DStreamOutSize());
+  while (true) {
+    ZSTD_outBuffer out{part.data(), part.size(), 0};
+    const std::size_t left = ZSTD_decompressStream(unpacker.get(), &out, &in);
+    if (ZSTD_isError(left) || lines.size() + out.pos > most_unpacked) return false;
+    lines.append(part.data(), out.pos);
+    if (left == 0) return in.pos == in.size;
+    if (in.pos == in.size && out.pos < out.size) return false;
+  }
+}
+
+}  // namespace
+
+Result<std::string> unpacked_thoughts(std::string_view bytes, const std::string& path) {
+  const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  const bool is_known = size != ZSTD_CONTENTSIZE_UNKNOWN;
+  if (size == ZSTD_CONTENTSIZE_ERROR || (is_known && size > most_unpacked)) {
+    return fail(Errc::damaged, path + ": these are no thoughts of a leg");
+  }
+  std::string lines(is_known ? size : 0, '\0');
+  if (!(is_known ? unpack_at_once(bytes, lines) : unpack_in_parts(bytes, lines)))
+    return fail(Errc::damaged, path + ": the thoughts are damaged");
+  return lines;
+}
+
+}  // namespace mirocup::record

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+//
+// The seats of the two teams of a leg. A team is a library or a file of Python in a process of its
+// own or in this process, or a program on the network.
+#pragma once
+
+#include "plugins/host/process_controller.hpp"
+#include "plugins/host/trusted_controller.hpp"
+#include "record/match_record.hpp"
+#include "server/dds/match_server.hpp"
+#include "server/firasim/server.hpp"
+#include "system/interrupt.hpp"
+
+#include <cassert>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace mirocup::server {
+
+// A team as the command line names it.
+struct TeamChoice {
+  record::TeamInfo info;
+  std::string library;       // path, also of a file of Python; "" for a team on the network
+  std::string network_name;  // the name of a team on the network; "" for others
+  std::optional<plugins::SealedEntry> entry;  // the library's bytes when it was chosen
+  std::optional<match::Fault> fault;          // of a file that cannot be loaded as a library
+};
+
+// `text` is "dds:NAME", "firasim:NAME", the path of a library or of a file of Python, or the name
+// of a house team. One that cannot be loaded is a fault of the team, not an error.
+Result<TeamChoice> choose_team(const std::string& text);
+
+// The place of one team in a leg: starts the team and asks it, whatever kind it is.
+class TeamSeat {
+ public:
+  // Each starts the team or makes room for it, and does not wait for it. An error is a failure of
+  // the host. A fault of the team is returned by wait_until_ready().
+  // A library gets the parameters of `choice.info`.
+  static Result<TeamSeat> take_in_process(const TeamChoice& choice, const match::Briefing& briefing,
+                                          const plugins::ProcessTerms& terms);
+  static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing,
+                                       bool keeps_thoughts = false);
+  static Result<TeamSeat> take_on_network(const TeamChoice& choice, const match::Briefing& briefing,
+                                          dds::MatchServer& server, const dds::JoinTerms& patience);
+  // `server` and `leg` outlive the seat.
+  static Result<TeamSeat> take_at_firasim(const TeamChoice& choice, const match::Leg& leg,
+                                          Team team, firasim::Server& server,
+                                          const firasim::Terms& terms);
+
+  // Waits until the team can play. The error is why it never will: a Fault of its own, or a
+  // HostFailure.
+  tl::expected<void, match::Answer> wait_until_ready();
+
+  // False for a team on the network that was ready and has gone since.
+  bool is_there() const { return network_ == nullptr || network_->is_there(); }
+
+  // Only for a team that is ready. The seat keeps it alive.
+  match::Controller& controller() {
+    assert(controller_ != nullptr);
+    return *controller_;
+  }
+  const record::TeamInfo& info() const { return info_; }
+
+  // Returns the name that the team's own library gives it; "" if it has none, is not ready, or
+  // gives one that cannot be printed on a line.
+  std::string own_name() const;
+  void rename(const std::string& name) { info_.name = name; }
+
+  // Returns those of its parameters that the team has not asked for so far.
+  match::TeamParameters unknown_parameters() const;
+
+  // Returns what the team drew in the tick that it answered last; null if that is not kept.
+  const plugins::ThoughtsPage* thoughts();
+
+  // Returns what came of what the team drew; null unless it plays over the network.
+  const dds::ThoughtCounts* thoughts_sent() const {
+    return network_ != nullptr ? &network_->thoughts() : nullptr;
+  }
+
+  // Without late_ticks and bad_commands, which the match counts.
+  record::BudgetReport budget_report() const;
+
+  // Nothing unless the team plays over the network.
+  std::optional<record::NetworkReport> network_report() const;
+
+  // Returns the process of the team; null if it has none of its own.
+  const plugins::ProcessController* process() const { return process_; }
+
+  // The text that the team printed to standard error; "" if it has no process of its own.
+  std::string output() { return process_ != nullptr ? process_->output() : std::string(); }
+
+ private:
+  explicit TeamSeat(record::TeamInfo info) : info_(std::move(info)) {}
+
+  record::TeamInfo info_;
+  std::unique_ptr<match::Controller> owned_;
+  match::Controller* controller_ = nullptr;
+  plugins::ProcessController* process_ = nullptr;
+  plugins::TrustedController* trusted_ = nullptr;
+  dds::Seat* network_ = nullptr;
+  firasim::Seat* firasim_ = nullptr;
+  firasim::Server* firasim_server_ = nullptr;
+  const match::Leg* firasim_leg_ = nullptr;
+  std::optional<match::Fault> load_fault_;
+};
+
+// Keeps this process and those that it starts on the current core. A match and its teams take
+// turns: handing over costs 1 us on one core, and 50 us across cores.
+void stay_on_this_core();
+
+// Waits until both teams can play, blue first. If a team never will, the match becomes void or
+// forfeited. Returns early after an interrupt.
+void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, system::Interrupt& interrupt);
+
+}  // namespace mirocup::server

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// The program of a team that speaks FIRASim's protocol, where the match starts it: a command of the
+// host for the shell, which learns its colour and its addresses from environment variables. It has
+// all rights of this process.
+#pragma once
+
+#include "core/field/team.hpp"
+#include "core/match/controller.hpp"
+#include "server/firasim/server.hpp"
+
+#include <optional>
+#include <string>
+#include <sys/types.h>
+
+namespace mirocup::server {
+
+class TeamProgram {
+ public:
+  // `instance` is its number on this host, with which `addresses` were made. What the program
+  // prints goes to the file `log`. Errc::unavailable if no process can be started.
+  static Result<TeamProgram> start(const std::string& command, Team team, int instance,
+                                   const firasim::Addresses& addresses, const std::string& log);
+  TeamProgram(TeamProgram&& other) noexcept;
+  TeamProgram& operator=(TeamProgram&&) = delete;
+  ~TeamProgram();  // kills it, and what it has started
+
+  // Why the team will not be heard again, if the program has ended: a fault of the team, or of the
+  // host if there is no such program. `when` ends the sentence: "before it sent anything".
+  std::optional<match::Answer> why_gone(const std::string& when);
+
+  // Gives the program a moment to end by itself, after the referee's HALT.
+  void let_end();
+
+ private:
+  TeamProgram(pid_t pid, std::string command, std::string log)
+      : pid_(pid), command_(std::move(command)), log_(std::move(log)) {}
+  bool has_ended();
+
+  pid_t pid_ = 0;  // 0: it has been waited for
+  int status_ = 0;
+  std::string command_, log_;
+};
+
+}  // namespace mirocup::server

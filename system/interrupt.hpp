@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// SIGINT (Ctrl-C) and SIGTERM (the end of a job), polled between two ticks.
+#pragma once
+
+namespace mirocup::system {
+
+class Interrupt {
+ public:
+  // Blocks both signals from now on, in this thread and in those that it starts later. So create it
+  // before any thread.
+  Interrupt();
+
+  // True if one of them has arrived since the construction. A system call until the first one has.
+  bool is_asked_for();
+
+ private:
+  bool asked_ = false;
+};
+
+}  // namespace mirocup::system

@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: MIT
-//
-// A comment may name tests/unit/server/web/page_test.cpp.
-const char* const sample = "tests/programs/records/samples/leg.json";

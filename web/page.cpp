@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include "web/page.hpp"
+
+#include "record/json_reader.hpp"
+#include "record/statistics/counter.hpp"
+#include "system/digest.hpp"
+#include "web/assets.hpp"
+#include "web/design/template.hpp"
+#include "web/markings.hpp"
+#include "web/packed_text.hpp"
+#include "web/page_json.hpp"
+#include "web/picture.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace mirocup::web {
+
+namespace {
+
+// The modules of the page, each behind those that it imports.
+constexpr std::array<std::string_view, 15> modules{
+    "text.js",     "track.js",    "field.js", "actions.js",   "layers.js",
+    "player.js",   "reel.js",     "calls.js", "situation.js", "statistics.js",
+    "momentum.js", "thoughts.js", "clip.js",  "live.js",      "main.js"};
+
+// All modules as one script, without import and export: a page that is opened from disk cannot
+// import. No two modules use the same global name.
+std::string script() {
+  std::string all;
+  for (const std::string_view name : modules) {
+    std::string_view rest = asset(name);
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
+      std::string_view line = rest.substr(0, end);
+      rest.remove_prefix(end);
+      if (line.starts_with("import ")) continue;
+      if (line.starts_with("export ")) line.remove_prefix(7);
+      all += line;
+    }
+  }
+  return all;
+}
+
+// Returns JSON text for a <script> element; no part of the text can close the element.
+std::string embedded(const Json& json) {
+  std::string text;
+  for (const char c : record::json_text(json)) {
+    c == '<' ? text += "\\u003c" : text += c;
+  }
+  return text;
+}
+
+// "KICK_OFF" -> "Kick off", as page/text.js has it.
+std::string words(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    const bool is_first = text.empty();
+    text += c == '_' ? ' ' : static_cast<char>(is_first ? std::toupper(c) : std::tolower(c));
+  }
+  return text;
+}
+
+std::string minutes(double seconds) {
+  const auto whole = static_cast<int>(seconds + 1e-6);
+  const int rest = whole % 60;
+  return std::to_string(whole / 60) + (rest < 10 ? ":0" : ":") + std::to_string(rest);
+}
+
+std::string text_of(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::string score_text(const Json& score) {
+  return std::to_string(score.at("blue").get<int>()) + " : " +
+         std::to_string(score.at("yellow").get<int>());
+}
+
+// The calls as text, for readers without scripts.
+Json calls_as_text(const Json& decisions, const match::ByTeam<std::string>& names) {
+  Json calls = Json::array();
+  Json score{{"blue", 0}, {"yellow", 0}};
+  for (const Json& call : decisions) {
+    const bool is_goal = call["decision"] == "GOAL";
+    std::string gainer = text_of(call, call.contains("gainer") ? "gainer" : "team");
+    if (is_goal && !gainer.empty()) score[gainer] = score[gainer].get<int>() + 1;
+    const std::string name = gainer.empty() ? "" : names[gainer == "blue" ? 0 : 1];
+    std::string what = words(call["decision"].get<std::string>());
+    if (is_goal && call.value("own_goal", false)) what += " (own goal)";
+    if (is_goal) what += " · " + name + " " + score_text(score);
+    if (!is_goal && !name.empty()) what += " for " + name;
+    const bool has_scorer = is_goal && call.contains("scorer") && !call["scorer"].is_null() &&
+                            call.contains("own_goal");
+    const bool shows_scorer = has_scorer && !call["own_goal"].get<bool>();
+    calls.push_back(
+        {{"is_goal", is_goal},
+         {"colour", gainer.empty() ? "nobody" : gainer},
+         {"when", minutes(call["clock"].get<double>())},
+         {"what", what},
+         {"who", shows_scorer ? "robot " + call["scorer"]["robot"].dump() : std::string()},
+         {"why", text_of(call, "reason")}});
+  }
+  return calls;
+}
+
+Json zones_json(const field::Field& field) {
+  const Markings marks = markings(field);
+  return {{"left", marks.zones[index_of(End::left)]}, {"right", marks.zones[index_of(End::right)]}};
+}
+
+std::string field_picture(const match::Leg& leg) {
+  return picture(leg.field(), leg.setup().parameters, {leg.snapshot(), {}});
+}
+
+std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
+                 const Json& data) {
+  const std::string code = script();
+  // Nothing is loaded from elsewhere, and no code runs but this script.
+  const std::string policy =
+      "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src 'sha256-" +
+      system::sha256_base64(code) + "'";
+  Json values{{"title", names[0] + " – " + names[1]},
+              {"blue", names[0]},
+              {"yellow", names[1]},
+              {"policy", policy},
+              {"style", std::string(design_file("design.css")) + std::string(asset("page.css"))},
+              {"picture", field_picture(first_moment)},
+              {"data", embedded(data)},
+              {"script", code},
+              {"score", "0 : 0"},
+              {"phase", "First half"}};
+  if (data.contains("result")) {
+    values["score"] = score_text(data["result"]["score"]);
+    values["phase"] = words(data["result"]["end"].get<std::string>());
+    values["calls"] = calls_as_text(data["decisions"], names);
+  }
+  return filled(asset, "page.html", values);
+}
+
+// The score with which a leg starts.
+Json start_score_json(const match::Setup& setup) {
+  const match::ByTeam<int> score = setup.start ? setup.start->score : match::ByTeam<int>{};
+  return {{"blue", score[0]}, {"yellow", score[1]}};
+}
+
+Json teams_json(const match::ByTeam<std::string>& names) {
+  return {{"blue", {{"name", names[0]}}}, {"yellow", {{"name", names[1]}}}};
+}
+
+// Collects the data of a replay page: the track, the changes of score, state and phase, and the
+// statistics.
+class LegTimeline {
+ public:
+  explicit LegTimeline(const match::Leg& match)
+      : track_(match.field().robots_per_team), counter_(match), heat_(match.field()) {
+    show(match);
+  }
+
+  // To be called after every tick.
+  void add(const match::Leg& match) {
+    counter_.add(match);
+    show(match);
+  }
+
+  Json track_json() const { return {{"frames", track_.frames()}, {"packed", track_.packed()}}; }
+  const Json& moments() const { return moments_; }
+  const Json& keepers() const { return keepers_; }
+  statistics::LegStatistics counted() const { return counter_.statistics(); }
+  const HeatMap& heat() const { return heat_; }
+
+ private:
+  void show(const match::Leg& match) {
+    const match::Snapshot scene = match.snapshot();
+    track_.add(scene);
+    heat_.add(scene);
+    const Json keepers = keepers_json(scene);
+    if (keepers_.empty() || keepers != last_keepers_) {
+      last_keepers_ = keepers;
+      keepers_.push_back({scene.tick, keepers[0], keepers[1]});
+    }
+    Json moment = moment_json(scene);
+    if (moment == last_moment_) return;
+    last_moment_ = moment;
+    moment["tick"] = scene.tick;
+    moments_.push_back(std::move(moment));
+  }
+
+  TrackEncoder track_;
+  statistics::LegCounter counter_;
+  HeatMap heat_;
+  Json moments_ = Json::array();
+  Json last_moment_;
+  Json keepers_ = Json::array();  // [tick, blue's, yellow's], from that tick on
+  Json last_keepers_;
+};
+
+std::string about(const record::MatchRecord& record) {
+  const match::Setup& setup = record.recording.setup;
+  return std::string(to_string(setup.league)) + " league, rules " +
+         std::string(to_string(setup.rules.preset)) + ", seed " + std::to_string(setup.seed) +
+         ", " + std::to_string(record.recording.ticks.size()) + " ticks, mirocup " +
+         record.software.version + ", state hash " + to_hex(record.recording.state_hash);
+}
+
+}  // namespace
+
+namespace {
+
+// Adds {thoughts, log} of the teams that have any.
+void add_own(Json& data, const record::OwnTexts& own) {
+  for (const Team team : both_teams) {
+    const std::string name(to_string(team));
+    const std::string& thoughts = own.thoughts[index_of(team)];
+    const std::string& log = own.logs[index_of(team)];
+    if (!thoughts.empty()) data["own"][name]["thoughts"] = packed_text(thoughts);
+    if (!log.empty()) data["own"][name]["log"] = log;
+  }
+}
+
+struct ReplayData {
+  Json json;
+  statistics::LegStatistics statistics;
+};
+
+tl::expected<ReplayData, replay::Divergence> play_again(const record::MatchRecord& record,
+                                                        Times times) {
+  replay::Playback playback(record.recording);
+  const match::Leg begin(record.recording.setup);
+  LegTimeline timeline(playback.leg());
+  while (playback.advance()) timeline.add(playback.leg());
+  if (playback.divergence()) return tl::unexpected(*playback.divergence());
+
+  const Json whole = record::to_json(record);
+  const statistics::LegStatistics counted = timeline.counted();
+  Json statistics = statistics_json(counted, timeline.heat());
+  for (const char* team : {"blue", "yellow"}) {
+    Json budget = whole["budget"][team];
+    if (times == Times::left_out) {
+      for (const char* measured : {"cpu_seconds", "slowest_tick_ms"}) budget.erase(measured);
+    }
+    statistics["teams"][team]["budget"] = budget;
+  }
+  Json json{{"schema", "mirocup/page/1"},
+            {"teams", whole["teams"]},
+            {"league", whole["league"]},
+            {"score", start_score_json(record.recording.setup)},
+            {"period", record.recording.setup.control_period},
+            {"robots", begin.field().robots_per_team},
+            {"half_length", begin.field().half_length},
+            {"zones", zones_json(begin.field())},
+            {"about", about(record)},
+            {"result", whole["result"]},
+            {"decisions", whole["decisions"]},
+            {"moments", timeline.moments()},
+            {"keepers", timeline.keepers()},
+            {"statistics", statistics},
+            {"track", timeline.track_json()}};
+  return ReplayData{std::move(json), counted};
+}
+
+}  // namespace
+
+tl::expected<Json, replay::Divergence> replay_data(const record::MatchRecord& record, Times times) {
+  MIROCUP_TRY(auto data, play_again(record, times));
+  return std::move(data.json);
+}
+
+std::optional<Json> data_of_page(std::string_view html) {
+  constexpr std::string_view before = "<script type=\"application/json\" id=\"leg\">";
+  const std::size_t tag = html.find(before);
+  if (tag == std::string_view::npos) return std::nullopt;
+  const std::size_t begin = tag + before.size();
+  const std::string_view text = html.substr(begin, html.find("</script>", begin) - begin);
+  record::ParsedJson parsed = record::parse_json(text, {.text = text.size()});  // the track is one
+  const bool is_data = !parsed.problem && parsed.value.is_object() &&
+                       parsed.value.value("schema", Json()) == "mirocup/page/1";
+  return is_data ? std::optional(std::move(parsed.value)) : std::nullopt;
+}
+
+std::string first_picture(const record::MatchRecord& record) {
+  return field_picture(match::Leg(record.recording.setup));
+}
+
+tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
+                                                         Times times, const record::OwnTexts& own) {
+  MIROCUP_TRY(auto data, play_again(record, times));
+  add_own(data.json, own);
+  return ReplayPage{page(match::Leg(record.recording.setup),
+                         {record.teams[0].name, record.teams[1].name}, data.json),
+                    data.statistics};
+}
+
+std::string live_page(const match::Leg& match, const LiveMatch& live) {
+  const Json data{{"schema", "mirocup/page/1"},
+                  {"teams", teams_json(live.names)},
+                  {"score", start_score_json(match.setup())},
+                  {"period", match.setup().control_period},
+                  {"robots", match.field().robots_per_team},
+                  {"half_length", match.field().half_length},
+                  {"zones", zones_json(match.field())},
+                  {"about", live.about},
+                  {"live", live.events}};
+  return page(match, live.names, data);
+}
+
+}  // namespace mirocup::web

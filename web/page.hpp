@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// The page that shows a leg in a browser: one HTML text that needs nothing else. A replay page
+// contains the whole leg; a live page gets it from the server that it came from.
+#pragma once
+
+#include "core/replay/playback.hpp"
+#include "record/match_record.hpp"
+#include "record/own_texts.hpp"
+#include "record/statistics/statistics.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mirocup::web {
+
+// Whether the page shows times that a clock measured. They differ whenever the leg is played; a
+// page without them has the same bytes on every machine.
+enum class Times { shown, left_out };
+
+// Simulates the leg again to get the positions, and returns the data that page/main.js reads: the
+// schema "mirocup/page/1". The error is the first tick in which the record is not reproduced.
+tl::expected<record::Json, replay::Divergence> replay_data(const record::MatchRecord& record,
+                                                           Times times = Times::shown);
+
+// Returns the data in a page of replay_page(), also of one of an earlier version; nothing if there
+// is none. `html` may be any text.
+std::optional<record::Json> data_of_page(std::string_view html);
+
+// Returns the first moment of the leg as an SVG element, whose bodies page/field.js moves.
+std::string first_picture(const record::MatchRecord& record);
+
+struct ReplayPage {
+  std::string html;
+  statistics::LegStatistics statistics;  // that it shows
+};
+
+// Returns the page of the leg, with its data. Between the comments <!--league--> and
+// <!--/league--> a league may put links to its other pages.
+// A page that others see is made without `own`.
+tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
+                                                         Times times = Times::shown,
+                                                         const record::OwnTexts& own = {});
+
+// The data of a live page besides the match.
+struct LiveMatch {
+  match::ByTeam<std::string> names;
+  std::string about;   // a line for the foot of the page
+  std::string events;  // URL of the events, relative to the page
+};
+
+std::string live_page(const match::Leg& match, const LiveMatch& live);
+
+}  // namespace mirocup::web

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// The JSON that pages get from the program; page/main.js reads it.
+#pragma once
+
+#include "record/match_record.hpp"
+#include "record/statistics/statistics.hpp"
+#include "web/heat_map.hpp"
+#include "web/track_encoder.hpp"
+
+namespace mirocup::web {
+
+using record::Json;
+
+// The values that hold from a tick on: {state, phase, left, score}.
+Json moment_json(const match::Snapshot& scene);
+
+// The robots that count as keepers, blue's and yellow's; -1: none does.
+Json keepers_json(const match::Snapshot& scene);
+
+// The statistics of the leg as `mirocup stats` has them (docs/statistics.md) without the lists of
+// goals and fouls, which are among the decisions, and with the heat map: {play_s, …, teams: {blue,
+// yellow}, heat}.
+Json statistics_json(const statistics::LegStatistics& leg, const HeatMap& heat);
+
+// Returns the text of a server-sent event.
+std::string event_text(const char* name, const Json& data);
+
+}  // namespace mirocup::web

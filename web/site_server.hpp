@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+//
+// A site over HTTP whose pages change while they are shown: pages at the paths that the site knows,
+// the changes at /events, and below /live/NAME/ the live pages of matches on this host; once a
+// match is over, its address leads to /replays/NAME.html. No request changes anything, unless the
+// site takes commands or has a desk. Paths of requests are looked up in the site, never joined to
+// the path of a folder.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "system/tls.hpp"
+#include "web/address.hpp"
+#include "web/request.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace mirocup::web {
+
+struct Page {
+  std::string type;    // MIME
+  std::string policy;  // content security policy; "": the page has its own
+  std::string bytes;
+};
+
+// The content of a site. Several threads call its functions at the same time.
+struct Site {
+  // Returns the page at a path, which starts with "/"; nothing if there is none.
+  std::function<std::optional<Page>(const std::string& path)> page;
+
+  // The server-sent events for a viewer that has seen version `seen` (0: none); "" if that is the
+  // present version. Sets `seen` to the present version.
+  std::function<std::string(std::uint64_t& seen)> news;
+
+  // Returns the port of this host at which the match of that name has its live page; nothing if it
+  // has none.
+  std::function<std::optional<int>(const std::string& name)> match;
+
+  // Takes the body of a request to /control; false if it is not allowed. Without this function no
+  // request changes anything.
+  std::function<bool(const std::string& body)> control = {};
+
+  // If set, it is asked first, whatever the method. It returns nothing if it has no such path: then
+  // the path is looked up in the pages.
+  std::function<std::optional<Reply>(const Request& request, const Body& body)> desk = {};
+};
+
+// What a site server takes and how.
+struct SiteLimits {
+  std::size_t max_upload = 0;                 // bytes of the body of a PUT; 0: none is taken
+  std::optional<system::TlsServer> tls = {};  // nothing: connections are not encrypted
+};
+
+class SiteServer {
+ public:
+  // `option` is the one that named the address, for the error: Errc::unavailable if the address is
+  // in use or not of this host.
+  static Result<std::unique_ptr<SiteServer>> open(const Address& address, const std::string& option,
+                                                  Site site, SiteLimits limits = {});
+  ~SiteServer();
+  SiteServer(const SiteServer&) = delete;
+  SiteServer& operator=(const SiteServer&) = delete;
+
+  std::string url() const;
+
+ private:
+  struct Impl;  // keeps the HTTP library out of this header
+  explicit SiteServer(std::unique_ptr<Impl> impl);
+
+  std::unique_ptr<Impl> impl_;
+};
+
+// True if a live page answers at this port of this host. Waits at most some seconds.
+bool is_watched_at(int port);
+
+}  // namespace mirocup::web
