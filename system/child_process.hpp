@@ -30,8 +30,8 @@ struct ChildOptions {
 };
 
 // Starts a child and returns its process id. The caller must wait for it. A program that is not
-// there ends with the code not_found. Errc::unavailable if no process can be started or its log cannot be
-// written.
+// there ends with the code not_found. Errc::unavailable if no process can be started or its log
+// cannot be written.
 Result<pid_t> start_child(const ChildOptions& options);
 
 // Starts a child and waits for its end. Returns its exit code, or 128 + the number of the signal

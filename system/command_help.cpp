@@ -211,7 +211,9 @@ _@P@() {
   while IFS= read -r line; do
     if [ "$line" = :files ]; then
       compopt -o filenames 2>/dev/null
-      while IFS= read -r line; do COMPREPLY+=("$line"); done < <(compgen -f -- "${COMP_WORDS[COMP_CWORD]}")
+      while IFS= read -r line; do
+        COMPREPLY+=("$line")
+      done < <(compgen -f -- "${COMP_WORDS[COMP_CWORD]}")
     else
       COMPREPLY+=("${line%%$'\t'*}")
     fi

@@ -17,8 +17,9 @@ namespace mirocup::system {
 
 // What the help of a command has beside its options.
 struct CommandHelp {
-  const char* name;   // of the subcommand
-  const char* group;  // the heading under which the program's help lists it
+  const char* name;         // of the subcommand
+  const char* group;        // the heading under which the program's help lists it; "": nowhere
+  const char* description;  // on its line there
   std::vector<const char*> examples;
 };
 

@@ -200,16 +200,14 @@ std::string closest_word(std::string_view word, std::span<const std::string> wor
   return best;
 }
 
-std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv,
-                                      std::span<const std::string> others) {
+std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words[0] == "help") {
     words.erase(words.begin());
     words.resize(std::min<std::size_t>(words.size(), 1));
     words.emplace_back("--help");
   }
-  std::vector<std::string> commands = commands_of(app);
-  commands.insert(commands.end(), others.begin(), others.end());
+  const std::vector<std::string> commands = commands_of(app);
   if (words.empty()) {
     std::cerr << app.help();
     return exit_code(Errc::input);

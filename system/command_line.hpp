@@ -19,13 +19,11 @@ namespace mirocup::system {
 // added or exchanged, and not more than a third of the word. "" if there is none.
 std::string closest_word(std::string_view word, std::span<const std::string> words);
 
-// Parses the arguments, argv[1] and on, for an app whose name is how it is called, such as
-// "mirocup league". `others` are commands that another program runs, which count as known. Returns
-// nothing if a subcommand was chosen, whose callback has then run. If help was asked for or the
-// arguments are wrong, prints the help, or what is wrong and what to type, and returns the exit
-// code: 0 or 2.
-std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv,
-                                      std::span<const std::string> others = {});
+// Parses the arguments, argv[1] and on, for an app whose name is how it is called, such as "mirocup
+// league". Returns nothing if a subcommand was chosen, whose callback has then run. If help was
+// asked for or the arguments are wrong, prints the help, or what is wrong and what to type, and
+// returns the exit code: 0 or 2.
+std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv);
 
 // Answers a command line that asks about the program itself, for a shell or a packager: `complete
 // WORD…` prints completions(), `man DIR` writes the manual's pages. Returns nothing for any other.

@@ -92,8 +92,8 @@ Result<FileLock> FileLock::acquire(const std::string& path) {
 
 Result<std::optional<FileLock>> FileLock::try_acquire(const std::string& path) {
   MIROCUP_TRY(auto file, open_lock(path, O_CREAT));
-  // A process that was killed while it started a child leaves the lock to the child, until that runs
-  // its program.
+  // A process that was killed while it started a child leaves the lock to the child, until that
+  // runs its program.
   bool is_locked = lock(file.get(), LOCK_EX | LOCK_NB);
   for (int i = 0; i < patience_steps && !is_locked && errno == EWOULDBLOCK; ++i) {
     usleep(patience_step_us);

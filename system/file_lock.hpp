@@ -22,8 +22,8 @@ class FileLock {
   // Waits until the lock is free.
   static Result<FileLock> acquire(const std::string& path);
 
-  // Returns nothing if another process holds the lock and keeps it for 0.2 s. Otherwise the file names this process until
-  // it ends, for signal_holder().
+  // Returns nothing if another process holds the lock and keeps it for 0.2 s. Otherwise the file
+  // names this process until it ends, for signal_holder().
   static Result<std::optional<FileLock>> try_acquire(const std::string& path);
 
   // Sends the signals to the process that holds the lock. Returns false if no process does.

@@ -16,9 +16,10 @@ inline constexpr std::size_t memory_of_a_team = std::size_t{1} << 30;
 inline constexpr std::size_t memory_of_a_server = std::size_t{64} << 20;
 inline constexpr std::size_t memory_of_a_leg = 2 * memory_of_a_team + memory_of_a_server;
 
-// Returns how much memory this process and its children could take before the kernel has to
-// end a process, bytes: the least of what the kernel calls available and of the room that each memory cgroup
-// around this process has left. Nothing if the kernel does not tell. Tests give another `root`.
+// Returns how much memory this process and its children could take before the kernel has to end a
+// process, bytes: the least of what the kernel calls available and of the room that each memory
+// cgroup around this process has left. Nothing if the kernel does not tell. Tests give another
+// `root`.
 std::optional<std::size_t> available_memory(const std::string& root = "");
 
 // Returns how many processes the kernel has ended for want of memory since it was started; nothing

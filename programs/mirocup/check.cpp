@@ -5,6 +5,7 @@
 #include "programs/mirocup/entry_check.hpp"
 #include "record/json_reader.hpp"
 #include "record/match_record.hpp"
+#include "record/rules_json.hpp"
 #include "record/team_parameters_json.hpp"
 #include "server/seats.hpp"
 #include "system/files.hpp"
@@ -21,6 +22,17 @@
 namespace mirocup::app {
 
 namespace {
+
+struct CheckOptions {
+  std::string path;
+  std::string league = "small";
+  std::string rules = "mirosot";
+  std::optional<double> half_s;         // of the legs that the entry is for
+  std::vector<std::string> parameters;  // KEY=VALUE
+  std::string record_path;              // of a leg against striker; "": none is written
+  bool json = false;
+  bool steps = false;  // print each check on standard error before it runs
+};
 
 record::Json to_json(const CheckOptions& options, const EntryReport& report) {
   record::Json checks = record::Json::array();
@@ -112,8 +124,6 @@ Result<void> write_gate_leg(const CheckOptions& options, const EntryReport& repo
   return record::save(disk, options.record_path, record);
 }
 
-}  // namespace
-
 Result<int> run_check(const CheckOptions& options) {
   MIROCUP_TRY(const auto parameters,
               record::parameters_with_changes({}, options.parameters, "--param"));
@@ -137,6 +147,40 @@ Result<int> run_check(const CheckOptions& options) {
     print(options, report);
   }
   return report.failure() == nullptr ? exit_yes : exit_no;
+}
+
+}  // namespace
+
+void add_check(system::Commands& commands) {
+  const auto [command, o] = commands.add<CheckOptions>(
+      {"check",
+       for_teams,
+       "Check whether a library would be accepted as an entry",
+       {"mirocup check mine.so", "mirocup check mine.py --league large"}},
+      run_check);
+  command.option("FILE", o.path, "Library of the team (.so), or its file of Python (.py)")
+      .required();
+  command
+      .option("--league", o.league,
+              "Field and number of robots: small (3 a side), middle (5), large (11)")
+      .one_of({"small", "middle", "large"})
+      .shows_default();
+  command.option("--rules", o.rules, "Preset of the rules")
+      .one_of(system::names_of<referee::Preset>())
+      .shows_default();
+  command
+      .option("--half", o.half_s,
+              "Seconds of a half in the league that it is for, which says how much time it has "
+              "(default: as in the rules)")
+      .between(record::min_half_s, record::max_half_s);
+  add_parameters(command, "--param", o.parameters, "the team");
+  command
+      .option("--record", o.record_path,
+              "Record of its leg against striker to write, for mirocup replay")
+      .named("FILE.json");
+  command.flag("--json", o.json, "Print the report as one JSON object");
+  command.flag("--steps", o.steps,
+               "Print \"step 3 of 10: entry\" on standard error before each check");
 }
 
 }  // namespace mirocup::app

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads the command line of `mirocup`. Only command_line.cpp knows the library that parses it.
+// The command line of `mirocup`: the list of its subcommands.
 #pragma once
 
-#include "core/base/error.hpp"
+#include "system/commands.hpp"
 
-#include <functional>
-#include <optional>
+#include <variant>
 
 namespace mirocup::app {
 
-using Run = std::function<Result<int>()>;
-
-// Sets `run` to the subcommand with its options and returns nothing. If the command line asks for
-// help or is wrong, prints the help or the error and returns the exit code instead.
-std::optional<int> read_command_line(int argc, char** argv, Run& run);
+// Returns the subcommand with its options. If the command line asks for help or is wrong, prints
+// the help or the error and returns the exit code instead.
+std::variant<system::Run, int> read_command_line(int argc, char** argv);
 
 }  // namespace mirocup::app

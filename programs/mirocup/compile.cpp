@@ -18,6 +18,14 @@ namespace mirocup::app {
 
 namespace {
 
+struct CompileOptions {
+  std::string path;
+  std::string output;
+  std::string language;   // "c", "c++", "project"; "": by the name of the file
+  double seconds = 60.0;  // of processor time
+  bool json = false;
+};
+
 constexpr std::uint64_t max_source = 4u << 20;  // bytes of one file
 
 plugins::SourceLanguage language_of(const CompileOptions& options) {
@@ -30,8 +38,6 @@ plugins::SourceLanguage language_of(const CompileOptions& options) {
   }
   return options.path.ends_with(".c") ? SourceLanguage::c : SourceLanguage::cpp;
 }
-
-}  // namespace
 
 Result<int> run_compile(const CompileOptions& options) {
   system::Disk disk;
@@ -65,6 +71,30 @@ Result<int> run_compile(const CompileOptions& options) {
     if (!is_compiled) std::cout << system::printable(options.path) << ": " << done.why_not << '\n';
   }
   return is_compiled ? exit_yes : exit_no;
+}
+
+}  // namespace
+
+void add_compile(system::Commands& commands) {
+  const auto [command, o] = commands.add<CompileOptions>(
+      {"compile",
+       for_teams,
+       "Compile a team's source as a league does: in a sandbox, fixed options",
+       {"mirocup compile mine.cpp -o mine.so"}},
+      run_compile);
+  command
+      .option("SOURCE", o.path,
+              "One file of C++20, or of C17 if its name ends in .c, or an archive of a project "
+              "(.tar.gz, .tar, .zip)")
+      .required();
+  command.option("-o,--output", o.output, "Library to write").named("FILE.so").required();
+  command.option("--language", o.language, "Of the source, whatever its name")
+      .one_of({"c", "c++", "project"});
+  command
+      .option("--seconds", o.seconds,
+              "Processor time that it may take, all compilers together (default: 60)")
+      .between(1.0, 600.0);
+  command.flag("--json", o.json, "Print the answer as one JSON object");
 }
 
 }  // namespace mirocup::app

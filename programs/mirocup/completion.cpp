@@ -8,9 +8,30 @@
 
 namespace mirocup::app {
 
+namespace {
+
+struct CompletionOptions {
+  std::string shell;
+};
+
 Result<int> run_completion(const CompletionOptions& options) {
   std::cout << system::completion_script(options.shell, "mirocup");
   return exit_yes;
+}
+
+}  // namespace
+
+void add_completion(system::Commands& commands) {
+  const auto [command, o] = commands.add<CompletionOptions>(
+      {"completion",
+       for_shells,
+       "Print the script by which a shell completes what is typed",
+       {"mirocup completion bash >~/.local/share/bash-completion/completions/mirocup",
+        "mirocup completion fish >~/.config/fish/completions/mirocup.fish"}},
+      run_completion);
+  command.option("SHELL", o.shell, "The shell that reads it")
+      .required()
+      .one_of({"bash", "zsh", "fish"});
 }
 
 }  // namespace mirocup::app

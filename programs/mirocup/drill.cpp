@@ -24,6 +24,19 @@ namespace mirocup::app {
 
 namespace {
 
+struct DrillOptions {
+  std::string drill;                    // "list", "all", a name, or the path of a file or a folder
+  std::vector<std::string> teams;       // as --blue
+  std::optional<int> tries;             // nothing: as each drill says
+  std::uint64_t seed = 1;               // of the first try
+  int jobs = 0;                         // tries at once; 0: one for each processor
+  std::vector<std::string> parameters;  // of the teams, KEY=VALUE
+  std::string replay_folder;            // for records and pages of failed tries; "": none
+  std::optional<double> at_least;       // the score that is asked for; less: the answer is no
+  bool csv = false;
+  bool json = false;
+};
+
 namespace fs = std::filesystem;
 
 Result<std::vector<std::string>> drills_in(const std::string& folder) {
@@ -186,8 +199,6 @@ Result<void> check_drill_names(const DrillOptions& options) {
   return {};
 }
 
-}  // namespace
-
 Result<int> run_drill(const DrillOptions& options) {
   const auto drills = read_drills(options.drill);
   if (!drills) return tl::unexpected(drills.error());
@@ -224,6 +235,44 @@ Result<int> run_drill(const DrillOptions& options) {
     return report.score() >= wanted;
   });
   return is_enough ? exit_yes : exit_no;
+}
+
+}  // namespace
+
+void add_drill(system::Commands& commands) {
+  const auto [command, o] = commands.add<DrillOptions>(
+      {"drill",
+       for_teams,
+       "Try situations many times and give marks, or list them",
+       {"mirocup drill list", "mirocup drill shoot-open-goal mine.so --replay failed",
+        "mirocup drill all mine.so striker --csv"}},
+      run_drill);
+  command
+      .option("DRILL", o.drill,
+              "list, all, the name of a drill, or the path of an own one or of a folder")
+      .required();
+  command
+      .option("TEAM", o.teams,
+              "Teams to be tested: paths of libraries or names of house teams; NAME=TEAM: the "
+              "name in the report")
+      .named("");
+  command.option("--tries", o.tries, "Tries of each drill (default: as the drill says)")
+      .between(1, 10000);
+  command.option("--seed", o.seed, "Seed of the first try; the next one has the next seed")
+      .shows_default();
+  command.option("--jobs", o.jobs, "Tries at once (default: one for each processor)")
+      .between(1, 1024);
+  add_parameters(command, "--param", o.parameters, "the teams");
+  command
+      .option("--replay", o.replay_folder,
+              "Folder to write a record and a page of each failed try to")
+      .named("DIR");
+  command
+      .option("--at-least", o.at_least,
+              "Score that each team shall reach: exit code 1 if one does not")
+      .between(0.0, 100.0);
+  const system::Option csv = command.flag("--csv", o.csv, "Print a line of CSV for each drill");
+  command.flag("--json", o.json, "Print one JSON object").excludes(csv);
 }
 
 }  // namespace mirocup::app

@@ -14,6 +14,11 @@ namespace mirocup::app {
 
 namespace {
 
+struct ExportOptions {
+  std::string policy;  // the path of a mirocup/policy/1
+  std::string output;  // of the source
+};
+
 // The name of the team: that of the file, in letters that a string and a report may have.
 std::string team_name(const std::string& path) {
   std::string name = std::filesystem::path(path).stem().string();
@@ -24,8 +29,6 @@ std::string team_name(const std::string& path) {
   }
   return name.empty() ? "learned" : name.substr(0, 31);
 }
-
-}  // namespace
 
 Result<int> run_export(const ExportOptions& options) {
   system::Disk disk;
@@ -40,6 +43,21 @@ Result<int> run_export(const ExportOptions& options) {
             << system::printable(system::team_kit().prefix) << "/include" << ' '
             << system::printable(options.output) << " -o learned.so\n";
   return exit_yes;
+}
+
+}  // namespace
+
+void add_export(system::Commands& commands) {
+  const auto [command, o] =
+      commands.add<ExportOptions>({"export",
+                                   for_teams,
+                                   "Write a learned network as the source of a team",
+                                   {"mirocup export policy.npz -o learned.cpp"}},
+                                  run_export);
+  command.option("POLICY", o.policy, "The network, an .npz of schema mirocup/policy/1").required();
+  command.option("-o,--output", o.output, "File to write the source to")
+      .named("FILE.cpp")
+      .required();
 }
 
 }  // namespace mirocup::app

@@ -18,6 +18,15 @@ namespace mirocup::app {
 
 namespace {
 
+struct HandInOptions {
+  std::string url;  // of the league
+  std::string path;
+  std::string token_file;
+  std::string pin;        // "N" or "latest": no file is sent, and that entry plays; "": a file is
+  std::string authority;  // file of the certificate that signs for the server; "": the system's
+  bool json = false;
+};
+
 using namespace std::chrono_literals;
 using web::DeskReply;
 using web::Json;
@@ -133,8 +142,6 @@ Result<int> pin_entry(const HandInOptions& options, const std::string& token) {
   return exit_yes;
 }
 
-}  // namespace
-
 Result<int> run_hand_in(const HandInOptions& options) {
   MIROCUP_TRY(const auto token, read_token(options.token_file));
   if (!options.pin.empty()) return pin_entry(options, token);
@@ -162,6 +169,33 @@ Result<int> run_hand_in(const HandInOptions& options) {
   const std::string state = text_in(report, "state");
   if (state == "void") return exit_code(Errc::host);
   return state == "accepted" ? exit_yes : exit_no;
+}
+
+}  // namespace
+
+void add_hand_in(system::Commands& commands) {
+  const auto [command, o] = commands.add<HandInOptions>(
+      {"hand-in",
+       for_teams,
+       "Hand a library in to a league in the network, and wait for the answer",
+       {"mirocup hand-in https://league.example:8443 mine.so --token-file token"}},
+      run_hand_in);
+  command.option("URL", o.url, "Address of the league, as https://league.example:8443").required();
+  const system::Option file = command.option(
+      "FILE", o.path,
+      "Library of the team, its source, its file of Python, or an archive of its project");
+  command.option("--pin", o.pin, "Send no file: let this accepted entry play, or \"latest\" again")
+      .named("N")
+      .excludes(file);
+  command.option("--token-file", o.token_file, "File with the token of the team")
+      .named("FILE")
+      .required();
+  command
+      .option("--ca", o.authority,
+              "File with the certificate that signs for the server (default: those of the "
+              "system)")
+      .named("FILE");
+  command.flag("--json", o.json, "Print the answer as one JSON object");
 }
 
 }  // namespace mirocup::app

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup record-as-seen, identify and validate: recordings of a pitch, the numbers of the pitch,
-// and how far the simulator is from it.
+// mirocup identify: the numbers of a pitch from recordings.
 #include "pitch/identify.hpp"
 
-#include "core/base/math.hpp"
-#include "pitch/as_seen.hpp"
 #include "pitch/page.hpp"
 #include "pitch/result_json.hpp"
 #include "pitch/validation_report.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "programs/mirocup/output_folder.hpp"
 #include "record/json_reader.hpp"
-#include "record/match_record.hpp"
 #include "record/pitch_json.hpp"
 #include "system/files.hpp"
 
@@ -23,48 +19,23 @@ namespace mirocup::app {
 
 namespace {
 
+struct IdentifyOptions {
+  std::vector<std::string> recordings;
+  std::string pitch = "mirosot";  // from which the search begins
+  std::string output;
+  std::string page;  // "": none
+  bool json = false;
+};
+
 Result<void> write_page(const std::string& path, const std::string& page) {
   if (path.empty()) return {};
   system::Disk disk;
   return disk.write(path, page);
 }
 
-// A minute of computing should not end with a file that cannot be written, nor with one that takes
-// the place of what it was computed from.
-Result<void> check_output(const std::string& path, const std::vector<std::string>& inputs) {
-  namespace fs = std::filesystem;
-  if (path.empty()) return {};
-  std::error_code none;
-  for (const std::string& input : inputs) {
-    if (fs::weakly_canonical(fs::absolute(input), none) ==
-        fs::weakly_canonical(fs::absolute(path), none))
-      return fail(Errc::input, path + " is read: it cannot be written, too");
-  }
-  if (fs::is_directory(path, none)) return fail(Errc::input, path + " is a folder");
-  return expect_writable_folder_of(path);
-}
-
-}  // namespace
-
-Result<int> run_record_as_seen(const RecordAsSeenOptions& options) {
-  MIROCUP_TRY_VOID(check_output(options.output, {options.record}));
-  system::Disk disk;
-  MIROCUP_TRY(const auto record, record::load(disk, options.record));
-  MIROCUP_TRY(auto recording, pitch::as_seen(record.recording, options.record));
-  pitch::look_through({.position = 1e-3 * options.noise_mm,
-                       .heading = options.noise_deg * pi / 180.0,
-                       .gaps = options.gaps,
-                       .outliers = options.outliers,
-                       .seed = options.seed},
-                      recording);
-  MIROCUP_TRY_VOID(disk.write(options.output, pitch::print_recording(recording)));
-  std::cout << options.output << ": " << recording.frames.size() << " pictures\n";
-  return exit_yes;
-}
-
 Result<int> run_identify(const IdentifyOptions& options) {
   for (const std::string& path : {options.output, options.page}) {
-    MIROCUP_TRY_VOID(check_output(path, options.recordings));
+    MIROCUP_TRY_VOID(expect_writable_output(path, options.recordings));
   }
   MIROCUP_TRY(const auto start, record::pitch_of_option(options.pitch));
   MIROCUP_TRY(const auto recordings, pitch::read_recordings(options.recordings));
@@ -78,26 +49,26 @@ Result<int> run_identify(const IdentifyOptions& options) {
   return exit_yes;
 }
 
-// Only mirocup-bench is linked to other engines.
-Result<int> validate_against_peer(const ValidateOptions& options) {
-  std::vector<std::string> words{"mirocup-bench", "validate", "--against",
-                                 options.against, "--pitch",  options.pitch};
-  if (!options.page.empty()) words.insert(words.end(), {"-o", options.page});
-  if (options.json) words.push_back("--json");
-  words.push_back("--");
-  words.insert(words.end(), options.recordings.begin(), options.recordings.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  return become_sibling_program(words[0], static_cast<int>(argv.size()), argv.data(), 1);
-}
+}  // namespace
 
-Result<int> run_validate(const ValidateOptions& options) {
-  if (!options.against.empty()) return validate_against_peer(options);
-  MIROCUP_TRY(
-      const auto report,
-      pitch::report_of({options.recordings, options.pitch, options.page, options.json}, nullptr));
-  std::cout << report.text;
-  return report.is_worse ? exit_no : exit_yes;
+void add_identify(system::Commands& commands) {
+  const auto [command, o] = commands.add<IdentifyOptions>(
+      {"identify",
+       for_engineers,
+       "Find the numbers of a pitch from recordings: floor, walls, motors, camera",
+       {"mirocup identify seen.jsonl -o ours.json --page ours.html"}},
+      run_identify);
+  command
+      .option("RECORDING", o.recordings, "Recordings (mirocup/recording/1, or .csv) of one pitch")
+      .required();
+  command.option("-o", o.output, "The pitch (mirocup/pitch/1)").named("FILE").required();
+  command
+      .option("--pitch", o.pitch,
+              "What is known: sizes and masses, and what recordings do not tell")
+      .named("NAME|FILE")
+      .shows_default();
+  command.option("--page", o.page, "A page with the intervals").named("FILE");
+  command.flag("--json", o.json, "Print the pitch as one JSON object");
 }
 
 }  // namespace mirocup::app

@@ -26,6 +26,18 @@ namespace mirocup::app {
 
 namespace {
 
+struct JoinOptions {
+  std::string match_id;
+  std::string team;
+  std::string name;
+  std::string library;
+  std::string server = "127.0.0.1";
+  int dds_domain = 0;
+  std::string credentials;
+  double join_within = 60.0;            // s to wait for the match
+  std::vector<std::string> parameters;  // KEY=VALUE
+};
+
 using std::chrono::steady_clock;
 
 // A server that sends nothing for longer than this is taken to be gone, s.
@@ -208,8 +220,6 @@ int RemoteTeam::report() const {
   return exit_yes;
 }
 
-}  // namespace
-
 Result<int> run_join(const JoinOptions& options) {
   system::Interrupt interrupt;
   MIROCUP_TRY(const auto parameters,
@@ -226,6 +236,32 @@ Result<int> run_join(const JoinOptions& options) {
     return fail(match.is_wrong() ? Errc::input : Errc::unavailable, match.why());
   }
   return RemoteTeam(options, python, parameters, interrupt, match).play();
+}
+
+}  // namespace
+
+void add_join(system::Commands& commands) {
+  const auto [command, o] = commands.add<JoinOptions>(
+      {"join",
+       for_teams,
+       "Let a team play in a match on the network",
+       {"mirocup join --match 7 --team blue --name ours mine.so",
+        "mirocup join --match 7 --team yellow --name theirs their.so --server 10.0.0.5"}},
+      run_join);
+  command.option("--match", o.match_id, "ID of the match").required();
+  command.option("--team", o.team, "Colour of the team").required().one_of({"blue", "yellow"});
+  command.option("--name", o.name, "Name of the team, as the match expects it (dds:NAME)")
+      .required();
+  command.option("--server", o.server, "Host on which the match runs").shows_default();
+  add_dds_domain(command, o.dds_domain);
+  command.option("--join-within", o.join_within, "Seconds to wait for the match").shows_default();
+  command.option("--patience", o.join_within, "The older name of --join-within").hidden();
+  command
+      .option("--credentials", o.credentials,
+              "Folder with the team's credentials, for a match that asks for them")
+      .named("DIR");
+  add_parameters(command, "--param", o.parameters, "the team");
+  command.option("FILE", o.library, "Library or file in Python of the team").required();
 }
 
 }  // namespace mirocup::app

@@ -35,9 +35,9 @@ int run(int argc, char** argv) {
     return report(app::become_sibling_program("mirocup-league", argc, argv, 1));
   if (command == "bench") return report(app::become_sibling_program("mirocup-bench", argc, argv));
 
-  app::Run run;
-  if (const auto done = app::read_command_line(argc, argv, run)) return *done;
-  return report(run());
+  const auto chosen = app::read_command_line(argc, argv);
+  if (const int* done = std::get_if<int>(&chosen)) return *done;
+  return report(std::get<system::Run>(chosen)());
 }
 
 }  // namespace

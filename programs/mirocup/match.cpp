@@ -37,6 +37,46 @@ namespace mirocup::app {
 
 namespace {
 
+struct MatchOptions {
+  match::ByTeam<std::string> teams;
+  match::ByTeam<std::string> names;  // in the record; "": the team's own name
+  std::string league;                // "": small, or that of the situation
+  std::string rules = "mirosot";
+  std::string stage = "group";
+  std::uint64_t seed = 1;
+  std::string speed;  // "": real time if it is watched, otherwise "max"
+  std::optional<std::string>
+      watch;               // address of the live page: PORT, HOST:PORT, or "" for any port
+  std::string start_path;  // of a situation; "": the leg starts with its kick-off
+  std::string from_path;   // of the record to play on from; "": none
+  std::optional<std::uint32_t> tick;  // of that record
+  bool calls = false;                 // print them
+  std::optional<double> half_s;
+  std::vector<std::string> rule_changes;       // KEY=VALUE
+  std::string conditions;                      // a preset; "": those of the pitch, or the default
+  std::string pitch;                           // --pitch; "": mirosot
+  std::vector<std::string> condition_changes;  // KEY=VALUE
+  std::vector<std::string> parameters;         // of both teams, KEY=VALUE
+  match::ByTeam<std::vector<std::string>> own_parameters;  // of one team; they win
+  std::string record_path;
+  bool thoughts = false;  // keep what the teams draw
+  bool trusted = false;
+  std::string isolation;  // "": the strongest that this system allows
+  std::string match_id = "1";
+  std::string interface = "lo";
+  int dds_domain = 0;
+  double join_within = 60.0;         // s that a DDS team has to join
+  std::optional<double> away_limit;  // s that a team on the network may be absent
+  std::string credentials;
+  bool hash = false;  // print the state hash, too
+  // Addresses of firasim teams; "": those of the instance.
+  std::string firasim_vision, firasim_command, firasim_referee, firasim_placement;
+  std::string firasim_instance = "0";   // a number, or "auto"
+  match::ByTeam<std::string> programs;  // commands that start firasim teams; "": people do
+  bool lockstep = false;  // firasim teams are waited for even where real time is asked for
+  bool json = false;
+};
+
 // The share of a tick in which a team on the network must answer in real time. The rest is for the
 // simulation, so that a late team does not delay the next tick.
 constexpr double answer_share = 0.9;
@@ -609,8 +649,6 @@ Result<void> check_output(const MatchOptions& options) {
   return expect_writable_folder_of(options.record_path);
 }
 
-}  // namespace
-
 Result<int> run_match(const MatchOptions& options) {
   MIROCUP_TRY(const auto past, read_past(options));
   MIROCUP_TRY(const auto setup,
@@ -634,6 +672,175 @@ Result<int> run_match(const MatchOptions& options) {
   session.report();
   session.show_backtraces();
   return session.is_void() ? exit_code(Errc::host) : exit_yes;
+}
+
+void add_firasim(const system::Command& command, MatchOptions& o) {
+  const char* group = "Teams that speak the protocol of FIRASim and VSSReferee";
+  const auto add = [&](const char* option, std::string& value, const char* type,
+                       const char* description) {
+    command.option(option, value, description).named(type).in_group(group);
+  };
+  add("--firasim-vision", o.firasim_vision, "ADDR:PORT[,...]",
+      "Where vision is sent to: groups or single addresses (default: 224.0.0.1:10002)");
+  add("--firasim-command", o.firasim_command, "[ADDR:]PORT",
+      "Where commands are received (default: 20011)");
+  add("--firasim-referee", o.firasim_referee, "ADDR:PORT[,...]",
+      "Where the referee's calls are sent to (default: 224.5.23.2:10003)");
+  add("--firasim-placement", o.firasim_placement, "ADDR:PORT",
+      "Where placements are received (default: 224.5.23.2:10004)");
+  command
+      .option("--firasim-instance", o.firasim_instance,
+              "Number of this match on this host; above 0 each has ports of its own: 10002+K, "
+              "20011+K, 40000+K, 50000+K; auto: the first from 1000 on that is free")
+      .between_or(0, 9999, "auto")
+      .named("K|auto")
+      .in_group(group);
+  add("--blue-program", o.programs[0], "COMMAND",
+      "Start the blue team by this command of the shell, which finds its colour and addresses in "
+      "MIROCUP_COLOUR, MIROCUP_INSTANCE and others (docs/firasim.md)");
+  add("--yellow-program", o.programs[1], "COMMAND", "Start the yellow team in the same way");
+  command
+      .flag("--lockstep", o.lockstep,
+            "Wait in each tick until these teams have commanded all their robots (--speed max "
+            "does, too)")
+      .in_group(group);
+}
+
+}  // namespace
+
+void add_match(system::Commands& commands) {
+  const auto [command, o] = commands.add<MatchOptions>(
+      {"match",
+       for_teams,
+       "Play one leg",
+       {"mirocup match --blue mine.so --yellow striker --seed 7 --record leg.json",
+        "mirocup match --blue mine.py --yellow chaser --watch",
+        "mirocup match --blue mine.so --yellow mine.so --blue-param wait=0.5"}},
+      run_match);
+  command
+      .option("--blue", o.teams[0],
+              "Blue team: a library (.so), a file of Python (.py), the name of a house team, "
+              "dds:NAME, or firasim:NAME for a program that speaks FIRASim's protocol")
+      .named("TEAM")
+      .required();
+  command.option("--yellow", o.teams[1], "Yellow team, named in the same way")
+      .named("TEAM")
+      .required();
+  command.option("--blue-name", o.names[0], "Name of the blue team in the record").named("NAME");
+  command.option("--yellow-name", o.names[1], "Name of the yellow team in the record")
+      .named("NAME");
+  const system::Option start =
+      command
+          .option("--start", o.start_path,
+                  "Start in this situation, a file of schema mirocup/situation/1")
+          .named("SITUATION.json");
+  const system::Option from =
+      command
+          .option("--from", o.from_path,
+                  "Play on from a tick of this record, with its league, rules, stage, seed "
+                  "and conditions")
+          .named("RECORD")
+          .excludes(start);
+  const system::Option tick =
+      command.option("--tick", o.tick, "Tick of the record from which to play on")
+          .at_least_0()
+          .needs(from);
+  from.needs(tick);
+  command
+      .option("--league", o.league,
+              "Field and number of robots: small (3 a side), middle (5), large (11); default: "
+              "small, or that of the situation")
+      .one_of(system::names_of<League>())
+      .excludes(from);
+  command.option("--rules", o.rules, "Preset of the rules")
+      .one_of(system::names_of<referee::Preset>())
+      .shows_default()
+      .excludes(from);
+  command.option("--stage", o.stage, "group: a draw stands; knockout: a winner is found")
+      .one_of(system::names_of<referee::Stage>())
+      .shows_default()
+      .excludes(from);
+  command.option("--seed", o.seed, "Seed of the toss and of the teams' random numbers")
+      .is_a_seed()
+      .shows_default()
+      .excludes(from);
+  command
+      .option("--speed", o.speed,
+              "max, or a factor of real time (default: 1 with --watch, otherwise max)")
+      .named("FACTOR");
+  command
+      .option_or_flag(
+          "--watch", o.watch,
+          "Show the match in browsers at [HOST:]PORT; without a host at this host only, without a "
+          "port "
+          "at any free one")
+      .named("[PORT]");
+  command.flag("--calls", o.calls, "Print each goal and call of the referee, too");
+  command.option("--half", o.half_s, "Length of a half in seconds")
+      .between(record::min_half_s, record::max_half_s)
+      .excludes(from);
+  command
+      .option("--rule", o.rule_changes,
+              "Change a parameter of the rules; may be given several times")
+      .named("KEY=VALUE")
+      .excludes(from);
+  command
+      .option("--conditions", o.conditions,
+              "What disturbs the leg: nothing (exact), placing by hand, wheels and floor "
+              "(hall), also a camera and a radio (camera); default: those of the pitch, if it "
+              "has any, or " +
+                  std::string(to_string(match::default_preset)))
+      .one_of(system::names_of<match::ConditionsPreset>())
+      .excludes(from);
+  command
+      .option("--pitch", o.pitch,
+              "Robots, ball and floor: mirosot (default), vsss, simurosot, or a file "
+              "(mirocup/pitch/1), for example of mirocup identify")
+      .named("NAME|FILE")
+      .excludes(from);
+  command
+      .option("--condition", o.condition_changes,
+              "Change a value of the conditions; may be given several times")
+      .named("KEY=VALUE")
+      .excludes(from);
+  add_parameters(command, "--param", o.parameters, "both teams");
+  add_parameters(command, "--blue-param", o.own_parameters[0], "the blue team");
+  add_parameters(command, "--yellow-param", o.own_parameters[1], "the yellow team");
+  const system::Option record =
+      command.option("--record", o.record_path, "File to write the match record to").named("FILE");
+  command
+      .flag("--thoughts", o.thoughts,
+            "Keep what the teams draw, beside the record, for mirocup replay")
+      .needs(record);
+  const system::Option trusted = command.flag(
+      "--trusted", o.trusted, "Run the teams in this process, without protection from them");
+  command
+      .option("--isolation", o.isolation,
+              "Tier of the sandbox: T2 (namespaces) or T1 (filtered system calls); the match "
+              "is not played "
+              "if this system does not allow it (default: the strongest that it allows)")
+      .one_of({"T1", "T2"})
+      .excludes(trusted);
+  command.option("--match", o.match_id, "ID of the match, by which DDS teams join it")
+      .shows_default();
+  command
+      .option("--interface", o.interface,
+              "Network interface for teams on the network; lo: this host only")
+      .shows_default();
+  add_dds_domain(command, o.dds_domain);
+  command.option("--join-within", o.join_within, "Seconds that a DDS team has to join the match")
+      .shows_default();
+  command.option(
+      "--away-limit", o.away_limit,
+      "Seconds that a DDS team may be absent from the match in total, and that a firasim "
+      "team may say nothing; 10 without it, and 30 with --lockstep");
+  command
+      .option("--credentials", o.credentials,
+              "Folder with the server's credentials; then only teams of the league can join")
+      .named("DIR");
+  command.flag("--hash", o.hash, "Print the state hash of the leg, too");
+  add_firasim(command, o);
+  command.flag("--json", o.json, "Print the record as one JSON object");
 }
 
 }  // namespace mirocup::app

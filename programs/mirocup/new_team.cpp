@@ -19,6 +19,12 @@ namespace mirocup::app {
 
 namespace {
 
+struct NewOptions {
+  std::string simurosot;  // folder with the sources of an old team; "": a new team
+  std::string folder;
+  std::string language = "c++";
+};
+
 namespace fs = std::filesystem;
 
 std::string replaced(std::string text, const std::string& word, const std::string& by) {
@@ -95,8 +101,6 @@ Result<void> adopt(system::Disk& disk, const system::TeamKit& kit, const NewOpti
   return {};
 }
 
-}  // namespace
-
 Result<int> run_new(const NewOptions& options) {
   const std::string& folder = options.folder;
   system::Disk disk;
@@ -131,6 +135,27 @@ Result<int> run_new(const NewOptions& options) {
             << (options.language == "python" ? " && ./test\n"
                                              : " && cmake --workflow --preset team\n");
   return exit_yes;
+}
+
+}  // namespace
+
+void add_new(system::Commands& commands) {
+  const auto [command, o] =
+      commands.add<NewOptions>({"new",
+                                for_teams,
+                                "Make a folder with a team that builds as it is",
+                                {"mirocup new mine && cd mine && cmake --workflow --preset team",
+                                 "mirocup new mine --language python"}},
+                               run_new);
+  command.option("DIR", o.folder, "Folder to make; must be new or empty").required();
+  command.option("--language", o.language, "Language of the team")
+      .one_of({"c++", "c", "python"})
+      .shows_default();
+  command
+      .option("--from-simurosot", o.simurosot,
+              "Folder with the sources of a team that was written for SimuroSot or Simuro5v5; "
+              "they are copied")
+      .named("OLD");
 }
 
 }  // namespace mirocup::app

@@ -18,4 +18,17 @@ Result<void> expect_writable_folder_of(const std::string& path) {
                                      std::strerror(errno));
 }
 
+Result<void> expect_writable_output(const std::string& path,
+                                    const std::vector<std::string>& inputs) {
+  if (path.empty()) return {};
+  std::error_code none;
+  for (const std::string& input : inputs) {
+    if (std::filesystem::weakly_canonical(std::filesystem::absolute(input), none) ==
+        std::filesystem::weakly_canonical(std::filesystem::absolute(path), none))
+      return fail(Errc::input, path + " is read: it cannot be written, too");
+  }
+  if (std::filesystem::is_directory(path, none)) return fail(Errc::input, path + " is a folder");
+  return expect_writable_folder_of(path);
+}
+
 }  // namespace mirocup::app

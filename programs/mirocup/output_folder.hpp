@@ -6,11 +6,17 @@
 #include "core/base/error.hpp"
 
 #include <string>
+#include <vector>
 
 namespace mirocup::app {
 
 // Errc::unavailable if this process may not write into the folder of the file at `path`. A device
 // or a pipe needs no folder: system::is_written_in_place().
 Result<void> expect_writable_folder_of(const std::string& path);
+
+// The same for an output that must not take the place of one of the files that are read. "": there
+// is none.
+Result<void> expect_writable_output(const std::string& path,
+                                    const std::vector<std::string>& inputs);
 
 }  // namespace mirocup::app

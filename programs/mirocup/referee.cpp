@@ -20,6 +20,13 @@ namespace mirocup::app {
 
 namespace {
 
+struct RefereeOptions {
+  std::string trace_path;
+  std::string record_path;
+  std::vector<std::string> rule_changes;  // KEY=VALUE
+  bool json = false;                      // verdicts on traces are JSON in any case
+};
+
 using Json = nlohmann::ordered_json;
 
 // The situation's name, for its verdict; "" if it has none.
@@ -112,12 +119,31 @@ Result<int> judge_record(const RefereeOptions& options) {
   return differences.empty() ? exit_yes : exit_no;
 }
 
-}  // namespace
-
 Result<int> run_referee(const RefereeOptions& options) {
   if (!options.record_path.empty()) return judge_record(options);
   if (options.trace_path.empty()) return fail(Errc::input, "TRACE or --record is required");
   return judge_traces(options.trace_path);
+}
+
+}  // namespace
+
+void add_referee(system::Commands& commands) {
+  const auto [command, o] = commands.add<RefereeOptions>(
+      {"referee",
+       for_engineers,
+       "Judge recorded situations, or judge a played match with other parameters",
+       {"mirocup referee trace.jsonl", "mirocup referee --record leg.json --rule stalemate_s=5"}},
+      run_referee);
+  const system::Option trace =
+      command.option("TRACE", o.trace_path, "File of situations, one JSON object a line");
+  const system::Option record =
+      command.option("--record", o.record_path, "Match record to judge again").excludes(trace);
+  command
+      .option("--rule", o.rule_changes,
+              "Change a parameter of the record's rules; may be given several times")
+      .named("KEY=VALUE")
+      .needs(record);
+  command.flag("--json", o.json, "Print the answer as one JSON object");
 }
 
 }  // namespace mirocup::app

@@ -21,6 +21,18 @@ namespace mirocup::app {
 
 namespace {
 
+struct ReplayOptions {
+  std::string record;
+  std::string output;
+  std::optional<double> at;  // s since the match began
+  bool svg = false;
+  std::string clip;  // "12:18", seconds since the match began; "": none
+  bool no_times = false;
+  bool public_page = false;  // without what only the teams may see
+  std::string statistics;    // file for the statistics of the leg; "": none
+  bool open = false;         // in a browser
+};
+
 constexpr double trail_seconds = 1.0;
 
 tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording& recording,
@@ -89,8 +101,6 @@ bool open_in_browser(const std::string& path) {
   return failed == 0;
 }
 
-}  // namespace
-
 Result<int> run_replay(const ReplayOptions& options) {
   if (!options.clip.empty()) return run_clip(options);
   MIROCUP_TRY(const auto output, output_of(options));
@@ -137,6 +147,43 @@ Result<int> run_replay(const ReplayOptions& options) {
   if (options.open && !open_in_browser(output))
     std::cerr << "mirocup: no browser can be opened from here: open the file in one\n";
   return exit_yes;
+}
+
+}  // namespace
+
+void add_replay(system::Commands& commands) {
+  const auto [command, o] = commands.add<ReplayOptions>(
+      {"replay",
+       after_a_leg,
+       "Make a page that shows a record in a browser, a picture of one moment, or a video",
+       {"mirocup replay leg.json --open", "mirocup replay leg.json --clip 12:18 -o goal.gif",
+        "mirocup replay leg.json --at 12.5 --svg -o moment.svg"}},
+      run_replay);
+  command.option("RECORD", o.record, "Match record").required();
+  command
+      .option("-o,--output", o.output,
+              "File to write to (default: beside the record, with the ending .html, .svg or "
+              ".webm)")
+      .named("FILE");
+  const system::Option at =
+      command.option("--at", o.at, "Moment of the picture in seconds since the match began");
+  at.between(0.0, 1e6);
+  const system::Option svg =
+      command.flag("--svg", o.svg, "Draw a still picture of the moment --at");
+  command
+      .option("--clip", o.clip,
+              "FROM:TO in seconds since the match began: a video (.webm, .mp4 or .gif)")
+      .excludes(at)
+      .excludes(svg);
+  command.flag("--open", o.open, "Open the page in a browser");
+  command.flag("--no-times", o.no_times,
+               "Leave out times that a clock measured, so that the page is the same on "
+               "every machine");
+  command.flag("--public", o.public_page,
+               "Leave out what only the teams may see: their thoughts and logs");
+  command
+      .option("--statistics", o.statistics, "File to write the statistics of the leg to, as JSON")
+      .named("FILE");
 }
 
 }  // namespace mirocup::app

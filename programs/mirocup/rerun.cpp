@@ -19,6 +19,12 @@ namespace mirocup::app {
 
 namespace {
 
+struct RerunOptions {
+  std::string record;
+  std::string entries;  // folder of libraries; "": the entries of the league of the record
+  bool json = false;
+};
+
 namespace fs = std::filesystem;
 
 // The first difference between the record and the leg that is played again.
@@ -191,8 +197,6 @@ void report(const RerunOptions& options, const std::optional<CommandDifference>&
   }
 }
 
-}  // namespace
-
 Result<int> run_rerun(const RerunOptions& options) {
   system::Disk disk;
   const auto record = record::load(disk, options.record);
@@ -212,6 +216,22 @@ Result<int> run_rerun(const RerunOptions& options) {
   }
   report(options, difference);
   return difference ? exit_no : exit_yes;
+}
+
+}  // namespace
+
+void add_rerun(system::Commands& commands) {
+  const auto [command, o] =
+      commands.add<RerunOptions>({"rerun",
+                                  after_a_leg,
+                                  "Let the teams of a record play again and compare their commands",
+                                  {"mirocup rerun leg.json --entries teams"}},
+                                 run_rerun);
+  command.option("RECORD", o.record, "Match record").required();
+  command.option("--entries", o.entries,
+                 "Folder with the teams' libraries, which are found by their sha256 (default: "
+                 "the entries of the league that the record belongs to)");
+  command.flag("--json", o.json, "Print the answer as one JSON object");
 }
 
 }  // namespace mirocup::app

@@ -13,6 +13,15 @@
 
 namespace mirocup::app {
 
+namespace {
+
+struct SceneOptions {
+  std::string path;
+  std::string accuracy = "standard";
+  std::string out;  // "": standard output
+  bool json = false;
+};
+
 Result<int> run_scene(const SceneOptions& options) {
   system::Disk disk;
   MIROCUP_TRY(const auto text, disk.read(options.path, {.max_size = system::size_limit::scene,
@@ -37,6 +46,23 @@ Result<int> run_scene(const SceneOptions& options) {
     return tl::unexpected(written.error());
   }
   return exit_yes;
+}
+
+}  // namespace
+
+void add_scene(system::Commands& commands) {
+  const auto [command, o] = commands.add<SceneOptions>(
+      {"scene",
+       for_engineers,
+       "Simulate a scene: bodies and wheel commands, without teams and laws",
+       {"mirocup scene scene.json --accuracy reference -o result.json"}},
+      run_scene);
+  command.option("FILE", o.path, "Scene, a file of schema mirocup/scene/1").required();
+  command.option("--accuracy", o.accuracy, "Accuracy of lasting contacts (default: standard)")
+      .one_of({"coarse", "standard", "reference"});
+  command.option("-o,--output", o.out, "File to write the result to (default: standard output)")
+      .named("FILE");
+  command.flag("--json", o.json, "Accepted for uniformity: the result is always JSON");
 }
 
 }  // namespace mirocup::app

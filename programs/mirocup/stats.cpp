@@ -3,6 +3,7 @@
 // mirocup stats RECORD…|LEAGUE: football statistics. Records are played again here; the legs of a
 // league are known to mirocup-league only.
 #include "programs/mirocup/commands.hpp"
+#include "record/statistics/report.hpp"
 #include "system/child_process.hpp"
 #include "system/locations.hpp"
 
@@ -12,6 +13,10 @@
 namespace mirocup::app {
 
 namespace {
+
+struct StatsOptions : statistics::ReportOptions {
+  std::vector<std::string> paths;  // records, or the folder of a league
+};
 
 bool is_folder(const std::string& path) {
   std::error_code ignored;
@@ -28,8 +33,6 @@ Result<int> become_league_program(const StatsOptions& options) {
   return tl::unexpected(system::become_program(std::move(arguments)));
 }
 
-}  // namespace
-
 Result<int> run_stats(const StatsOptions& options) {
   if (options.paths.size() == 1 && is_folder(options.paths.front())) {
     return become_league_program(options);
@@ -45,6 +48,24 @@ Result<int> run_stats(const StatsOptions& options) {
   MIROCUP_TRY(const auto text, statistics::report(legs, options));
   std::cout << text;
   return exit_yes;
+}
+
+}  // namespace
+
+void add_stats(system::Commands& commands) {
+  const auto [command, o] = commands.add<StatsOptions>(
+      {"stats",
+       after_a_leg,
+       "Print the football statistics of legs: shots, passes, possession, fouls, goals by kind",
+       {"mirocup stats leg.json --goals", "mirocup stats spring --csv"}},
+      run_stats);
+  command.option("RECORD", o.paths, "Match records, or the folder of one league").required();
+  command.flag("--goals", o.goals,
+               "How goals fell, where the ball was lost before, which laws were broken");
+  command.option("--team", o.team, "Only the legs of this team, named as in the records")
+      .named("NAME");
+  const system::Option csv = command.flag("--csv", o.csv, "Comma-separated values");
+  command.flag("--json", o.json, "Everything as one JSON object").excludes(csv);
 }
 
 }  // namespace mirocup::app

@@ -15,6 +15,13 @@
 
 namespace mirocup::app {
 
+namespace {
+
+struct VerifyOptions {
+  std::string path;
+  bool json = false;
+};
+
 Result<int> run_verify(const VerifyOptions& options) {
   system::Disk disk;
   const auto whole = record::load(disk, options.path);
@@ -51,6 +58,19 @@ Result<int> run_verify(const VerifyOptions& options) {
               << to_hex(record->recording.state_hash) << '\n';
   }
   return divergence ? exit_no : exit_yes;
+}
+
+}  // namespace
+
+void add_verify(system::Commands& commands) {
+  const auto [command, o] = commands.add<VerifyOptions>(
+      {"verify",
+       after_a_leg,
+       "Simulate a record again from its commands and compare everything",
+       {"mirocup verify leg.json"}},
+      run_verify);
+  command.option("RECORD", o.path, "Match record").required();
+  command.flag("--json", o.json, "Print the answer as one JSON object");
 }
 
 }  // namespace mirocup::app

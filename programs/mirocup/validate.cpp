@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup validate: how far the simulator is from recordings of a pitch.
+#include "pitch/validation_report.hpp"
+#include "programs/mirocup/commands.hpp"
+
+#include <iostream>
+
+namespace mirocup::app {
+
+namespace {
+
+struct ValidateOptions {
+  std::vector<std::string> recordings;
+  std::string pitch = "mirosot";
+  std::string page;     // "": none
+  std::string against;  // another engine; "": none
+  bool json = false;
+};
+
+// Only mirocup-bench is linked to other engines.
+Result<int> validate_against_peer(const ValidateOptions& options) {
+  std::vector<std::string> words{"mirocup-bench", "validate", "--against",
+                                 options.against, "--pitch",  options.pitch};
+  if (!options.page.empty()) words.insert(words.end(), {"-o", options.page});
+  if (options.json) words.push_back("--json");
+  words.push_back("--");
+  words.insert(words.end(), options.recordings.begin(), options.recordings.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  return become_sibling_program(words[0], static_cast<int>(argv.size()), argv.data(), 1);
+}
+
+Result<int> run_validate(const ValidateOptions& options) {
+  if (!options.against.empty()) return validate_against_peer(options);
+  MIROCUP_TRY(
+      const auto report,
+      pitch::report_of({options.recordings, options.pitch, options.page, options.json}, nullptr));
+  std::cout << report.text;
+  return report.is_worse ? exit_no : exit_yes;
+}
+
+}  // namespace
+
+void add_validate(system::Commands& commands) {
+  const auto [command, o] = commands.add<ValidateOptions>(
+      {"validate",
+       for_engineers,
+       "Say how far the simulator is from recordings, 1 to 30 pictures ahead, beside yardsticks; "
+       "exits with 1 where it is worse than one",
+       {"mirocup validate seen.jsonl --pitch ours.json -o validation.html"}},
+      run_validate);
+  command.option("RECORDING", o.recordings, "Recordings (mirocup/recording/1, or .csv)").required();
+  command.option("--pitch", o.pitch, "The pitch to simulate with")
+      .named("NAME|FILE")
+      .shows_default();
+  command.option("-o,--page", o.page, "A page with pictures").named("FILE");
+  command
+      .option("--against", o.against,
+              "Another engine as a further yardstick, where mirocup-bench is built with it: "
+              "box2d, chipmunk or ode")
+      .named("ENGINE");
+  command.flag("--json", o.json, "Print one JSON object");
+}
+
+}  // namespace mirocup::app

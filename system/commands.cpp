@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "system/commands.hpp"
+
+#include "system/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+
+namespace mirocup::system {
+
+Option Option::named(const std::string& value) const {
+  option_->type_name(value);
+  return *this;
+}
+
+Option Option::required() const {
+  option_->required();
+  return *this;
+}
+
+Option Option::shows_default() const {
+  option_->capture_default_str();
+  return *this;
+}
+
+Option Option::between(int low, int high) const {
+  option_->check(CLI::Range(low, high));
+  return *this;
+}
+
+Option Option::between(double low, double high) const {
+  option_->check(CLI::Range(low, high));
+  return *this;
+}
+
+Option Option::between_or(int low, int high, const std::string& word) const {
+  option_->check(CLI::Range(low, high) | CLI::IsMember({word}));
+  return *this;
+}
+
+Option Option::at_least_0() const {
+  option_->check(CLI::NonNegativeNumber);
+  return *this;
+}
+
+Option Option::one_of(const std::vector<std::string>& words) const {
+  option_->check(CLI::IsMember(words));
+  return *this;
+}
+
+Option Option::one_of_numbers(const std::vector<int>& numbers) const {
+  option_->check(CLI::IsMember(numbers));
+  return *this;
+}
+
+Option Option::checked(const std::string& value, std::string (*problem)(const std::string&)) const {
+  option_->check(
+      CLI::Validator([problem](const std::string& text) { return problem(text); }, value));
+  return *this;
+}
+
+Option Option::is_a_seed() const {
+  return checked("SEED", problem_with_seed);
+}
+
+Option Option::takes(int least, int most) const {
+  option_->expected(least, most);
+  return *this;
+}
+
+Option Option::excludes(const Option& other) const {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+Option Option::needs(const Option& other) const {
+  option_->needs(other.option_);
+  return *this;
+}
+
+Option Option::in_group(const std::string& heading) const {
+  option_->group(heading);
+  return *this;
+}
+
+Option Option::hidden() const {
+  return in_group("");
+}
+
+template <class T>
+Option Command::option(const std::string& names, T& value, const std::string& help) const {
+  return Option(app_->add_option(names, value, help));
+}
+
+template Option Command::option(const std::string&, std::string&, const std::string&) const;
+template Option Command::option(const std::string&, int&, const std::string&) const;
+template Option Command::option(const std::string&, std::uint64_t&, const std::string&) const;
+template Option Command::option(const std::string&, double&, const std::string&) const;
+template Option Command::option(const std::string&, std::optional<std::string>&,
+                                const std::string&) const;
+template Option Command::option(const std::string&, std::optional<int>&, const std::string&) const;
+template Option Command::option(const std::string&, std::optional<std::uint32_t>&,
+                                const std::string&) const;
+template Option Command::option(const std::string&, std::optional<double>&,
+                                const std::string&) const;
+template Option Command::option(const std::string&, std::vector<std::string>&,
+                                const std::string&) const;
+
+Option Command::option_or_flag(const std::string& names, std::optional<std::string>& value,
+                               const std::string& help) const {
+  const auto assign = [&value](const std::string& text) { value = text; };
+  return Option(app_->add_option_function<std::string>(names, assign, help)).takes(0, 1);
+}
+
+Option Command::flag(const std::string& names, bool& value, const std::string& help) const {
+  return Option(app_->add_flag(names, value, help));
+}
+
+void Command::hide() const {
+  app_->group("");
+}
+
+Commands::Commands(const std::string& name, const std::string& description,
+                   const std::string& version, const std::string& footer)
+    : app_(std::make_unique<CLI::App>(description, name)), version_(version) {
+  app_->require_subcommand(1);
+  app_->set_version_flag("-v,--version", version);
+  app_->footer(footer);
+}
+
+Commands::~Commands() = default;
+
+Command Commands::add_run(const CommandHelp& help, Run run) {
+  CLI::App* command = app_->add_subcommand(help.name, help.description);
+  command->callback([this, run = std::move(run)] { chosen_ = run; });
+  helps_.push_back(help);
+  return Command(command);
+}
+
+void Commands::add_other(const CommandHelp& help) {
+  app_->add_subcommand(help.name, help.description);
+  helps_.push_back(help);
+}
+
+std::variant<Run, int> Commands::read(int argc, char** argv, const ValueNames& values,
+                                      std::span<const std::string> teams) {
+  finish_help(*app_, helps_, values);
+  if (const auto told = tell_about(*app_, argc, argv, version_, teams)) return *told;
+  if (const auto done = parse_command_line(*app_, argc, argv)) return *done;
+  return chosen_;
+}
+
+}  // namespace mirocup::system

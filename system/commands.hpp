@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommands of a program. Each declares its options in the source that runs it; the program
+// lists the subcommands. Programs do not see the library that parses command lines (CLI11).
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/base/names.hpp"
+#include "system/command_help.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace mirocup::system {
+
+// An option or an argument of a command. A handle, valid as long as its Commands.
+class Option {
+ public:
+  explicit Option(CLI::Option* option) : option_(option) {}
+
+  // The name of its value in the help: "FILE".
+  Option named(const std::string& value) const;
+  Option required() const;
+  Option shows_default() const;
+
+  // What values it takes; others are wrong usage.
+  Option between(int low, int high) const;
+  Option between(double low, double high) const;
+  Option between_or(int low, int high, const std::string& word) const;
+  Option at_least_0() const;
+  Option one_of(const std::vector<std::string>& words) const;
+  Option one_of_numbers(const std::vector<int>& numbers) const;
+  Option is_a_seed() const;  // an integer of 64 bits
+  // `problem` returns what is wrong with a text, or "".
+  Option checked(const std::string& value, std::string (*problem)(const std::string&)) const;
+
+  // The number of words after it.
+  Option takes(int least, int most) const;
+
+  Option excludes(const Option& other) const;
+  Option needs(const Option& other) const;
+  Option in_group(const std::string& heading) const;
+  Option hidden() const;
+
+ private:
+  CLI::Option* option_;
+};
+
+// A subcommand whose options are declared. A handle, valid as long as its Commands.
+class Command {
+ public:
+  explicit Command(CLI::App* app) : app_(app) {}
+
+  // An option "-o,--output", or an argument "FILE". `value` is its default and gets what is typed.
+  // T: std::string, int, std::uint32_t, std::uint64_t, double, a std::optional or a std::vector of
+  // one of these.
+  template <class T>
+  Option option(const std::string& names, T& value, const std::string& help = "") const;
+  // An option that may stand without a value: then `value` becomes "".
+  Option option_or_flag(const std::string& names, std::optional<std::string>& value,
+                        const std::string& help) const;
+  Option flag(const std::string& names, bool& value, const std::string& help) const;
+  // Leaves the command out of the help: it is not for people.
+  void hide() const;
+
+ private:
+  CLI::App* app_;
+};
+
+// What the command line has chosen: a subcommand with its options.
+using Run = std::function<Result<int>()>;
+
+// The subcommands of one program.
+class Commands {
+ public:
+  // `name` is how the program is called: "mirocup league". `footer` ends its help.
+  Commands(const std::string& name, const std::string& description, const std::string& version,
+           const std::string& footer);
+  ~Commands();
+  Commands(const Commands&) = delete;
+  Commands& operator=(const Commands&) = delete;
+
+  template <class Options>
+  struct Added {
+    Command command;
+    Options& options;
+  };
+
+  // Adds a subcommand. Its options are declared next and fill `options`, which `run` gets.
+  template <class Options>
+  Added<Options> add(const CommandHelp& help, Result<int> (*run)(const Options&)) {
+    auto options = std::make_shared<Options>();
+    return {add_run(help, [options, run] { return run(*options); }), *options};
+  }
+
+  // Adds a command that another program runs before this command line is read.
+  void add_other(const CommandHelp& help);
+
+  // Returns the subcommand that was chosen. If the command line asks for help or is wrong, prints
+  // the help or the error and returns the exit code instead. `values` names the values of options
+  // that say none; `teams` are the names of the house teams, for completion.
+  std::variant<Run, int> read(int argc, char** argv, const ValueNames& values,
+                              std::span<const std::string> teams);
+
+ private:
+  Command add_run(const CommandHelp& help, Run run);
+
+  std::unique_ptr<CLI::App> app_;
+  std::string version_;
+  std::vector<CommandHelp> helps_;
+  Run chosen_;
+};
+
+// The names of an enum, for Option::one_of.
+template <class E>
+std::vector<std::string> names_of() {
+  return {enum_names<E>.begin(), enum_names<E>.end()};
+}
+
+}  // namespace mirocup::system
