@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "server/network.hpp"
+
+#include "system/printable.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+namespace mirocup::server {
+
+namespace {
+
+// The share of a tick in which a team on the network must answer in real time. The rest is for the
+// simulation, so that a late team does not delay the next tick.
+constexpr double answer_share = 0.9;
+
+// A team that has not answered for this many ticks, and for at least this time, is absent.
+constexpr double ticks_to_notice = 9.0;
+constexpr double min_notice = 0.1;  // s
+
+// How long a team on the network may be absent, and one that a match in lock-step waits for, s: the
+// machine may be slow, and no viewer waits.
+constexpr double away_limit = 10.0;
+constexpr double lockstep_away_limit = 30.0;
+
+// The clock of a half stands at restarts. They take far less than half as much time again.
+constexpr double share_for_restarts = 1.5;
+
+// The numbers of matches on this host that find ports of their own (firasim_instance "auto").
+constexpr int first_free_instance = 1000;
+constexpr int most_instances = 1000;
+
+void tell(const std::string& text) {
+  std::cerr << "mirocup: " << system::printable(text) << '\n';
+}
+
+// Wall seconds after which a leg is over, if its teams are there. In lockstep it is played faster.
+double longest_play(const match::Setup& setup, double period) {
+  const referee::Rules& r = setup.rules;
+  double play = 2.0 * r.half_s;
+  if (setup.stage == referee::Stage::knockout) {
+    play += std::max(r.golden_goal_s, 2.0 * r.extra_halves_s) +
+            2.0 * r.shoot_out_most_rounds * r.attempt_s;
+  }
+  const double speed = period > 0.0 ? setup.control_period / period : 1.0;
+  return share_for_restarts * play / speed;
+}
+
+}  // namespace
+
+Result<void> Network::open(const match::ByTeam<TeamChoice>& teams) {
+  const auto any = [&](record::TeamKind kind) {
+    return teams[0].info.kind == kind || teams[1].info.kind == kind;
+  };
+  if (any(record::TeamKind::dds)) {
+    MIROCUP_TRY(dds_, dds::MatchServer::open(terms_.match_id, terms_.interface, terms_.credentials,
+                                             terms_.dds_domain));
+  }
+  for (const Team team : both_teams) {
+    const bool is_firasim = teams[index_of(team)].info.kind == record::TeamKind::firasim;
+    if (terms_.programs[index_of(team)].empty() || is_firasim) continue;
+    return fail(Errc::input, "--" + std::string(to_string(team)) +
+                                 "-program: the team is not firasim:NAME, so it needs no program");
+  }
+  return any(record::TeamKind::firasim) ? open_firasim() : Result<void>();
+}
+
+Result<void> Network::open_firasim() {
+  const bool takes_a_free_one = terms_.firasim_instance == "auto";
+  const int first = takes_a_free_one ? first_free_instance : std::stoi(terms_.firasim_instance);
+  const int last = takes_a_free_one ? first + most_instances - 1 : first;
+  firasim::Addresses changes = terms_.firasim;
+  changes.interface = terms_.interface;
+  std::optional<Error> why_not;
+  for (int instance = first; instance <= last; ++instance) {
+    MIROCUP_TRY(const auto addresses, firasim::addresses_of(instance, changes));
+    auto server = firasim::Server::open(addresses);
+    if (server) {
+      firasim_ = std::move(*server);
+      firasim_addresses_ = addresses;
+      firasim_instance_ = instance;
+      return {};
+    }
+    if (!why_not) why_not = server.error();
+    if (server.error().code != Errc::unavailable) break;  // other ports do not help
+  }
+  return tl::unexpected(*why_not);
+}
+
+Result<TeamSeat> Network::take_seat(const TeamChoice& choice, Team team, const SeatTerms& terms) {
+  if (choice.info.kind == record::TeamKind::dds) {
+    return TeamSeat::take_on_network(choice, terms.leg.briefing(team), *dds_, dds_terms(terms));
+  }
+  const std::string& command = terms_.programs[index_of(team)];
+  if (!command.empty()) {
+    MIROCUP_TRY(auto program, TeamProgram::start(command, team, firasim_instance_,
+                                                 firasim_addresses_, terms.log));
+    programs_[index_of(team)].emplace(std::move(program));
+  }
+  return TeamSeat::take_at_firasim(choice, terms.leg, team, *firasim_, firasim_terms(team, terms));
+}
+
+dds::JoinTerms Network::dds_terms(const SeatTerms& terms) const {
+  dds::JoinTerms join;
+  join.to_join = terms_.join_within;
+  join.first_tick = terms.leg.tick();
+  join.away = terms_.away_limit.value_or(away_limit);
+  join.longest =
+      terms_.join_within + 2.0 * join.away + longest_play(terms.leg.setup(), terms.period);
+  join.interrupted = [&interrupt = terms.interrupt] { return interrupt.is_asked_for(); };
+  join.tell = tell;
+  if (terms.period > 0.0) {
+    join.tick = answer_share * terms.period;
+    join.notice = std::max(min_notice, ticks_to_notice * terms.period);
+  }
+  if (terms.thoughts != nullptr) {
+    record::ThoughtsWriter& writer = *terms.thoughts;
+    join.thoughts = {.add = [&writer](auto tick, auto& shape) { writer.add(tick, shape); },
+                     .leave_out = [&writer](auto n) { writer.count_left_out(n); }};
+  }
+  return join;
+}
+
+firasim::Terms Network::firasim_terms(Team team, const SeatTerms& terms) {
+  firasim::Terms join;
+  join.to_join = terms_.join_within;
+  const bool is_lockstep = terms.period == 0.0 || terms_.lockstep;
+  join.away = terms_.away_limit.value_or(is_lockstep ? lockstep_away_limit : away_limit);
+  join.interrupted = [&interrupt = terms.interrupt] { return interrupt.is_asked_for(); };
+  join.why_gone = [this, team](const std::string& when) -> std::optional<match::Answer> {
+    auto& program = programs_[index_of(team)];
+    return program ? program->why_gone(when) : std::nullopt;
+  };
+  join.tell = tell;
+  if (!is_lockstep) join.tick = answer_share * terms.period;
+  return join;
+}
+
+void Network::announce(const match::Leg& leg, const match::ByTeam<std::string>& names,
+                       double speed) {
+  if (!dds_) return;
+  dds_->announce(leg.briefing(Team::blue), names, speed);
+  dds_->publish(leg);
+}
+
+void Network::publish(const match::Leg& leg) {
+  if (dds_) dds_->publish(leg);
+  if (firasim_) firasim_->publish(leg);
+}
+
+void Network::close(const match::Leg& leg) {
+  if (dds_) dds_->close(leg);
+  if (firasim_) firasim_->close(leg);
+  for (auto& program : programs_) {
+    if (program) program->let_end();
+  }
+}
+
+}  // namespace mirocup::server

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// The network side of a match: the topics for teams that play over DDS, the sockets for teams that
+// speak the protocol of FIRASim, and the programs of the latter that the match starts.
+#pragma once
+
+#include "record/thoughts_file.hpp"
+#include "server/dds/match_server.hpp"
+#include "server/firasim/server.hpp"
+#include "server/seats.hpp"
+#include "server/team_program.hpp"
+#include "system/interrupt.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace mirocup::server {
+
+struct NetworkTerms {
+  std::string match_id = "1";  // by which DDS teams join
+  std::string interface = "lo";
+  int dds_domain = 0;
+  std::string credentials;                         // folder; "": anybody may join
+  double join_within = 60.0;                       // s that a team has to join
+  std::optional<double> away_limit;                // s that a team may be absent; nothing: as usual
+  firasim::Addresses firasim{"", "", "", "", ""};  // "": those of the instance
+  std::string firasim_instance = "0";              // a number, or "auto"
+  match::ByTeam<std::string> programs;  // commands that start firasim teams; "": people do
+  bool lockstep = false;  // firasim teams are waited for even where real time is asked for
+};
+
+// What a seat needs from the match. All of it outlives the seat.
+struct SeatTerms {
+  const match::Leg& leg;
+  double period;  // wall s of a tick; 0: as fast as possible
+  system::Interrupt& interrupt;
+  record::ThoughtsWriter* thoughts;  // gets what a DDS team draws; null: that is not kept
+  std::string log;                   // file for what the team's program prints
+};
+
+class Network {
+ public:
+  explicit Network(const NetworkTerms& terms) : terms_(terms) {}
+  Network(const Network&) = delete;
+  Network& operator=(const Network&) = delete;
+
+  // Opens what these teams need; nothing if both are libraries. Errc::input for a program of a
+  // team that needs none, Errc::unavailable if a port or an interface is not to be had.
+  Result<void> open(const match::ByTeam<TeamChoice>& teams);
+  bool is_open() const { return dds_ != nullptr || firasim_ != nullptr; }
+
+  // Makes room for a team of kind dds or firasim, and starts its program if the match does that.
+  Result<TeamSeat> take_seat(const TeamChoice& choice, Team team, const SeatTerms& terms);
+
+  // Tells DDS teams and spectators of the match, and shows them its first state, which teams answer
+  // before the match begins. `speed`: factor of real time; 0: as fast as possible.
+  void announce(const match::Leg& leg, const match::ByTeam<std::string>& names, double speed);
+  // Shows the tick that begins. Never waits.
+  void publish(const match::Leg& leg);
+  // Tells of the end, and gives the programs a moment to end by themselves.
+  void close(const match::Leg& leg);
+
+ private:
+  Result<void> open_firasim();
+  dds::JoinTerms dds_terms(const SeatTerms& terms) const;
+  firasim::Terms firasim_terms(Team team, const SeatTerms& terms);
+
+  NetworkTerms terms_;
+  std::unique_ptr<dds::MatchServer> dds_;     // null unless a team plays over it
+  std::unique_ptr<firasim::Server> firasim_;  // likewise
+  firasim::Addresses firasim_addresses_;
+  int firasim_instance_ = 0;
+  match::ByTeam<std::optional<TeamProgram>> programs_;  // those that this match has started
+};
+
+}  // namespace mirocup::server
