@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "programs/mirocup/examination.hpp"
+
+#include "programs/mirocup/entry_advice.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace mirocup::app {
+
+namespace {
+
+// A knock-out leg this short is level, so that extra time and shoot-out follow, s.
+constexpr double knockout_half = 0.5;
+constexpr double knockout_golden_goal = 1.0;
+
+bool add(Examination& e, bool passed, std::string text) {
+  e.report.checks.push_back({check_names[e.report.checks.size()], passed, std::move(text)});
+  if (e.on_check) e.on_check(e.report.checks.back());
+  if (passed) tell_next(e);
+  return passed;
+}
+
+// Plays a leg that ended in a crash again where the team's memory is watched. Returns what was
+// found there before the crash, or "".
+Result<std::string> mistake_in_memory(Examination& e, const TrialTerms& terms,
+                                      FaultEvidence& evidence) {
+  TrialTerms careful = terms;
+  careful.is_careful = true;
+  e.plan.look_for_causes();
+  careful.max_seconds = e.plan.share_of(1);
+  MIROCUP_TRY(const auto again, play(e, careful));
+  evidence.requests = again.requests;
+  e.requests += again.requests;
+  if (!again.fault || again.ticks() >= careful.max_ticks) return std::string();
+  const std::string& text = again.fault->fault.text;
+  return is_memory_mistake(text) ? "; with its memory watched, " + text : std::string();
+}
+
+}  // namespace
+
+void tell_next(const Examination& e) {
+  const std::size_t next = e.report.checks.size();
+  if (e.on_step && next < check_names.size())
+    e.on_step(static_cast<int>(next) + 1, static_cast<int>(check_names.size()), check_names[next]);
+}
+
+bool pass(Examination& e, std::string text) {
+  return add(e, true, std::move(text));
+}
+
+bool fail_with(Examination& e, std::string text) {
+  return add(e, false, std::move(text));
+}
+
+Result<bool> judge(Examination& e, const TrialLeg& leg, const TrialTerms& terms, std::string text) {
+  note_use(e, leg, terms);
+  if (!leg.fault) return pass(e, std::move(text));
+  FaultEvidence evidence = *leg.fault;
+  evidence.is_python = e.entry->is_python();
+  std::string mistake;
+  if (evidence.fault.code == match::FaultCode::crash && !terms.is_careful && !evidence.is_python) {
+    MIROCUP_TRY(mistake, mistake_in_memory(e, terms, evidence));
+  }
+  return fail_with(e, evidence.fault.text + " (" + std::string(to_string(evidence.fault.code)) +
+                          "): " + advice_on(evidence) + mistake);
+}
+
+TrialTerms trial(const Examination& e, Team team, const plugins::SealedEntry& opponent) {
+  TrialTerms terms;
+  terms.setup = e.setup;
+  terms.opponent = &opponent;
+  terms.team = team;
+  terms.parameters = e.terms.parameters;
+  terms.isolation = e.report.isolation;
+  return terms;
+}
+
+TrialTerms knockout_terms(const Examination& e) {
+  TrialTerms terms = trial(e, Team::blue, *e.idle);
+  terms.setup.stage = referee::Stage::knockout;
+  terms.setup.rules.half_s = knockout_half;
+  terms.setup.rules.golden_goal_s = knockout_golden_goal;
+  return terms;
+}
+
+Result<TrialLeg> play(Examination& e, const TrialTerms& terms) {
+  auto leg = play_trial(*e.entry, terms);
+  if (leg) e.plan.add(leg->used_seconds, leg->used_to_start);
+  return leg;
+}
+
+void note_use(Examination& e, const TrialLeg& leg, const TrialTerms& terms) {
+  e.report.start_ms = 1e3 * leg.start_seconds;
+  e.report.peak_memory = std::max(e.report.peak_memory, leg.peak_memory);
+  e.report.log = leg.output;
+  e.report.unknown_parameters = plugins::not_asked_for(e.terms.parameters, leg.asked_parameters);
+  e.report.bad_values += leg.bad_values;
+  e.report.moved_placements += leg.moved_placements;
+  e.report.has_moved = e.report.has_moved || leg.has_moved;
+  if (leg.ticks() == 0 || terms.is_careful) return;  // a careful process takes longer
+  e.report.slowest_tick_ms = std::max(e.report.slowest_tick_ms, leg.slowest_tick_ms);
+  e.report.mean_tick_ms = 1e3 * leg.playing_seconds / leg.ticks();
+  // In a leg of full length the bank's fixed part hardly counts.
+  e.report.bank_share = e.report.mean_tick_ms / (1e3 * plugins::Budget().bank_per_tick);
+}
+
+// What careful_memory.cpp says begins like this, in the words of the team's process.
+bool is_memory_mistake(const std::string& text) {
+  return text.find("says \"it wrote ") != std::string::npos ||
+         text.find("says \"it freed ") != std::string::npos;
+}
+
+}  // namespace mirocup::app

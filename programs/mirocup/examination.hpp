@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// The state of the checks of one entry, and what all of them use. Each kind of check is a source:
+// file_checks.cpp looks at the bytes, play_checks.cpp lets the entry play, repeat_checks.cpp lets
+// it play the same again. They run one after the other, in the order of check_names.
+#pragma once
+
+#include "plugins/host/sealed_entry.hpp"
+#include "programs/mirocup/check_plan.hpp"
+#include "programs/mirocup/entry_check.hpp"
+#include "programs/mirocup/trial_leg.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace mirocup::app {
+
+// The names of all checks, in the order in which they run.
+inline constexpr std::array<const char*, 12> check_names{
+    "file",     "complete",   "entry",  "libraries", "loads",  "ticks",
+    "leg_blue", "leg_yellow", "budget", "knockout",  "memory", "repeatable"};
+
+struct Examination {
+  std::string path;
+  EntryTerms terms;
+  const OnCheck& on_check;
+  const OnStep& on_step;
+  match::Setup setup{};  // of the trial legs
+  std::optional<plugins::SealedEntry> entry{};
+  std::optional<plugins::SealedEntry> idle{};
+  std::optional<plugins::SealedEntry> striker{};
+  TrialLeg blue{};  // the leg as blue
+  TrialLeg knockout{};
+  std::set<MetRestart> restarts{};  // in the legs so far
+  double slept = 0.0;               // s, in a leg of full length
+  std::size_t grown = 0;            // bytes that it took while a leg was played
+  std::string requests{};           // of the team, a line each
+  CheckPlan plan{};
+  EntryReport report{};
+};
+
+// The checks. Each adds the results of some of check_names, and returns false after one that
+// failed. An error is a failure of the host.
+Result<bool> examine_file(Examination& e);
+Result<bool> load_and_answer(Examination& e);
+Result<bool> play_whole_legs(Examination& e);
+Result<bool> play_knockout(Examination& e);
+Result<bool> repeat_elsewhere(Examination& e);
+
+// Says which check comes next.
+void tell_next(const Examination& e);
+
+// Each adds the result of the next check and returns true if it passed.
+bool pass(Examination& e, std::string text);
+bool fail_with(Examination& e, std::string text);
+// Passes with the text, or fails with the fault of the leg and advice.
+Result<bool> judge(Examination& e, const TrialLeg& leg, const TrialTerms& terms, std::string text);
+
+// The terms of a leg of this entry as `team`.
+TrialTerms trial(const Examination& e, Team team, const plugins::SealedEntry& opponent);
+// The knock-out leg, which has every phase of a match.
+TrialTerms knockout_terms(const Examination& e);
+inline constexpr int repeated_legs = 2;  // the leg as blue, and the knock-out leg
+
+// Plays a leg, and counts what it used.
+Result<TrialLeg> play(Examination& e, const TrialTerms& terms);
+// Keeps for the report what the entry used and did in a leg.
+void note_use(Examination& e, const TrialLeg& leg, const TrialTerms& terms);
+
+// True if the text of a fault is that of the careful process, which watches memory.
+bool is_memory_mistake(const std::string& text);
+
+}  // namespace mirocup::app

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// The checks of the file: what can be said without running it.
+#include "plugins/host/elf.hpp"
+#include "plugins/host/file_advice.hpp"
+#include "plugins/host/host_program.hpp"
+#include "plugins/host/sandbox/private_root.hpp"
+#include "programs/mirocup/examination.hpp"
+#include "system/digest.hpp"
+#include "system/files.hpp"
+#include "system/printable.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <utility>
+
+namespace mirocup::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// True if the dynamic loader finds a library of that name in the sandbox.
+bool is_on_this_system(const std::string& name) {
+  if (name.find('/') != std::string::npos) return false;
+  system::Disk disk;
+  if (const auto cache = disk.read(
+          plugins::loader_cache,
+          {.max_size = system::size_limit::system_file, .links = system::Links::followed})) {
+    // The cache holds paths that end with a zero.
+    if (cache->find('/' + name + '\0') != std::string::npos) return true;
+  }
+  return std::any_of(std::begin(plugins::library_folders), std::end(plugins::library_folders),
+                     [&](const char* folder) {
+                       std::error_code unknown;  // of a name that no file can have, for example
+                       return fs::exists(fs::path(folder) / name, unknown);
+                     });
+}
+
+// Returns the sanitizer that the library was built with, or "".
+std::string sanitizer_of(const plugins::SharedLibrary& library, std::string_view bytes) {
+  constexpr std::array<std::pair<const char*, const char*>, 4> sanitizers{
+      {{"asan", "address"}, {"tsan", "thread"}, {"msan", "memory"}, {"ubsan", "undefined"}}};
+  for (const auto& [name, option] : sanitizers) {
+    const std::string file = "lib" + std::string(name) + ".so";
+    for (const std::string& needed : library.needed) {
+      if (needed.rfind(file, 0) == 0) return option;
+    }
+    // clang links its run-time library into the program and not into a library.
+    if (bytes.find("__" + std::string(name) + "_init") != std::string_view::npos) return option;
+  }
+  return "";
+}
+
+// Whether the text is a program and has a team, Python says when it is loaded.
+Result<bool> examine_python(Examination& e) {
+  MIROCUP_TRY_VOID(plugins::host_program(*e.entry));
+  pass(e, "a text in Python");
+  pass(e, "imports mirocup.team");
+  return pass(e, "plays with this system's Python and what is installed for it");
+}
+
+}  // namespace
+
+Result<bool> examine_file(Examination& e) {
+  auto entry = plugins::SealedEntry::open(e.path);
+  if (!entry) {
+    if (entry.error().code != Errc::input) return tl::unexpected(entry.error());
+    return fail_with(e, entry.error().what);
+  }
+  e.report.sha256 = system::sha256(entry->bytes());
+  e.entry = std::move(*entry);
+  pass(e, "a regular file of " + std::to_string(e.entry->bytes().size()) + " bytes");
+
+  if (e.entry->is_python()) return examine_python(e);
+  const auto library = plugins::read_shared_library(e.entry->bytes());
+  if (!library) {
+    const std::string known = plugins::advice_on_file(e.entry->bytes());
+    return fail_with(e, known.empty() ? library.error() : known);
+  }
+  pass(e, "a complete shared library for this kind of processor");
+  if (!library->exports_entry)
+    return fail_with(e, plugins::advice_on_missing_entry(e.entry->bytes()));
+  pass(e, "exports mirocup_entry()");
+  if (const std::string tool = sanitizer_of(*library, e.entry->bytes()); !tool.empty()) {
+    return fail_with(e,
+                     "it was built with -fsanitize=" + tool +
+                         ", which a sandbox does not allow: hand it in without, and use that build "
+                         "with mirocup match --trusted");
+  }
+  std::string names;
+  for (const std::string& name : library->needed) {
+    if (!is_on_this_system(name)) {
+      return fail_with(e, "it needs " + system::printable(name) +
+                              ", which this system does not have: link it statically");
+    }
+    names += (names.empty() ? "" : ", ") + system::printable(name);
+  }
+  return pass(e, names.empty() ? "needs no other library" : "needs " + names);
+}
+
+}  // namespace mirocup::app
