@@ -27,10 +27,7 @@ Json decisions_json(const std::vector<match::LoggedDecision>& decisions, std::si
 LiveFeed::LiveFeed(const match::Leg& match)
     : robots_(match.field().robots_per_team),
       counted_(match),
-      heat_counted_(match.field()),
-      statistics_(match),
-      heat_(match.field()) {
-  heat_counted_.add(match.snapshot());
+      statistics_(match) {
   copy(match);
 }
 
@@ -42,12 +39,10 @@ void LiveFeed::copy(const match::Leg& match) {
                     decisions.begin() + static_cast<std::ptrdiff_t>(decisions_.size()),
                     decisions.end());
   statistics_ = counted_;
-  heat_ = heat_counted_;
 }
 
 void LiveFeed::publish(const match::Leg& match) {
   counted_.add(match);
-  heat_counted_.add(match.snapshot());
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (lock.owns_lock()) copy(match);
 }
@@ -68,7 +63,7 @@ std::string LiveFeed::news(Viewer& viewer) const {
   const std::optional<match::Outcome> result = result_;
   std::optional<Json> numbers;
   if (!viewer.has_started || result || version_ - viewer.statistics >= statistics_every) {
-    numbers = statistics_json(statistics_.statistics(), heat_);
+    numbers = statistics_json(statistics_.statistics());
     viewer.statistics = version_;
   }
   viewer.version = version_;

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "record/statistics/counter.hpp"
-#include "web/heat_map.hpp"
 #include "web/track_encoder.hpp"
 
 #include <mutex>
@@ -46,14 +45,12 @@ class LiveFeed {
   int robots_;
   // Of the thread of the match, up to date.
   statistics::LegCounter counted_;
-  HeatMap heat_counted_;
 
   mutable std::mutex mutex_;
   std::uint64_t version_ = 1;
   match::Snapshot scene_;
   std::vector<match::LoggedDecision> decisions_;
   statistics::LegCounter statistics_;  // as of version_
-  HeatMap heat_;
   std::optional<match::Outcome> result_;
 };
 

@@ -156,7 +156,7 @@ Json teams_json(const match::ByTeam<std::string>& names) {
 class LegTimeline {
  public:
   explicit LegTimeline(const match::Leg& match)
-      : track_(match.field().robots_per_team), counter_(match), heat_(match.field()) {
+      : track_(match.field().robots_per_team), counter_(match) {
     show(match);
   }
 
@@ -170,13 +170,11 @@ class LegTimeline {
   const Json& moments() const { return moments_; }
   const Json& keepers() const { return keepers_; }
   statistics::LegStatistics counted() const { return counter_.statistics(); }
-  const HeatMap& heat() const { return heat_; }
 
  private:
   void show(const match::Leg& match) {
     const match::Snapshot scene = match.snapshot();
     track_.add(scene);
-    heat_.add(scene);
     const Json keepers = keepers_json(scene);
     if (keepers_.empty() || keepers != last_keepers_) {
       last_keepers_ = keepers;
@@ -191,7 +189,6 @@ class LegTimeline {
 
   TrackEncoder track_;
   statistics::LegCounter counter_;
-  HeatMap heat_;
   Json moments_ = Json::array();
   Json last_moment_;
   Json keepers_ = Json::array();  // [tick, blue's, yellow's], from that tick on
@@ -236,7 +233,7 @@ tl::expected<ReplayData, replay::Divergence> play_again(const record::MatchRecor
 
   const Json whole = record::to_json(record);
   const statistics::LegStatistics counted = timeline.counted();
-  Json statistics = statistics_json(counted, timeline.heat());
+  Json statistics = statistics_json(counted);
   for (const char* team : {"blue", "yellow"}) {
     Json budget = whole["budget"][team];
     if (times == Times::left_out) {

@@ -19,10 +19,9 @@ Json keepers_json(const match::Snapshot& scene) {
   return {scene.counts[0].keeper, scene.counts[1].keeper};
 }
 
-Json statistics_json(const statistics::LegStatistics& leg, const HeatMap& heat) {
+Json statistics_json(const statistics::LegStatistics& leg) {
   Json json = statistics::to_json(leg);
   for (const char* list : {"goals", "fouls"}) json.erase(list);
-  json["heat"] = {{"columns", heat.columns()}, {"cells", heat.cells()}};
   return json;
 }
 

@@ -5,7 +5,6 @@
 
 #include "record/match_record.hpp"
 #include "record/statistics/statistics.hpp"
-#include "web/heat_map.hpp"
 #include "web/track_encoder.hpp"
 
 namespace mirocup::web {
@@ -19,9 +18,8 @@ Json moment_json(const match::Snapshot& scene);
 Json keepers_json(const match::Snapshot& scene);
 
 // The statistics of the leg as `mirocup stats` has them (docs/statistics.md) without the lists of
-// goals and fouls, which are among the decisions, and with the heat map: {play_s, …, teams: {blue,
-// yellow}, heat}.
-Json statistics_json(const statistics::LegStatistics& leg, const HeatMap& heat);
+// goals and fouls, which are among the decisions: {play_s, …, teams: {blue, yellow}}.
+Json statistics_json(const statistics::LegStatistics& leg);
 
 // Returns the text of a server-sent event.
 std::string event_text(const char* name, const Json& data);

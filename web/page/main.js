@@ -131,30 +131,32 @@ function drawMomentum() {
   curve.draw(momentum(track.firstTick, track.lastTick, leg.period, ballX), goals);
 }
 
-// Fills the choice of robots, and draws the heat map of the chosen one.
-function offerRobots() {
+// Fills the choice of the ball and robots, and draws the heat map of the chosen one.
+function offerBodies() {
+  const offer = (text, column) => {
+    const option = element('option', '', text);
+    option.value = column;  // of its x in a frame (track.js)
+    by('heat_of').append(option);
+  };
+  offer('the ball', 1);
   for (const [t, team] of ['blue', 'yellow'].entries()) {
     for (let i = 0; i < leg.robots; ++i) {
-      const option = element('option', '', `${names[team]}, robot ${i}`);
-      option.value = t * leg.robots + i;
-      by('heat_of').append(option);
+      offer(`${names[team]}, robot ${i}`, 3 + 3 * (t * leg.robots + i));
     }
   }
   const [, , width, height] = picture.getAttribute('viewBox').split(' ').map((mm) => mm / 1000);
   const draw = () => {
-    const body = Number(by('heat_of').value);
-    const heat = heatOf(track, 3 + 3 * body, [width, height],
+    const heat = heatOf(track, Number(by('heat_of').value), [width, height],
       (tick) => momentAt(tick).state === 'PLAY', (tick) => momentAt(tick).left);
-    showHeat(by('robot_heat'), heat, by('heat_of').selectedOptions[0].textContent);
+    showHeat(by('heat'), heat, by('heat_of').selectedOptions[0].textContent);
   };
   by('heat_of').addEventListener('change', draw);
-  by('robot_part').hidden = false;
+  by('heat_part').hidden = false;
   draw();
 }
 
 function showNumbers(numbers) {
   showStatistics(by('statistics'), numbers);
-  showHeat(by('heat'), numbers.heat);
   layers.actions.set(numbers);
 }
 
@@ -323,7 +325,7 @@ function showReplay() {
   showNumbers(leg.statistics);
   fitTimeline();
   drawMomentum();
-  offerRobots();
+  offerBodies();
   showOwn();
   if (!goToAddress()) player.show(0);
 }
@@ -363,7 +365,7 @@ function followMatch() {
       document.body.classList.add('ended');
       by('live').textContent = 'Ended';
       drawMomentum();
-      offerRobots();
+      offerBodies();
       linkReplay();
     },
     onLost() { document.body.classList.add('lost'); },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The statistics of the leg: one line for each number, blue against yellow, and the ball's heat map.
+// The statistics of the leg: one line for each number, blue against yellow, and where a body was.
 // docs/statistics.md defines the numbers.
 import { element, words } from './text.js';
 
@@ -94,7 +94,7 @@ export function heatOf(track, column, size, isInPlay, leftTeamAt) {
 }
 
 // Blue attacks to the right in both halves.
-export function showHeat(place, { columns, cells }, what = 'the ball') {
+export function showHeat(place, { columns, cells }, what) {
   const canvas = element('canvas');
   canvas.width = columns;
   canvas.height = cells.length / columns;
