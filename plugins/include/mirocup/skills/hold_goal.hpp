@@ -59,19 +59,7 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
       return std::clamp(y, -reach, reach);
     }
   }
-  // A robot runs at a ball that lies: where its shot would go.
-  if (length(ball_velocity(now)) < 0.3) {
-    for (int j = 0; j < now.robots; ++j) {
-      const Robot& shooter = now.opponent[j];
-      const Point run{shooter.vx, shooter.vy};
-      const Point to_ball = where - position(shooter);
-      if (shooter.vx > -0.3 || length(to_ball) > 0.35) continue;
-      if (dot(unit(run), unit(to_ball)) < 0.95) continue;
-      double along = shooter.heading;
-      if (std::cos(along) > 0.0) along += pi;
-      return std::clamp(y_on_line(where, {std::cos(along), std::sin(along)}, front), -reach, reach);
-    }
-  }
+  if (const auto y = y_of_coming_shot(now, front)) return std::clamp(*y, -reach, reach);
   // The bisector of the angle in which the ball sees the goal.
   const double middle = middle_of_goal_view(setup, where);
   const double part = std::clamp(how.line / std::max(depth, 0.001), 0.0, 1.0);

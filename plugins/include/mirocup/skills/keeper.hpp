@@ -14,6 +14,8 @@
 #include "mirocup/skills/draw.hpp"
 #include "mirocup/skills/shoot.hpp"
 
+#include <optional>
+
 namespace mirocup::strategy {
 
 struct KeeperHabits {
@@ -26,6 +28,24 @@ struct KeeperHabits {
 // Returns the y at which the line through a ball and along `direction` crosses x, m.
 inline double y_on_line(Point ball, Point direction, double x) {
   return ball.y + (x - ball.x) / direction.x * direction.y;
+}
+
+// Returns the y at which a ball that lies still will cross x, m, because an opponent runs at it; no
+// value if none does.
+inline std::optional<double> y_of_coming_shot(const Observation& now, double x) {
+  if (length(ball_velocity(now)) >= 0.3) return std::nullopt;
+  for (int j = 0; j < now.robots; ++j) {
+    const Robot& shooter = now.opponent[j];
+    const Point run{shooter.vx, shooter.vy};
+    const Point to_ball = ball(now) - position(shooter);
+    if (shooter.vx > -0.3 || length(to_ball) > 0.35) continue;
+    if (dot(unit(run), unit(to_ball)) < 0.95) continue;
+    // The ball leaves the face that hits it at a right angle.
+    double along = shooter.heading;
+    if (std::cos(along) > 0.0) along += pi;
+    return y_on_line(ball(now), {std::cos(along), std::sin(along)}, x);
+  }
+  return std::nullopt;
 }
 
 // Returns the place on the keeper's line from which it covers the goal.
@@ -46,20 +66,7 @@ inline Point cover_point(const Setup& setup, const Observation& now,
       return at(crossing.y);
     }
   }
-  // A robot runs at the ball: where its shot would go.
-  if (length(ball_velocity(now)) < 0.3) {
-    for (int j = 0; j < now.robots; ++j) {
-      const Robot& shooter = now.opponent[j];
-      const Point run{shooter.vx, shooter.vy};
-      const Point to_ball = where - position(shooter);
-      if (shooter.vx > -0.3 || length(to_ball) > 0.35) continue;
-      if (dot(unit(run), unit(to_ball)) < 0.95) continue;
-      // The ball leaves the face that hits it at a right angle.
-      double along = shooter.heading;
-      if (std::cos(along) > 0.0) along += pi;
-      return at(y_on_line(where, {std::cos(along), std::sin(along)}, front));
-    }
-  }
+  if (const auto y = y_of_coming_shot(now, front)) return at(*y);
   // Otherwise the bisector of the angle in which the ball sees the goal.
   const double middle = middle_of_goal_view(setup, where);
   const double part = std::clamp(habits.line / (where.x + setup.half_length), 0.0, 1.0);
