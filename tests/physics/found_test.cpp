@@ -16,6 +16,7 @@
 #include "core/simulator/scene.hpp"
 #include "core/simulator/world.hpp"
 #include "record/scene_json.hpp"
+#include "tests/support/is_ok.hpp"
 
 #include <gtest/gtest.h>
 
@@ -69,7 +70,7 @@ TEST_P(FoundScene, IsPlayedWithinTheBoundOfEventsAndWithoutOverlaps) {
   std::ifstream file(GetParam());
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   const auto scene = record::parse_scene(text, GetParam().string());
-  ASSERT_TRUE(scene) << scene.error().what;
+  ASSERT_TRUE(test_support::is_ok(scene));
   const field::Field field = field::make_field(scene->league);
   simulator::Tolerances tolerances;
   tolerances.event_budget = 1'000'000;

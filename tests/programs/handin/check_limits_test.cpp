@@ -2,6 +2,7 @@
 //
 // The runner of checks with real checks and small limits. Catches a budget that counts the program
 // that is started and not the programs below it, and a file that is begun again and again.
+#include "tests/support/is_ok.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/handin/check_runner.hpp"
@@ -34,7 +35,7 @@ class Checks : public testing::Test {
         .house = {},
         .replay = [](const auto&, const auto&) { return std::optional<std::string>(); }};
     auto portal = Portal::open(disk_, folder_, std::move(options), nullptr);
-    EXPECT_TRUE(portal) << portal.error().what;
+    EXPECT_TRUE(test_support::is_ok(portal));
     portal_ = std::move(*portal);
   }
   ~Checks() override { sigprocmask(SIG_SETMASK, &mask_, nullptr); }

@@ -7,6 +7,7 @@
 // than its source.
 #include "plugins/host/compile.hpp"
 #include "tests/programs/handin/hostile_archive.hpp"
+#include "tests/support/is_ok.hpp"
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
@@ -200,7 +201,7 @@ TEST_P(HostileSource, DoesNoHarm) {
       kind.source(fs::path(temporary / "secret.h").parent_path()), kind.language, kit,
       {.seconds = 120.0, .cpu_seconds = 2, .memory = std::size_t{400} << 20});
   if (!done && done.error().code == Errc::unavailable) GTEST_SKIP() << done.error().what;
-  ASSERT_TRUE(done) << done.error().what;
+  ASSERT_TRUE(test_support::is_ok(done));
   EXPECT_EQ(done->library.find(secret), std::string::npos);
   EXPECT_EQ(done->library.find("root:x:0:0"), std::string::npos);
   EXPECT_EQ(done->output.find(secret), std::string::npos) << done->output;
@@ -227,7 +228,7 @@ TEST(HostileSources, HaveProcessorTimeOfAllProcessesTogether) {
       plugins::compile_in_sandbox("#include <regex>\nstd::regex any(\".*\");\n",
                                   plugins::SourceLanguage::cpp, kit, {.seconds = 0.1});
   if (!done && done.error().code == Errc::unavailable) GTEST_SKIP() << done.error().what;
-  ASSERT_TRUE(done) << done.error().what;
+  ASSERT_TRUE(test_support::is_ok(done));
   EXPECT_EQ(done->why_not.find("compiling it takes more than 0 s of processor time"), 0u)
       << done->why_not;
 }

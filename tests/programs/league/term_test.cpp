@@ -7,6 +7,7 @@
 // no program verifies any more, a grade that is not what was played.
 #include "record/match_record.hpp"
 #include "tests/programs/league/league_command.hpp"
+#include "tests/support/is_ok.hpp"
 
 #include <gtest/gtest.h>
 
@@ -489,7 +490,7 @@ TEST_F(Term, AFolderFromElsewhereRunsItsProgramsOnlyIfTheyAreTrusted) {
   const std::string record = folder_ + "/records/r1-f1-2-1.json";
   system::Disk disk;
   auto other = record::load(disk, record);
-  ASSERT_TRUE(other) << other.error().what;
+  ASSERT_TRUE(test_support::is_ok(other));
   other->recording.ticks[3].hash ^= 1;
   ASSERT_TRUE(record::save(disk, record, *other));
   EXPECT_TRUE(contains(ask("verify", {}, 4).out, "--trust-programs"));

@@ -7,6 +7,7 @@
 #include "record/match_record.hpp"
 #include "tests/build/compilers/flat_recording.hpp"
 #include "tests/programs/records/endings.hpp"
+#include "tests/support/is_ok.hpp"
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
@@ -159,7 +160,7 @@ TEST(Records, AreReadIfEarlierVersionsWroteThem) {
   ASSERT_FALSE(samples().empty());
   for (const std::string& path : samples()) {
     const auto loaded = record::load(disk, path);
-    ASSERT_TRUE(loaded) << loaded.error().what;
+    ASSERT_TRUE(test_support::is_ok(loaded));
     const Outcome verified = verify(path);
     if (verified.exit_code == 0) continue;
     EXPECT_NE(loaded->software.behaviour_hash, behaviour_hash) << verified.out << verified.err;

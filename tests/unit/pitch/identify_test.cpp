@@ -3,6 +3,7 @@
 
 #include "pitch/validate.hpp"
 #include "tests/support/driven_pitch.hpp"
+#include "tests/support/is_ok.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ TEST(Identify, FindsThePitchOfARecording) {
   driven.truth = test_support::random_pitch(6);
   driven.seconds = 20.0;
   const auto found = identify({test_support::recording_of(driven)}, {});
-  ASSERT_TRUE(found) << found.error().what;
+  ASSERT_TRUE(test_support::is_ok(found));
   for (const int u : {0, 1, 2}) {
     ASSERT_TRUE(found->known[u]) << unknowns()[u].name;
     const Estimate& e = *found->known[u];
@@ -48,7 +49,7 @@ TEST(Identify, SaysWhatARecordingDoesNotTell) {
   look_through({.position = 0.001, .heading = 0.0, .gaps = 0.0, .outliers = 0.0, .seed = 3},
                recording);
   const auto found = identify({recording}, {});
-  ASSERT_TRUE(found) << found.error().what;
+  ASSERT_TRUE(test_support::is_ok(found));
   EXPECT_FALSE(found->known[8]);
   EXPECT_EQ(found->why_not[8], "it takes a ball that hits a wall");
   EXPECT_FALSE(found->known[0]);
@@ -83,7 +84,7 @@ TEST(Identify, SaysNothingOfWallsThatNothingHits) {
   }
   look_through({.seed = 3}, recording);
   const auto found = identify({recording}, {});
-  ASSERT_TRUE(found) << found.error().what;
+  ASSERT_TRUE(test_support::is_ok(found));
   ASSERT_TRUE(found->known[0]);
   EXPECT_NEAR(found->known[0]->value, 0.0225, 0.001);
   for (const int u : {ball_on_wall, ball_on_robot, robot_on_wall, robot_on_robot}) {

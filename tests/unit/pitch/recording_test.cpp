@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pitch/recording.hpp"
 
+#include "tests/support/is_ok.hpp"
+
 #include <gtest/gtest.h>
 
 namespace mirocup::pitch {
@@ -16,7 +18,7 @@ constexpr const char* good_recording =
 // Catches a reader that mixes up bodies, loses commands, or takes what was not seen for the origin.
 TEST(PitchRecording, ReadsWhatItWrites) {
   const auto recording = parse_recording(good_recording, "r.jsonl");
-  ASSERT_TRUE(recording) << recording.error().what;
+  ASSERT_TRUE(test_support::is_ok(recording));
   ASSERT_EQ(recording->frames.size(), 2u);
   const Frame& first = recording->frames[0];
   EXPECT_EQ(*first.ball, Vec2(0.1, -0.2));
@@ -29,7 +31,7 @@ TEST(PitchRecording, ReadsWhatItWrites) {
   EXPECT_TRUE(recording->frames[1].robots[0][1]);
   EXPECT_EQ(recording->league, League::small);
   const auto again = parse_recording(print_recording(*recording), "again");
-  ASSERT_TRUE(again) << again.error().what;
+  ASSERT_TRUE(test_support::is_ok(again));
   EXPECT_EQ(print_recording(*again), print_recording(*recording));
 }
 
@@ -40,7 +42,7 @@ TEST(PitchRecording, ReadsATable) {
       "0.2,0.0,0.1,1,2,3,5,4\n"
       ",0.1,,1,2,3,,\n",
       "r.csv");
-  ASSERT_TRUE(recording) << recording.error().what;
+  ASSERT_TRUE(test_support::is_ok(recording));
   EXPECT_EQ(*recording->frames[0].ball, Vec2(0.1, 0.2));
   EXPECT_EQ(recording->frames[0].robots[0][0]->position, Vec2(1.0, 2.0));
   EXPECT_EQ(recording->frames[0].commands[0][0].left, 4.0);

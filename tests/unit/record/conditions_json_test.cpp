@@ -5,6 +5,7 @@
 #include "record/conditions_json.hpp"
 
 #include "record/json_reader.hpp"
+#include "tests/support/is_ok.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +44,7 @@ TEST(ConditionsJson, ChangesStartFromThePreset) {
   expected.radio_loss = 0.0;
   const auto changed =
       conditions_with_changes(ConditionsPreset::camera, {"delay_ticks=3", "radio_loss=0"});
-  ASSERT_TRUE(changed) << changed.error().what;
+  ASSERT_TRUE(test_support::is_ok(changed));
   EXPECT_EQ(*changed, expected);
 }
 

@@ -5,6 +5,7 @@
 #include "record/json_reader.hpp"
 
 #include "core/field/league.hpp"
+#include "tests/support/is_ok.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +50,7 @@ TEST(JsonReader, ReadsEveryTypeThatAParserAsksFor) {
         for (const JsonReader& e : json.at("list").elements(1, 3)) v.list.push_back(e.as<int>());
         return v;
       });
-  ASSERT_TRUE(values) << values.error().what;
+  ASSERT_TRUE(test_support::is_ok(values));
   EXPECT_EQ(values->ratio, 1.5);
   EXPECT_EQ(values->count, 7) << "a missing key leaves the value as it was";
   EXPECT_EQ(values->seed, UINT64_MAX);

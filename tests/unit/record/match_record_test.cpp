@@ -7,6 +7,7 @@
 #include "core/replay/verification.hpp"
 #include "system/digest.hpp"
 #include "tests/support/controllers.hpp"
+#include "tests/support/is_ok.hpp"
 #include "tests/support/memory_files.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ TEST_P(Leagues, RecordsReadBackAsWrittenAndVerify) {
   const MatchRecord record = played(3, GetParam());
   ASSERT_TRUE(save(files, "leg.json", record));
   const auto loaded = load(files, "leg.json");
-  ASSERT_TRUE(loaded) << loaded.error().what;
+  ASSERT_TRUE(test_support::is_ok(loaded));
   EXPECT_EQ(to_json(*loaded), to_json(record));
   EXPECT_EQ(loaded->recording.trace.ticks, record.recording.trace.ticks);
   EXPECT_EQ(loaded->recording.trace.checkpoints.size(), record.recording.trace.checkpoints.size());
@@ -69,7 +70,7 @@ TEST(MatchRecord, ReadsBackEveryFieldOfABudget) {
   EXPECT_EQ(written["bad_commands"], 7);
   EXPECT_EQ(written.size(), 5u);
   const auto loaded = load(files, "leg.json");
-  ASSERT_TRUE(loaded) << loaded.error().what;
+  ASSERT_TRUE(test_support::is_ok(loaded));
   const BudgetReport& read = loaded->budget[0];
   EXPECT_EQ(read.cpu_seconds, 1.25);
   EXPECT_EQ(read.slowest_tick_ms, 3.5);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/pitch_json.hpp"
 
+#include "tests/support/is_ok.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -20,7 +22,7 @@ TEST(PitchJson, ReadsBackEveryPreset) {
     EXPECT_EQ(match::problem_with(pitch->parameters), "") << name;
     const auto json = to_json(*pitch);
     const auto again = parse_pitch(json.dump(), "p.json");
-    ASSERT_TRUE(again) << again.error().what;
+    ASSERT_TRUE(test_support::is_ok(again));
     EXPECT_EQ(to_json(*again), json) << name;
     EXPECT_EQ(again->parameters.turn_time_constant, pitch->parameters.turn_time_constant);
     EXPECT_EQ(again->parameters.grip, pitch->parameters.grip);
@@ -34,7 +36,7 @@ TEST(PitchJson, ReadsIdentifiedNumbersMotorsAndOutlines) {
       "motor": {"kind": "two_lags", "turn_time_constant": 0.03},
       "outline": [[0.03, -0.03], [0.03, 0.03], [-0.03, 0.0]]})",
                                  "p.json");
-  ASSERT_TRUE(pitch) << pitch.error().what;
+  ASSERT_TRUE(test_support::is_ok(pitch));
   EXPECT_EQ(pitch->parameters.wheel_radius, 0.021);
   EXPECT_EQ(pitch->parameters.wheel_distance, 0.08);
   EXPECT_EQ(pitch->parameters.restitution.ball_wall, 0.5);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/scene_json.hpp"
 
+#include "tests/support/is_ok.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -24,7 +26,7 @@ ordered_json good() {
 
 TEST(SceneJson, ReadsEverything) {
   const auto scene = parse_scene(good().dump(), "s.json");
-  ASSERT_TRUE(scene) << scene.error().what;
+  ASSERT_TRUE(test_support::is_ok(scene));
   EXPECT_EQ(scene->league, League::middle);
   EXPECT_EQ(scene->parameters.grip, simulator::infinite_grip);
   EXPECT_EQ(scene->parameters.rolling_friction, simulator::RollingFriction::per_axis);
@@ -47,7 +49,7 @@ TEST(SceneJson, TakesAHeadingAsAUnitVectorBitForBit) {
   ordered_json json = good();
   json["robots"][0]["pose"][2] = {cosine, sine};
   const auto scene = parse_scene(json.dump(), "s.json");
-  ASSERT_TRUE(scene) << scene.error().what;
+  ASSERT_TRUE(test_support::is_ok(scene));
   EXPECT_EQ(scene->robots[0].state.heading.cos, cosine);
   EXPECT_EQ(scene->robots[0].state.heading.sin, sine);
 }

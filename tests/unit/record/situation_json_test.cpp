@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/situation_json.hpp"
 
+#include "tests/support/is_ok.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -26,7 +28,7 @@ std::string error_of(const ordered_json& json) {
 // Catches a key that is read into another one, or lost.
 TEST(SituationJson, ReadsEverything) {
   const auto situation = parse_situation(good_situation().dump(), "s.json");
-  ASSERT_TRUE(situation) << situation.error().what;
+  ASSERT_TRUE(test_support::is_ok(situation));
   const match::Start& start = situation->start;
   EXPECT_EQ(start.left, Team::yellow);
   EXPECT_EQ(start.ball->velocity, Vec2(1.0, 0.0));
@@ -50,7 +52,7 @@ TEST(SituationJson, ReadsBackWhatItWritesBitForBit) {
   ASSERT_TRUE(situation);
   const ordered_json written = to_json(*situation);
   const auto again = parse_situation(written.dump(), "s.json");
-  ASSERT_TRUE(again) << again.error().what;
+  ASSERT_TRUE(test_support::is_ok(again));
   EXPECT_EQ(to_json(*again), written);
   EXPECT_EQ(again->start.robots[0][0].state->heading.cos,
             situation->start.robots[0][0].state->heading.cos);
@@ -96,7 +98,7 @@ TEST(SituationJson, ReadsRestarts) {
       R"({"schema": "mirocup/situation/1", "ball": {"position": [-0.375, 0.4]},
           "restart": {"kind": "FREE_BALL", "taker": "yellow"}})",
       "s.json");
-  ASSERT_TRUE(situation) << situation.error().what;
+  ASSERT_TRUE(test_support::is_ok(situation));
   EXPECT_EQ(situation->start.restart->kind, referee::Restart::FREE_BALL);
   EXPECT_EQ(situation->start.restart->quarter.x, -1.0);
   EXPECT_EQ(situation->start.restart->quarter.y, 1.0);

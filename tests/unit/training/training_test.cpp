@@ -3,6 +3,7 @@
 
 #include "core/replay/verification.hpp"
 #include "record/match_record.hpp"
+#include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/training/batch_of_matches.hpp"
 
@@ -130,7 +131,7 @@ TEST(Training, EpisodesWrittenAsRecordsVerify) {
         if (verified == most) break;
         if (mirocup_training_record(batch.get(), 1, episode, path.c_str()) != 0) continue;
         const auto record = record::load(disk, path);
-        ASSERT_TRUE(record) << record.error().what;
+        ASSERT_TRUE(test_support::is_ok(record));
         const auto difference = replay::verify(record->recording);
         EXPECT_FALSE(difference) << name << " " << seed << ": " << difference->what;
         EXPECT_GT(record->recording.ticks.size(), 0U);
@@ -217,7 +218,7 @@ TEST(Training, EpisodesOnDrawnPitchesVerify) {
     ASSERT_EQ(mirocup_training_record(batch.get(), match, MIROCUP_CURRENT_EPISODE, path.c_str()), 0)
         << mirocup_training_error(batch.get());
     const auto record = record::load(disk, path);
-    ASSERT_TRUE(record) << record.error().what;
+    ASSERT_TRUE(test_support::is_ok(record));
     const auto difference = replay::verify(record->recording);
     EXPECT_FALSE(difference) << match << ": " << difference->what;
     EXPECT_EQ(record->recording.setup.pitch_name, "drawn");
@@ -244,7 +245,7 @@ TEST(Training, RecordsNameTheirPitch) {
   for (int step = 0; step < 30; ++step) ASSERT_EQ(named.step(1, step), 0);
   ASSERT_EQ(mirocup_training_record(named.get(), 0, MIROCUP_CURRENT_EPISODE, path.c_str()), 0);
   const auto record = record::load(disk, path);
-  ASSERT_TRUE(record) << record.error().what;
+  ASSERT_TRUE(test_support::is_ok(record));
   EXPECT_EQ(record->recording.setup.pitch_name, "vsss");
   EXPECT_EQ(record->recording.setup.parameters.robot_mass, 2.4);
   EXPECT_FALSE(replay::verify(record->recording));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/drills/drill.hpp"
 
+#include "tests/support/is_ok.hpp"
+
 #include <gtest/gtest.h>
 
 namespace mirocup::drills {
@@ -27,7 +29,7 @@ std::string error_with(const char* pointer, const Json& value) {
 // Catches a key that is lost, or read into another one.
 TEST(Drill, ReadsEverything) {
   const auto drill = parse_drill(good_drill().dump(), "d/my.json");
-  ASSERT_TRUE(drill) << drill.error().what;
+  ASSERT_TRUE(test_support::is_ok(drill));
   EXPECT_EQ(drill->name, "my");
   EXPECT_EQ(drill->opponent, "keeper");
   EXPECT_EQ(drill->seconds, 6.0);
@@ -49,7 +51,7 @@ TEST(Drill, DrawsASituationFromTheSeed) {
   std::vector<double> balls;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const auto setup = setup_of(*drill, seed);
-    ASSERT_TRUE(setup) << setup.error().what;
+    ASSERT_TRUE(test_support::is_ok(setup));
     const double ball = setup->start->ball->position.x();
     const double robot = setup->start->robots[0][1].state->position.x();
     EXPECT_GE(ball, 0.1);

@@ -5,6 +5,7 @@
 #include "record/drills/judge.hpp"
 
 #include "tests/support/controllers.hpp"
+#include "tests/support/is_ok.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ std::string drill_text(const std::string& success, const std::string& more = "")
 TryResult try_with(const std::string& text, Scripted& tested_team,
                    Scripted opponent = idle_team()) {
   const auto drill = parse_drill(text, "d.json");
-  EXPECT_TRUE(drill) << drill.error().what;
+  EXPECT_TRUE(test_support::is_ok(drill));
   match::Leg leg(*setup_of(*drill, 1));
   Judge judge(*drill, leg);
   do {

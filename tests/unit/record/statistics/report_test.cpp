@@ -7,6 +7,7 @@
 #include "record/json_reader.hpp"
 #include "record/statistics/statistics_json.hpp"
 #include "tests/support/controllers.hpp"
+#include "tests/support/is_ok.hpp"
 #include "tests/support/memory_files.hpp"
 #include "web/page.hpp"
 
@@ -59,7 +60,7 @@ TEST(StatisticsJson, ReadsBackAsWritten) {
   LegReport leg = eventful();
   leg.leg = "r1-f1 leg 2";
   const auto read = parse_leg_report(leg_report_text(leg), "x.json");
-  ASSERT_TRUE(read) << read.error().what;
+  ASSERT_TRUE(test_support::is_ok(read));
   EXPECT_EQ(to_json(*read), to_json(leg));
   EXPECT_EQ(read->statistics.teams, leg.statistics.teams) << "to the last digit";
   EXPECT_EQ(read->leg, leg.leg);
@@ -182,7 +183,7 @@ TEST(CountRecords, KeepsTheOrderAndNamesTheFirstBadRecord) {
     ASSERT_TRUE(record::save(files, paths.back(), played(seed, 4.0)));
   }
   const auto legs = count_records(files, paths);
-  ASSERT_TRUE(legs) << legs.error().what;
+  ASSERT_TRUE(test_support::is_ok(legs));
   ASSERT_EQ(legs->size(), 4u);
   for (std::size_t i = 0; i < paths.size(); ++i) EXPECT_EQ((*legs)[i].record, paths[i]);
 

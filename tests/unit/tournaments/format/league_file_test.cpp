@@ -3,6 +3,8 @@
 // Catches a league file whose numbers overflow later, and a message without file and key.
 #include "tournaments/format/league_file.hpp"
 
+#include "tests/support/is_ok.hpp"
+
 #include <gtest/gtest.h>
 
 namespace mirocup::league {
@@ -37,10 +39,10 @@ TEST(LeagueFile, KeepsTheParametersOfATeam) {
   EXPECT_EQ(error_of(text("[]")).substr(0, 32), "league.json: /teams/0/parameters");
   const auto file = parse_league_file(
       "{\"schema\":\"mirocup/league/1\"," + text(R"({"wait":0.4})") + "}", "league.json");
-  ASSERT_TRUE(file) << file.error().what;
+  ASSERT_TRUE(test_support::is_ok(file));
   EXPECT_EQ(file->teams[0].parameters, (match::TeamParameters{{"wait", 0.4}}));
   const auto again = parse_league_file(print_league_file(*file), "league.json");
-  ASSERT_TRUE(again) << again.error().what;
+  ASSERT_TRUE(test_support::is_ok(again));
   EXPECT_EQ(again->teams[0].parameters, file->teams[0].parameters);
 }
 
@@ -53,10 +55,10 @@ TEST(LeagueFile, KeepsThoughtsWhereItSaysSo) {
     const auto file = parse_league_file(
         std::string(R"({"schema":"mirocup/league/1")") + (keeps ? R"(,"thoughts":true})" : "}"),
         "league.json");
-    ASSERT_TRUE(file) << file.error().what;
+    ASSERT_TRUE(test_support::is_ok(file));
     EXPECT_EQ(file->keeps_thoughts, keeps);
     const auto again = parse_league_file(print_league_file(*file), "league.json");
-    ASSERT_TRUE(again) << again.error().what;
+    ASSERT_TRUE(test_support::is_ok(again));
     EXPECT_EQ(again->keeps_thoughts, keeps);
   }
 }
@@ -70,9 +72,9 @@ TEST(LeagueFile, KeepsHowAProgramForFirasimPlays) {
                              "f");
   };
   const auto file = parse(R"("entry": "firasim:b", "run": "./b", "folder": "c", "lockstep": true)");
-  ASSERT_TRUE(file) << file.error().what;
+  ASSERT_TRUE(test_support::is_ok(file));
   const auto again = parse_league_file(print_league_file(*file), "f");
-  ASSERT_TRUE(again) << again.error().what;
+  ASSERT_TRUE(test_support::is_ok(again));
   for (const LeagueFile& read : {*file, *again}) {
     EXPECT_TRUE(read.teams[0].is_firasim());
     EXPECT_EQ(read.teams[0].program.run, "./b");

@@ -6,6 +6,7 @@
 // and a hand-in without a limit.
 #include "tournaments/handin/portal.hpp"
 
+#include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +73,7 @@ class Desk : public testing::Test {
     };
     options.why_not = [this](const std::string&, const std::string&) { return why_not_; };
     auto portal = Portal::open(disk_, folder_, std::move(options), nullptr);
-    ASSERT_TRUE(portal) << portal.error().what;
+    ASSERT_TRUE(test_support::is_ok(portal));
     portal_ = std::move(*portal);
   }
 

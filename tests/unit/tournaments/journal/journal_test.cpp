@@ -5,6 +5,7 @@
 #include "tournaments/journal/journal.hpp"
 
 #include "system/digest.hpp"
+#include "tests/support/is_ok.hpp"
 #include "tests/support/memory_files.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ using test_support::MemoryFiles;
 
 Journal opened(MemoryFiles& files) {
   auto journal = Journal::open(files, "journal.jsonl");
-  EXPECT_TRUE(journal) << journal.error().what;
+  EXPECT_TRUE(test_support::is_ok(journal));
   return std::move(*journal);
 }
 

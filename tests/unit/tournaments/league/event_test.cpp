@@ -4,6 +4,8 @@
 // wrong line whose error does not say where it is wrong.
 #include "tournaments/league/event.hpp"
 
+#include "tests/support/is_ok.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -59,7 +61,7 @@ std::string error_of_line(const Json& line) {
 TEST(Event, IsWrittenAsItWasRead) {
   for (const char* text : line_texts) {
     const auto event = read_event(Json::parse(text));
-    ASSERT_TRUE(event) << event.error().what;
+    ASSERT_TRUE(test_support::is_ok(event));
     Json again{{"n", 1}, {"kind", kind_of(*event)}};
     again.update(fields_of(*event));
     EXPECT_EQ(again.dump(), text);
@@ -70,7 +72,7 @@ TEST(Event, IsWrittenAsItWasRead) {
 TEST(Event, AStartWithoutConditionsIsExact) {
   const auto event =
       read_event(Json::parse(R"({"n":1,"kind":"start","config_sha256":"c0","version":"0.1.0"})"));
-  ASSERT_TRUE(event) << event.error().what;
+  ASSERT_TRUE(test_support::is_ok(event));
   EXPECT_EQ(std::get<Started>(*event).conditions, match::Conditions{});
 }
 

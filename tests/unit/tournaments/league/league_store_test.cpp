@@ -5,6 +5,7 @@
 #include "tournaments/league/league_store.hpp"
 
 #include "system/digest.hpp"
+#include "tests/support/is_ok.hpp"
 #include "tests/support/memory_files.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ class LeagueStoreTest : public testing::Test {
 
   LeagueStore open() {
     auto store = LeagueStore::open(files_, folder_);
-    EXPECT_TRUE(store) << store.error().what;
+    EXPECT_TRUE(test_support::is_ok(store));
     return std::move(*store);
   }
 

@@ -6,6 +6,7 @@
 
 #include "core/match/leg.hpp"
 #include "record/json_reader.hpp"
+#include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/unreadable.hpp"
 #include "tournaments/league/apply.hpp"
@@ -68,7 +69,7 @@ TEST_F(RecordOfALeg, IsFoundAndNothingElseIs) {
   ASSERT_TRUE(found());
   EXPECT_FALSE(*found());
   const auto played = found_in(record::json_text(record()));
-  ASSERT_TRUE(played) << played.error().what;
+  ASSERT_TRUE(test_support::is_ok(played));
   ASSERT_TRUE(*played);
   EXPECT_EQ((*played)->score.home + (*played)->score.away, 3);
   Json other = record();
@@ -76,7 +77,7 @@ TEST_F(RecordOfALeg, IsFoundAndNothingElseIs) {
   ASSERT_TRUE(found_in(record::json_text(other)));
   EXPECT_FALSE(*found());
   const auto of_void = found_in(record::json_text(record("void")));
-  ASSERT_TRUE(of_void) << of_void.error().what;
+  ASSERT_TRUE(test_support::is_ok(of_void));
   EXPECT_FALSE(*of_void) << "the host failed, and the leg is played again";
 }
 

@@ -5,6 +5,7 @@
 #include "tournaments/play/program.hpp"
 
 #include "system/child_process.hpp"
+#include "tests/support/is_ok.hpp"
 #include "tests/support/memory_files.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/league/kept_program.hpp"
@@ -34,7 +35,7 @@ class Program : public testing::Test {
 
   LeagueStore started_by(const std::string& version, const std::string& game) {
     auto store = LeagueStore::open(files_, folder_);
-    EXPECT_TRUE(store) << store.error().what;
+    EXPECT_TRUE(test_support::is_ok(store));
     Started event;
     event.config_sha256 = system::sha256(*files_.read(folder_.config()));
     event.version = version;
@@ -53,7 +54,7 @@ class Program : public testing::Test {
     EXPECT_TRUE(files_.write(folder_.path + "/" + leg.record,
                              R"({"software": {"version": "0", "game": ")" + game + R"("}})"));
     const auto written = store.write(leg);
-    EXPECT_TRUE(written) << written.error().what;
+    EXPECT_TRUE(test_support::is_ok(written));
   }
 
   // The error, or "".

@@ -3,6 +3,7 @@
 // Catches shards of fixtures that only one host can play, and of a league that has not started.
 #include "tournaments/play/shard.hpp"
 
+#include "tests/support/is_ok.hpp"
 #include "tests/support/memory_files.hpp"
 #include "tournaments/league/apply.hpp"
 
@@ -34,7 +35,7 @@ TEST(Shards, OfALeagueThatHasNotStartedAreRefused) {
   const Folder folder{"l"};
   ASSERT_TRUE(files.write(folder.config(), print_league_file(three_with_one_over_dds())));
   const auto store = LeagueStore::open(files, folder);
-  ASSERT_TRUE(store) << store.error().what;
+  ASSERT_TRUE(test_support::is_ok(store));
   const auto played = play_shards(files, *store, {"r1-f1"});
   ASSERT_FALSE(played);
   EXPECT_EQ(played.error().code, Errc::input);

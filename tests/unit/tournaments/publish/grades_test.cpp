@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/grades.hpp"
 
+#include "tests/support/is_ok.hpp"
 #include "tournaments/league/apply.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ TEST(Grades, JoinTheTableWithTheMarksByName) {
                            "\"be,ta\",corner,12.5,1,2,60,\n\"be,ta\",all,20.0,,,60,\n"
                            "alpha,all,70.0,,,60,1 2\n",
                            "d.csv");
-  ASSERT_TRUE(file) << file.error().what;
+  ASSERT_TRUE(test_support::is_ok(file));
   EXPECT_EQ(file->name, "grades.csv");
   EXPECT_EQ(
       file->bytes.rfind("rank,team,points,played,strength,strength_low,strength_high,house_beaten,"
@@ -55,7 +56,7 @@ TEST(Grades, NameTheHouseTeamsThatWereBeaten) {
   }
   const auto file =
       grades(overview(state), {{"be,ta", {.display = "Löwen", .members = {"Ada", "Bo"}}}}, "", "");
-  ASSERT_TRUE(file) << file.error().what;
+  ASSERT_TRUE(test_support::is_ok(file));
   EXPECT_NE(file->bytes.find(",alpha,Löwen,Ada; Bo\r\n"), std::string::npos) << file->bytes;
   EXPECT_NE(file->bytes.find("2,alpha,0,2,"), std::string::npos) << file->bytes;
   EXPECT_NE(file->bytes.find(",,,\r\n"), std::string::npos) << "alpha has beaten nobody";

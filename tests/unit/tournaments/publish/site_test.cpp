@@ -4,6 +4,7 @@
 // decision that is not listed or that seems to count although a later one undid it.
 #include "tournaments/publish/site.hpp"
 
+#include "tests/support/is_ok.hpp"
 #include "tests/support/memory_files.hpp"
 #include "tests/unit/tournaments/whole_site.hpp"
 #include "tournaments/league/apply.hpp"
@@ -37,7 +38,7 @@ Json record(int blue, int yellow) {
 
 LegPlayed played(const LeagueFile& file, const Fixture& fixture, int leg, const Json& record) {
   const auto event = leg_played(file, {.fixture = fixture, .leg = leg}, record, "records/x.json");
-  EXPECT_TRUE(event) << event.error().what;
+  EXPECT_TRUE(test_support::is_ok(event));
   return event.value_or(LegPlayed());
 }
 
@@ -49,7 +50,7 @@ LeagueState state_after(std::vector<std::pair<int, int>> legs) {
   for (const auto& [fixture, leg] : legs) {
     const LegPlayed event = played(file, fixtures[fixture], leg, record(2 + fixture, leg));
     const auto valid = validate(state, event);
-    EXPECT_TRUE(valid) << valid.error().what;
+    EXPECT_TRUE(test_support::is_ok(valid));
     league::apply(state, event);
   }
   return state;
@@ -147,7 +148,7 @@ TEST(Site, LetsNoTextBecomeMarkup) {
 
 void decide(LeagueState& state, const Event& event) {
   const auto valid = validate(state, event);
-  ASSERT_TRUE(valid) << valid.error().what;
+  ASSERT_TRUE(test_support::is_ok(valid));
   league::apply(state, event);
 }
 

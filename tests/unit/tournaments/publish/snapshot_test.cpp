@@ -5,6 +5,7 @@
 #include "tournaments/publish/snapshot.hpp"
 
 #include "core/base/random.hpp"
+#include "tests/support/is_ok.hpp"
 #include "tests/support/memory_files.hpp"
 #include "tests/unit/tournaments/whole_site.hpp"
 #include "tournaments/league/apply.hpp"
@@ -72,7 +73,7 @@ struct Season {
   void write(const Event& event) {
     EXPECT_TRUE(journal.append(std::string(kind_of(event)), fields_of(event)));
     const auto valid = validate(state, event);
-    EXPECT_TRUE(valid) << valid.error().what;
+    EXPECT_TRUE(test_support::is_ok(valid));
     league::apply(state, event);
   }
 };
@@ -93,7 +94,7 @@ TEST(Snapshot, ShowsALeagueAsItWasAfterARound) {
     EXPECT_GE(season.after.size(), 4u);
     for (const auto& [round, pages] : season.after) {
       const auto shown = state_through(season.state, season.journal, round);
-      ASSERT_TRUE(shown) << shown.error().what;
+      ASSERT_TRUE(test_support::is_ok(shown));
       const auto again = make_site({*shown});
       ASSERT_EQ(again.size(), pages.size());
       for (std::size_t i = 0; i < pages.size(); ++i)
@@ -115,7 +116,7 @@ TEST(Snapshot, ShowsARoundLegByLeg) {
       if (round_of(f.fixture) != first || !f.fixture.has_both()) continue;
       for (int leg = 1; leg <= f.needed(); ++leg) {
         const auto before = state_with_legs(season.state, season.journal, first, shown);
-        ASSERT_TRUE(before) << before.error().what;
+        ASSERT_TRUE(test_support::is_ok(before));
         EXPECT_EQ(before->results().size(), shown.size());
         shown.insert({f.fixture.id(), leg});
       }
@@ -149,14 +150,14 @@ TEST(Snapshot, ShowsANightWithoutTheTeamsThatJoinedAfterIt) {
   season.write(Resumed{.team = "c", .why = "w", .by = "H"});
   play_night(2, {{.team = "c", .entry = 1, .sha256 = "u"}});
   const auto shown = state_through(season.state, season.journal, "r1");
-  ASSERT_TRUE(shown) << shown.error().what;
+  ASSERT_TRUE(test_support::is_ok(shown));
   EXPECT_EQ(shown->teams.size(), 2u);
   const auto again = make_site({*shown});
   ASSERT_EQ(again.size(), first.size());
   for (std::size_t i = 0; i < first.size(); ++i)
     EXPECT_EQ(again[i].bytes, first[i].bytes) << first[i].name;
   const auto second = state_through(season.state, season.journal, "r2");
-  ASSERT_TRUE(second) << second.error().what;
+  ASSERT_TRUE(test_support::is_ok(second));
   EXPECT_EQ(second->fixtures.size(), 4u);
 }
 

@@ -2,6 +2,7 @@
 #include "tournaments/tune/tuning.hpp"
 
 #include "core/base/random.hpp"
+#include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/tune/cma_es.hpp"
 #include "tournaments/tune/tuning_file.hpp"
@@ -64,7 +65,7 @@ TEST(Tuning, FindsTheTopOfAHillInNoise) {
   int gained = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const auto result = tune(two_parameters(seed), player(hill, {0.3, 1.0}), nothing);
-    ASSERT_TRUE(result) << result.error().what;
+    ASSERT_TRUE(test_support::is_ok(result));
     EXPECT_GT(hill(result->values), 0.9) << seed;
     EXPECT_NEAR(result->goals.value, hill(result->values) - hill({0.3, 1.0}), 0.9);
     gained += result->has_gained() ? 1 : 0;
@@ -120,7 +121,7 @@ TEST(Tuning, GoesOnToTheSameEnd) {
   std::optional<TuningResult> end;
   for (int start = 0; start < 20 && !end; ++start) {
     auto file = TuningFile::open(disk, folder / "tune", {{"teams", "one"}});
-    ASSERT_TRUE(file) << file.error().what;
+    ASSERT_TRUE(test_support::is_ok(file));
     int left = 9;  // candidates until it is stopped
     const auto result = tune(
         options,
