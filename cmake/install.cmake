@@ -25,10 +25,15 @@ install(FILES ${PROJECT_BINARY_DIR}/share/completions/mirocup.zsh
 install(FILES ${PROJECT_BINARY_DIR}/share/completions/mirocup.fish
   DESTINATION share/fish/vendor_completions.d COMPONENT mirocup OPTIONAL)
 set(pages ${PROJECT_BINARY_DIR}/share/made)
+set(date $ENV{SOURCE_DATE_EPOCH})
+if(NOT date)
+  set(date 1795737600)  # of this version: 27 November 2026
+endif()
+set(man ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=${date})
 add_custom_command(OUTPUT ${pages}
   COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/share/man/man1 ${PROJECT_BINARY_DIR}/share/completions
-  COMMAND mirocup man ${PROJECT_BINARY_DIR}/share/man/man1
-  COMMAND mirocup-league man ${PROJECT_BINARY_DIR}/share/man/man1
+  COMMAND ${man} $<TARGET_FILE:mirocup> man ${PROJECT_BINARY_DIR}/share/man/man1
+  COMMAND ${man} $<TARGET_FILE:mirocup-league> man ${PROJECT_BINARY_DIR}/share/man/man1
   COMMAND mirocup completion bash > ${PROJECT_BINARY_DIR}/share/completions/mirocup.bash
   COMMAND mirocup completion zsh > ${PROJECT_BINARY_DIR}/share/completions/mirocup.zsh
   COMMAND mirocup completion fish > ${PROJECT_BINARY_DIR}/share/completions/mirocup.fish

@@ -1,12 +1,13 @@
 # mirocup_simurosot_team(NAME n HEADER h SOURCES s… STYLE classic|restart|v5
 #   [SIDE own|blue|yellow] [WHEELS linear|imitate|plain] [STATE zero_in_play|sticky] [PLACING ON|OFF]
-#   [STANDARD gnu++98|…] [DEFINITIONS d…]): the target n, a library of a team from the sources of an old one.
+#   [STANDARD gnu++98|…] [DEFINITIONS d…] [PRELUDE h…]): the target n, a library of a team from the sources of an old one.
 #
 #   HEADER      defines Environment (classic, restart) or Field (v5)
 #   SIDE        the colour that the team takes itself for: its own in the leg, or always the same, for teams of one side only
 #   WHEELS      linear: the platform's speed and turn for each unit; imitate: also its slow start; plain: wheel by wheel
 #   STATE       gameState in play is 0, as the help text says, or remains that of the last restart, as the platform did it
 #   PLACING     whether the team places its robots at restarts
+#   PRELUDE     headers that all sources and HEADER begin with: for names that they need and do not include
 set(mirocup_simurosot_folder "")
 set(folder "${CMAKE_CURRENT_LIST_DIR}")
 foreach(step RANGE 5)
@@ -19,7 +20,7 @@ foreach(step RANGE 5)
 endforeach()
 
 function(mirocup_simurosot_team)
-  cmake_parse_arguments(team "" "NAME;HEADER;STYLE;SIDE;WHEELS;STATE;PLACING;STANDARD" "SOURCES;DEFINITIONS" ${ARGN})
+  cmake_parse_arguments(team "" "NAME;HEADER;STYLE;SIDE;WHEELS;STATE;PLACING;STANDARD" "SOURCES;DEFINITIONS;PRELUDE" ${ARGN})
   foreach(key NAME HEADER STYLE SOURCES)
     if(NOT team_${key})
       message(FATAL_ERROR "mirocup_simurosot_team: ${key} is missing")
@@ -75,6 +76,15 @@ function(mirocup_simurosot_team)
   endforeach()
   list(REMOVE_DUPLICATES folders)
 
+  set(prelude -include ${kit}/prefix.h)
+  foreach(file ${team_PRELUDE})
+    get_filename_component(file "${file}" ABSOLUTE)
+    if(NOT EXISTS "${file}")
+      message(FATAL_ERROR "mirocup_simurosot_team(${team_NAME}): PRELUDE ${file}: there is no such file")
+    endif()
+    list(APPEND prelude "SHELL:-include \"${file}\"")
+  endforeach()
+
   # Names that Linux would not find. An include of "../x.h" leads out of the folder, so it lies deep enough.
   set(forward ${CMAKE_CURRENT_BINARY_DIR}/${team_NAME}_forward/for/the/names/of/windows)
   file(REMOVE_RECURSE ${CMAKE_CURRENT_BINARY_DIR}/${team_NAME}_forward)
@@ -103,7 +113,7 @@ function(mirocup_simurosot_team)
   endif()
 
   # The team's own sources, by the rules of their time; then the adapter, which knows both sides.
-  set(flags -include ${kit}/prefix.h -fpermissive -w -fno-strict-aliasing -fwrapv -fno-operator-names -O1)
+  set(flags ${prelude} -fpermissive -w -fno-strict-aliasing -fwrapv -fno-operator-names -O1)
   string(REGEX REPLACE "[^0-9]" "" standard "${team_STANDARD}")
   include(CheckCXXCompilerFlag)
   check_cxx_compiler_flag(-ftrivial-auto-var-init=zero MIROCUP_ZERO_LOCALS)
@@ -126,7 +136,8 @@ function(mirocup_simurosot_team)
   set_target_properties(${old} PROPERTIES CXX_STANDARD ${standard} CXX_COMPILER_LAUNCHER ${kit}/compile.sh)
   target_sources(${adapter} PRIVATE ${kit}/adapter.cpp)
   target_link_libraries(${adapter} PRIVATE mirocup::strategy)
-  target_compile_options(${adapter} PRIVATE -include ${kit}/prefix.h -fpermissive -w -fno-strict-aliasing -fno-math-errno)
+  target_compile_options(${adapter} PRIVATE ${prelude} -fpermissive -w -fno-strict-aliasing -fno-math-errno)
+  set_target_properties(${adapter} PROPERTIES CXX_COMPILER_LAUNCHER "${kit}/compile.sh;--header;${header}")
   target_compile_definitions(${adapter} PRIVATE MIROCUP_SIMUROSOT_HEADER="${header}" MIROCUP_SIMUROSOT_NAME="${team_NAME}"
     MIROCUP_SIMUROSOT_STYLE=${number_STYLE} MIROCUP_SIMUROSOT_SIDE=${number_SIDE} MIROCUP_SIMUROSOT_WHEELS=${number_WHEELS}
     MIROCUP_SIMUROSOT_STICKY=${number_STATE} MIROCUP_SIMUROSOT_PLACING=${placing} ${definitions})

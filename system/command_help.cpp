@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <memory>
 #include <sstream>
 
@@ -168,14 +170,25 @@ std::string roff(const std::string& text) {
   return replaced_all(replaced_all(escaped, "\n.", "\n\\&."), "\n'", "\n\\&'");
 }
 
+// The day of a page: that of SOURCE_DATE_EPOCH (s since 1970, UTC), with which the same build makes
+// the same bytes, or today.
+std::string page_date() {
+  const char* given = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t seconds = given != nullptr ? std::atoll(given) : std::time(nullptr);
+  std::tm day{};
+  char text[16] = "";
+  if (gmtime_r(&seconds, &day) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d", &day);
+  return text;
+}
+
 std::string page_head(const std::string& name, const std::string& description,
                       const std::string& version) {
   std::string title = replaced_all(name, " ", "-");
   std::string capitals = title;
   std::transform(capitals.begin(), capitals.end(), capitals.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return ".TH " + capitals + " 1 \"\" \"mirocup " + version + "\" \"User Commands\"\n.SH NAME\n" +
-         roff(title) + " \\- " + roff(description) + "\n";
+  return ".TH " + capitals + " 1 " + page_date() + " \"mirocup " + version +
+         "\" \"User Commands\"\n.SH NAME\n" + roff(title) + " \\- " + roff(description) + "\n";
 }
 
 std::string page_options(const CLI::App& command) {

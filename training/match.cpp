@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "training/match.hpp"
 
+#include "plugins/host/parameter_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -88,6 +90,7 @@ Result<void> Match::start_episode(const Rows& rows, simulator::World& world) {
   if (leg_) last_ = std::move(episode_);
   if (auto begun = begin(next_seed(), world); !begun) return begun;
   if (config_.skips_stops) skip_stop();
+  if (auto known = expect_known_parameters(); !known) return known;
   for (std::size_t i = 0; i < measures_.size(); ++i) {
     measures_[i] = {};
     measures_[i].meter.start(*leg_, slots_.learners[i]);
@@ -136,6 +139,19 @@ Result<void> Match::start_teams() {
   return {};
 }
 
+// A name with a slip in it would have no effect. A team asks by the time play begins.
+Result<void> Match::expect_known_parameters() const {
+  for (const Team team : both_teams) {
+    const Side& side = config_.sides[index_of(team)];
+    if (side.library.empty()) continue;
+    const auto unknown =
+        plugins::not_asked_for(side.parameters, teams_[index_of(team)]->asked_parameters());
+    if (unknown.empty()) continue;
+    return fail(Errc::input, side.library + " asked for no parameter " + unknown.begin()->first);
+  }
+  return {};
+}
+
 void Match::take_up(simulator::World& world) {
   if (shares_world()) leg_->take_up(world);
 }
@@ -171,11 +187,15 @@ Result<void> Match::play_step(const Rows& rows, const Weights& weights, simulato
   }
   const Commands commands = commands_of(rows.actions);
   const std::uint32_t begin = leg_->tick();
-  for (int i = 0; i < config_.ticks_per_step && !leg_->is_over(); ++i) {
-    play_tick(commands);
-    if (config_.skips_stops) skip_stop();
-    if (++counts_.play_ticks >= max_play_ticks_) break;
+  // An action is for play or for a stop, in which robots stand: the step ends with either.
+  const match::State state = leg_->state();
+  const Commands played = state == match::State::PLAY ? commands : Commands{};
+  for (int i = 0; i < config_.ticks_per_step; ++i) {
+    play_tick(played);
+    ++counts_.play_ticks;
+    if (leg_->is_over() || leg_->state() != state || counts_.play_ticks >= max_play_ticks_) break;
   }
+  if (config_.skips_stops) skip_stop();
   ++counts_.steps;
   counts_.is_terminated = leg_->is_over();
   counts_.is_truncated = !counts_.is_terminated && counts_.play_ticks >= max_play_ticks_;

@@ -94,6 +94,7 @@ class Match {
   Result<void> play_step(const Rows& rows, const Weights& weights, simulator::World& world);
   Result<void> begin(std::uint64_t seed, simulator::World& world);
   Result<void> start_teams();
+  Result<void> expect_known_parameters() const;
   void skip_stop();
   void play_tick(const Commands& commands);
   match::Answer answer_of(Team team, const match::Command& learned,

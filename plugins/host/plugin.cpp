@@ -16,8 +16,9 @@ namespace {
 using match::Fault;
 using match::FaultCode;
 
-// An older library may lack the members that were added at the end.
-constexpr std::size_t min_strategy_size = offsetof(mirocup_strategy, place);
+// An older library may lack the members that were added at the end. One without these is older than
+// the first release, and its other structures have another layout.
+constexpr std::size_t min_strategy_size = offsetof(mirocup_strategy, place) + sizeof(void*);
 
 tl::unexpected<Fault> fault(FaultCode code, std::string text) {
   return tl::unexpected<Fault>(Fault{code, std::move(text)});
@@ -80,6 +81,10 @@ tl::expected<Plugin, Fault> Plugin::open(const std::string& path) {
                  "the library was built for version " + std::to_string(strategy->abi_version) +
                      " of strategy.h, this is version " + std::to_string(MIROCUP_ABI_VERSION));
   }
+  if (strategy->size == offsetof(mirocup_strategy, place)) {
+    return fault(FaultCode::bad_abi,
+                 "the library was built with a strategy.h from before the first release");
+  }
   if (strategy->size < min_strategy_size || strategy->create == nullptr ||
       strategy->decide == nullptr) {
     return fault(FaultCode::bad_abi, "mirocup_entry() returned an incomplete structure");
@@ -125,7 +130,7 @@ tl::expected<mirocup_placement, Fault> Plugin::place(const mirocup_observation& 
     const mirocup_robot& robot = observation.own[i];
     placement.robots[i] = {robot.x, robot.y, robot.heading};
   }
-  if (strategy_->size < sizeof(mirocup_strategy) || strategy_->place == nullptr) return placement;
+  if (strategy_->place == nullptr) return placement;
   tl::expected<void, Fault> called;
   {
     const FloatingPointGuard guard;

@@ -22,6 +22,7 @@
 
 #include MIROCUP_SIMUROSOT_HEADER
 
+#ifndef MIROCUP_SIMUROSOT_HEADER_ALONE
 #define MIROCUP_TEAM_FUNCTION(name, symbol) \
   name __asm__(symbol) __attribute__((weak, visibility("hidden")))
 
@@ -532,3 +533,4 @@ extern "C" MIROCUP_PUBLIC const mirocup_strategy* mirocup_entry(void) {
       style == classic || !MIROCUP_SIMUROSOT_PLACING ? nullptr : place};
   return &entry;
 }
+#endif

@@ -70,6 +70,9 @@ function take_apart(    rest) {
   } else if (name ~ /^(cout|cin|cerr|endl|string|vector|map|list|deque|set|queue|stack|pair|ifstream|ofstream|sort)$/) {
     say(file, number, "\"" name "\" is a name of the C++ library.",
         "include its header, and write \"using namespace std;\" after the includes.")
+  } else {
+    say(file, number, "\"" name "\" is not declared.",
+        "write PRELUDE in CMakeLists.txt, and a header with it: one of the team's, or a new one with what the team needs of Windows.")
   }
 }
 

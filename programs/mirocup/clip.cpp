@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <unistd.h>
@@ -81,7 +82,9 @@ Result<int> draw_pictures(system::Files& files, const replay::Recording& recordi
 std::vector<std::string> ffmpeg_command(const std::string& folder, double period,
                                         const std::string& output) {
   std::vector<std::string> command{"ffmpeg", "-nostdin", "-loglevel", "error", "-y"};
-  command.insert(command.end(), {"-framerate", decimal(1.0 / period), "-i", folder + "/%05d.svg"});
+  // As a fraction, which files keep exactly.
+  const std::string rate = "1000000/" + std::to_string(std::llround(1e6 * period));
+  command.insert(command.end(), {"-framerate", rate, "-i", folder + "/%05d.svg"});
   if (output.ends_with(".gif")) {
     command.insert(command.end(),
                    {"-vf", "fps=25,scale=640:-2,split[a][b];[a]palettegen[p];[b][p]paletteuse"});

@@ -9,46 +9,48 @@
 
 namespace mirocup::dds {
 
-static_assert(max_robots_per_team == mirocup_v3_MAX_ROBOTS);
+static_assert(max_robots_per_team == mirocup_v4_MAX_ROBOTS);
 
-// The enumerators of the core and those of idl/mirocup.idl are the same numbers. If an enum of the
-// core were reordered, or got a member in its middle, the topics would change without an error.
+// The enumerators of the core and the constants of idl/mirocup.idl are the same numbers. If an enum
+// of the core were reordered, or got a member in its middle, the topics would change without an
+// error.
 template <class E, class Wire>
 constexpr bool is_wire_value(E value, Wire number) {
   return static_cast<int>(value) == static_cast<int>(number);
 }
-static_assert(enum_names<League>.size() == 3 && is_wire_value(League::small, mirocup_v3_SMALL) &&
-              is_wire_value(League::middle, mirocup_v3_MIDDLE) &&
-              is_wire_value(League::large, mirocup_v3_LARGE));
-static_assert(enum_names<Team>.size() == 2 && is_wire_value(Team::blue, mirocup_v3_BLUE) &&
-              is_wire_value(Team::yellow, mirocup_v3_YELLOW));
+static_assert(enum_names<League>.size() == 3 &&
+              is_wire_value(League::small, mirocup_v4_LEAGUE_SMALL) &&
+              is_wire_value(League::middle, mirocup_v4_LEAGUE_MIDDLE) &&
+              is_wire_value(League::large, mirocup_v4_LEAGUE_LARGE));
+static_assert(enum_names<Team>.size() == 2 && is_wire_value(Team::blue, mirocup_v4_COLOUR_BLUE) &&
+              is_wire_value(Team::yellow, mirocup_v4_COLOUR_YELLOW));
 static_assert(enum_names<match::State>.size() == 3 &&
-              is_wire_value(match::State::READY, mirocup_v3_READY) &&
-              is_wire_value(match::State::PLAY, mirocup_v3_PLAY) &&
-              is_wire_value(match::State::END, mirocup_v3_END));
+              is_wire_value(match::State::READY, mirocup_v4_STATE_READY) &&
+              is_wire_value(match::State::PLAY, mirocup_v4_STATE_PLAY) &&
+              is_wire_value(match::State::END, mirocup_v4_STATE_END));
 static_assert(enum_names<referee::Phase>.size() == 4 &&
-              is_wire_value(referee::Phase::FIRST_HALF, mirocup_v3_FIRST_HALF) &&
-              is_wire_value(referee::Phase::SECOND_HALF, mirocup_v3_SECOND_HALF) &&
-              is_wire_value(referee::Phase::EXTRA, mirocup_v3_EXTRA) &&
-              is_wire_value(referee::Phase::SHOOT_OUT, mirocup_v3_SHOOT_OUT));
+              is_wire_value(referee::Phase::FIRST_HALF, mirocup_v4_PHASE_FIRST_HALF) &&
+              is_wire_value(referee::Phase::SECOND_HALF, mirocup_v4_PHASE_SECOND_HALF) &&
+              is_wire_value(referee::Phase::EXTRA, mirocup_v4_PHASE_EXTRA) &&
+              is_wire_value(referee::Phase::SHOOT_OUT, mirocup_v4_PHASE_SHOOT_OUT));
 static_assert(enum_names<referee::Restart>.size() == 6 &&
-              is_wire_value(referee::Restart::none, mirocup_v3_NO_RESTART) &&
-              is_wire_value(referee::Restart::KICK_OFF, mirocup_v3_KICK_OFF) &&
-              is_wire_value(referee::Restart::GOAL_KICK, mirocup_v3_GOAL_KICK) &&
-              is_wire_value(referee::Restart::PENALTY_KICK, mirocup_v3_PENALTY_KICK) &&
-              is_wire_value(referee::Restart::FREE_BALL, mirocup_v3_FREE_BALL) &&
-              is_wire_value(referee::Restart::FREE_KICK, mirocup_v3_FREE_KICK));
-static_assert(is_wire_value(Admission::accepted, mirocup_v3_ACCEPTED) &&
-              is_wire_value(Admission::not_now, mirocup_v3_NOT_NOW) &&
-              is_wire_value(Admission::refused, mirocup_v3_REFUSED));
+              is_wire_value(referee::Restart::none, mirocup_v4_RESTART_NONE) &&
+              is_wire_value(referee::Restart::KICK_OFF, mirocup_v4_RESTART_KICK_OFF) &&
+              is_wire_value(referee::Restart::GOAL_KICK, mirocup_v4_RESTART_GOAL_KICK) &&
+              is_wire_value(referee::Restart::PENALTY_KICK, mirocup_v4_RESTART_PENALTY_KICK) &&
+              is_wire_value(referee::Restart::FREE_BALL, mirocup_v4_RESTART_FREE_BALL) &&
+              is_wire_value(referee::Restart::FREE_KICK, mirocup_v4_RESTART_FREE_KICK));
+static_assert(is_wire_value(Admission::accepted, mirocup_v4_ADMISSION_ACCEPTED) &&
+              is_wire_value(Admission::not_now, mirocup_v4_ADMISSION_NOT_NOW) &&
+              is_wire_value(Admission::refused, mirocup_v4_ADMISSION_REFUSED));
 
 namespace {
 
-mirocup_v3_RobotState to_sample(const match::ObservedRobot& r) {
+mirocup_v4_RobotState to_sample(const match::ObservedRobot& r) {
   return {r.position.x(), r.position.y(), r.heading, r.velocity.x(), r.velocity.y(), r.turn};
 }
 
-match::ObservedRobot to_robot(const mirocup_v3_RobotState& r) {
+match::ObservedRobot to_robot(const mirocup_v4_RobotState& r) {
   return {.position = {r.x, r.y}, .heading = r.heading, .velocity = {r.vx, r.vy}, .turn = r.turn};
 }
 
@@ -56,46 +58,46 @@ std::uint8_t age_octet(int ticks) {
   return static_cast<std::uint8_t>(std::min(ticks, 255));
 }
 
-mirocup_v3_Facts facts_of(const match::Briefing& briefing) {
-  mirocup_v3_Facts facts{};
-  facts.league = static_cast<mirocup_v3_LeagueSize>(briefing.field->league);
+mirocup_v4_LegFacts facts_of(const match::Briefing& briefing) {
+  mirocup_v4_LegFacts facts{};
+  facts.league = static_cast<std::uint8_t>(briefing.field->league);
   facts.robots = static_cast<std::uint8_t>(briefing.field->robots_per_team);
   facts.control_period = briefing.control_period;
   facts.half_seconds = briefing.rules->half_s;
   match::copy_field(*briefing.field, facts);
   match::copy_bodies(*briefing.parameters, facts);
   match::for_each_physics(*briefing.parameters, [&](const char* name, double value) {
-    mirocup_v3_NamedNumber& number = facts.numbers[facts.named++];
+    mirocup_v4_NamedNumber& number = facts.numbers[facts.named++];
     copy_text(number.name, name);
     number.value = value;
   });
   return facts;
 }
 
-mirocup_v3_Colour colour(Team team) {
-  return static_cast<mirocup_v3_Colour>(team);
+std::uint8_t colour(Team team) {
+  return static_cast<std::uint8_t>(team);
 }
 
-Team team_of(mirocup_v3_Colour colour) {
-  return colour == mirocup_v3_YELLOW ? Team::yellow : Team::blue;
+Team team_of(std::uint8_t colour) {
+  return colour == mirocup_v4_COLOUR_YELLOW ? Team::yellow : Team::blue;
 }
 
 }  // namespace
 
-mirocup_v3_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg) {
+mirocup_v4_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg) {
   assert(robots >= 0 && robots <= max_robots_per_team);
-  mirocup_v3_WorldState s{};
-  s.layout = mirocup_v3_LAYOUT;
+  mirocup_v4_WorldState s{};
+  s.layout = mirocup_v4_LAYOUT_NUMBER;
   s.leg = leg;
   s.tick = scene.tick;
   s.time = scene.time;
   s.clock = scene.clock;
-  s.state = static_cast<mirocup_v3_MatchState>(scene.state);
-  s.phase = static_cast<mirocup_v3_MatchPhase>(scene.phase);
-  s.restart = static_cast<mirocup_v3_RestartKind>(scene.restart);
+  s.state = static_cast<std::uint8_t>(scene.state);
+  s.phase = static_cast<std::uint8_t>(scene.phase);
+  s.restart = static_cast<std::uint8_t>(scene.restart);
   s.taker = colour(scene.taker);
   s.left = colour(scene.left);
-  s.placing = scene.placing ? colour(*scene.placing) : mirocup_v3_NEITHER;
+  s.placing = scene.placing ? colour(*scene.placing) : mirocup_v4_COLOUR_NEITHER;
   s.robots = static_cast<std::uint8_t>(robots);
   for (int team = 0; team < 2; ++team) {
     s.score[team] = static_cast<std::uint16_t>(scene.score[team]);
@@ -117,7 +119,7 @@ mirocup_v3_WorldState to_sample(const match::Snapshot& scene, int robots, std::u
   return s;
 }
 
-match::Snapshot to_scene(const mirocup_v3_WorldState& s) {
+match::Snapshot to_scene(const mirocup_v4_WorldState& s) {
   match::Snapshot scene;
   scene.tick = s.tick;
   scene.time = s.time;
@@ -127,7 +129,7 @@ match::Snapshot to_scene(const mirocup_v3_WorldState& s) {
   scene.restart = static_cast<referee::Restart>(s.restart);
   scene.taker = team_of(s.taker);
   scene.left = team_of(s.left);
-  if (s.placing != mirocup_v3_NEITHER) scene.placing = team_of(s.placing);
+  if (s.placing != mirocup_v4_COLOUR_NEITHER) scene.placing = team_of(s.placing);
   scene.score = {s.score[0], s.score[1]};
   scene.ball = {{s.ball_x, s.ball_y}, {s.ball_vx, s.ball_vy}};
   for (int i = 0; i < max_robots_per_team; ++i) {
@@ -143,23 +145,23 @@ match::Snapshot to_scene(const mirocup_v3_WorldState& s) {
   return scene;
 }
 
-mirocup_v3_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
+mirocup_v4_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
                              std::uint64_t nonce) {
-  mirocup_v3_Welcome w{};
-  w.layout = mirocup_v3_LAYOUT;
+  mirocup_v4_Welcome w{};
+  w.layout = mirocup_v4_LAYOUT_NUMBER;
   w.team = colour(briefing.team);
   w.nonce = nonce;
   w.leg = leg;
-  w.answer = mirocup_v3_ACCEPTED;
+  w.answer = mirocup_v4_ADMISSION_ACCEPTED;
   w.seed = briefing.seed;
   w.facts = facts_of(briefing);
   return w;
 }
 
-mirocup_v3_MatchInfo to_sample(const match::Briefing& briefing, std::uint64_t leg,
+mirocup_v4_MatchInfo to_sample(const match::Briefing& briefing, std::uint64_t leg,
                                const match::ByTeam<std::string>& names, double speed) {
-  mirocup_v3_MatchInfo info{};
-  info.layout = mirocup_v3_LAYOUT;
+  mirocup_v4_MatchInfo info{};
+  info.layout = mirocup_v4_LAYOUT_NUMBER;
   info.leg = leg;
   copy_text(info.blue, names[0]);
   copy_text(info.yellow, names[1]);
@@ -168,11 +170,11 @@ mirocup_v3_MatchInfo to_sample(const match::Briefing& briefing, std::uint64_t le
   return info;
 }
 
-bool from_sample(const mirocup_v3_Welcome& w, OwnedBriefing& owned) {
-  if (w.facts.league > mirocup_v3_LARGE || w.team > mirocup_v3_YELLOW) return false;
+bool from_sample(const mirocup_v4_Welcome& w, OwnedBriefing& owned) {
+  if (w.facts.league > mirocup_v4_LEAGUE_LARGE || w.team > mirocup_v4_COLOUR_YELLOW) return false;
   owned.field = field::make_field(static_cast<League>(w.facts.league));
   match::copy_bodies(w.facts, owned.parameters);
-  const std::size_t named = std::min<std::size_t>(w.facts.named, mirocup_v3_MAX_NUMBERS);
+  const std::size_t named = std::min<std::size_t>(w.facts.named, mirocup_v4_MAX_NUMBERS);
   match::for_each_physics(owned.parameters, [&](std::string_view name, double& member) {
     for (std::size_t i = 0; i < named; ++i) {
       if (name == w.facts.numbers[i].name) member = w.facts.numbers[i].value;
@@ -188,10 +190,10 @@ bool from_sample(const mirocup_v3_Welcome& w, OwnedBriefing& owned) {
   return true;
 }
 
-mirocup_v3_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t leg,
+mirocup_v4_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t leg,
                                 std::uint32_t number, const match::ByTeam<int>& score) {
-  mirocup_v3_MatchEvent e{};
-  e.layout = mirocup_v3_LAYOUT;
+  mirocup_v4_MatchEvent e{};
+  e.layout = mirocup_v4_LAYOUT_NUMBER;
   e.leg = leg;
   e.number = number;
   e.tick = d.tick;
@@ -203,9 +205,9 @@ mirocup_v3_MatchEvent to_sample(const match::LoggedDecision& d, std::uint64_t le
   return e;
 }
 
-mirocup_v3_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
+mirocup_v4_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
                                  std::uint64_t nonce) {
-  mirocup_v3_TeamCommand s{};
+  mirocup_v4_TeamCommand s{};
   s.team = colour(team);
   s.nonce = nonce;
   s.tick = tick;
@@ -224,7 +226,14 @@ mirocup_v3_TeamCommand to_sample(const match::Command& command, Team team, std::
   return s;
 }
 
-match::Command to_command(const mirocup_v3_TeamCommand& s) {
+bool is_known(const mirocup_v4_WorldState& s) {
+  return s.state <= mirocup_v4_STATE_END && s.phase <= mirocup_v4_PHASE_SHOOT_OUT &&
+         s.restart <= mirocup_v4_RESTART_FREE_KICK && s.taker <= mirocup_v4_COLOUR_YELLOW &&
+         s.left <= mirocup_v4_COLOUR_YELLOW && s.placing <= mirocup_v4_COLOUR_NEITHER &&
+         s.robots <= mirocup_v4_MAX_ROBOTS;
+}
+
+match::Command to_command(const mirocup_v4_TeamCommand& s) {
   match::Command command;
   for (int i = 0; i < max_robots_per_team; ++i) command.wheels[i] = {s.left[i], s.right[i]};
   if (!s.places) return command;
@@ -238,9 +247,9 @@ match::Command to_command(const mirocup_v3_TeamCommand& s) {
 }
 
 std::string layout_mismatch(std::uint32_t theirs) {
-  if (theirs == mirocup_v3_LAYOUT) return "";
+  if (theirs == mirocup_v4_LAYOUT_NUMBER) return "";
   return "its topics have layout " + std::to_string(theirs) + ", those here " +
-         std::to_string(mirocup_v3_LAYOUT) + ": both need the same version of mirocup";
+         std::to_string(mirocup_v4_LAYOUT_NUMBER) + ": both need the same version of mirocup";
 }
 
 }  // namespace mirocup::dds

@@ -13,21 +13,21 @@
 namespace mirocup::dds {
 
 // The longest name of a team, bytes.
-inline constexpr std::size_t max_team_name = sizeof(mirocup_v3_Hello::name) - 1;
+inline constexpr std::size_t max_team_name = sizeof(mirocup_v4_Hello::name) - 1;
 
 // `robots`: of each team. `leg`: the number that the server drew for the leg.
-mirocup_v3_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg);
-match::Snapshot to_scene(const mirocup_v3_WorldState& sample);
+mirocup_v4_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg);
+match::Snapshot to_scene(const mirocup_v4_WorldState& sample);
 
-// The answer of a Welcome to a Hello; the numbers are those of mirocup_v3_Admission.
+// The answer of a Welcome to a Hello; the numbers are those of std::uint8_t.
 enum class Admission : std::uint8_t { accepted, not_now, refused };
 
 // Returns what spectators are told of a leg. `speed`: factor of real time, 0 for lockstep.
-mirocup_v3_MatchInfo to_sample(const match::Briefing& briefing, std::uint64_t leg,
+mirocup_v4_MatchInfo to_sample(const match::Briefing& briefing, std::uint64_t leg,
                                const match::ByTeam<std::string>& names, double speed);
 
 // Returns a Welcome that accepts the team and holds the whole briefing.
-mirocup_v3_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
+mirocup_v4_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
                              std::uint64_t nonce);
 
 // A briefing together with the structures that it points to. It cannot be copied or moved: the
@@ -45,16 +45,19 @@ struct OwnedBriefing {
 
 // Fills `owned` from the numbers of a Welcome. Returns false, and leaves `owned` unchanged, if its
 // league or its colour does not exist.
-bool from_sample(const mirocup_v3_Welcome& sample, OwnedBriefing& owned);
+bool from_sample(const mirocup_v4_Welcome& sample, OwnedBriefing& owned);
 
 // `number` counts the events of the leg from 0; `score` is the one after the decision.
-mirocup_v3_MatchEvent to_sample(const match::LoggedDecision& decision, std::uint64_t leg,
+mirocup_v4_MatchEvent to_sample(const match::LoggedDecision& decision, std::uint64_t leg,
                                 std::uint32_t number, const match::ByTeam<int>& score);
 
 // `tick`: of the WorldState that the command answers. `nonce`: of the team's Hello.
-mirocup_v3_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
+mirocup_v4_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
                                  std::uint64_t nonce);
-match::Command to_command(const mirocup_v3_TeamCommand& sample);
+match::Command to_command(const mirocup_v4_TeamCommand& sample);
+
+// False if the sample has a number for which mirocup.idl has no constant; such a one is ignored.
+bool is_known(const mirocup_v4_WorldState& sample);
 
 // Returns why two processes that speak these layouts cannot play together; "" if they can.
 std::string layout_mismatch(std::uint32_t theirs);

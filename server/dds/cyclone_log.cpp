@@ -16,8 +16,9 @@ constexpr std::size_t max_messages = 4;
 // Parts of the messages that strangers cause, each time with other numbers and names: hosts that
 // send packets and, in secure mode, processes without credentials or with those of another league.
 constexpr std::string_view malformed = "malformed packet";
+constexpr std::string_view unreadable = " came that could not be read: its type is not that of ";
 constexpr std::string_view by_strangers[] = {malformed, "not allowed",
-                                             "certificate signature failure"};
+                                             "certificate signature failure", unreadable};
 
 // A part of the trace of Cyclone's discovery, and what it means. As a warning it has no end of line
 // and is never passed on.
@@ -35,6 +36,17 @@ std::string_view kind_of(std::string_view text) {
     if (has(text, part)) return part;
   }
   return text;
+}
+
+// What "… deserialization TOPIC/TYPE failed …" means, without the numbers that differ each time.
+std::string in_words(std::string text) {
+  constexpr std::string_view before = "deserialization ", after = " failed (";
+  const std::size_t begin = text.find(before), end = text.find(after);
+  const std::size_t slash = text.find('/', begin);
+  if (begin == std::string::npos || end == std::string::npos || slash > end) return text;
+  const std::size_t topic = begin + before.size();
+  return "a sample of " + text.substr(topic, slash - topic) + std::string(unreadable) +
+         "mirocup.idl";
 }
 
 bool is_by_stranger(std::string_view text) {
@@ -69,6 +81,7 @@ void CycloneLog::keep(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '\0')) text.pop_back();
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  text = in_words(std::move(text));
   const std::lock_guard lock(mutex_);
   std::erase_if(last_, [&](const std::string& kept) { return kind_of(kept) == kind_of(text); });
   if (last_.size() == max_messages) {

@@ -55,15 +55,15 @@ Result<void> MatchServer::open_topics() {
       })
       .and_then([&] {
         return keep(state_topic_,
-                    make_topic(participant_, mirocup_v3_WorldState_desc, idl::world_state));
+                    make_topic(participant_, mirocup_v4_WorldState_desc, idl::world_state));
       })
       .and_then([&] {
         return keep(event_topic_,
-                    make_topic(participant_, mirocup_v3_MatchEvent_desc, idl::match_event));
+                    make_topic(participant_, mirocup_v4_MatchEvent_desc, idl::match_event));
       })
       .and_then([&] {
         return keep(info_topic_,
-                    make_topic(participant_, mirocup_v3_MatchInfo_desc, idl::match_info));
+                    make_topic(participant_, mirocup_v4_MatchInfo_desc, idl::match_info));
       })
       .and_then(
           [&] { return keep(info_writer_, make_writer(publisher_, info_topic_, idl::match_info)); })
@@ -106,7 +106,7 @@ Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::
 
 void MatchServer::announce(const match::Briefing& briefing, const match::ByTeam<std::string>& names,
                            double speed) {
-  const mirocup_v3_MatchInfo info = to_sample(briefing, leg_, names, speed);
+  const mirocup_v4_MatchInfo info = to_sample(briefing, leg_, names, speed);
   dds_write(info_writer_.get(), &info);
 }
 
@@ -232,8 +232,8 @@ void MatchServer::publish_decisions(const match::Leg& match) {
 
 void MatchServer::close(const match::Leg& leg) {
   publish(leg);
-  mirocup_v3_MatchEvent last{};
-  last.layout = mirocup_v3_LAYOUT;
+  mirocup_v4_MatchEvent last{};
+  last.layout = mirocup_v4_LAYOUT_NUMBER;
   last.leg = leg_;
   last.number = static_cast<std::uint32_t>(events_);
   last.tick = leg.tick();

@@ -63,14 +63,14 @@ Result<void> Seat::open(const Entity& participant, const std::string& match_id,
       .and_then([&] { return keep(subscriber_, make_subscriber(participant, partition)); })
       .and_then([&] { return open_thoughts(participant); })
       .and_then([&] {
-        return keep(hello_topic_, make_topic(participant, mirocup_v3_Hello_desc, idl::hello));
+        return keep(hello_topic_, make_topic(participant, mirocup_v4_Hello_desc, idl::hello));
       })
       .and_then([&] {
-        return keep(welcome_topic_, make_topic(participant, mirocup_v3_Welcome_desc, idl::welcome));
+        return keep(welcome_topic_, make_topic(participant, mirocup_v4_Welcome_desc, idl::welcome));
       })
       .and_then([&] {
         return keep(command_topic_,
-                    make_topic(participant, mirocup_v3_TeamCommand_desc, idl::team_command));
+                    make_topic(participant, mirocup_v4_TeamCommand_desc, idl::team_command));
       })
       .and_then(
           [&] { return keep(hello_reader_, make_reader(subscriber_, hello_topic_, idl::hello)); })
@@ -107,18 +107,18 @@ void Seat::receive() {
 }
 
 void Seat::take_hellos() {
-  mirocup_v3_Hello hello;
+  mirocup_v4_Hello hello;
   dds_instance_handle_t writer = 0;
   while (take(hello_reader_, hello, &writer)) {
-    const mirocup_v3_Welcome welcome = answer_to(hello, writer);
+    const mirocup_v4_Welcome welcome = answer_to(hello, writer);
     dds_write(welcome_writer_.get(), &welcome);
   }
 }
 
-mirocup_v3_Welcome Seat::answer_to(const mirocup_v3_Hello& hello, dds_instance_handle_t writer) {
-  mirocup_v3_Welcome welcome = to_sample(briefing_, link_.leg, hello.nonce);
+mirocup_v4_Welcome Seat::answer_to(const mirocup_v4_Hello& hello, dds_instance_handle_t writer) {
+  mirocup_v4_Welcome welcome = to_sample(briefing_, link_.leg, hello.nonce);
   const auto answer = [&welcome](Admission admission, const std::string& reason) {
-    welcome.answer = static_cast<mirocup_v3_Admission>(admission);
+    welcome.answer = static_cast<std::uint8_t>(admission);
     copy_text(welcome.reason, reason);
     return welcome;
   };
@@ -172,7 +172,7 @@ bool Seat::has_left() const {
   return nonce_ != 0 && !participant_of(hello_reader_, hello_writer_);
 }
 
-bool Seat::is_ours(const mirocup_v3_TeamCommand& command, dds_instance_handle_t writer) {
+bool Seat::is_ours(const mirocup_v4_TeamCommand& command, dds_instance_handle_t writer) {
   if (nonce_ == 0 || command.nonce != nonce_ ||
       static_cast<int>(command.team) != index_of(briefing_.team)) {
     return false;
@@ -184,7 +184,7 @@ bool Seat::is_ours(const mirocup_v3_TeamCommand& command, dds_instance_handle_t 
 }
 
 void Seat::take_commands() {
-  mirocup_v3_TeamCommand command;
+  mirocup_v4_TeamCommand command;
   dds_instance_handle_t writer = 0;
   while (take(command_reader_, command, &writer)) {
     if (!is_ours(command, writer)) {
@@ -228,7 +228,7 @@ void Seat::take_commands() {
 
 // In real time a late command shows that the team is there. In lockstep the match waits for the
 // answer to the present tick, and nothing else can make it go on.
-void Seat::take_late(const mirocup_v3_TeamCommand& command) {
+void Seat::take_late(const mirocup_v4_TeamCommand& command) {
   late_ = to_command(command);
   late_tick_ = command.tick;
   if (liveliness_.answered_late(command.tick, tick_, fair_now())) {

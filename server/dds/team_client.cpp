@@ -70,7 +70,7 @@ Result<void> TeamClient::connect() {
 // Comes before the Hello, so that the server knows this writer when the team plays its first tick.
 void TeamClient::open_thoughts(Link& l) {
   std::ignore =
-      keep(l.thoughts_topic, make_topic(l.participant, mirocup_v3_Thoughts_desc, idl::thoughts))
+      keep(l.thoughts_topic, make_topic(l.participant, mirocup_v4_Thoughts_desc, idl::thoughts))
           .and_then([&] {
             return keep(l.thoughts_writer,
                         make_writer(l.team_publisher, l.thoughts_topic, idl::thoughts));
@@ -96,12 +96,12 @@ Result<void> TeamClient::open_readers_and_writers(Link& l) const {
       .and_then([&] { return keep(l.team_publisher, make_publisher(p, own)); })
       .and_then([&] { return keep(l.team_subscriber, make_subscriber(p, own)); })
       .map([&] { open_thoughts(l); })
-      .and_then([&] { return topic(l.state_topic, mirocup_v3_WorldState_desc, idl::world_state); })
-      .and_then([&] { return topic(l.event_topic, mirocup_v3_MatchEvent_desc, idl::match_event); })
-      .and_then([&] { return topic(l.hello_topic, mirocup_v3_Hello_desc, idl::hello); })
-      .and_then([&] { return topic(l.welcome_topic, mirocup_v3_Welcome_desc, idl::welcome); })
+      .and_then([&] { return topic(l.state_topic, mirocup_v4_WorldState_desc, idl::world_state); })
+      .and_then([&] { return topic(l.event_topic, mirocup_v4_MatchEvent_desc, idl::match_event); })
+      .and_then([&] { return topic(l.hello_topic, mirocup_v4_Hello_desc, idl::hello); })
+      .and_then([&] { return topic(l.welcome_topic, mirocup_v4_Welcome_desc, idl::welcome); })
       .and_then(
-          [&] { return topic(l.command_topic, mirocup_v3_TeamCommand_desc, idl::team_command); })
+          [&] { return topic(l.command_topic, mirocup_v4_TeamCommand_desc, idl::team_command); })
       .and_then([&] {
         return reader(l.state_reader, l.match_subscriber, l.state_topic, idl::world_state);
       })
@@ -138,18 +138,18 @@ std::optional<News> TeamClient::poll() {
 }
 
 std::optional<News> TeamClient::take_welcome() {
-  mirocup_v3_Welcome welcome;
+  mirocup_v4_Welcome welcome;
   while (take(link_.welcome_reader, welcome)) {
     if (const std::string why = layout_mismatch(welcome.layout); !why.empty()) {
       return Refused{not_understood + why};
     }
     if (welcome.nonce != link_.nonce || is_of_another_leg(welcome.leg)) continue;
     link_.leg = welcome.leg;
-    if (welcome.answer == mirocup_v3_NOT_NOW) {
+    if (welcome.answer == mirocup_v4_ADMISSION_NOT_NOW) {
       wait_reason_ = welcome.reason;
       continue;
     }
-    if (welcome.answer != mirocup_v3_ACCEPTED) {
+    if (welcome.answer != mirocup_v4_ADMISSION_ACCEPTED) {
       return Refused{welcome.reason};
     }
     // A server that was started again receives the old Hello from its history, so its Welcome may
@@ -170,7 +170,7 @@ bool TeamClient::is_of_another_leg(std::uint64_t leg) const {
 }
 
 std::optional<News> TeamClient::take_event() {
-  mirocup_v3_MatchEvent event;
+  mirocup_v4_MatchEvent event;
   while (take(link_.event_reader, event)) {
     if (event.leg != link_.leg || !event.ends_match) continue;
     return MatchOver{event.reason, {event.score[0], event.score[1]}};
@@ -179,12 +179,13 @@ std::optional<News> TeamClient::take_event() {
 }
 
 std::optional<News> TeamClient::take_state() {
-  mirocup_v3_WorldState state;
+  mirocup_v4_WorldState state;
   while (take(link_.state_reader, state)) {
     if (is_of_another_leg(state.leg)) continue;
     if (const std::string why = layout_mismatch(state.layout); !why.empty()) {
       return Refused{not_understood + why};
     }
+    if (!is_known(state)) continue;
     last_heard_at_ = WallClock::now();
     if (!link_.is_seated) continue;
     const std::uint32_t heard = state.heard[index_of(request_.team)];
@@ -228,9 +229,9 @@ void TeamClient::look_after_connection() {
 
 void TeamClient::send_hello() {
   hello_sent_at_ = WallClock::now();
-  mirocup_v3_Hello hello{};
-  hello.layout = mirocup_v3_LAYOUT;
-  hello.team = static_cast<mirocup_v3_Colour>(request_.team);
+  mirocup_v4_Hello hello{};
+  hello.layout = mirocup_v4_LAYOUT_NUMBER;
+  hello.team = static_cast<std::uint8_t>(request_.team);
   hello.nonce = link_.nonce;
   copy_text(hello.name, request_.name);
   dds_write(link_.hello_writer.get(), &hello);
@@ -244,7 +245,7 @@ bool TeamClient::keeps_thoughts() const {
 }
 
 void TeamClient::think(ThoughtsSample& thoughts, std::uint32_t tick) {
-  const mirocup_v3_Thoughts& sample = thoughts.stamped(request_.team, tick, link_.nonce);
+  const mirocup_v4_Thoughts& sample = thoughts.stamped(request_.team, tick, link_.nonce);
   dds_write(link_.thoughts_writer.get(), &sample);
 }
 
@@ -291,7 +292,7 @@ std::string TeamClient::last_error() const {
             "with credentials of the same league, and yours be neither revoked nor expired";
   if (const std::string type = type_of_server(); !type.empty()) {
     return "the match is there, but its server sends " + type + ", and this program needs " +
-           mirocup_v3_WorldState_desc.m_typename + ": both need the same version of mirocup";
+           mirocup_v4_WorldState_desc.m_typename + ": both need the same version of mirocup";
   }
   return "no match server answered (" + reasons + ")" + domain_.log->last_error_suffix();
 }

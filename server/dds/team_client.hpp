@@ -111,7 +111,7 @@ class TeamClient {
   WallClock::time_point last_heard_at_;  // when the last sample of the match came
   std::uint64_t seated_leg_ = 0;
   OwnedBriefing briefing_;
-  std::optional<mirocup_v3_TeamCommand> answer_;  // the last one that was sent
+  std::optional<mirocup_v4_TeamCommand> answer_;  // the last one that was sent
   std::uint32_t acknowledged_commands_ = 0;       // as the server counts them
   WallClock::time_point acknowledged_at_;         // when that count changed last
   int unacknowledged_ = 0;                        // commands that were sent since then

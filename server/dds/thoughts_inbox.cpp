@@ -6,11 +6,11 @@
 namespace mirocup::dds {
 
 ThoughtsInbox::~ThoughtsInbox() {
-  dds_sample_free(&sample_, &mirocup_v3_Thoughts_desc, DDS_FREE_CONTENTS);
+  dds_sample_free(&sample_, &mirocup_v4_Thoughts_desc, DDS_FREE_CONTENTS);
 }
 
 Result<void> ThoughtsInbox::open(const Entity& participant, const Entity& subscriber) {
-  return keep(topic_, make_topic(participant, mirocup_v3_Thoughts_desc, idl::thoughts))
+  return keep(topic_, make_topic(participant, mirocup_v4_Thoughts_desc, idl::thoughts))
       .and_then([&] { return keep(reader_, make_reader(subscriber, topic_, idl::thoughts)); });
 }
 

@@ -51,7 +51,7 @@ class ThoughtsInbox {
   void sort(std::uint32_t tick, const ThoughtSink& sink);
 
   Entity topic_, reader_;
-  mirocup_v3_Thoughts sample_{};  // DDS allocates what it points to, once for the largest sample
+  mirocup_v4_Thoughts sample_{};  // DDS allocates what it points to, once for the largest sample
   std::uint64_t nonce_ = 0;       // 0: no process has the seat
   ParticipantKey process_{};
   dds_instance_handle_t writer_ = 0;     // 0: it has not written yet

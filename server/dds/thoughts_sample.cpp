@@ -12,22 +12,22 @@ namespace mirocup::dds {
 using match::ThoughtKind;
 
 // The numbers of the IDL are those of the core, whose limits both ways of drawing have.
-static_assert(mirocup_v3_MAX_SHAPES == match::max_thoughts &&
-              mirocup_v3_MAX_SHAPE_NUMBERS == match::max_thought_numbers &&
-              mirocup_v3_MAX_SHAPE_TEXT == match::max_thought_text &&
-              sizeof(mirocup_v3_Shape{}.layer) == match::max_layer_name + 1);
+static_assert(mirocup_v4_MAX_SHAPES == match::max_thoughts &&
+              mirocup_v4_MAX_SHAPE_NUMBERS == match::max_thought_numbers &&
+              mirocup_v4_MAX_SHAPE_TEXT == match::max_thought_text &&
+              sizeof(mirocup_v4_Shape{}.layer) == match::max_layer_name + 1);
 static_assert(enum_names<ThoughtKind>.size() == 4 &&
-              static_cast<int>(ThoughtKind::line) == mirocup_v3_LINE &&
-              static_cast<int>(ThoughtKind::circle) == mirocup_v3_CIRCLE &&
-              static_cast<int>(ThoughtKind::polygon) == mirocup_v3_POLYGON &&
-              static_cast<int>(ThoughtKind::text) == mirocup_v3_TEXT);
+              static_cast<int>(ThoughtKind::line) == mirocup_v4_SHAPE_LINE &&
+              static_cast<int>(ThoughtKind::circle) == mirocup_v4_SHAPE_CIRCLE &&
+              static_cast<int>(ThoughtKind::polygon) == mirocup_v4_SHAPE_POLYGON &&
+              static_cast<int>(ThoughtKind::text) == mirocup_v4_SHAPE_TEXT);
 
 ThoughtsSample::ThoughtsSample() {
-  sample_.shapes = {._maximum = mirocup_v3_MAX_SHAPES,
+  sample_.shapes = {._maximum = mirocup_v4_MAX_SHAPES,
                     ._length = 0,
                     ._buffer = shapes_.data(),
                     ._release = false};
-  sample_.numbers = {._maximum = mirocup_v3_MAX_SHAPE_NUMBERS,
+  sample_.numbers = {._maximum = mirocup_v4_MAX_SHAPE_NUMBERS,
                      ._length = 0,
                      ._buffer = numbers_.data(),
                      ._release = false};
@@ -50,8 +50,8 @@ void ThoughtsSample::add(const match::Thought& thought) {
     ++sample_.left_out;
     return;
   }
-  mirocup_v3_Shape& shape = shapes_[sample_.shapes._length++];
-  shape.kind = static_cast<mirocup_v3_ShapeKind>(thought.kind);
+  mirocup_v4_Shape& shape = shapes_[sample_.shapes._length++];
+  shape.kind = static_cast<std::uint8_t>(thought.kind);
   shape.numbers = static_cast<std::uint8_t>(thought.numbers.size());
   shape.text = static_cast<std::uint16_t>(thought.text.size());
   shape.colour = thought.colour;
@@ -61,11 +61,11 @@ void ThoughtsSample::add(const match::Thought& thought) {
   text_ += thought.text.copy(sample_.text + text_, match::max_thought_text - text_);
 }
 
-const mirocup_v3_Thoughts& ThoughtsSample::stamped(Team team, std::uint32_t tick,
+const mirocup_v4_Thoughts& ThoughtsSample::stamped(Team team, std::uint32_t tick,
                                                    std::uint64_t nonce) {
   sample_.nonce = nonce;
   sample_.tick = tick;
-  sample_.team = static_cast<mirocup_v3_Colour>(team);
+  sample_.team = static_cast<std::uint8_t>(team);
   sample_.text[text_] = '\0';
   return sample_;
 }
@@ -75,13 +75,13 @@ namespace {
 // Goes through the shapes of a sample, and ends where the next one cannot be.
 class ShapeReader {
  public:
-  explicit ShapeReader(const mirocup_v3_Thoughts& sample)
+  explicit ShapeReader(const mirocup_v4_Thoughts& sample)
       : sample_(sample), bytes_(strnlen(sample.text, sizeof sample.text)) {}
 
   bool is_at_end() const { return shape_ == sample_.shapes._length; }
 
   std::optional<match::Thought> next() {
-    const mirocup_v3_Shape& shape = sample_.shapes._buffer[shape_++];
+    const mirocup_v4_Shape& shape = sample_.shapes._buffer[shape_++];
     const auto kind = static_cast<ThoughtKind>(shape.kind);
     if (!match::is_complete(kind, shape.numbers) ||
         sample_.numbers._length - number_ < shape.numbers || bytes_ - text_ < shape.text ||
@@ -100,7 +100,7 @@ class ShapeReader {
   }
 
  private:
-  const mirocup_v3_Thoughts& sample_;
+  const mirocup_v4_Thoughts& sample_;
   std::size_t bytes_;  // of its text
   std::uint32_t shape_ = 0;
   std::size_t number_ = 0;
@@ -109,7 +109,7 @@ class ShapeReader {
 
 }  // namespace
 
-bool for_each_thought(const mirocup_v3_Thoughts& sample,
+bool for_each_thought(const mirocup_v4_Thoughts& sample,
                       const std::function<void(const match::Thought&)>& use) {
   if (sample.shapes._length > match::max_thoughts ||
       sample.numbers._length > match::max_thought_numbers) {

@@ -31,18 +31,18 @@ class ThoughtsSample {
 
   // Returns the sample, to be written as the thoughts of this team's process in a tick. It is valid
   // until the next call.
-  const mirocup_v3_Thoughts& stamped(Team team, std::uint32_t tick, std::uint64_t nonce);
+  const mirocup_v4_Thoughts& stamped(Team team, std::uint32_t tick, std::uint64_t nonce);
 
  private:
-  mirocup_v3_Thoughts sample_{};
-  std::array<mirocup_v3_Shape, match::max_thoughts> shapes_;
+  mirocup_v4_Thoughts sample_{};
+  std::array<mirocup_v4_Shape, match::max_thoughts> shapes_;
   std::array<double, match::max_thought_numbers> numbers_;
   std::size_t text_ = 0;  // bytes that are used of the sample's text
 };
 
 // Calls `use` with each shape of a sample that a stranger may have written. Returns false, without
 // a call, if the sample contradicts itself.
-bool for_each_thought(const mirocup_v3_Thoughts& sample,
+bool for_each_thought(const mirocup_v4_Thoughts& sample,
                       const std::function<void(const match::Thought&)>& use);
 
 }  // namespace mirocup::dds

@@ -200,10 +200,11 @@ double Seat::silent_for(double now) const {
   return unheard_for(now);
 }
 
-match::Fault Seat::disconnected() const {
-  return {match::FaultCode::disconnected,
-          std::string(terms_.tick ? "the team sent nothing" : "the team answered nothing") +
-              " for " + std::to_string(static_cast<int>(terms_.away)) + " s"};
+match::Fault Seat::disconnected(const std::string& commands_at) const {
+  std::string why = terms_.tick ? "the team sent nothing" : "the team answered nothing";
+  if (!sender_) why = "the team placed its robots, but no command came to " + commands_at;
+  why += " for " + std::to_string(static_cast<int>(terms_.away)) + " s";
+  return {match::FaultCode::disconnected, why};
 }
 
 match::Answer Seat::collect() {

@@ -3,9 +3,10 @@
 // The seat of one team that speaks FIRASim's protocol: who may steer it, and what it last said.
 //
 // FIRASim asks nobody: every process may steer both colours. Here a colour belongs to the first
-// address and port that sends commands for it. Another one may take it over only after the first
-// has been silent for half of the time after which the team is lost. Placements come from a socket
-// of their own, which is bound in the same way and must be of the same host.
+// address and port that sends commands for it, which may have the other colour, too. An address
+// that has none may take a colour over only after the first has been silent for half of the time
+// after which the team is lost. Placements come from a socket of their own, which is bound in the
+// same way and must be of the same host.
 //
 // As in FIRASim, the last command of a robot holds until there is a newer one. At a restart all
 // robots of the team stop.
@@ -69,6 +70,7 @@ class Seat final : public match::Controller {
 
   // For the server, which receives for both seats. `now`: of its PatientClock, s.
   bool belongs_to(const Endpoint& sender) const { return sender_ == sender; }
+  bool has_sender() const { return sender_.has_value(); }
   bool is_placed_by(const Endpoint& sender) const { return placer_ == sender; }
   // True if the sender steers the team, or does so from now on.
   bool let_in(const Endpoint& sender, double now);
@@ -92,7 +94,8 @@ class Seat final : public match::Controller {
   bool is_lost(double now) const { return silent_for(now) >= terms_.away; }
   void end(match::Answer how) { end_ = end_ ? std::move(end_) : std::move(how); }
   const Terms& terms() const { return terms_; }
-  match::Fault disconnected() const;
+  // `commands_at` names where commands are received.
+  match::Fault disconnected(const std::string& commands_at) const;
 
   const std::vector<record::Absence>& absences() const { return absences_; }
   const record::Durations& answers() const { return answers_; }

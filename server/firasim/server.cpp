@@ -56,17 +56,20 @@ Result<std::unique_ptr<Server>> Server::open(const Addresses& a) {
   MIROCUP_TRY(const auto vision_to, parse_endpoints(a.vision, "--firasim-vision"));
   MIROCUP_TRY(const auto referee_to, parse_endpoints(a.referee, "--firasim-referee"));
   const bool has_address = a.command.find(':') != std::string::npos;
-  const std::string any = a.interface == this_host ? "127.0.0.1:" : "0.0.0.0:";
-  MIROCUP_TRY(const auto commands_at,
-              parse_endpoint(has_address ? a.command : any + a.command, "--firasim-command"));
+  MIROCUP_TRY(
+      const auto commands_at,
+      parse_endpoint(has_address ? a.command : "0.0.0.0:" + a.command, "--firasim-command"));
   MIROCUP_TRY(const auto placements_at, parse_endpoint(a.placement, "--firasim-placement"));
 
   MIROCUP_TRY(auto vision, Sender::open(vision_to, a.interface));
   MIROCUP_TRY(auto referee, Sender::open(referee_to, a.interface));
   MIROCUP_TRY(auto commands, Receiver::open(commands_at, a.interface, "--firasim-command"));
   MIROCUP_TRY(auto placements, Receiver::open(placements_at, a.interface, "--firasim-placement"));
-  return std::unique_ptr<Server>(new Server(std::move(vision), std::move(referee),
+  std::unique_ptr<Server> server(new Server(std::move(vision), std::move(referee),
                                             std::move(commands), std::move(placements)));
+  server->is_only_for_this_host_ = !has_address && a.interface == this_host;
+  server->commands_at_ = "port " + std::to_string(commands_at.port);
+  return server;
 }
 
 Server::Server(Sender vision, Sender referee, Receiver commands, Receiver placements)
@@ -106,7 +109,8 @@ tl::expected<void, match::Answer> Server::wait_until_ready(const Seat& seat,
       return tl::unexpected<match::Answer>(
           match::Fault{match::FaultCode::start_timeout,
                        "the team sent no command and no placement within " +
-                           std::to_string(static_cast<int>(std::ceil(terms.to_join))) + " s"});
+                           std::to_string(static_cast<int>(std::ceil(terms.to_join))) + " s" +
+                           (refused_.empty() ? "" : "; not taken: " + refused_)});
     }
     if (now - sent >= resend_before_play) {
       if (!called_) call(leg);
@@ -205,9 +209,22 @@ bool Server::receive(double now) {
     if (!has_own_line(datagram.from)) any = take_placement(datagram, now) || any;
   }
   for (int i = 0; i < most_of_others && commands_.receive(datagram); ++i) {
+    if (is_only_for_this_host_ && !is_of_this_host(datagram.from)) {
+      ++strangers_.foreign;
+      refuse(datagram.from, "is another host: --interface lets it in");
+      continue;
+    }
     any = take_packet(datagram, now) || any;
   }
   return any;
+}
+
+void Server::refuse(const Endpoint& from, const std::string& why) {
+  const bool is_first = refused_.empty();
+  refused_ = to_text(from) + " " + why;
+  if (is_first && !places_.empty()) {
+    places_.front().seat->terms().tell("a datagram is not taken: " + refused_);
+  }
 }
 
 // What is sent to a group arrives at all sockets.
@@ -217,35 +234,70 @@ bool Server::has_own_line(const Endpoint& placer) const {
   });
 }
 
-// Counts the datagram for the seat of its sender, or for strangers if the sender has none. Returns
+// Seats the sender of commands for a colour that is free, also if it has the other one: FIRASim's
+// programs may steer both from one socket.
+void Server::let_in(const Endpoint& sender, Team team, double now) {
+  Place* wanted = place_of(team);
+  const std::string colour(to_string(team));
+  if (wanted == nullptr) {
+    refuse(sender, "sent commands for " + colour + ", which no program plays here");
+  } else if (!wanted->seat->belongs_to(sender)) {
+    const bool has_other = has_seat(sender);
+    if ((has_other && wanted->seat->has_sender()) || !wanted->seat->let_in(sender, now)) {
+      refuse(sender, "sent commands for " + colour + ", which another socket steers");
+      return;
+    }
+    wanted->commands.reset();
+    if (has_other) return;  // the one line brings both
+    if (auto line = commands_.only_from(sender)) wanted->commands = std::move(*line);
+  }
+}
+
+bool Server::has_seat(const Endpoint& sender) const {
+  return std::any_of(places_.begin(), places_.end(),
+                     [&](const Place& place) { return place.seat->belongs_to(sender); });
+}
+
+// Counts the datagram for the seats of its sender, or for strangers if the sender has none. Returns
 // true if the sender has a seat.
 bool Server::take_packet(const Receiver::Datagram& datagram, double now) {
-  Seat* owner = nullptr;
-  for (const Place& place : places_) {
-    if (place.seat->belongs_to(datagram.from)) owner = place.seat.get();
-  }
-  const auto packet = decode_packet(datagram.bytes);
-  if (!packet) {
-    ++(owner != nullptr ? owner->counts() : strangers_).malformed;
-    return owner != nullptr;
-  }
-  if (owner == nullptr && !packet->commands.empty()) {
-    Place* wanted = place_of(packet->commands.front().team);
-    if (wanted != nullptr && wanted->seat->let_in(datagram.from, now)) {
-      owner = wanted->seat.get();
-      wanted->commands.reset();
-      if (auto line = commands_.only_from(datagram.from)) wanted->commands = std::move(*line);
+  auto packet = decode_packet(datagram.bytes);
+  if (packet) {
+    for (const Team team : both_teams) {
+      const auto is_of = [team](const WheelCommand& c) { return c.team == team; };
+      if (std::any_of(packet->commands.begin(), packet->commands.end(), is_of)) {
+        let_in(datagram.from, team, now);
+      }
     }
   }
-  Counts& counts = owner != nullptr ? owner->counts() : strangers_;
-  if (packet->has_replacement) ++counts.replacements;
-  if (owner == nullptr) {
-    ++counts.foreign;
+  bool any = false;
+  for (const Place& place : places_) {
+    if (!place.seat->belongs_to(datagram.from)) continue;
+    any = true;
+    Counts& counts = place.seat->counts();
+    if (!packet) {
+      ++counts.malformed;
+      continue;
+    }
+    if (packet->has_replacement) ++counts.replacements;
+    ++counts.datagrams;
+    const Team other = opponent_of(place.seat->team());
+    const Place* both = place_of(other);
+    Packet own = *packet;
+    if (both != nullptr && both->seat->belongs_to(datagram.from)) {
+      std::erase_if(own.commands, [other](const WheelCommand& c) { return c.team == other; });
+    }
+    if (!own.commands.empty()) place.seat->take(own, now);
+  }
+  if (any) return true;
+  if (!packet) {
+    ++strangers_.malformed;
+    refuse(datagram.from, "sent what is no Packet of FIRASim");
     return false;
   }
-  ++counts.datagrams;
-  if (!packet->commands.empty()) owner->take(*packet, now);
-  return true;
+  if (packet->has_replacement) ++strangers_.replacements;
+  ++strangers_.foreign;
+  return false;
 }
 
 bool Server::take_placement(const Receiver::Datagram& datagram, double now) {
@@ -260,9 +312,13 @@ bool Server::take_placement(const Receiver::Datagram& datagram, double now) {
     return false;
   }
   const bool is_known = place->seat->is_placed_by(datagram.from);
-  if (!place->seat->take(*placement, datagram.from, now)) return false;
-  if (is_known && place->placements) return true;
-  place->placements.reset();
+  if (!place->seat->take(*placement, datagram.from, now)) {
+    refuse(datagram.from, "sent a placement of " + std::string(to_string(placement->team)) +
+                              ", whose placements come from elsewhere");
+    return false;
+  }
+  if (!is_known) place->placements.reset();
+  if (has_own_line(datagram.from)) return true;
   if (auto line = placements_.only_from(datagram.from)) place->placements = std::move(*line);
   return true;
 }
@@ -337,7 +393,8 @@ void Server::end_the_lost(double now) {
   for (const Place& place : places_) {
     Seat& seat = *place.seat;
     const double share = seat.terms().tick ? 0.5 : 1.0;
-    if (seat.silent_for(now) >= share * seat.terms().away) seat.end(seat.disconnected());
+    if (seat.silent_for(now) >= share * seat.terms().away)
+      seat.end(seat.disconnected(commands_at_));
   }
 }
 

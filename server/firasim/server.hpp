@@ -62,6 +62,9 @@ class Server {
   void end_the_lost(double now);
   void resend();
   bool receive(double now);
+  void let_in(const Endpoint& sender, Team team, double now);
+  bool has_seat(const Endpoint& sender) const;
+  void refuse(const Endpoint& from, const std::string& why);
   bool take_packet(const Receiver::Datagram& datagram, double now);
   bool take_placement(const Receiver::Datagram& datagram, double now);
   bool has_own_line(const Endpoint& placer) const;
@@ -83,6 +86,9 @@ class Server {
   bool is_settled_ = true;
   bool was_sent_again_ = false;  // answers to the copy may still arrive
   Counts strangers_;
+  bool is_only_for_this_host_ = true;  // no other host may command
+  std::string commands_at_;            // for messages
+  std::string refused_;                // the sender of what was not taken last, and why
 };
 
 }  // namespace mirocup::firasim

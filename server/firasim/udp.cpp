@@ -42,6 +42,17 @@ Result<std::vector<int>> indexes_of(const std::string& interface) {
   return std::vector<int>{index, lo};
 }
 
+// Joins a group on all interfaces of a list that have it; false if none has.
+bool join(int socket, std::uint32_t group, const std::vector<int>& interfaces) {
+  bool has_joined = false;
+  for (const int index : interfaces) {
+    const ip_mreqn request{
+        .imr_multiaddr = to_sockaddr({group, 0}).sin_addr, .imr_address = {}, .imr_ifindex = index};
+    has_joined = set(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, request) || has_joined;
+  }
+  return has_joined;
+}
+
 }  // namespace
 
 std::string to_text(const Endpoint& endpoint) {
@@ -49,6 +60,14 @@ std::string to_text(const Endpoint& endpoint) {
   const in_addr address{htonl(endpoint.address)};
   inet_ntop(AF_INET, &address, text.data(), text.size());
   return std::string(text.data()) + ":" + std::to_string(endpoint.port);
+}
+
+bool is_of_this_host(const Endpoint& endpoint) {
+  if (endpoint.address >> IN_CLASSA_NSHIFT == IN_LOOPBACKNET) return true;
+  // Only a host's own addresses can be bound to.
+  const system::Descriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  const sockaddr_in own = to_sockaddr({endpoint.address, 0});
+  return bind(socket.get(), reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
 }
 
 Result<Endpoint> parse_endpoint(const std::string& text, const std::string& option) {
@@ -96,9 +115,7 @@ Result<Sender> Sender::open(std::vector<Endpoint> to, const std::string& interfa
   set(socket, IPPROTO_IP, IP_MULTICAST_IF, way);
   for (const Endpoint& endpoint : sender.to_) {
     if (!endpoint.is_group()) continue;
-    const ip_mreqn group{
-        .imr_multiaddr = to_sockaddr(endpoint).sin_addr, .imr_address = {}, .imr_ifindex = index};
-    set(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, group);
+    join(socket, endpoint.address, {index});
   }
   return sender;
 }
@@ -124,20 +141,15 @@ Result<Receiver> Receiver::open(const Endpoint& at, const std::string& interface
     return fail(Errc::unavailable, option + " " + to_text(at) + ": " + std::strerror(errno) +
                                        (errno == EADDRINUSE ? " (by another match?)" : ""));
   }
+  MIROCUP_TRY(const auto indexes, indexes_of(interface));
   if (!at.is_group()) {
+    if (at.address == INADDR_ANY) join(socket, INADDR_ALLHOSTS_GROUP, indexes);
     // From now on, for only_from(). A match that opens the same address does not ask to share it,
     // and is refused.
     set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
     return receiver;
   }
-  MIROCUP_TRY(const auto indexes, indexes_of(interface));
-  bool has_joined = false;
-  for (const int index : indexes) {
-    const ip_mreqn group{
-        .imr_multiaddr = address.sin_addr, .imr_address = {}, .imr_ifindex = index};
-    has_joined = set(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, group) || has_joined;
-  }
-  if (!has_joined) {
+  if (!join(socket, at.address, indexes)) {
     return fail(Errc::unavailable, option + " " + to_text(at) +
                                        ": the group cannot be joined: " + std::strerror(errno));
   }

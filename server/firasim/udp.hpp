@@ -26,6 +26,9 @@ std::string to_text(const Endpoint& endpoint);
 Result<Endpoint> parse_endpoint(const std::string& text, const std::string& option);
 Result<std::vector<Endpoint>> parse_endpoints(const std::string& text, const std::string& option);
 
+// True for an address of this host. No other host can send from one: Linux drops such datagrams.
+bool is_of_this_host(const Endpoint& endpoint);
+
 // The interface "lo" means this host only: what is sent to a group leaves the host on none.
 inline constexpr const char* this_host = "lo";
 
@@ -49,7 +52,8 @@ class Sender {
 // Receives datagrams at one address, without waiting.
 class Receiver {
  public:
-  // Address 0 is any address of the host. A group is joined on the interface, and on lo.
+  // Address 0 is any address of the host, and the group of all hosts, 224.0.0.1, as for FIRASim. A
+  // group is joined on the interface, and on lo.
   static Result<Receiver> open(const Endpoint& at, const std::string& interface,
                                const std::string& option);
   // Opens one at the same address that gets only what `peer` sends, into a buffer of its own: what

@@ -296,9 +296,8 @@ typedef struct mirocup_strategy {
   /* Ends the team. May be null. Not called if the host ends the process by force. */
   void (*destroy)(void* team);
 
-  /* Chooses the places at a restart. May be null, or missing in a library that was built before it
-   * existed: then your robots stand in the default places. The pointers are valid only during the
-   * call. */
+  /* Chooses the places at a restart. May be null: then your robots stand in the default places. The
+   * pointers are valid only during the call. */
   void (*place)(void* team, const mirocup_observation* observation, mirocup_placement* placement);
 } mirocup_strategy;
 

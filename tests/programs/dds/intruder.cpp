@@ -10,7 +10,8 @@
 //   hellos       asks for the seat all the time, each time as another process
 //   wrong_types  writes other types under the names of the topics
 //   stuck        reads everything, and then stops
-//   layout       asks for the seat with another layout of v3, and prints the answer
+//   layout       asks for the seat with another layout of v4, and prints the answer
+//   unreadable   is the team, but answers with another structure under the name of the type
 //   look         reads states
 //   watch        prints what spectators are told, after the first state of the leg
 //   configured   the same, configured by $CYCLONEDDS_URI alone
@@ -50,8 +51,8 @@ struct Stranger {
     const std::string own = team_partition(match_id, 0, name);
     team = need(make_subscriber(participant, own));
     publisher = need(make_publisher(participant, own));
-    states = need(make_topic(participant, mirocup_v3_WorldState_desc, idl::world_state));
-    events = need(make_topic(participant, mirocup_v3_MatchEvent_desc, idl::match_event));
+    states = need(make_topic(participant, mirocup_v4_WorldState_desc, idl::world_state));
+    events = need(make_topic(participant, mirocup_v4_MatchEvent_desc, idl::match_event));
     state_reader = need(make_reader(all, states, idl::world_state));
     event_reader = need(make_reader(all, events, idl::match_event));
   }
@@ -70,7 +71,7 @@ struct Stranger {
   // Changed packets, its own or another process's, can cut it off from the match.
   bool is_cut_off() const { return seconds_since(heard) > max_silence; }
 
-  mirocup_v3_WorldState state{};
+  mirocup_v4_WorldState state{};
   WallClock::time_point heard = WallClock::now();
   Entity participant, all, team, publisher, states, events, state_reader, event_reader;
 };
@@ -78,16 +79,16 @@ struct Stranger {
 // Acts for as long as it receives samples of the match.
 void imitate(Stranger& s, int copies) {
   const Entity commands =
-      need(make_topic(s.participant, mirocup_v3_TeamCommand_desc, idl::team_command));
-  const Entity welcomes = need(make_topic(s.participant, mirocup_v3_Welcome_desc, idl::welcome));
+      need(make_topic(s.participant, mirocup_v4_TeamCommand_desc, idl::team_command));
+  const Entity welcomes = need(make_topic(s.participant, mirocup_v4_Welcome_desc, idl::welcome));
   const Entity writer = need(make_writer(s.publisher, commands, idl::team_command));
   const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
-  mirocup_v3_TeamCommand command{};
+  mirocup_v4_TeamCommand command{};
   for (double& wheel : command.left) wheel = 40.0;
   for (double& wheel : command.right) wheel = -40.0;
   bool is_there = false;
   while (!s.is_cut_off()) {
-    mirocup_v3_Welcome welcome;
+    mirocup_v4_Welcome welcome;
     while (take(reader, welcome)) command.nonce = welcome.nonce;
     if (s.take_state()) {
       command.tick = s.state.tick;
@@ -109,8 +110,8 @@ void draw_line(ThoughtsSample& drawn, const char* layer) {
 
 // Acts for as long as it receives samples of the match.
 void think(Stranger& s) {
-  const Entity topic = need(make_topic(s.participant, mirocup_v3_Thoughts_desc, idl::thoughts));
-  const Entity welcomes = need(make_topic(s.participant, mirocup_v3_Welcome_desc, idl::welcome));
+  const Entity topic = need(make_topic(s.participant, mirocup_v4_Thoughts_desc, idl::thoughts));
+  const Entity welcomes = need(make_topic(s.participant, mirocup_v4_Welcome_desc, idl::welcome));
   const Entity writer = need(make_writer(s.publisher, topic, idl::thoughts));
   const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
   ThoughtsSample drawn;
@@ -118,10 +119,10 @@ void think(Stranger& s) {
   std::uint64_t nonce = 0;
   bool is_there = false;
   while (!s.is_cut_off()) {
-    mirocup_v3_Welcome welcome;
+    mirocup_v4_Welcome welcome;
     while (take(reader, welcome)) nonce = welcome.nonce;
     if (s.take_state() && !std::exchange(is_there, true)) std::cerr << "there\n";
-    const mirocup_v3_Thoughts& sample = drawn.stamped(Team::blue, s.state.tick, nonce);
+    const mirocup_v4_Thoughts& sample = drawn.stamped(Team::blue, s.state.tick, nonce);
     for (int i = 0; i < 10; ++i) dds_write(writer.get(), &sample);
     dds_sleepfor(DDS_MSECS(1));
   }
@@ -129,10 +130,10 @@ void think(Stranger& s) {
 
 // Writes what the team "ramble" draws in a tick.
 void ramble_in(std::uint32_t tick, const Entity& writer, std::uint64_t nonce) {
-  const auto write = [&](std::uint32_t of, const std::function<void(mirocup_v3_Thoughts&)>& spoil) {
+  const auto write = [&](std::uint32_t of, const std::function<void(mirocup_v4_Thoughts&)>& spoil) {
     ThoughtsSample drawn;
     draw_line(drawn, "own");
-    mirocup_v3_Thoughts sample = drawn.stamped(Team::blue, of, nonce);
+    mirocup_v4_Thoughts sample = drawn.stamped(Team::blue, of, nonce);
     spoil(sample);
     dds_write(writer.get(), &sample);
   };
@@ -149,33 +150,33 @@ void ramble_in(std::uint32_t tick, const Entity& writer, std::uint64_t nonce) {
 
 // Takes the seat of the team itself.
 int ramble(Stranger& s, const char* name) {
-  const Entity topic = need(make_topic(s.participant, mirocup_v3_Thoughts_desc, idl::thoughts));
+  const Entity topic = need(make_topic(s.participant, mirocup_v4_Thoughts_desc, idl::thoughts));
   const Entity thoughts = need(make_writer(s.publisher, topic, idl::thoughts));
-  const Entity hellos = need(make_topic(s.participant, mirocup_v3_Hello_desc, idl::hello));
-  const Entity welcomes = need(make_topic(s.participant, mirocup_v3_Welcome_desc, idl::welcome));
+  const Entity hellos = need(make_topic(s.participant, mirocup_v4_Hello_desc, idl::hello));
+  const Entity welcomes = need(make_topic(s.participant, mirocup_v4_Welcome_desc, idl::welcome));
   const Entity commands =
-      need(make_topic(s.participant, mirocup_v3_TeamCommand_desc, idl::team_command));
+      need(make_topic(s.participant, mirocup_v4_TeamCommand_desc, idl::team_command));
   const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
   const Entity answers = need(make_writer(s.publisher, commands, idl::team_command));
   const Entity asks = need(make_writer(s.publisher, hellos, idl::hello));
-  mirocup_v3_Hello hello{};
-  hello.layout = mirocup_v3_LAYOUT;
+  mirocup_v4_Hello hello{};
+  hello.layout = mirocup_v4_LAYOUT_NUMBER;
   hello.nonce = random_nonce();
   copy_text(hello.name, name);
-  mirocup_v3_Welcome welcome{};
-  while (!take(reader, welcome) || welcome.answer != mirocup_v3_ACCEPTED) {
+  mirocup_v4_Welcome welcome{};
+  while (!take(reader, welcome) || welcome.answer != mirocup_v4_ADMISSION_ACCEPTED) {
     dds_write(asks.get(), &hello);
     dds_sleepfor(DDS_MSECS(20));
   }
   std::optional<std::uint32_t> last;
-  while (s.state.state != mirocup_v3_END) {
+  while (s.state.state != mirocup_v4_STATE_END) {
     if (!s.take_state()) {
       dds_sleepfor(DDS_USECS(50));
       continue;
     }
     if (last != s.state.tick) ramble_in(s.state.tick, thoughts, hello.nonce);
     last = s.state.tick;
-    mirocup_v3_TeamCommand command{};
+    mirocup_v4_TeamCommand command{};
     command.nonce = hello.nonce;
     command.tick = s.state.tick;
     dds_write(answers.get(), &command);
@@ -184,11 +185,11 @@ int ramble(Stranger& s, const char* name) {
 }
 
 void say_hellos(Stranger& s, const char* name) {
-  const Entity topic = need(make_topic(s.participant, mirocup_v3_Hello_desc, idl::hello));
+  const Entity topic = need(make_topic(s.participant, mirocup_v4_Hello_desc, idl::hello));
   const Entity writer = need(make_writer(s.publisher, topic, idl::hello));
   s.wait_for_match();
-  mirocup_v3_Hello hello{};
-  hello.layout = mirocup_v3_LAYOUT;
+  mirocup_v4_Hello hello{};
+  hello.layout = mirocup_v4_LAYOUT_NUMBER;
   copy_text(hello.name, std::string(name) + " or not");
   while (true) {
     hello.nonce = random_nonce();
@@ -199,14 +200,14 @@ void say_hellos(Stranger& s, const char* name) {
 
 void write_wrong_types(Stranger& s) {
   idl::TopicQos row = idl::team_command;
-  const Entity commands = need(make_topic(s.participant, mirocup_v3_Hello_desc, row));
+  const Entity commands = need(make_topic(s.participant, mirocup_v4_Hello_desc, row));
   const Entity writer = need(make_writer(s.publisher, commands, row));
   row = idl::hello;
-  const Entity hellos = need(make_topic(s.participant, mirocup_v3_TeamCommand_desc, row));
+  const Entity hellos = need(make_topic(s.participant, mirocup_v4_TeamCommand_desc, row));
   const Entity other = need(make_writer(s.publisher, hellos, row));
   s.wait_for_match();
-  const mirocup_v3_Hello hello{};
-  const mirocup_v3_TeamCommand command{};
+  const mirocup_v4_Hello hello{};
+  const mirocup_v4_TeamCommand command{};
   while (true) {
     dds_write(writer.get(), &hello);
     dds_write(other.get(), &command);
@@ -216,15 +217,15 @@ void write_wrong_types(Stranger& s) {
 
 // Writes the Hello until there is a Welcome, and prints the reason in it.
 int ask_with_other_layout(Stranger& s, const char* name) {
-  mirocup_v3_Hello hello{};
-  hello.layout = mirocup_v3_LAYOUT + 1;
+  mirocup_v4_Hello hello{};
+  hello.layout = mirocup_v4_LAYOUT_NUMBER + 1;
   hello.nonce = random_nonce();
   copy_text(hello.name, name);
-  const Entity hellos = need(make_topic(s.participant, mirocup_v3_Hello_desc, idl::hello));
-  const Entity welcomes = need(make_topic(s.participant, mirocup_v3_Welcome_desc, idl::welcome));
+  const Entity hellos = need(make_topic(s.participant, mirocup_v4_Hello_desc, idl::hello));
+  const Entity welcomes = need(make_topic(s.participant, mirocup_v4_Welcome_desc, idl::welcome));
   const Entity writer = need(make_writer(s.publisher, hellos, idl::hello));
   const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
-  mirocup_v3_Welcome welcome;
+  mirocup_v4_Welcome welcome;
   while (!take(reader, welcome) || welcome.nonce != hello.nonce) {
     dds_write(writer.get(), &hello);
     dds_sleepfor(DDS_MSECS(20));
@@ -233,13 +234,31 @@ int ask_with_other_layout(Stranger& s, const char* name) {
   return 0;
 }
 
+int answer_unreadably(Stranger& s, const char* name) {
+  dds_topic_descriptor_t type = mirocup_v4_Hello_desc;
+  type.m_typename = mirocup_v4_TeamCommand_desc.m_typename;
+  const Entity hellos = need(make_topic(s.participant, mirocup_v4_Hello_desc, idl::hello));
+  const Entity commands = need(make_topic(s.participant, type, idl::team_command));
+  const Entity asks = need(make_writer(s.publisher, hellos, idl::hello));
+  const Entity answers = need(make_writer(s.publisher, commands, idl::team_command));
+  mirocup_v4_Hello hello{};
+  hello.layout = mirocup_v4_LAYOUT_NUMBER;
+  hello.nonce = random_nonce();
+  copy_text(hello.name, name);
+  while (true) {
+    dds_write(asks.get(), &hello);
+    dds_write(answers.get(), &hello);
+    dds_sleepfor(DDS_MSECS(20));
+  }
+}
+
 int print_info(Stranger& s) {
-  const Entity topic = need(make_topic(s.participant, mirocup_v3_MatchInfo_desc, idl::match_info));
+  const Entity topic = need(make_topic(s.participant, mirocup_v4_MatchInfo_desc, idl::match_info));
   const Entity reader = need(make_reader(s.all, topic, idl::match_info));
   s.wait_for_match();
-  mirocup_v3_MatchInfo info;
+  mirocup_v4_MatchInfo info;
   while (!take(reader, info)) dds_sleepfor(DDS_MSECS(1));
-  std::cout << info.blue << " - " << info.yellow << ", league " << info.facts.league << ", "
+  std::cout << info.blue << " - " << info.yellow << ", league " << int{info.facts.league} << ", "
             << int{info.facts.robots} << " robots, period " << info.facts.control_period
             << ", speed " << info.speed << ", field " << info.facts.half_length << ", same leg "
             << (info.leg == s.state.leg) << '\n';
@@ -251,11 +270,11 @@ int write_former_states(const char* match_id) {
   const Domain domain = need(open_server_domain("lo", ""));
   const Entity participant = need(make_participant(domain));
   const Entity publisher = need(make_publisher(participant, match_partition(match_id)));
-  dds_topic_descriptor_t type = mirocup_v3_WorldState_desc;
+  dds_topic_descriptor_t type = mirocup_v4_WorldState_desc;
   type.m_typename = "mirocup::v2::WorldState";
   const Entity topic = need(make_topic(participant, type, idl::world_state));
   const Entity writer = need(make_writer(publisher, topic, idl::world_state));
-  const mirocup_v3_WorldState state{};
+  const mirocup_v4_WorldState state{};
   while (dds_write(writer.get(), &state) == DDS_RETCODE_OK) dds_sleepfor(DDS_MSECS(10));
   return 0;
 }
@@ -278,6 +297,7 @@ int run(const std::string& kind, const char* match_id, const char* name, const c
   if (kind == "ramble") return ramble(stranger, name);
   if (kind == "hellos") say_hellos(stranger, name);
   if (kind == "wrong_types") write_wrong_types(stranger);
+  if (kind == "unreadable") return answer_unreadably(stranger, name);
   if (kind == "layout") return ask_with_other_layout(stranger, name);
   if (kind == "watch" || kind == "configured") return print_info(stranger);
   while (kind == "look") stranger.wait_for_match();

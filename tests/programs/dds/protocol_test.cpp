@@ -45,6 +45,19 @@ TEST(Protocol, OtherLayoutsAreToldSoAndDoNotDisturbTheLeg) {
   EXPECT_EQ(server.wait().exit_code, 0);
 }
 
+// Catches a team of another implementation, whose samples have another form, that is told to have
+// been silent.
+TEST(Protocol, ASampleThatCannotBeReadIsNoSilence) {
+  const std::string id = match_id("unreadable");
+  Running server(match(id, {"--join-within", "4"}));
+  Running other({program("dds/intruder"), "unreadable", id, "ours"});
+  const Outcome played = server.wait();
+  EXPECT_NE(played.out.find("the team joined but did not answer"), std::string::npos) << played.out;
+  EXPECT_NE(played.out.find("a sample of TeamCommand came that could not be read"),
+            std::string::npos)
+      << played.out << played.err;
+}
+
 // Catches a team that looks for a firewall because its program is newer than the server.
 TEST(Protocol, ATeamNamesTheVersionOfItsServer) {
   const std::string id = match_id("former-server");

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 namespace mirocup {
@@ -79,10 +80,18 @@ TEST(WrongLines, CompletionAndManualKnowWhatTheHelpKnows) {
   EXPECT_NE(asked({"verify", ""}).find(":files"), std::string::npos);
 
   const test_support::TemporaryFolder folder;
-  EXPECT_EQ(test_support::run({test_support::program("mirocup"), "man", folder / ""}).exit_code, 0);
+  EXPECT_EQ(test_support::run({"/usr/bin/env", "SOURCE_DATE_EPOCH=1000000000",
+                               test_support::program("mirocup"), "man", folder / ""})
+                .exit_code,
+            0);
   const std::string page = test_support::read_file(folder / "mirocup-match.1");
-  for (const char* part : {".TH MIROCUP-MATCH 1", "\\-\\-league", ".SH EXAMPLES"})
+  for (const char* part : {".TH MIROCUP-MATCH 1 2001-09-09 ", "\\-\\-league", ".SH EXAMPLES"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
+  if (!std::filesystem::exists("/usr/bin/mandoc")) return;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "")) {
+    const auto said = test_support::run({"/usr/bin/mandoc", "-Tlint", "-Wwarning", entry.path()});
+    EXPECT_EQ(said.exit_code, 0) << said.out << said.err;
+  }
 }
 
 }  // namespace

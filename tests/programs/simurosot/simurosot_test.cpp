@@ -472,6 +472,38 @@ TEST(Simurosot, TakesThePlatformsStructuresInANamespaceAndByTheirOlderNames) {
   }
 }
 
+// Catches a header that does not compile by itself, of which only the adapter's own lines were
+// named, and a prelude that does not reach a source or the adapter.
+TEST(Simurosot, SaysThatAHeaderDoesNotCompileAlone) {
+  const TemporaryFolder folder;
+  const std::string sample = MIROCUP_SOURCE_FOLDER "/plugins/simurosot/samples/classic/";
+  std::filesystem::create_directories(folder / "old");
+  for (const char* file : {"Strategy.cpp", "StdAfx.h", "StdAfx.cpp"}) {
+    write_file(folder / "old/" + file, read_file(sample + file));
+  }
+  const std::string header = read_file(sample + "Strategy.h");
+  const std::size_t at = header.find("typedef struct");
+  write_file(folder / "old/Strategy.h",
+             header.substr(0, at) + "extern Vector9 wanted;\n" + header.substr(at));
+  write_file(folder / "old/vector9.h", "struct Vector9 { double x; };\n");
+  const Outcome made =
+      run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string project = folder / "made", build = folder / "build";
+  const Outcome configured = run(
+      {"/usr/bin/env", "cmake", "-S", project, "-B", build, "-DCMAKE_PREFIX_PATH=" + program("")});
+  ASSERT_EQ(configured.exit_code, 0) << configured.err;
+  const Outcome built = run({"/usr/bin/env", "cmake", "--build", build, "--", "-k"});
+  EXPECT_NE(built.exit_code, 0);
+  EXPECT_NE(built.err.find("Strategy.h: this header does not compile by itself"), std::string::npos)
+      << built.err;
+  EXPECT_EQ(built.err.find("adapter.cpp:3"), std::string::npos) << built.err;
+  const std::string list = read_file(project + "/CMakeLists.txt");
+  write_file(project + "/CMakeLists.txt",
+             with(list, "WHEELS linear", "WHEELS linear PRELUDE src/vector9.h"));
+  ASSERT_NO_FATAL_FAILURE(build_project(project, build));
+}
+
 // Catches a backup that is taken for a second team, and a project that is left over: what neither
 // names is compiled.
 TEST(Simurosot, CompilesWhatTheProjectNamesThatCounts) {

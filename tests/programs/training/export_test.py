@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 import mirocup
+from mirocup._library import Batch
 
 BUILD = Path(sys.argv.pop(1)) if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else Path("build")
 SOURCE = Path(__file__).resolve().parents[3]
@@ -35,13 +36,18 @@ KINDS = {
 }
 
 
+def random_network(spec, activation="tanh"):
+    """A network of random weights for an environment."""
+    random = np.random.default_rng(3)
+    sizes = [len(spec["observation"]), 24, 24, len(spec["action"])]
+    layers = [(random.normal(size=(o, i)) / i**0.5, random.normal(size=o) * 0.3) for i, o in zip(sizes, sizes[1:])]
+    return mirocup.Policy(spec, layers, activation)
+
+
 def random_policy(kind, activation):
     """A network of random weights for an environment, and this environment with the learner in blue."""
     envs = mirocup.VectorEnv(3 if kind in ("relative", "standard") else 1, threads=1, **KINDS[kind])
-    random = np.random.default_rng(3)
-    sizes = [len(envs.batch.spec["observation"]), 24, 24, len(envs.batch.spec["action"])]
-    layers = [(random.normal(size=(o, i)) / i**0.5, random.normal(size=o) * 0.3) for i, o in zip(sizes, sizes[1:])]
-    return mirocup.Policy(envs.batch.spec, layers, activation), envs
+    return random_network(envs.batch.spec, activation), envs
 
 
 def run(*command, expected=0, **arguments):
@@ -90,7 +96,7 @@ class Export(unittest.TestCase):
             learned = {key: value for key, value in KINDS[kind].items() if key not in ("agents", "action")}
             for envs, acts in ((envs, True), (None, False)):
                 if envs is None:
-                    batch = mirocup._library.Batch({
+                    batch = Batch({
                         "matches": 1, "threads": 1, "blue": str(self.folder / "learned.so"),
                         "yellow": {"learners": [0], "mates": "idle"}, "ticks_per_step": learned.get("ticks_per_step", 1)})
                     batch.reset(seeds=np.array([5]))
@@ -104,6 +110,48 @@ class Export(unittest.TestCase):
                     places.append(envs.batch.bodies(0))
             self.assertLess(np.abs(places[0] - places[1]).max(), 1e-6, kind)
             self.assertGreater(np.abs(places[0][0, 3:5]).max(), 0.01, "it stands")
+
+    def test_decides_in_whole_legs_as_the_network_does(self):
+        """Catches an action that is held across a stop, and another decision after a goal, a foul, a penalty, a half, or a
+        picture that the camera lost. Legs part in the end, since a number may be rounded in another way, but only a little
+        at once."""
+        shots = [{"ball": {"position": [x, {"from": 0.1, "to": 0.15}], "velocity": [10.0 * x, 0.0]}} for x in (-0.3, 0.3)]
+        start = 3 * shots
+        for restart in ("KICK_OFF", "GOAL_KICK", "PENALTY_KICK", "FREE_BALL", "FREE_KICK"):
+            start += [{"restart": {"kind": restart, "taker": taker}} for taker in ("blue", "yellow")]
+        legs = 250
+        ends = dict.fromkeys(("score", "opponent_score", "foul"), 0.0)
+        whole = 0
+        for kind, ticks, conditions, skips in (("relative", 2, "hall", True), ("standard", 3, "exact", False),
+                                               ("team", 2, "camera", False), ("vss", 3, "hall", True)):
+            played = {"matches": legs, "yellow": "striker", "start": start, "conditions": conditions, "ticks_per_step": ticks,
+                      "skip_stops": skips, "rules": {"preset": "mirosot", "half_s": 5, "ready_s": 0.2},
+                      "episode": {"seconds": None, "ends_at_goal": False}, "autoreset": "disabled"}
+            kind = {key: value for key, value in KINDS[kind].items() if key not in ("ticks_per_step", "learners")}
+            network = Batch({**played, **kind, "blue": {"learners": [0, 1], "mates": "idle"}})
+            policy = random_network(network.spec)
+            policy.save(self.folder / "policy.npz")
+            run(BUILD / "mirocup", "export", self.folder / "policy.npz", "-o", self.folder / "learned.cpp")
+            library = self.folder / f"{len(list(self.folder.iterdir()))}.so"
+            self.compile(self.folder / "learned.cpp", "-fPIC", "-shared", "-o", library)
+            team = Batch({**played, "blue": {"learners": [2], "mates": str(library)}})
+            for batch in (network, team):
+                batch.reset(seeds=np.arange(legs))
+            same = np.ones(legs, np.bool_)
+            while not network.terminations.all():
+                network.actions[:] = policy(network.observations)
+                network.step()
+                team.step()
+                for leg in np.flatnonzero(same):
+                    apart = np.abs(network.bodies(leg) - team.bodies(leg)).max()
+                    same[leg] = apart == 0.0
+                    self.assertLess(apart, 1e-3, f"{kind}, leg {leg}")
+            whole += int(same.sum())
+            for name in ends:
+                ends[name] += np.abs(network.statistics[:, network.spec["statistics"].index(name)]).sum()
+        self.assertGreater(whole, 0.9 * 4 * legs)
+        for name, times in ends.items():
+            self.assertGreater(times, 0.1 * legs, name)
 
     def test_refuses(self):
         """Catches a file that is taken though it cannot play, and a crash where a sentence is due."""

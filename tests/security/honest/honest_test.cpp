@@ -33,8 +33,8 @@ INSTANTIATE_TEST_SUITE_P(
         HonestTeam{"streams", "with streams and exceptions"}, HonestTeam{"eigen", "with Eigen"},
         HonestTeam{"openmp", "with OpenMP, 1 thread"}, HonestTeam{"threads", "without threads"},
         HonestTeam{"fast_math", "with -Ofast"}, HonestTeam{"rounding", "with rounding of its own"},
-        HonestTeam{"places", "with places of its own"}, HonestTeam{"older", "from before place()"},
-        HonestTeam{"clocks", "with clocks"}, HonestTeam{"fortran", "in Fortran"}),
+        HonestTeam{"places", "with places of its own"}, HonestTeam{"clocks", "with clocks"},
+        HonestTeam{"fortran", "in Fortran"}),
     [](const auto& c) { return c.param.name; });
 
 TEST_P(Honest, PlaysTheSameEverywhere) {

@@ -9,12 +9,14 @@
 
 `VectorEnv` plays many matches at once, `Env` one, `ParallelEnv` one with an agent for each robot. All
 need numpy and libmirocup_training, which is built and installed with mirocup. gymnasium and pettingzoo
-are used where they are installed, and not needed. docs/training.md has the whole story.
+are used where they are installed, and not needed. Gymnasium makes them by their ids, too: see register_ids().
+docs/training.md has the whole story.
 
 `mirocup.team` is the interface of teams that are written in Python: docs/python.md. It needs none of
 this, so the environments are loaded when they are first asked for.
 """
 import importlib
+import sys
 
 _HOMES = {"TrainingError": "_library", "PRESETS": "configuration", "ParallelEnv": "parallel_env",
           "Policy": "policy",
@@ -30,3 +32,17 @@ def __getattr__(name):
     value = getattr(importlib.import_module("." + home, __name__), name)
     globals()[name] = value
     return value
+
+
+def register_ids():
+    """Registers mirocup/MiroSot-v0 and mirocup/VSS-v0 (preset="vss") with Gymnasium. Called here if gymnasium was imported
+    before: make("mirocup:mirocup/MiroSot-v0") imports both in this order."""
+    from gymnasium.envs.registration import register, registry
+    for name, arguments in (("MiroSot", {}), ("VSS", {"preset": "vss"})):
+        if f"mirocup/{name}-v0" not in registry:
+            register(id=f"mirocup/{name}-v0", entry_point="mirocup:Env", vector_entry_point="mirocup:VectorEnv",
+                     kwargs=arguments)
+
+
+if "gymnasium" in sys.modules:
+    register_ids()

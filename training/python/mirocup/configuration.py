@@ -2,6 +2,9 @@
 """From the arguments of an environment to the configuration of libmirocup_training."""
 from __future__ import annotations
 
+import math
+import os
+import re
 from typing import Any
 
 # The environment VSS-v0 of rSoccer: what its agent sees, does and gets, 1200 steps of 25 ms; one robot learns, five
@@ -34,6 +37,41 @@ DEFAULTS: dict[str, Any] = {
 }
 
 
+def plain(value: Any, name: str = "") -> Any:
+    """An argument as json writes it: scalars and arrays of numpy become numbers and lists. An error names the argument."""
+    if isinstance(value, dict):
+        return {key: plain(one, f"{name}[{key!r}]" if name else str(key)) for key, one in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(one, f"{name}[{i}]") for i, one in enumerate(value)]
+    if hasattr(value, "tolist"):
+        return plain(value.tolist(), name)
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, float) and not math.isfinite(value) and (name, value) != ("episode_seconds", math.inf):
+        raise ValueError(f"{name}={value}: a finite number is expected")
+    if not isinstance(value, (str, int, float, type(None))):
+        raise TypeError(f"{name}={value!r}: a number, a text, a list or a dict is expected")
+    return value
+
+
+def in_arguments(message: str) -> str:
+    """A complaint about the configuration, with the name of the argument instead of the place in the JSON."""
+    found = re.match(r"configuration: /([^: ]+): ", message)
+    if not found:
+        return message
+    first, *rest = found[1].split("/")
+    name = {"matches": "num_envs", "autoreset": "autoreset_mode", "blue": "learners", "yellow": "opponent"}.get(first, first)
+    if rest and first in ("blue", "yellow"):
+        part = rest.pop(0)
+        if part != "mates" or first == "blue":
+            name = "opponent_parameters" if part == "parameters" else part
+    elif rest and first == "episode":
+        name = {"seconds": "episode_seconds"}.get(rest[0], rest[0])
+        rest = []
+    places = "".join(f"[{part}]" if part.isdigit() else f"[{part!r}]" for part in rest)
+    return f"{name}{places}: {message[found.end():]}"
+
+
 def configuration(matches: int, autoreset: str, arguments: dict[str, Any]) -> dict[str, Any]:
     """The JSON configuration of a batch.
 
@@ -42,7 +80,7 @@ def configuration(matches: int, autoreset: str, arguments: dict[str, Any]) -> di
     preset = arguments.get("preset")
     if preset is not None and preset not in PRESETS:
         raise ValueError(f"preset {preset!r}: there are {', '.join(PRESETS)}")
-    given = {key: value for key, value in arguments.items() if value is not None}
+    given = {key: value for key, value in plain(arguments).items() if value is not None}
     given.pop("preset", None)
     chosen = {**DEFAULTS, **PRESETS.get(preset or "", {}), **given}
     unknown = sorted(set(chosen) - set(_KEYS) - set(DEFAULTS) - {"opponent_parameters"})
@@ -51,6 +89,8 @@ def configuration(matches: int, autoreset: str, arguments: dict[str, Any]) -> di
     learners: Any = {"learners": chosen["learners"], "mates": chosen["mates"]}
     opponent: Any = chosen["opponent"]
     if opponent == "self":
+        if chosen.get("opponent_parameters"):
+            raise ValueError("opponent_parameters: with opponent='self' no team plays that could ask for them")
         opponent = learners
     elif chosen.get("opponent_parameters"):
         opponent = {"mates": opponent, "parameters": chosen["opponent_parameters"]}
@@ -68,6 +108,7 @@ def configuration(matches: int, autoreset: str, arguments: dict[str, Any]) -> di
 
 def learners_of_a_match(arguments: dict[str, Any]) -> int:
     """How many rows a match has."""
+    arguments = plain(arguments)
     preset = PRESETS.get(arguments.get("preset") or "", {})
 
     def chosen(key: str, default: Any) -> Any:
@@ -78,5 +119,5 @@ def learners_of_a_match(arguments: dict[str, Any]) -> int:
     robots = {"small": 3, "middle": 5, "large": 11}.get(chosen("league", "small"), 3)
     of_a_team = 1
     if chosen("agents", "team") == "robot":
-        of_a_team = robots if learners == "all" else len(learners)
+        of_a_team = len(learners) if isinstance(learners, list) else robots
     return of_a_team * (2 if chosen("opponent", "idle") == "self" else 1)

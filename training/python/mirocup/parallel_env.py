@@ -44,7 +44,7 @@ class ParallelEnv(_ParallelBase):  # type: ignore[misc,valid-type]
     def reset(self, seed: int | None = None,
               options: dict[str, Any] | None = None) -> tuple[dict[str, np.ndarray], dict[str, dict[str, Any]]]:
         """Starts an episode with all agents. Returns an observation, float32 of observation_space(agent).shape, and an
-        info for each."""
+        info for each. There are no options; PettingZoo's own tests give one that nobody knows, so they are ignored."""
         observations, _ = self.envs.reset(seed=seed)
         self.agents = list(self.possible_agents)
         return dict(zip(self.agents, observations)), {agent: {} for agent in self.agents}

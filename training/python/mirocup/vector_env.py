@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import enum
+import operator
 from typing import Any
 
 import numpy as np
 
 from . import pictures, records
-from ._library import Batch
-from .configuration import configuration, learners_of_a_match
+from ._library import Batch, TrainingError
+from .configuration import configuration, in_arguments, learners_of_a_match
 from .spaces import batched, box_of
 
 try:
@@ -37,6 +38,13 @@ _AUTORESET = {AutoresetMode.NEXT_STEP: "next_step", AutoresetMode.SAME_STEP: "sa
               AutoresetMode.DISABLED: "disabled"}
 
 
+def _refuse(options: dict[str, Any] | None, known: tuple[str, ...]) -> None:
+    """An option of reset() that nobody reads is a slip."""
+    for name in options or {}:
+        if name not in known:
+            raise ValueError(f"there is no option {name!r}" + (f": there is {known[0]}" if known else ""))
+
+
 class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
     """Many matches at once, with the methods, shapes and autoreset modes of gymnasium.vector.VectorEnv.
 
@@ -46,9 +54,10 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
     num_envs         number of learners; a multiple of those of a match
     league           "small" (3 a side), "middle" (5) or "large" (11)
     conditions       "hall" (default), "exact", "camera", or a dict with a preset and changes: docs/conditions.md
-    opponent         a house team ("idle", "chaser", "keeper", "striker", "navigator"), the path of a library,
-                     "noise", or "self"
-    opponent_parameters  numbers of the opponent by name, as --param of mirocup match
+    opponent         a house team ("idle", "chaser", "keeper", "striker", "navigator", "tactician"), the path of a
+                     library, "noise", or "self"
+    opponent_parameters  numbers of the opponent by name, as --param of mirocup match; reset() refuses those that it has
+                     not asked for by the time play begins
     learners         "all", or the indices of the robots that learn
     mates            who steers the others: as opponent
     agents           "team": a learner steers all these robots; "robot": one learner for each
@@ -63,7 +72,7 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
                      of a drill, the path of a file of either, or a list, of which each episode draws one. None: the
                      kick-off
     pitch            numbers of the physics as in a scene, {"ball_mass": 0.05}; each may be a range, of which each episode
-                     draws one. Such episodes have no records
+                     draws one, which its record holds
     skip_stops       steps go on until play is on; otherwise robots stand for some steps after a restart
     preset           "vss": rSoccer's VSS-v0
     autoreset_mode   an AutoresetMode
@@ -98,9 +107,14 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
             "ends_at_goal": ends_at_goal, "skip_stops": skip_stops, "preset": preset, "threads": threads,
         }
         slots = learners_of_a_match(arguments)
-        if num_envs < 1 or num_envs % slots != 0:
+        num_envs = operator.index(num_envs)
+        if slots < 1 or num_envs < 1 or num_envs % slots != 0:
             raise ValueError(f"num_envs={num_envs}: a match has {slots} learners, so a multiple of {slots} is expected")
-        self.batch = Batch(configuration(num_envs // slots, _AUTORESET[autoreset_mode], arguments))
+        autoreset_mode = AutoresetMode(autoreset_mode)
+        try:
+            self.batch = Batch(configuration(num_envs // slots, _AUTORESET[autoreset_mode], arguments))
+        except TrainingError as error:
+            raise TrainingError(in_arguments(str(error))) from None
         self.num_envs = num_envs
         self.autoreset_mode = autoreset_mode
         self.metadata = {**self.metadata, "autoreset_mode": autoreset_mode}
@@ -130,6 +144,7 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
         Returns observations, float32 (num_envs, *single_observation_space.shape), and infos.
         """
         slots = self.batch.slots
+        _refuse(options, ("reset_mask",))
         mask = None
         if options is not None and "reset_mask" in options:
             of_rows = np.asarray(options["reset_mask"], np.bool_).reshape(-1, slots)
@@ -141,15 +156,17 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
         if seed is None and not self._was_reset:
             seed = self._first_seed if self._first_seed is not None else self.np_random_seed
         seeds = None
-        if isinstance(seed, (int, np.integer)):
-            if seed < 0:
-                raise ValueError(f"seed={seed}: a number of at least 0 is expected")
-            self._set_random(int(seed))
-            seeds = np.array([(int(seed) + i) % 2**64 for i in range(0, self.num_envs, slots)], np.uint64)
-        elif seed is not None:
-            if len(seed) != self.num_envs:
-                raise ValueError(f"{self.num_envs} seeds are expected, not {len(seed)}")
-            seeds = np.array([int(s) for s in seed[::slots]], np.uint64)
+        if seed is not None:
+            is_one = np.ndim(seed) == 0
+            given = [seed] if is_one else list(seed)  # type: ignore[arg-type]
+            if any(not isinstance(s, (int, np.integer)) or s < 0 for s in given):
+                raise ValueError(f"seed={seed}: a whole number of at least 0 is expected, or one for each environment")
+            if is_one:
+                self._set_random(int(given[0]))
+                given = [int(given[0]) + i for i in range(self.num_envs)]
+            if len(given) != self.num_envs:
+                raise ValueError(f"{self.num_envs} seeds are expected, not {len(given)}")
+            seeds = np.array([int(s) % 2**64 for s in given[::slots]], np.uint64)
         self.batch.reset(mask, seeds)
         self._was_reset = True
         return self._observations(), {}
@@ -231,6 +248,8 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
 
     def column(self, name: str) -> int:
         """The index of a number in an observation: observations[:, envs.column("ball_x")]."""
+        if name not in self.observation_names:
+            raise ValueError(f"there is no number {name!r}: there are {', '.join(self.observation_names)}")
         return self.observation_names.index(name)
 
     def frame(self, match: int = 0, width: int = 480) -> np.ndarray:
@@ -297,20 +316,27 @@ class Env(_EnvBase):  # type: ignore[misc,valid-type]
         self.observation_space = self.envs.single_observation_space
         self.action_space = self.envs.single_action_space
         self.render_mode = render_mode
+        self._has_ended = False
 
     def reset(self, *, seed: int | None = None,
               options: dict[str, Any] | None = None) -> tuple[np.ndarray, dict[str, Any]]:
-        """Starts an episode. Returns its first observation, float32 of observation_space.shape, and an info."""
+        """Starts an episode. Returns its first observation, float32 of observation_space.shape, and an info. There are no
+        options."""
+        _refuse(options, ())
         observations, _ = self.envs.reset(seed=seed)
+        self._has_ended = False
         return observations[0], {}
 
     def step(self, action: np.ndarray) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
         """Plays one step. Returns observation, reward, terminated, truncated, info. The info has "reward_terms", and
-        "statistics" when the episode has ended. Then reset() has to be called."""
+        "statistics" when the episode has ended. Then reset() has to be called: another step is an error."""
+        if self._has_ended:
+            raise TrainingError("the episode has ended: call reset()")
         observations, rewards, terminations, truncations, infos = self.envs.step(np.asarray(action)[None])
         info: dict[str, Any] = {"reward_terms": {k: float(v[0]) for k, v in infos["reward_terms"].items()}}
         if "statistics" in infos:
             info["statistics"] = {k: v[0].item() for k, v in infos["statistics"].items()}
+            self._has_ended = True
         return observations[0], float(rewards[0]), bool(terminations[0]), bool(truncations[0]), info
 
     def render(self) -> np.ndarray | None:

@@ -15,7 +15,7 @@ using match::ThoughtKind;
 
 constexpr double line[] = {1.0, 2.0, 3.0, 4.0};
 
-const mirocup_v3_Thoughts& sample_of(ThoughtsSample& drawn) {
+const mirocup_v4_Thoughts& sample_of(ThoughtsSample& drawn) {
   return drawn.stamped(Team::yellow, 7, 9);
 }
 
@@ -26,10 +26,10 @@ TEST(ThoughtsSample, GivesBackWhatWasDrawn) {
   drawn.add({ThoughtKind::text, 5, "a layer whose name is longer than 31 bytes", {line, 2}, "one"});
   drawn.add({ThoughtKind::line, 0x01020304, "l", line, ""});
   drawn.add({ThoughtKind::text, 6, "", {line + 1, 2}, "three"});
-  const mirocup_v3_Thoughts& sample = sample_of(drawn);
+  const mirocup_v4_Thoughts& sample = sample_of(drawn);
   EXPECT_EQ(sample.tick, 7U);
   EXPECT_EQ(sample.nonce, 9U);
-  EXPECT_EQ(sample.team, mirocup_v3_YELLOW);
+  EXPECT_EQ(sample.team, mirocup_v4_COLOUR_YELLOW);
   EXPECT_STREQ(sample.text, "onethree");
   std::vector<std::string> seen;
   EXPECT_TRUE(for_each_thought(sample, [&](const Thought& thought) {
@@ -68,7 +68,7 @@ TEST(ThoughtsSample, OfAStrangerIsNotTrusted) {
     ThoughtsSample drawn;
     drawn.add({ThoughtKind::line, 0, "l", line, ""});
     drawn.add({ThoughtKind::text, 0, "t", {line, 2}, "words"});
-    mirocup_v3_Thoughts sample = sample_of(drawn);
+    mirocup_v4_Thoughts sample = sample_of(drawn);
     spoil(sample);
     int calls = 0;
     const bool taken = for_each_thought(sample, [&](const Thought&) { ++calls; });
@@ -80,7 +80,7 @@ TEST(ThoughtsSample, OfAStrangerIsNotTrusted) {
   EXPECT_FALSE(is_taken([](auto& s) { s.numbers._length = match::max_thought_numbers + 1; }));
   EXPECT_FALSE(is_taken([](auto& s) { s.numbers._length = 5; }));
   EXPECT_FALSE(is_taken([](auto& s) { s.text[3] = '\0'; }));
-  EXPECT_FALSE(is_taken([](auto& s) { s.shapes._buffer[0].kind = mirocup_v3_POLYGON; }));
+  EXPECT_FALSE(is_taken([](auto& s) { s.shapes._buffer[0].kind = mirocup_v4_SHAPE_POLYGON; }));
   EXPECT_FALSE(is_taken([](auto& s) { s.shapes._buffer[0].text = 1; }));
   EXPECT_FALSE(is_taken([](auto& s) { s.numbers._buffer[5] = NAN; }));
 }

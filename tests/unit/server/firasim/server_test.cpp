@@ -209,6 +209,101 @@ TEST_F(FirasimServer, AColourBelongsToItsSender) {
   EXPECT_EQ(server_->strangers().foreign, 1U);
 }
 
+// A match without a team yet, which two programs or one may play.
+class FirasimSeats : public ::testing::Test {
+ protected:
+  FirasimSeats() {
+    match::Setup setup;
+    setup.rules = referee::make_rules(referee::Preset::vsss);
+    leg_ = std::make_unique<match::Leg>(setup);
+    {
+      const Peer first, second;  // ports that are free
+      commands_ = first.port();
+      placements_ = second.port();
+    }
+    const std::string sink = "127.0.0.1:" + std::to_string(sink_.port());
+    auto server = Server::open({.vision = sink,
+                                .referee = sink,
+                                .command = std::to_string(commands_),
+                                .placement = "127.0.0.1:" + std::to_string(placements_),
+                                .interface = this_host});
+    if (!server) throw std::runtime_error(server.error().what);
+    server_ = std::move(*server);
+    Terms terms;
+    terms.to_join = 0.5;
+    terms.away = 0.5;
+    for (const Team team : both_teams) {
+      seats_[index_of(team)] = server_->add_seat(leg_->briefing(team), "it", terms);
+    }
+  }
+
+  std::string reason(Team team) {
+    const auto ready = server_->wait_until_ready(*seats_[index_of(team)], *leg_);
+    return ready ? "" : std::get<match::Fault>(ready.error()).text;
+  }
+
+  Peer one_, other_, sink_;
+  int commands_ = 0, placements_ = 0;
+  std::unique_ptr<match::Leg> leg_;
+  std::unique_ptr<Server> server_;
+  match::ByTeam<Seat*> seats_;
+};
+
+// Catches a program that steers both colours from one socket, which loses the second one, and a
+// stranger that then gets one of them.
+TEST_F(FirasimSeats, OneSocketMaySteerBothColours) {
+  const auto drives = [&](double wheels) {
+    std::string both = drive_all(Team::yellow, wheels, wheels);
+    both += drive_all(Team::blue, wheels, wheels);  // messages of protobuf are merged so
+    one_.send(both, commands_);
+  };
+  drives(1.0);
+  for (const Team team : both_teams) EXPECT_EQ(reason(team), "");
+  while (leg_->state() != match::State::PLAY) leg_->advance({match::Command{}, match::Command{}});
+  server_->publish(*leg_);
+  for (const Team team : both_teams) {
+    seats_[index_of(team)]->post(match::observe(leg_->view(), team, leg_->field().robots_per_team));
+  }
+  other_.send(drive_all(Team::yellow, 9.0, 9.0), commands_);
+  drives(2.0);
+  for (const Team team : both_teams) {
+    const match::Answer answer = seats_[index_of(team)]->collect();
+    const auto wanted = to_wheels(2.0, 2.0, leg_->setup().parameters);
+    EXPECT_EQ(std::get<match::Command>(answer).wheels[2].left, wanted.left);
+    EXPECT_EQ(seats_[index_of(team)]->counts().foreign, 0U);
+    EXPECT_EQ(seats_[index_of(team)]->counts().senders, 1);
+  }
+  EXPECT_EQ(server_->strangers().foreign, 1U);
+}
+
+// Catches commands to the group of all hosts that FIRASim hears and nobody does here.
+TEST_F(FirasimSeats, CommandsMayComeByTheGroup) {
+  const auto group = Sender::open({{0xe0000001, static_cast<std::uint16_t>(commands_)}}, this_host);
+  ASSERT_TRUE(group);
+  group->send(drive_all(Team::blue, 1.0, 1.0));
+  EXPECT_EQ(reason(Team::blue), "");
+  EXPECT_EQ(seats_[index_of(Team::blue)]->counts().datagrams, 1U);
+}
+
+// Catches a forfeit whose reason is not the true one: something came, and was not taken.
+TEST_F(FirasimSeats, ARefusalSaysWhatCame) {
+  one_.send(drive_all(Team::blue, 1.0, 1.0), commands_);
+  EXPECT_EQ(reason(Team::blue), "");
+  other_.send(drive_all(Team::blue, 1.0, 1.0), commands_);
+  EXPECT_NE(reason(Team::yellow)
+                .find("127.0.0.1:" + std::to_string(other_.port()) +
+                      " sent commands for blue, which another socket steers"),
+            std::string::npos);
+  other_.send("noise", commands_);
+  EXPECT_NE(reason(Team::yellow).find("no Packet"), std::string::npos);
+  other_.send(place_one(Team::yellow, 0.3, 0.0), placements_);
+  EXPECT_EQ(reason(Team::yellow), "");
+  EXPECT_NE(seats_[index_of(Team::yellow)]->disconnected("port 1").text.find("no command came"),
+            std::string::npos);
+  EXPECT_TRUE(is_of_this_host({0x7f000102, 1}));
+  EXPECT_FALSE(is_of_this_host({0xc0000201, 1}));  // 192.0.2.1 is nobody's
+}
+
 // Catches a team that is taken for one which leaves robots out because the machine was slow between
 // its datagrams: it would drive in another tick, and the leg would be another one.
 TEST_F(FirasimServer, ATeamMayBeSlowBetweenItsDatagrams) {
