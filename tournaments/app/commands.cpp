@@ -231,13 +231,14 @@ Result<int> run_stats(const StatsOptions& options) {
 namespace {
 
 Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const LeagueOptions& options,
-                                              const Overview& overview) {
+                                              const LeagueStore& store) {
+  const Overview overview = league::overview(store.state());
   std::vector<SiteFile> files;
   for (const auto& [name, make] : exports(overview)) files.push_back({name, make()});
   if (options.drills.empty()) return files;
   MIROCUP_TRY(const auto drills, disk.read(options.drills, {.max_size = system::size_limit::note,
                                                             .links = system::Links::followed}));
-  MIROCUP_TRY(const auto people, read_people(disk, Folder{options.folder}));
+  MIROCUP_TRY(const auto people, everybody(disk, store));
   MIROCUP_TRY(auto joined, grades(overview, people, drills, options.drills));
   files.push_back(std::move(joined));
   return files;
@@ -248,7 +249,7 @@ Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const LeagueO
 Result<int> run_export(const LeagueOptions& options) {
   system::Disk disk;
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
-  MIROCUP_TRY(const auto files, files_to_export(disk, options, overview(store.state())));
+  MIROCUP_TRY(const auto files, files_to_export(disk, options, store));
   MIROCUP_TRY_VOID(disk.make_folder(options.output));
   for (const SiteFile& file : files) {
     const std::string path = options.output + "/" + file.name;
