@@ -92,6 +92,10 @@ struct LeagueState {
   // The program that plays the league, from the last line that names one.
   ProgramChosen program;
 
+  // The round of a Swiss tournament in which each pairing would be a second meeting, so that it is
+  // not played; 0: there is none.
+  int unpaired_round = 0;
+
   std::vector<NightBegan> nights;
   std::optional<std::string> freeze;  // Frozen::from of the last one; nothing: as league.json says
   Released release;                   // the last one; by default everything is shown
@@ -140,6 +144,9 @@ struct LeagueState {
 // of the shoot-out of the deciding leg, then the winner of a lot, drawn with the seed of the
 // fixture. A team that has left loses a tie that was not played.
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie);
+
+// Returns why the rounds of a Swiss tournament ended early, a sentence; "" if they did not.
+std::string unpaired_in_words(const LeagueState& state);
 
 // Returns the team that is blue in a leg (from 1): the home team in odd legs, the away team in even
 // legs.

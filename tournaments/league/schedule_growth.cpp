@@ -132,6 +132,7 @@ void ScheduleGrowth::pair_swiss() {
                         [round](const FixtureState& f) { return f.fixture.round == round; });
   };
   const int rounds = state_.file.format.swiss_rounds(static_cast<int>(state_.teams.size()));
+  state_.unpaired_round = 0;
   while (true) {
     const int round = last_round();
     const auto begin = of_round(round);
@@ -154,7 +155,9 @@ void ScheduleGrowth::pair_swiss() {
     }
     std::vector<Fixture> before;
     for (const FixtureState& f : fixtures) before.push_back(f.fixture);
-    const auto next = swiss_round(standings, before, round + 1, rounds);
+    const auto next =
+        swiss_round(standings, before, round + 1, rounds, !state_.file.has_former_rules());
+    if (next.empty()) state_.unpaired_round = round + 1;
     add(next);
     return;
   }

@@ -286,6 +286,20 @@ TEST(Teams, OfAClassListAreRefusedWithLineAndReason) {
   EXPECT_EQ(read_json(folder + "/league.json")["teams"].size(), 0u);
 }
 
+TEST(Teams, OfASwissTournamentCanPlayItsRounds) {
+  const TemporaryFolder temporary;
+  nlohmann::json config{{"schema", "mirocup/league/1"},
+                        {"format", {{"kind", "swiss"}, {"rounds", 9}}}};
+  for (const char* name : {"a", "b", "c", "d"})
+    config["teams"].push_back({{"name", name}, {"entry", "submitted"}});
+  write_file(temporary / "league.json", config.dump());
+  const Outcome outcome =
+      run(league("init", temporary / "l", {"--config", temporary / "league.json"}));
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+  EXPECT_NE(outcome.err.find("4 teams can play 3 rounds at most"), std::string::npos);
+  EXPECT_FALSE(fs::exists(temporary / "l"));
+}
+
 TEST(Teams, MayBeAddedAfterInit) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";

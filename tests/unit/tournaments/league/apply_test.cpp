@@ -109,5 +109,26 @@ TEST(Apply, ALineThatCannotBeDecodedIsDamage) {
   EXPECT_EQ(applied.error().what, "j.jsonl: line 4: /why: missing");
 }
 
+// Rounds used to be left out without a word.
+TEST(Apply, ASwissRoundThatCannotBePairedIsSaid) {
+  LeagueFile file;
+  file.format.kind = FormatKind::swiss;
+  for (const char* name : {"a", "b", "c", "d"})
+    file.teams.push_back({.name = name, .source = "house:idle", .over_dds = false});
+  LeagueState state = new_league(file);
+  apply(state, Started{.config_sha256 = "x", .version = ""});
+  const Fixture second = state.fixtures[1].fixture;
+  for (const char* fixture : {"r1-f1", "r1-f2"}) {
+    for (const int leg : {1, 2})
+      apply(state, Ruled{.fixture = fixture, .leg = leg, .score = {1, 0}, .why = "w", .by = {}});
+  }
+  EXPECT_EQ(state.unpaired_round, 0);
+  EXPECT_EQ(unpaired_in_words(state), "");
+  for (const int team : {second.home, second.away})
+    apply(state, Withdrawn{.team = state.name(team), .why = "left", .by = {}});
+  EXPECT_EQ(state.unpaired_round, 2);
+  EXPECT_NE(unpaired_in_words(state).find("round 2 of 2 is not played"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace mirocup::league
