@@ -128,6 +128,7 @@ std::vector<TableRow> LeagueState::table() const {
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
   const Fixture& f = tie.fixture;
   if (!tie.is_decided()) return {};
+  if (tie.walkover) return *tie.walkover;
   const auto is_out = [&state](int team) {
     return team == no_team || state.teams[team].status == TeamStatus::withdrawn;
   };

@@ -6,6 +6,7 @@
 // from the present results.
 #pragma once
 
+#include "tournaments/format/knockout.hpp"
 #include "tournaments/format/league_file.hpp"
 #include "tournaments/format/schedule.hpp"
 #include "tournaments/league/event.hpp"
@@ -45,6 +46,9 @@ struct FixtureState {
   Fixture fixture;
   std::array<LegState, max_legs> legs;
   bool is_annulled = false;  // counts for nothing, because a team has left
+  // Of a tie of a knockout that was decided because a team had left. It stays when others leave
+  // later. Leagues of the former rules have none.
+  std::optional<TieOutcome> walkover;
   int counted_needed = 0;    // its share of the counts of the league
   int counted_decided = 0;
 
