@@ -340,8 +340,10 @@ void add_rulings(CLI::App& app, Action& action) {
   rule.add_reason();
 
   ActSubcommand annul(app, action, ActKind::void_,
-                      "Declare legs void; they are played again with the same seed");
+                      "Declare legs void; they are played again with another seed");
   annul.add_fixture();
+  annul->add_flag("--same-seed", annul.act().keeps_seed,
+                  "with the seed that they had: the same libraries play the same leg again");
   annul.add_reason();
 
   ActSubcommand withdraw(app, action, ActKind::withdraw, "Take a team out of the league");

@@ -62,6 +62,7 @@ std::optional<Act> act_of(const Form& form) {
              .leg = number_in(form, "leg"),
              .has_all_legs = value_of(form, "leg") == "all",
              .team = value_of(form, "team"),
+             .keeps_seed = value_of(form, "seed") == "same",
              .score = value_of(form, "score"),
              .results = value_of(form, "results"),
              .from = value_of(form, "from"),
@@ -124,8 +125,9 @@ class Forms {
     fixture("award");
     choice(html_, "award", "team", "Team", teams_);
     close("award");
-    open("void", "Declare a leg void: it is played again with the same seed");
+    open("void", "Declare a leg void: it is played again");
     fixture("void");
+    choice(html_, "void", "seed", "With", {{"new", "another seed"}, {"same", "the same seed"}});
     close("void");
     open("pause", "Pause a team: no leg of it is started");
     choice(html_, "pause", "team", "Team", teams_);

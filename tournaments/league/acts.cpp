@@ -175,8 +175,11 @@ class Deciding {
                                   .attempt = attempt,
                                   .cause = VoidCause::ruling,
                                   .why = {},
-                                  .by = {}}),
-              "void; league start plays it again"};
+                                  .by = {},
+                                  .at = {},
+                                  .has_new_seed = !act_.keeps_seed}),
+              std::string("void; league start plays it again with ") +
+                  (act_.keeps_seed ? "the same seed" : "another seed")};
     });
   }
 

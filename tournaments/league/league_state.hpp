@@ -38,6 +38,7 @@ struct LegState {
   int voids = 0;                            // number of attempts that count for nothing
   int host_faults = 0;  // number of these that the host caused since the last ruling
   int version = 1;      // of its record, from 1: grows with each void that the host did not cause
+  int new_seeds = 0;    // number of voids by persons after which it is played with another seed
   bool awaits_confirmation = false;  // the first attempt was lost by a clock; the next one counts
   std::shared_ptr<const std::string> void_ruling;  // why a person voided it; null if none did
 };
@@ -49,7 +50,7 @@ struct FixtureState {
   // Of a tie of a knockout that was decided because a team had left. It stays when others leave
   // later. Leagues of the former rules have none.
   std::optional<TieOutcome> walkover;
-  int counted_needed = 0;    // its share of the counts of the league
+  int counted_needed = 0;  // its share of the counts of the league
   int counted_decided = 0;
 
   // Number of legs that it needs as far as is known (a level tie needs one more), and of those that
