@@ -3,6 +3,8 @@
 // Comma-separated values (RFC 4180).
 #pragma once
 
+#include "core/base/error.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,10 +12,23 @@
 namespace mirocup::system {
 
 // Returns one line of comma-separated values, with its line end. The cells are escaped by
-// printable().
+// printable(). A cell that a spreadsheet would take for a formula gets an apostrophe in front.
 std::string csv_line(const std::vector<std::string>& cells);
 
-// Returns the cells of a line without its end.
-std::vector<std::string> csv_cells(std::string_view line);
+struct CsvRow {
+  int line = 1;  // in which it begins, from 1
+  std::vector<std::string> cells;
+};
+
+struct CsvTable {
+  std::vector<CsvRow> rows;  // without those whose cells are all empty
+  bool was_windows_1252 = false;
+};
+
+// Reads a table that a spreadsheet or a person wrote: UTF-8 with or without its mark, or
+// Windows-1252; separated by commas, semicolons or tabs, whichever the first row has most of, or as
+// a line "sep=;" before it says; with any line ends. Blanks around a cell are left out. Errors
+// (Errc::input, a sentence): another encoding, a workbook, a quotation mark that is not closed.
+Result<CsvTable> read_csv(std::string_view bytes);
 
 }  // namespace mirocup::system

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 
 namespace mirocup::system {
 
@@ -60,6 +61,40 @@ std::string printable(std::string_view text, LineEnds ends) {
     text.remove_prefix(length);
   }
   return out;
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = first_of(text).length;
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+std::string hidden_character(std::string_view text) {
+  constexpr std::uint32_t first_joined = 0x600;  // the first writing whose letters are joined
+  std::uint32_t before = 0;
+  while (!text.empty()) {
+    const Character c = first_of(text);
+    const std::uint32_t code = c.code;
+    const bool joins = code == 0x200c || code == 0x200d || (code >= 0xfe00 && code <= 0xfe0f);
+    const bool is_hidden =
+        joins ? before < first_joined || before == code
+              : code == 0xad || code == 0x34f || code == 0x115f || code == 0x1160 ||
+                    code == 0x17b4 || code == 0x17b5 || (code >= 0x180b && code <= 0x180e) ||
+                    code == 0x200b || (code >= 0x2060 && code <= 0x206f) || code == 0x3164 ||
+                    code == 0xfeff || code == 0xffa0 || (code >= 0xfff0 && code <= 0xfffb) ||
+                    (code >= 0x1d173 && code <= 0x1d17a) || (code >= 0xe0000 && code <= 0xe0fff);
+    if (is_hidden) {
+      char name[12];
+      std::snprintf(name, sizeof name, "U+%04X", static_cast<unsigned>(code));
+      return name;
+    }
+    before = code;
+    text.remove_prefix(std::max<std::size_t>(c.length, 1));
+  }
+  return "";
 }
 
 std::string in_quotes(std::string_view text) {

@@ -19,6 +19,12 @@ enum class LineEnds {
 // direction of writing. Tabs are kept, line ends as `ends` says. What was escaped stays as it is.
 std::string printable(std::string_view text, LineEnds ends = LineEnds::escaped);
 
+bool is_utf8(std::string_view text);
+
+// Returns the first character of a text in UTF-8 that nobody sees, as "U+200B"; "" if there is
+// none. Joiners and variants are seen in writings from Arabic on, and in emoji.
+std::string hidden_character(std::string_view text);
+
 // Returns a stranger's words as a part of a sentence: on one line, escaped, in double quotation
 // marks that the text itself cannot close, and cut with "..." after max_quoted bytes.
 inline constexpr std::size_t max_quoted = 240;  // bytes, escaped, without the marks

@@ -267,7 +267,7 @@ void add_hand_in(CLI::App& app, Action& action) {
                   "a token that reads what all teams have handed in, and decides");
   token->add_flag("--tutor", o.tutor,
                   "a token that reads what the staff reads, and decides nothing");
-  token->add_flag("--csv", o.csv, "lines of team and token, for a class list");
+  token->add_flag("--csv", o.csv, "lines of team, display name and token, for a mail merge");
   CLI::Option* expires =
       token->add_option("--expires", o.expires, "UTC: 2026-12-18T18:00:00Z, or the last day");
   token->add_flag("--revoke", o.revoke, "make no token; all tokens of the team become worthless")
@@ -340,8 +340,10 @@ void add_rulings(CLI::App& app, Action& action) {
   rule.add_reason();
 
   ActSubcommand annul(app, action, ActKind::void_,
-                      "Declare legs void; they are played again with the same seed");
+                      "Declare legs void; they are played again with another seed");
   annul.add_fixture();
+  annul->add_flag("--same-seed", annul.act().keeps_seed,
+                  "with the seed that they had: the same libraries play the same leg again");
   annul.add_reason();
 
   ActSubcommand withdraw(app, action, ActKind::withdraw, "Take a team out of the league");
@@ -421,23 +423,39 @@ void add_keeping(CLI::App& app, Action& action) {
       ->add_option("--drills", grades.options->drills,
                    "marks of the teams, from mirocup drill --csv")
       ->type_name("FILE");
+  const auto add_layout = [&grades](const char* name, GradesLayout layout, const char* what) {
+    GradesLayout& chosen = grades.options->layout;
+    return grades->add_flag_callback(
+        name, [&chosen, layout] { chosen = layout; }, what);
+  };
+  CLI::Option* per_member =
+      add_layout("--per-member", GradesLayout::members, "a row for each member of a team");
+  CLI::Option* moodle = add_layout("--moodle", GradesLayout::moodle,
+                                   "a row for each student, as Moodle's grade import reads it; the "
+                                   "class list needs a column mail or number");
+  CLI::Option* gradescope =
+      add_layout("--gradescope", GradesLayout::gradescope, "likewise, with Gradescope's columns");
+  moodle->excludes(per_member)->excludes(gradescope);
+  gradescope->excludes(per_member);
   grades->add_option("-o,--output", grades.options->output,
                      "a file, which only you can read (default: standard output)");
 
   Subcommand<TeamOptions> team(
-      app, action, "team", "Say by what names people know the teams, and who is in them", run_team);
+      app, action, "team", "Make teams from a class list, and say by what names people know them",
+      run_team);
   TeamOptions& o = *team.options;
   add_folder(team);
   team->add_option("TEAM", o.team, "its name in the league");
   team->add_option("--display", o.display, "any letters; \"\": its name in the league");
-  team->add_option("--member", o.members, "once for each member");
+  team->add_option("--member", o.members, "once for each member; \"\": it has none");
   team->add_option("--colour", o.colour,
                    "of the mark beside its name on pages, as #c03a2b; \"\": none")
       ->type_name("COLOUR");
   team->add_option("--csv", o.csv,
-                   "a class list: team,display,members with ; between them, or "
-                   "team,display,members,colour")
+                   "a class list: makes its teams; columns team, display, members (with ; between "
+                   "them), colour, and further ones, which the grades have again")
       ->type_name("FILE");
+  team->add_flag("--remove", o.is_removed, "take out a team that was a mistake");
 }
 
 void add_compare(CLI::App& app, Action& action) {
@@ -588,7 +606,11 @@ const system::CommandHelp help_of_commands[] = {
      to_take,
      "",
      {"mirocup league submit spring alpha alpha.so", "mirocup league submit spring --inbox inbox"}},
-    {"team", to_take, "", {"mirocup league team spring alpha --display \"Zoë & Co\" --member Zoë"}},
+    {"team",
+     to_take,
+     "",
+     {"mirocup league team spring --csv class.csv",
+      "mirocup league team spring alpha --display \"Zoë & Co\" --member Zoë"}},
     {"owner", to_take, "", {"mirocup league owner spring alpha student7"}},
     {"token",
      to_take,
@@ -619,7 +641,11 @@ const system::CommandHelp help_of_commands[] = {
     {"publish", to_show, "", {"mirocup league publish spring"}},
     {"stats", to_show, "", {"mirocup league stats spring --csv"}},
     {"export", to_show, "", {"mirocup league export spring -o tables"}},
-    {"grades", to_show, "", {"mirocup league grades spring --drills drills.csv -o grades.csv"}},
+    {"grades",
+     to_show,
+     "",
+     {"mirocup league grades spring --drills drills.csv -o grades.csv",
+      "mirocup league grades spring --moodle -o moodle.csv"}},
     {"release",
      to_show,
      "",

@@ -40,7 +40,7 @@ Result<LeagueFile> file_from(system::Files& files, const LeagueOptions& options)
     MIROCUP_TRY(const auto text,
                 files.read(options.config, {.max_size = system::size_limit::league_file,
                                             .links = system::Links::followed}));
-    auto file = parse_league_file(text, options.config);
+    auto file = parse_league_file(text, options.config, current_rules);
     if (!file) return file;
     // Paths of libraries are relative to the folder of the file.
     const std::filesystem::path base = std::filesystem::path(options.config).parent_path();
@@ -119,6 +119,12 @@ Result<LeagueState> play_league(system::Files& files, LeagueStore store, Progres
 Result<int> run_init(const LeagueOptions& options) {
   system::Disk disk;
   MIROCUP_TRY(const auto file, file_from(disk, options));
+  const int teams = static_cast<int>(file.teams.size());
+  // Of a league whose teams come later, only its start can say more.
+  if (file.format.kind == FormatKind::swiss && teams > 1) {
+    if (const std::string why = objection(file.format, teams); !why.empty())
+      return fail(Errc::input, options.folder + ": " + why);
+  }
   const Folder folder{options.folder};
   MIROCUP_TRY_VOID(init_folder(disk, folder, file));
   const LeagueState state = new_league(file);
@@ -231,13 +237,14 @@ Result<int> run_stats(const StatsOptions& options) {
 namespace {
 
 Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const LeagueOptions& options,
-                                              const Overview& overview) {
+                                              const LeagueStore& store) {
+  const Overview overview = league::overview(store.state());
   std::vector<SiteFile> files;
   for (const auto& [name, make] : exports(overview)) files.push_back({name, make()});
   if (options.drills.empty()) return files;
   MIROCUP_TRY(const auto drills, disk.read(options.drills, {.max_size = system::size_limit::note,
                                                             .links = system::Links::followed}));
-  MIROCUP_TRY(const auto people, read_people(disk, Folder{options.folder}));
+  MIROCUP_TRY(const auto people, everybody(disk, store));
   MIROCUP_TRY(auto joined, grades(overview, people, drills, options.drills));
   files.push_back(std::move(joined));
   return files;
@@ -248,7 +255,7 @@ Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const LeagueO
 Result<int> run_export(const LeagueOptions& options) {
   system::Disk disk;
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
-  MIROCUP_TRY(const auto files, files_to_export(disk, options, overview(store.state())));
+  MIROCUP_TRY(const auto files, files_to_export(disk, options, store));
   MIROCUP_TRY_VOID(disk.make_folder(options.output));
   for (const SiteFile& file : files) {
     const std::string path = options.output + "/" + file.name;

@@ -10,6 +10,7 @@
 #include "record/statistics/report.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/play/comparison_run.hpp"
+#include "tournaments/publish/grades.hpp"
 #include "tournaments/tune/tuning.hpp"
 
 #include <cstdint>
@@ -34,11 +35,12 @@ struct LeagueOptions {
   bool now = false;                // stop
   std::string output;              // export, publish
   std::string drills;              // export, grades: the output of mirocup drill --csv; "": none
-  std::string through;             // publish: the last round shown; "": all rounds
-  bool entries = false;            // status
-  bool another = false;            // nightly: one more on the same day
-  std::string on_night;            // nightly: a program that hears of the night; "": none
-  std::string address;             // nightly: what links of the digests' texts begin with
+  GradesLayout layout = GradesLayout::teams;  // grades
+  std::string through;                        // publish: the last round shown; "": all rounds
+  bool entries = false;                       // status
+  bool another = false;                       // nightly: one more on the same day
+  std::string on_night;                // nightly: a program that hears of the night; "": none
+  std::string address;                 // nightly: what links of the digests' texts begin with
   bool accepts_other_program = false;  // start, nightly
   bool trusts_programs = false;        // verify
   bool json = false;
@@ -205,6 +207,7 @@ struct TeamOptions {
   std::vector<std::string> members;
   std::optional<std::string> colour;  // "#c03a2b"; "": none
   std::string csv;                    // a class list; "": one team
+  bool is_removed = false;            // a team that was a mistake
 };
 Result<int> run_team(const TeamOptions& options);
 

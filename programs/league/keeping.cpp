@@ -3,11 +3,14 @@
 // The subcommands verify, backup, grades and team.
 #include "programs/league/commands.hpp"
 #include "record/json_reader.hpp"
-#include "system/csv.hpp"
+#include "system/clock.hpp"
 #include "system/file_lock.hpp"
 #include "system/printable.hpp"
+#include "tournaments/handin/tokens.hpp"
+#include "tournaments/league/class_list.hpp"
 #include "tournaments/league/kept_program.hpp"
-#include "tournaments/league/people.hpp"
+#include "tournaments/league/roster.hpp"
+#include "tournaments/league/submission.hpp"
 #include "tournaments/play/backup.hpp"
 #include "tournaments/play/program.hpp"
 #include "tournaments/publish/grades.hpp"
@@ -68,8 +71,11 @@ Result<int> run_grades(const LeagueOptions& options) {
     MIROCUP_TRY(drills, disk.read(options.drills, {.max_size = system::size_limit::note,
                                                    .links = system::Links::followed}));
   }
-  MIROCUP_TRY(const auto people, read_people(disk, folder));
-  MIROCUP_TRY(const auto file, grades(overview(store.state()), people, drills, options.drills));
+  MIROCUP_TRY_VOID(
+      spare_class_list(disk, folder, options.output.empty() ? "/proc/self/fd/1" : options.output));
+  MIROCUP_TRY(const auto people, everybody(disk, store));
+  MIROCUP_TRY(const auto file,
+              grades(overview(store.state()), people, drills, options.drills, options.layout));
   if (options.output.empty()) {
     std::cout << file.bytes;
     return exit_yes;
@@ -81,71 +87,78 @@ Result<int> run_grades(const LeagueOptions& options) {
 
 namespace {
 
-Result<void> set_display(PeopleOfTeams& people, const std::string& team,
-                         const std::string& display) {
-  if (const std::string why = display.empty() ? "" : objection_to_display(display); !why.empty())
-    return fail(Errc::input, team + ": " + why);
-  people[team].display = display;
-  return {};
+void print(const std::string& team, const People& one) {
+  std::cout << team << ": " << (one.display.empty() ? team : one.display);
+  for (std::size_t i = 0; i < one.members.size(); ++i)
+    std::cout << (i == 0 ? " (" : "; ") << one.members[i];
+  std::cout << (one.members.empty() ? "" : ")") << (one.colour.empty() ? "" : " ") << one.colour
+            << '\n';
 }
 
-Result<void> set_members(PeopleOfTeams& people, const std::string& team,
-                         const std::vector<std::string>& members) {
-  for (const std::string& member : members) {
-    if (const std::string why = objection_to_display(member); !why.empty())
-      return fail(Errc::input, team + ": " + why);
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+// Takes a class list: its teams, and who is in them.
+Result<int> take_class_list(system::Files& files, LeagueStore& store, const std::string& path) {
+  const Folder& folder = store.folder();
+  MIROCUP_TRY(const auto bytes, files.read(path, {.max_size = system::size_limit::league_file,
+                                                  .links = system::Links::followed}));
+  const auto in_file = [&path](const Error& error) {
+    return Error{error.code, system::printable(path) + ": " + error.what};
+  };
+  MIROCUP_TRY(const auto list, read_class_list(bytes).map_error(in_file));
+  std::vector<std::string> joining;
+  {
+    MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
+    MIROCUP_TRY(auto people, read_people(files, folder));
+    MIROCUP_TRY(joining, list.merge_into(people, store.state()).map_error(in_file));
+    MIROCUP_TRY_VOID(write_people(files, folder, people));
   }
-  people[team].members = members;
-  return {};
-}
-
-Result<void> set_colour_of(PeopleOfTeams& people, const std::string& team,
-                           const std::string& colour) {
-  const auto set = set_colour(people[team], colour);
-  return set ? set : fail(Errc::input, team + ": " + set.error().what);
-}
-
-// Reads lines of team, display name, members with semicolons between them and, if the first line
-// names that column, the colour.
-Result<void> read_class_list(const std::string& text, const std::string& path,
-                             PeopleOfTeams& people) {
-  std::size_t begin = 0;
-  std::size_t columns = 0;
-  for (int number = 1; number == 1 || begin < text.size(); ++number) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    std::string line = text.substr(begin, end - begin);
-    begin = end + 1;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    const std::vector<std::string> cells = system::csv_cells(line);
-    const std::string where = path + ": line " + std::to_string(number);
-    if (number == 1) {
-      columns = cells.size();
-      const std::vector<std::string> names{"team", "display", "members", "colour"};
-      if (columns < 3 || columns > 4 || !std::equal(cells.begin(), cells.end(), names.begin()))
-        return fail(Errc::input, where +
-                                     ": \"team,display,members\" is expected, or "
-                                     "\"team,display,members,colour\"");
-      continue;
-    }
-    if (line.empty()) continue;
-    if (cells.size() != columns || !is_good_name(cells[0]))
-      return fail(Errc::input, where + ": a team, its display name and its members are expected" +
-                                   (columns > 3 ? ", and its colour" : ""));
-    std::vector<std::string> members;
-    for (std::size_t at = 0; at < cells[2].size();) {
-      const std::size_t stop = std::min(cells[2].find(';', at), cells[2].size());
-      std::string member = cells[2].substr(at, stop - at);
-      member.erase(0, member.find_first_not_of(' '));
-      if (!member.empty()) members.push_back(member);
-      at = stop + 1;
-    }
-    auto set = set_display(people, cells[0], cells[1]).and_then([&] {
-      return set_members(people, cells[0], members);
-    });
-    if (set && columns > 3) set = set_colour_of(people, cells[0], cells[3]);
-    if (!set) return fail(Errc::input, where + ": " + set.error().what);
+  MIROCUP_TRY_VOID(enter_teams(files, store, joining, std::string(TeamConfig::submitted)));
+  MIROCUP_TRY_VOID(remember_class_list(files, folder, path, bytes));
+  std::vector<std::string> missing;
+  for (const TeamConfig& team : store.state().file.teams) {
+    const bool is_listed = std::any_of(list.rows.begin(), list.rows.end(),
+                                       [&](const auto& row) { return row.team == team.name; });
+    if (!is_listed && !team.is_house()) missing.push_back(team.name);
   }
-  return {};
+  std::cout << system::printable(path) << ": " << list.rows.size()
+            << (list.rows.size() == 1 ? " team" : " teams") << ", " << joining.size()
+            << " new to the league\n";
+  if (!list.kept.empty()) std::cout << "kept for the grades: " << joined(list.kept) << '\n';
+  if (!missing.empty())
+    std::cout << "in the league, but not in this list: " << joined(missing) << '\n';
+  if (list.was_windows_1252) {
+    std::cerr << "mirocup: " << system::printable(path)
+              << " is not in UTF-8. It was read as Excel writes it in western Europe "
+                 "(Windows-1252): look at the names\n";
+  }
+  return exit_yes;
+}
+
+// Takes a team out of the class list and, before the start, out of the league.
+Result<int> remove_team(system::Files& files, LeagueStore& store, const std::string& team) {
+  const Folder& folder = store.folder();
+  const bool is_in = store.state().find_team(team).has_value();
+  MIROCUP_TRY(const auto entry, last_entry(files, folder, team));
+  if (entry > 0 || (is_in && store.state().is_started)) {
+    return fail(Errc::input, team + (entry > 0 ? " has handed in" : " is in the journal") +
+                                 ": league withdraw takes it out");
+  }
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
+  MIROCUP_TRY(auto people, read_people(files, folder));
+  MIROCUP_TRY(auto tokens, read_tokens(files, folder));
+  const int revoked = tokens.revoke(Role::team, team, utc_text(system::now_s()));
+  if (people.erase(team) == 0 && !is_in && revoked == 0)
+    return fail(Errc::input, "there is no team " + team);
+  MIROCUP_TRY_VOID(write_people(files, folder, people));
+  if (revoked > 0) MIROCUP_TRY_VOID(write_tokens(files, folder, tokens));
+  if (is_in) MIROCUP_TRY_VOID(leave_before_start(files, store, team));
+  std::cout << team << " is no longer in the league\n";
+  return exit_yes;
 }
 
 }  // namespace
@@ -153,33 +166,36 @@ Result<void> read_class_list(const std::string& text, const std::string& path,
 Result<int> run_team(const TeamOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
-  MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
+  MIROCUP_TRY_VOID(expect_league(disk, folder));
+  MIROCUP_TRY(const auto alone, system::FileLock::acquire(folder.submitting()));
+  MIROCUP_TRY(auto store, LeagueStore::open(disk, folder));
+  const std::string& team = options.team;
+  if (!options.csv.empty()) {
+    if (!team.empty()) return fail(Errc::input, "TEAM and --csv exclude each other");
+    return take_class_list(disk, store, options.csv);
+  }
+  if (!is_good_name(team)) return fail(Errc::input, "TEAM or --csv FILE is expected");
+  if (options.is_removed) return remove_team(disk, store, team);
   MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
   MIROCUP_TRY(auto people, read_people(disk, folder));
-  Result<void> set;
-  if (!options.csv.empty()) {
-    if (!options.team.empty()) return fail(Errc::input, "TEAM and --csv exclude each other");
-    MIROCUP_TRY(const auto text,
-                disk.read(options.csv, {.max_size = system::size_limit::league_file,
-                                        .links = system::Links::followed}));
-    set = read_class_list(text, options.csv, people);
-  } else {
-    if (!is_good_name(options.team)) return fail(Errc::input, "TEAM or --csv FILE is expected");
-    if (!store.state().find_team(options.team))
-      return fail(Errc::input, "there is no team " + options.team);
-    if (options.display) set = set_display(people, options.team, *options.display);
-    if (set && !options.members.empty()) set = set_members(people, options.team, options.members);
-    if (set && options.colour) set = set_colour_of(people, options.team, *options.colour);
+  if (!store.state().find_team(team) && !people.contains(team))
+    return fail(Errc::input, "there is no team " + team);
+  People& one = people[team];
+  if (options.display) one.display = *options.display;
+  if (!options.members.empty()) one.members = options.members;
+  if (options.members == std::vector<std::string>{""}) one.members.clear();
+  std::string why = objection_to(one);
+  if (options.display && !one.display.empty() && why.empty()) {
+    PeopleOfTeams all = people;
+    for (const TeamConfig& other : store.state().file.teams) all.try_emplace(other.name);
+    if (const std::string other = looks_like(all, team, one.display); !other.empty())
+      why = "people would take \"" + one.display + "\" for " + other;
   }
-  if (!set) return tl::unexpected(set.error());
+  if (const auto set = set_colour(one, options.colour.value_or(one.colour)); why.empty() && !set)
+    why = set.error().what;
+  if (!why.empty()) return fail(Errc::input, team + ": " + why);
   MIROCUP_TRY_VOID(write_people(disk, folder, people));
-  for (const auto& [team, one] : people) {
-    std::cout << team << ": " << (one.display.empty() ? team : one.display);
-    for (std::size_t i = 0; i < one.members.size(); ++i)
-      std::cout << (i == 0 ? " (" : "; ") << one.members[i];
-    std::cout << (one.members.empty() ? "" : ")") << (one.colour.empty() ? "" : " ") << one.colour
-              << '\n';
-  }
+  print(team, one);
   return exit_yes;
 }
 

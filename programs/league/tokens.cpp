@@ -4,8 +4,9 @@
 #include "tournaments/handin/tokens.hpp"
 
 #include "programs/league/commands.hpp"
+#include "system/csv.hpp"
 #include "system/file_lock.hpp"
-#include "tournaments/league/league_store.hpp"
+#include "tournaments/league/class_list.hpp"
 #include "tournaments/league/submission.hpp"
 
 #include <iostream>
@@ -30,12 +31,21 @@ Result<std::string> expiry_of(const std::string& text, const std::string& now) {
 
 // Returns the teams that are to get a token.
 Result<std::vector<std::string>> teams_of(const TokenOptions& options, const LeagueState& state,
-                                          const TokenList& list, const std::string& now) {
+                                          const PeopleOfTeams& people, const TokenList& list,
+                                          const std::string& now) {
   std::vector<std::string> teams;
   if (options.all) {
-    for (const TeamConfig& team : state.file.teams) {
-      if (!list.has_valid(team.name, now)) teams.push_back(team.name);
+    for (std::size_t i = 0; i < state.teams.size(); ++i) {
+      if (state.teams[i].status != TeamStatus::withdrawn) teams.push_back(state.file.teams[i].name);
     }
+    for (const auto& [team, one] : people) {
+      if (!state.find_team(team)) teams.push_back(team);
+    }
+    if (teams.empty()) {
+      return fail(Errc::input,
+                  "the league has no team: league team DIR --csv FILE makes those of a class list");
+    }
+    std::erase_if(teams, [&](const std::string& team) { return list.has_valid(team, now); });
     return teams;
   }
   if (!is_good_name(options.team)) {
@@ -50,9 +60,14 @@ Result<std::vector<std::string>> teams_of(const TokenOptions& options, const Lea
   return std::vector<std::string>{options.team};
 }
 
-void print(const TokenOptions& options, const std::string& whose, const std::string& token) {
+void print(const TokenOptions& options, const PeopleOfTeams& people, const std::string& whose,
+           const std::string& token) {
   if (options.csv) {
-    std::cout << whose << ',' << token << '\n';
+    const auto known = people.find(whose);
+    std::string line =
+        system::csv_line({whose, known != people.end() ? known->second.display : "", token});
+    std::erase(line, '\r');
+    std::cout << line;
   } else if (options.all) {
     std::cout << whose << ' ' << token << '\n';
   } else {
@@ -75,6 +90,8 @@ Result<int> run_token(const TokenOptions& options) {
   MIROCUP_TRY(const auto expires, expiry_of(options.expires, now));
   MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
   MIROCUP_TRY(auto list, read_tokens(disk, folder));
+  MIROCUP_TRY(auto people, read_people(disk, folder));
+  if (options.csv) MIROCUP_TRY_VOID(spare_class_list(disk, folder, "/proc/self/fd/1"));
 
   std::vector<std::pair<std::string, std::string>> made;  // whose, token
   int revoked = 0;
@@ -83,8 +100,17 @@ Result<int> run_token(const TokenOptions& options) {
   } else if (role != Role::team) {
     made.emplace_back(to_string(role), list.add_for(role, now, expires));
   } else {
-    MIROCUP_TRY(const auto teams, teams_of(options, store.state(), list, now));
-    for (const std::string& team : teams) made.emplace_back(team, list.add(team, now, expires));
+    MIROCUP_TRY(const auto teams, teams_of(options, store.state(), people, list, now));
+    const std::size_t known = people.size();
+    for (const std::string& team : teams) {
+      made.emplace_back(team, list.add(team, now, expires));
+      // Whoever has a token is known, also before the first hand-in.
+      if (!store.state().find_team(team)) people.try_emplace(team);
+    }
+    if (people.size() > known) {
+      MIROCUP_TRY_VOID(write_people(disk, folder, people));
+      std::cerr << "mirocup: " << teams.front() << " is new to the league\n";
+    }
   }
   MIROCUP_TRY_VOID(write_tokens(disk, folder, list));
   if (options.revoke) {
@@ -93,8 +119,8 @@ Result<int> run_token(const TokenOptions& options) {
     return exit_yes;
   }
   // Only what is on disk is shown.
-  if (options.csv) std::cout << "team,token\n";
-  for (const auto& [whose, token] : made) print(options, whose, token);
+  if (options.csv) std::cout << "team,display,token\n";
+  for (const auto& [whose, token] : made) print(options, people, whose, token);
   if (options.all && made.empty()) std::cerr << "mirocup: every team has a token already\n";
   return exit_yes;
 }

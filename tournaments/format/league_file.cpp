@@ -182,12 +182,14 @@ Points read_points(const JsonReader& json) {
   return points;
 }
 
-LeagueFile read_league(const JsonReader& json) {
+LeagueFile read_league(const JsonReader& json, int rules_version) {
   json.expect_object({"schema", "title", "format", "league", "rules", "conditions", "pitch", "seed",
-                      "points", "tie_breaks", "zone", "freeze", "strikes", "anonymous", "thoughts",
-                      "firasim", "teams"});
+                      "points", "tie_breaks", "rules_version", "zone", "freeze", "strikes",
+                      "anonymous", "thoughts", "firasim", "teams"});
   json.expect_schema(schema);
   LeagueFile file;
+  file.rules_version = rules_version;
+  read_count(json, "rules_version", former_rules, current_rules, file.rules_version);
   json.read_if_present("title", file.title);
   if (json.has("format")) file.format = read_format(json.at("format"));
   json.read_if_present("league", file.league);
@@ -262,8 +264,11 @@ bool is_good_name(const std::string& name) {
   return true;
 }
 
-Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path) {
-  return record::read_json<LeagueFile>(text, path, Errc::input, read_league);
+Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path,
+                                     int rules_version) {
+  return record::read_json<LeagueFile>(
+      text, path, Errc::input,
+      [rules_version](const JsonReader& json) { return read_league(json, rules_version); });
 }
 
 std::string print_firasim_team(const TeamConfig& team) {
@@ -287,6 +292,7 @@ std::string print_league_file(const LeagueFile& file) {
                 {{"win", file.points.win}, {"draw", file.points.draw}, {"loss", file.points.loss}}},
                {"tie_breaks", tie_breaks},
                {"strikes", file.strikes}});
+  if (!file.has_former_rules()) json["rules_version"] = file.rules_version;
   if (!file.zone.empty()) json["zone"] = file.zone;
   if (!file.freeze.empty()) json["freeze"] = file.freeze;
   if (file.is_anonymous) json["anonymous"] = true;

@@ -59,8 +59,14 @@ struct FirasimPlace {
   double join_within = 60.0;                        // s
 };
 
+// How results become tables and pairings. A league keeps the rules with which it was made: what was
+// played and published must not change by an upgrade.
+inline constexpr int former_rules = 1;  // of a league.json without a number
+inline constexpr int current_rules = 2;
+
 struct LeagueFile {
   std::string title = "League";
+  int rules_version = current_rules;
   Format format;
   League league = League::small;
   referee::Rules rules;
@@ -90,7 +96,11 @@ struct LeagueFile {
   FirasimPlace firasim;
   std::vector<TeamConfig> teams;
 
-  TableRules table_rules() const { return {points, tie_breaks, seed}; }
+  bool has_former_rules() const { return rules_version == former_rules; }
+  TableRules table_rules() const {
+    return {
+        .points = points, .tie_breaks = tie_breaks, .seed = seed, .evens_out = !has_former_rules()};
+  }
 };
 
 inline constexpr std::size_t max_teams = 1000;  // whose round robin is half a million fixtures
@@ -116,7 +126,9 @@ Result<std::string> utc_of(const std::string& text, const LeagueFile& file);
 std::string shown_time(const LeagueFile& file, const std::string& utc);
 
 // Reads a league file. The error (Errc::input) names `path`, the JSON pointer and the reason.
-Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path);
+// `rules_version` holds if the file names none.
+Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path,
+                                     int rules_version = former_rules);
 
 // Returns what league.json says of a team that speaks FIRASim's protocol. It is kept as the team's
 // entry, in the place of a library.

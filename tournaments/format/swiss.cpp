@@ -40,6 +40,19 @@ class Pairing {
     return false;
   }
 
+  // The same, with the last team, the bye, for the lowest team for which that is possible.
+  bool find_from_bye(int more) {
+    const int bye = size() - 1;
+    for (int team = bye - 1; team >= 0; --team) {
+      if (have_met_[team][bye]) continue;
+      partner_[team] = bye;
+      partner_[bye] = team;
+      if (find(more)) return true;
+      partner_[team] = partner_[bye] = no_team;
+    }
+    return false;
+  }
+
   const std::vector<int>& partner() const { return partner_; }
 
  private:
@@ -100,7 +113,8 @@ int max_swiss_rounds(int teams) {
 }
 
 std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
-                                 const std::vector<Fixture>& before, int round, int rounds) {
+                                 const std::vector<Fixture>& before, int round, int rounds,
+                                 bool bye_first) {
   // With an odd number the bye takes part as the last team, so no team has it twice.
   std::map<int, int> rank;
   std::vector<int> team;
@@ -110,7 +124,8 @@ std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
     team.push_back(s.team);
     points.push_back(s.points);
   }
-  if (team.size() % 2 == 1) {
+  const bool has_bye = team.size() % 2 == 1;
+  if (has_bye) {
     rank[no_team] = static_cast<int>(team.size());
     team.push_back(no_team);
     points.push_back(points.back() - 1);
@@ -124,7 +139,9 @@ std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
     have_met[away->second][home->second] = true;
   }
   Pairing pairing(std::move(have_met), std::move(points));
-  if (!pairing.find(rounds - round)) return {};
+  const bool is_found =
+      has_bye && bye_first ? pairing.find_from_bye(rounds - round) : pairing.find(rounds - round);
+  if (!is_found) return {};
 
   std::vector<Fixture> fixtures;
   for (int a = 0; a < static_cast<int>(team.size()); ++a) {

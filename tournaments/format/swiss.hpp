@@ -26,11 +26,13 @@ struct SwissStanding {
 
 // Returns the fixtures of round `round` (from 1) of `rounds`. `standings` has all teams that still
 // play, the best first; `before` has all earlier fixtures. With an odd number of teams the lowest
-// team that had no bye gets one: a fixture with no_team as away. Within a group of equal points the
-// upper half meets the lower half; from the top down, opponents have points as equal as possible.
-// The result is empty if no pairing avoids a second meeting; that happens only beyond
-// max_swiss_rounds() or after teams have left.
+// team gets a bye that had none and without which the others can be paired: a fixture with no_team
+// as away. Within a group of equal points the upper half meets the lower half; from the top down,
+// opponents have points as equal as possible. The result is empty if no pairing avoids a second
+// meeting; that happens only beyond max_swiss_rounds() or after teams have left. `bye_first`: false
+// in leagues of the former rules, where the bye went to the team that the others left over.
 std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
-                                 const std::vector<Fixture>& before, int round, int rounds);
+                                 const std::vector<Fixture>& before, int round, int rounds,
+                                 bool bye_first = true);
 
 }  // namespace mirocup::league

@@ -62,6 +62,7 @@ std::optional<Act> act_of(const Form& form) {
              .leg = number_in(form, "leg"),
              .has_all_legs = value_of(form, "leg") == "all",
              .team = value_of(form, "team"),
+             .keeps_seed = value_of(form, "seed") == "same",
              .score = value_of(form, "score"),
              .results = value_of(form, "results"),
              .from = value_of(form, "from"),
@@ -124,8 +125,9 @@ class Forms {
     fixture("award");
     choice(html_, "award", "team", "Team", teams_);
     close("award");
-    open("void", "Declare a leg void: it is played again with the same seed");
+    open("void", "Declare a leg void: it is played again");
     fixture("void");
+    choice(html_, "void", "seed", "With", {{"new", "another seed"}, {"same", "the same seed"}});
     close("void");
     open("pause", "Pause a team: no leg of it is started");
     choice(html_, "pause", "team", "Team", teams_);
@@ -309,12 +311,10 @@ Result<void> set_people(system::Files& files, const LeagueStore& store, const Fo
     member.erase(0, std::min(member.find_first_not_of(' '), member.size()));
     if (!member.empty()) one.members.push_back(member);
   }
-  std::vector<std::string> names = one.members;
-  if (!one.display.empty()) names.push_back(one.display);
-  for (const std::string& name : names) {
-    if (const std::string why = objection_to_display(name); !why.empty())
-      return fail(Errc::input, why);
-  }
+  if (const std::string why = objection_to(one); !why.empty()) return fail(Errc::input, why);
+  if (const std::string other = looks_like(people, team, one.display);
+      !one.display.empty() && !other.empty())
+    return fail(Errc::input, other + " is called so already");
   return write_people(files, store.folder(), people);
 }
 
@@ -410,7 +410,7 @@ web::Reply StaffDesk::act(const std::string& form) const {
 web::Reply StaffDesk::grades() const {
   const auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
-  const auto people = read_people(files_, folder_);
+  const auto people = everybody(files_, *store);
   if (!people) return broken(people.error());
   auto file = league::grades(overview(store->state()), *people, "", "");
   if (!file) return broken(file.error());

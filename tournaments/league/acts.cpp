@@ -4,6 +4,7 @@
 #include "system/file_lock.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/apply.hpp"
+#include "tournaments/league/submission.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -174,14 +175,24 @@ class Deciding {
                                   .attempt = attempt,
                                   .cause = VoidCause::ruling,
                                   .why = {},
-                                  .by = {}}),
-              "void; league start plays it again"};
+                                  .by = {},
+                                  .at = {},
+                                  .has_new_seed = !act_.keeps_seed}),
+              std::string("void; league start plays it again with ") +
+                  (act_.keeps_seed ? "the same seed" : "another seed")};
     });
   }
 
   Result<Lines> withdraw() {
     const auto results = from_string<WithdrawnResults>(act_.results);
     if (!results) return fail(Errc::input, "keep or annul is expected, for its results");
+    if (!state().is_started && state().find_team(act_.team)) {
+      const std::string line = act_.team + " is not in the league, which has not started";
+      if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
+      MIROCUP_TRY(const auto lock, system::FileLock::acquire(store_.folder().submitting()));
+      MIROCUP_TRY_VOID(leave_before_start(files_, store_, act_.team));
+      return Lines{line};
+    }
     return write(
         signed_as(Withdrawn{.team = act_.team, .results = *results, .why = {}, .by = {}}),
         act_.team + " has withdrawn; " +

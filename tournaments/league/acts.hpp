@@ -22,6 +22,7 @@ struct Act {
   int leg = 0;                // likewise; 0: not said, which is enough for a fixture of one leg
   bool has_all_legs = false;  // likewise: said so
   std::string team = {};      // award, withdraw, pause, resume
+  bool keeps_seed = false;    // void: it is played again with the same seed
   std::string score = {};     // rule: "2:1", home before away
   std::string results = {};   // withdraw: "keep" or "annul"
   std::string from = {};      // freeze: a time; "": now

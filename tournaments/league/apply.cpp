@@ -256,6 +256,7 @@ struct Applier {
     LegState& leg = f.legs[at.leg];
     PlayedLeg played = played_leg(state, f.fixture, e);
     if (leg.void_ruling) played.ruling = "what was played before is void: " + *leg.void_ruling;
+    if (leg.new_seeds > 0) played.ruling += "; played again with another seed";
     leg.played = std::make_shared<const PlayedLeg>(std::move(played));
     for (const int team : {f.fixture.home, f.fixture.away}) {
       const bool is_own_fault =
@@ -277,6 +278,7 @@ struct Applier {
       ++leg.version;
       leg.awaits_confirmation = e.cause == VoidCause::confirm;
     }
+    leg.new_seeds += e.has_new_seed ? 1 : 0;
     if (e.cause == VoidCause::ruling) {
       leg.host_faults = 0;
       leg.void_ruling = std::make_shared<const std::string>(signed_reason(e.why, e.by));
@@ -347,7 +349,8 @@ void plan(LeagueState& state) {
   if (state.file.format.kind == FormatKind::swiss) {
     std::vector<SwissStanding> standings;
     for (int team = 0; team < teams; ++team) standings.push_back({.team = team, .points = 0});
-    schedule.add(swiss_round(standings, {}, 1, state.file.format.swiss_rounds(teams)));
+    schedule.add(swiss_round(standings, {}, 1, state.file.format.swiss_rounds(teams),
+                             !state.file.has_former_rules()));
   }
 }
 

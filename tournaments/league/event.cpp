@@ -83,7 +83,8 @@ Event read_void(const JsonReader& line) {
                    .cause = value_or(line, "cause", VoidCause::host),
                    .why = line.at("why").text(),
                    .by = value_or<std::string>(line, "by", ""),
-                   .at = value_or<std::string>(line, "at", "")};
+                   .at = value_or<std::string>(line, "at", ""),
+                   .has_new_seed = value_or(line, "new_seed", false)};
 }
 
 Event read_ruling(const JsonReader& line) {
@@ -241,10 +242,11 @@ Json fields(const LegPlayed& e) {
 }
 
 Json fields(const LegVoided& e) {
-  const Json place{{"fixture", e.fixture},
-                   {"leg", e.leg},
-                   {"attempt", e.attempt},
-                   {"cause", to_string(e.cause)}};
+  Json place{{"fixture", e.fixture},
+             {"leg", e.leg},
+             {"attempt", e.attempt},
+             {"cause", to_string(e.cause)}};
+  if (e.has_new_seed) place["new_seed"] = true;
   return signed_by(place, e);
 }
 

@@ -122,7 +122,7 @@ enum class VoidCause {
   ruling,   // a person decided so
 };
 
-// An attempt counts for nothing; the leg is played again with the same seed.
+// An attempt counts for nothing; the leg is played again.
 struct LegVoided {
   static constexpr std::string_view kind = "void";
 
@@ -133,6 +133,7 @@ struct LegVoided {
   std::string why;
   std::string by;       // the person who decided; "" if not given
   std::string at = {};  // when the person decided, UTC: "2026-11-30T18:00:00Z"; "" if not known
+  bool has_new_seed = false;  // with the same seed, the same libraries play the same leg again
 
   bool operator==(const LegVoided&) const = default;
 };

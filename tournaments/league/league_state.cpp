@@ -119,6 +119,8 @@ std::vector<LegResult> LeagueState::results() const {
 std::vector<TableRow> LeagueState::table() const {
   TableRules rules = file.table_rules();
   rules.by_points_per_leg = file.format.takes_entries();
+  for (const TeamState& team : teams)
+    rules.has_left.push_back(team.status == TeamStatus::withdrawn);
   return make_table(all_teams(static_cast<int>(file.teams.size())), results(), rules,
                     stage_reached(*this));
 }
@@ -126,6 +128,7 @@ std::vector<TableRow> LeagueState::table() const {
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
   const Fixture& f = tie.fixture;
   if (!tie.is_decided()) return {};
+  if (tie.walkover) return *tie.walkover;
   const auto is_out = [&state](int team) {
     return team == no_team || state.teams[team].status == TeamStatus::withdrawn;
   };
@@ -148,6 +151,13 @@ TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
     difference = Random(fixture_seed(state.file.seed, f)).coin() ? 1 : -1;
   }
   return difference > 0 ? TieOutcome{f.home, f.away} : TieOutcome{f.away, f.home};
+}
+
+std::string unpaired_in_words(const LeagueState& state) {
+  if (state.unpaired_round == 0) return "";
+  const int rounds = state.file.format.swiss_rounds(static_cast<int>(state.teams.size()));
+  return "round " + std::to_string(state.unpaired_round) + " of " + std::to_string(rounds) +
+         " is not played: teams have left, and those that remain could only meet again";
 }
 
 int blue_team(const Fixture& fixture, int leg) {

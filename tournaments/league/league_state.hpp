@@ -6,6 +6,7 @@
 // from the present results.
 #pragma once
 
+#include "tournaments/format/knockout.hpp"
 #include "tournaments/format/league_file.hpp"
 #include "tournaments/format/schedule.hpp"
 #include "tournaments/league/event.hpp"
@@ -37,6 +38,7 @@ struct LegState {
   int voids = 0;                            // number of attempts that count for nothing
   int host_faults = 0;  // number of these that the host caused since the last ruling
   int version = 1;      // of its record, from 1: grows with each void that the host did not cause
+  int new_seeds = 0;    // number of voids by persons after which it is played with another seed
   bool awaits_confirmation = false;  // the first attempt was lost by a clock; the next one counts
   std::shared_ptr<const std::string> void_ruling;  // why a person voided it; null if none did
 };
@@ -45,7 +47,10 @@ struct FixtureState {
   Fixture fixture;
   std::array<LegState, max_legs> legs;
   bool is_annulled = false;  // counts for nothing, because a team has left
-  int counted_needed = 0;    // its share of the counts of the league
+  // Of a tie of a knockout that was decided because a team had left. It stays when others leave
+  // later. Leagues of the former rules have none.
+  std::optional<TieOutcome> walkover;
+  int counted_needed = 0;  // its share of the counts of the league
   int counted_decided = 0;
 
   // Number of legs that it needs as far as is known (a level tie needs one more), and of those that
@@ -91,6 +96,10 @@ struct LeagueState {
 
   // The program that plays the league, from the last line that names one.
   ProgramChosen program;
+
+  // The round of a Swiss tournament in which each pairing would be a second meeting, so that it is
+  // not played; 0: there is none.
+  int unpaired_round = 0;
 
   std::vector<NightBegan> nights;
   std::optional<std::string> freeze;  // Frozen::from of the last one; nothing: as league.json says
@@ -140,6 +149,9 @@ struct LeagueState {
 // of the shoot-out of the deciding leg, then the winner of a lot, drawn with the seed of the
 // fixture. A team that has left loses a tie that was not played.
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie);
+
+// Returns why the rounds of a Swiss tournament ended early, a sentence; "" if they did not.
+std::string unpaired_in_words(const LeagueState& state);
 
 // Returns the team that is blue in a leg (from 1): the home team in odd legs, the away team in even
 // legs.

@@ -33,10 +33,14 @@ PeopleOfTeams read_teams_file(const record::JsonReader& json) {
   json.expect_schema(people_schema);
   PeopleOfTeams people;
   for (const record::JsonReader& team : json.at("teams").elements(0, 1000)) {
-    team.expect_object({"team", "display", "members", "colour"});
+    team.expect_object({"team", "display", "members", "colour", "more"});
     People& one = people[team.at("team").text()];
     if (team.has("display")) one.display = read_name(team.at("display"));
     if (team.has("colour")) one.colour = read_colour(team.at("colour"));
+    if (team.has("more")) {
+      for (const auto& [column, value] : team.at("more").members())
+        one.more.emplace_back(column, value.text());
+    }
     if (!team.has("members")) continue;
     for (const record::JsonReader& member : team.at("members").elements(0, max_members))
       one.members.push_back(read_name(member));
@@ -51,6 +55,40 @@ std::string objection_to_display(const std::string& text) {
   if (text.size() > max_display)
     return "a name has at most " + std::to_string(max_display) + " bytes";
   if (system::printable(text) != text) return "a name is one line of text in UTF-8";
+  return "";
+}
+
+std::string objection_to_new_name(const std::string& text) {
+  if (std::string why = objection_to_display(text); !why.empty()) return why;
+  const std::string hidden = system::hidden_character(text);
+  return hidden.empty() ? "" : "a name has a character that nobody sees, " + hidden;
+}
+
+std::string objection_to(const People& one) {
+  if (one.members.size() > max_members)
+    return "a team has at most " + std::to_string(max_members) + " members";
+  std::vector<std::string> names = one.members;
+  if (!one.display.empty()) names.push_back(one.display);
+  for (const std::string& name : names) {
+    if (std::string why = objection_to_new_name(name); !why.empty()) return why;
+  }
+  return "";
+}
+
+std::string looks_like(const PeopleOfTeams& people, const std::string& team,
+                       const std::string& display) {
+  const auto look = [](const std::string& name) {
+    std::string seen;
+    for (const char c : name) {
+      if (c != ' ' || (!seen.empty() && seen.back() != ' '))
+        seen += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return seen;
+  };
+  const std::string own = look(display);
+  for (const auto& [other, one] : people) {
+    if (other != team && (look(other) == own || look(one.display) == own)) return other;
+  }
   return "";
 }
 
@@ -81,6 +119,7 @@ Result<void> write_people(system::Files& files, const Folder& folder, const Peop
     if (!one.display.empty()) json["display"] = one.display;
     if (!one.members.empty()) json["members"] = one.members;
     if (!one.colour.empty()) json["colour"] = one.colour;
+    for (const auto& [column, value] : one.more) json["more"][column] = value;
     teams.push_back(json);
   }
   const Json json{{"schema", people_schema}, {"teams", teams}};

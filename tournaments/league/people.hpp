@@ -9,6 +9,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mirocup::league {
@@ -17,6 +18,7 @@ struct People {
   std::string display;               // any letters: "Zoë & Co"; "": the team's name
   std::vector<std::string> members;  // names or matriculation numbers
   std::string colour = {};           // of the mark beside its name, "#c03a2b"; "": it has no mark
+  std::vector<std::pair<std::string, std::string>> more = {};  // further columns of the class list
 
   bool operator==(const People&) const = default;
 };
@@ -25,6 +27,18 @@ using PeopleOfTeams = std::map<std::string, People>;  // by the team's name
 // Returns why a text is no name for people; "" if it is one: UTF-8 that can be printed in a line,
 // at most 60 bytes.
 std::string objection_to_display(const std::string& text);
+
+// Returns why a person may not name a team or a member so now, although names from before stay:
+// as above, or a character that nobody sees. "": the name may be taken.
+std::string objection_to_new_name(const std::string& text);
+
+// Returns why these are no names that a person may give now; "": they are.
+std::string objection_to(const People& one);
+
+// Returns the other team that people would take for this one if it had that display name: by its
+// own name or its display name, whatever capitals and blanks it is written with. "": there is none.
+std::string looks_like(const PeopleOfTeams& people, const std::string& team,
+                       const std::string& display);
 
 // Returns why a text is no colour; "" if it is one: '#' and six hexadecimal digits.
 std::string objection_to_colour(const std::string& text);

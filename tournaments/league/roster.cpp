@@ -15,10 +15,20 @@ std::string RosterRow::state() const {
   return was_accepted ? "accepted" : "refused";
 }
 
+Result<PeopleOfTeams> everybody(system::Files& files, const LeagueStore& store) {
+  MIROCUP_TRY(auto people, read_people(files, store.folder()));
+  MIROCUP_TRY(const auto names, files.names_if_there(store.folder().entries()));
+  for (const std::string& name : names) {
+    if (is_good_name(name)) people.try_emplace(name);
+  }
+  for (const TeamConfig& team : store.state().file.teams) people.try_emplace(team.name);
+  return people;
+}
+
 Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& store) {
   const Folder& folder = store.folder();
   const LeagueState& state = store.state();
-  MIROCUP_TRY(const auto people, read_people(files, folder));
+  MIROCUP_TRY(const auto people, everybody(files, store));
   std::vector<RosterRow> rows;
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     RosterRow row;
@@ -29,9 +39,8 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
     row.playing_entry = state.teams[i].entry;
     rows.push_back(std::move(row));
   }
-  MIROCUP_TRY(const auto names, files.names_if_there(folder.entries()));
-  for (const std::string& name : names) {
-    if (!is_good_name(name) || state.find_team(name)) continue;
+  for (const auto& [name, one] : people) {
+    if (state.find_team(name)) continue;
     RosterRow row;
     row.team = name;
     row.has_joined = false;
@@ -40,7 +49,7 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
   std::map<std::string, std::vector<std::size_t>> by_file;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     RosterRow& row = rows[i];
-    if (const auto known = people.find(row.team); known != people.end()) row.people = known->second;
+    row.people = people.at(row.team);
     MIROCUP_TRY(const auto newest, last_entry(files, folder, row.team));
     MIROCUP_TRY(const auto playing, playing_entry(files, folder, row.team));
     MIROCUP_TRY(const auto sha256, sha256_of_entry(files, folder, row.team, playing));

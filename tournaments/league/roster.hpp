@@ -16,7 +16,7 @@ struct RosterRow {
   std::string team;
   People people;
   bool is_house = false;
-  bool has_joined = true;  // false: a name that has handed in, but is not in the league
+  bool has_joined = true;  // false: it is in the class list or has handed in, not in the league
   TeamStatus status = TeamStatus::playing;
   std::string why;        // it is paused, or has withdrawn
   int playing_entry = 0;  // that the journal lets play; 0: none yet
@@ -33,7 +33,12 @@ struct RosterRow {
   std::string state() const;
 };
 
-// Returns a row for each team of the league, and for each other name that has handed in.
+// Returns the class list, and in it also each other team of the league and each name that has
+// handed in.
+Result<PeopleOfTeams> everybody(system::Files& files, const LeagueStore& store);
+
+// Returns a row for each team of the league, and for each other one that is in the class list, has
+// a token or has handed in.
 Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& store);
 
 // Returns the time of the last line of the journal about a leg that was played, UTC; "" if there is

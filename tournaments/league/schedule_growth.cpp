@@ -43,11 +43,11 @@ void ScheduleGrowth::remove_last() {
 }
 
 void ScheduleGrowth::fixture_changed(int fixture) {
-  count(fixture);
+  if (fixture != no_fixture) count(fixture);
   switch (state_.file.format.kind) {
     case FormatKind::groups:
     case FormatKind::knockout:
-      fill_places();
+      fill_places(fixture);
       break;
     case FormatKind::swiss:
       pair_swiss();
@@ -55,7 +55,7 @@ void ScheduleGrowth::fixture_changed(int fixture) {
     default:
       break;
   }
-  state_.first_open_ = std::min(state_.first_open_, fixture);
+  state_.first_open_ = std::min(state_.first_open_, std::max(fixture, 0));
   const int size = static_cast<int>(state_.fixtures.size());
   while (state_.first_open_ < size && state_.fixtures[state_.first_open_].is_decided()) {
     ++state_.first_open_;
@@ -64,13 +64,22 @@ void ScheduleGrowth::fixture_changed(int fixture) {
 
 void ScheduleGrowth::give_walkover(int index) {
   FixtureState& f = state_.fixtures[index];
-  if (!f.fixture.has_both()) return;
+  const bool is_tie = f.fixture.part == Part::knockout && !state_.file.has_former_rules();
+  if (f.fixture.home == unknown_team || f.fixture.away == unknown_team) return;
+  if (!f.fixture.has_both() && !is_tie) return;
+  if (is_tie && (f.walkover || (f.has_begun() && f.is_decided()))) return;
   const auto is_out = [this](int team) {
-    return state_.teams[team].status == TeamStatus::withdrawn;
+    return team == no_team || state_.teams[team].status == TeamStatus::withdrawn;
   };
   const bool home_out = is_out(f.fixture.home);
   const bool away_out = is_out(f.fixture.away);
   if (!home_out && !away_out) return;
+  if (is_tie) {
+    f.walkover = home_out && away_out ? TieOutcome{no_team, no_team}
+                 : home_out           ? TieOutcome{f.fixture.away, f.fixture.home}
+                                      : TieOutcome{f.fixture.home, f.fixture.away};
+    if (!f.fixture.has_both()) return;
+  }
   PlayedLeg leg;
   leg.result.home = f.fixture.home;
   leg.result.away = f.fixture.away;
@@ -107,16 +116,32 @@ std::optional<int> ScheduleGrowth::team_of(const TeamSource& source) const {
   return team;
 }
 
-void ScheduleGrowth::fill_places() {
+void ScheduleGrowth::fill_places(int changed) {
+  // A team that is known stays, unless the tie or the group from which it comes has changed: of
+  // those who leave, none changes who plays whom.
+  std::vector<bool> has_changed(state_.fixtures.size(), state_.file.has_former_rules());
+  if (changed != no_fixture) has_changed[changed] = true;
+  const auto team_from = [&](const TeamSource& source, int known) {
+    bool is_new = known == unknown_team || state_.file.has_former_rules();
+    if (source.kind == TeamSource::Kind::place) {
+      const Fixture* f = changed != no_fixture ? &state_.fixtures[changed].fixture : nullptr;
+      is_new = is_new || (f != nullptr && f->part == Part::group && f->group == source.index + 1);
+    } else if (source.kind != TeamSource::Kind::team) {
+      is_new = is_new || has_changed[source.index];
+    }
+    return is_new ? team_of(source).value_or(unknown_team) : known;
+  };
   for (int i = 0; i < static_cast<int>(state_.fixtures.size()); ++i) {
     FixtureState& f = state_.fixtures[i];
     if (f.fixture.part != Part::knockout || f.has_begun()) continue;
-    const int home = team_of(f.fixture.home_source).value_or(unknown_team);
-    const int away = team_of(f.fixture.away_source).value_or(unknown_team);
+    const int home = team_from(f.fixture.home_source, f.fixture.home);
+    const int away = team_from(f.fixture.away_source, f.fixture.away);
     if (home == f.fixture.home && away == f.fixture.away) continue;
     f.fixture.home = home;
     f.fixture.away = away;
     f.legs = {};
+    f.walkover.reset();
+    has_changed[i] = true;
     give_walkover(i);
     count(i);
     state_.first_open_ = std::min(state_.first_open_, i);
@@ -132,6 +157,7 @@ void ScheduleGrowth::pair_swiss() {
                         [round](const FixtureState& f) { return f.fixture.round == round; });
   };
   const int rounds = state_.file.format.swiss_rounds(static_cast<int>(state_.teams.size()));
+  state_.unpaired_round = 0;
   while (true) {
     const int round = last_round();
     const auto begin = of_round(round);
@@ -154,7 +180,9 @@ void ScheduleGrowth::pair_swiss() {
     }
     std::vector<Fixture> before;
     for (const FixtureState& f : fixtures) before.push_back(f.fixture);
-    const auto next = swiss_round(standings, before, round + 1, rounds);
+    const auto next =
+        swiss_round(standings, before, round + 1, rounds, !state_.file.has_former_rules());
+    if (next.empty()) state_.unpaired_round = round + 1;
     add(next);
     return;
   }
@@ -171,7 +199,8 @@ void ScheduleGrowth::team_left(int team, bool annul) {
     }
     count(i);
   }
-  if (!state_.fixtures.empty()) fixture_changed(0);
+  if (state_.fixtures.empty()) return;
+  fixture_changed(state_.file.has_former_rules() ? 0 : no_fixture);
 }
 
 void ScheduleGrowth::team_joined(const TeamJoined& joined) {

@@ -17,7 +17,7 @@ class ScheduleGrowth {
   // Appends fixtures to the schedule.
   void add(const std::vector<Fixture>& fixtures);
 
-  // To be called after a leg of the fixture with that index has changed.
+  // To be called after a leg of the fixture with that index has changed; no_fixture: others leave.
   void fixture_changed(int fixture);
 
   // Appends a team, which has no entry yet.
@@ -32,9 +32,11 @@ class ScheduleGrowth {
   void night_began(int number);
 
  private:
+  static constexpr int no_fixture = -1;
+
   void count(int fixture);
   void give_walkover(int fixture);
-  void fill_places();
+  void fill_places(int changed);
   void pair_swiss();
   void remove_last();
   std::optional<int> team_of(const TeamSource& source) const;

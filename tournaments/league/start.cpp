@@ -17,13 +17,18 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
   MIROCUP_TRY_VOID(adopt_libraries(files, store.folder(), state.file));
   const bool is_nightly = state.file.format.kind == FormatKind::nightly;
   int ready = 0;
+  std::string missing;
   for (const TeamConfig& team : state.file.teams) {
     MIROCUP_TRY(const auto accepted, last_accepted_entry(files, store.folder(), team.name));
     if (accepted > 0) {
       ++ready;
     } else if (!is_nightly) {
-      return fail(Errc::input, team.name + " has no entry that was accepted");
+      missing += (missing.empty() ? "" : ", ") + team.name;
     }
+  }
+  if (!missing.empty()) {
+    return fail(Errc::input,
+                "no entry of " + missing + " was accepted; league withdraw leaves a team out");
   }
   if (ready < 2)
     return fail(Errc::input, "only " + std::to_string(ready) + " teams have an accepted entry");

@@ -8,6 +8,7 @@
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
 #include "system/users.hpp"
+#include "tournaments/league/apply.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -91,16 +92,6 @@ std::string twin_of(const LeagueState& state, const std::string& team) {
     if (other.name != team && strcasecmp(other.name.c_str(), team.c_str()) == 0) return other.name;
   }
   return "";
-}
-
-// Adds a team: before the start to league.json, after it to the journal.
-Result<void> add_team(system::Files& files, LeagueStore& store, const HandIn& handed) {
-  const std::string source = handed.is_house ? handed.name : std::string(TeamConfig::submitted);
-  if (store.state().is_started)
-    return store.write(TeamJoined{.team = handed.team, .source = source});
-  LeagueFile file = store.state().file;
-  file.teams.push_back({.name = handed.team, .source = source, .over_dds = false});
-  return files.write(store.folder().config(), print_league_file(file));
 }
 
 // Returns the entries of a team that the journal lets play, now or before.
@@ -239,7 +230,8 @@ Result<void> let_play(system::Files& files, LeagueStore& store, const HandIn& ha
                       const std::string& library) {
   const std::string& team = handed.team;
   if (!store.state().find_team(team)) {
-    if (auto added = add_team(files, store, handed); !added) return added;
+    const std::string source = handed.is_house ? handed.name : std::string(TeamConfig::submitted);
+    MIROCUP_TRY_VOID(enter_teams(files, store, {team}, source));
   }
   if (!store.state().is_started) return {};
   if (store.state().file.format.kind == FormatKind::nightly) return {};  // the next night takes it
@@ -477,9 +469,35 @@ Result<Submission> Desk::conclude(const Found& found, Json verdict) {
 
 std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now) {
   const std::string why = objection_to(state, team, now);
-  if (!why.empty() || state.find_team(team)) return why;
-  const std::string twin = twin_of(state, team);
-  return twin.empty() ? "" : "the league has a team " + twin + "; choose a name that differs more";
+  return !why.empty() || state.find_team(team) ? why : why_not_join(state, team);
+}
+
+std::string why_not_join(const LeagueState& state, const std::string& team) {
+  if (const std::string twin = twin_of(state, team); !twin.empty())
+    return "the league has a team " + twin + "; choose a name that differs more";
+  if (!state.is_started) return "";
+  const auto valid = validate(state, TeamJoined{.team = team, .source = "submitted"});
+  return valid ? "" : valid.error().what;
+}
+
+Result<void> enter_teams(system::Files& files, LeagueStore& store,
+                         const std::vector<std::string>& teams, const std::string& source) {
+  if (store.state().is_started) {
+    for (const std::string& team : teams) {
+      MIROCUP_TRY_VOID(store.write(TeamJoined{.team = team, .source = source}));
+    }
+    return {};
+  }
+  if (teams.empty()) return {};
+  LeagueFile file = store.state().file;
+  for (const std::string& team : teams) file.teams.push_back({.name = team, .source = source});
+  return files.write(store.folder().config(), print_league_file(file));
+}
+
+Result<void> leave_before_start(system::Files& files, LeagueStore& store, const std::string& team) {
+  LeagueFile file = store.state().file;
+  std::erase_if(file.teams, [&team](const TeamConfig& one) { return one.name == team; });
+  return files.write(store.folder().config(), print_league_file(file));
 }
 
 Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,

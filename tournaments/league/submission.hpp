@@ -51,6 +51,17 @@ struct Submission {
 // entries are taken. A team that the league does not know may join before the start.
 std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now);
 
+// Returns why no team of this name can join the league, whatever it hands in; "" if it can.
+std::string why_not_join(const LeagueState& state, const std::string& team);
+
+// Makes teams: before the start in league.json, after it in the journal. `source` is
+// TeamConfig::source. The caller holds Folder::submitting(). Precondition: why_not_join() is "".
+Result<void> enter_teams(system::Files& files, LeagueStore& store,
+                         const std::vector<std::string>& teams, const std::string& source);
+
+// Takes a team out of league.json. Precondition: the league has not started, and has the team.
+Result<void> leave_before_start(system::Files& files, LeagueStore& store, const std::string& team);
+
 // Lets an entry play until another is pinned; 0: again the latest accepted one. In a ladder that
 // has started it is booked at once. Returns why that cannot be, a sentence; "" if it is done.
 Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,

@@ -187,7 +187,11 @@ std::string leg_output(const Folder& folder, const LegId& leg) {
 }
 
 std::uint64_t leg_seed(const LeagueState& state, const LegId& id) {
-  const std::uint64_t seed = fixture_seed(state.file.seed, id.fixture);
+  std::uint64_t seed = fixture_seed(state.file.seed, id.fixture);
+  if (const auto fixture = state.find_fixture(id.fixture.id())) {
+    const int number = state.fixtures[*fixture].legs[id.leg - 1].new_seeds;
+    for (int i = 0; i < number; ++i) seed = mix_seed(~seed) >> 11;
+  }
   // The extra leg of a tie must not repeat the first leg.
   return id.leg > id.fixture.legs ? mix_seed(seed) >> 11 : seed;
 }

@@ -24,7 +24,8 @@ struct LegId {
 // and both teams are known and neither paused nor withdrawn.
 std::vector<int> open_legs(const LeagueState& state, const FixtureState& fixture);
 
-// Returns the seed of a leg: that of its fixture, and another one for the leg that decides a tie.
+// Returns the seed of a leg: that of its fixture, and another one for the leg that decides a tie,
+// and for one that a person has voided so.
 std::uint64_t leg_seed(const LeagueState& state, const LegId& id);
 
 // Returns the command line. It may run in any working folder. Teams that join over DDS find the

@@ -234,6 +234,7 @@ std::string front_html(const SiteContent& c) {
   Json values = page_values(o, "", "");
   values["is_front"] = true;
   values["champion"] = champion_values(o);
+  values["unpaired"] = unpaired_in_words(o.state);
   values["last"] = last_round(c);
   values["next"] = next_round(c);
   values["table"] = table_values(o);

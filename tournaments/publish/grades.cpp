@@ -2,26 +2,17 @@
 #include "tournaments/publish/grades.hpp"
 
 #include "system/csv.hpp"
-#include "system/printable.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <initializer_list>
 #include <map>
+#include <optional>
 
 namespace mirocup::league {
 
 namespace {
-
-constexpr std::string_view titles = "team,drill,score,";  // the first columns of the drills' file
-
-// The next line of a text, which then begins behind it.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-  return line;
-}
 
 // The scores by team and drill, and the drills in the order in which they came.
 struct Marks {
@@ -30,15 +21,18 @@ struct Marks {
 };
 
 Result<Marks> read_drill_marks(std::string_view text, const std::string& path) {
-  if (!text.starts_with(titles)) {
+  const std::vector<std::string> titles{"team", "drill", "score"};
+  const auto table = system::read_csv(text);
+  if (!table) return fail(Errc::input, path + ": " + table.error().what);
+  if (table->rows.empty() || table->rows[0].cells.size() < titles.size() ||
+      !std::equal(titles.begin(), titles.end(), table->rows[0].cells.begin()))
     return fail(Errc::input, path + ": it is not what mirocup drill --csv prints");
-  }
   Marks marks;
-  take_line(text);
-  for (int number = 2; !text.empty(); ++number) {
-    const std::vector<std::string> cells = system::csv_cells(take_line(text));
-    if (cells.size() < 3) {
-      return fail(Errc::input, path + ": line " + std::to_string(number) + " has no score");
+  for (std::size_t i = 1; i < table->rows.size(); ++i) {
+    const std::vector<std::string>& cells = table->rows[i].cells;
+    if (cells.size() < titles.size()) {
+      return fail(Errc::input,
+                  path + ": line " + std::to_string(table->rows[i].line) + " has no score");
     }
     marks.of_team[cells[0]][cells[1]] = cells[2];
     const bool is_known =
@@ -73,43 +67,204 @@ std::string joined(const std::vector<std::string>& members) {
   return text;
 }
 
+std::vector<std::string> parts_of(const std::string& cell) {
+  std::vector<std::string> parts(1);
+  for (const char c : cell) {
+    if (c == ';') {
+      parts.emplace_back();
+    } else if (c != ' ' || !parts.back().empty()) {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+std::string with_digits(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+const char* state_of(const Overview& o, std::optional<int> team) {
+  if (!team) return "not in the league";
+  const TeamState& state = o.state.teams[*team];
+  if (state.status == TeamStatus::withdrawn) return "withdrawn";
+  if (state.status == TeamStatus::paused) return "paused";
+  return state.entry > 0 ? "plays" : "no entry";
+}
+
+// A team with what is graded.
+struct Graded {
+  std::string name;
+  std::optional<int> team;  // in the league
+  TableRow row;
+  std::string rank;
+  People who;
+
+  std::size_t students() const { return std::max<std::size_t>(who.members.size(), 1); }
+
+  // Returns what a further column says: of all, or of one of the members.
+  std::string more(const std::string& column, std::optional<std::size_t> member) const {
+    for (const auto& [name, value] : who.more) {
+      if (name != column) continue;
+      const std::vector<std::string> parts = parts_of(value);
+      return member && parts.size() == students() ? parts[*member] : value;
+    }
+    return "";
+  }
+};
+
+std::vector<Graded> all_graded(const Overview& o, const PeopleOfTeams& people) {
+  std::vector<Graded> all;
+  for (const bool is_out : {false, true}) {
+    for (const TableRow& row : o.table) {
+      if ((o.state.teams[row.team].status == TeamStatus::withdrawn) != is_out) continue;
+      Graded one{
+          .name = o.state.name(row.team), .team = row.team, .row = row, .rank = {}, .who = {}};
+      one.rank = std::to_string(all.size() + 1);
+      if (const auto known = people.find(one.name); known != people.end()) one.who = known->second;
+      all.push_back(std::move(one));
+    }
+  }
+  for (const auto& [name, who] : people) {
+    if (!o.state.find_team(name))
+      all.push_back({.name = name, .team = std::nullopt, .row = {}, .rank = {}, .who = who});
+  }
+  return all;
+}
+
+// Returns the name of the further column that has one of these names in plain letters; "": none.
+std::string column_of(const std::vector<std::string>& columns,
+                      std::initializer_list<std::string_view> names) {
+  for (const std::string& column : columns) {
+    std::string plain;
+    for (const char c : column) {
+      if (c >= 'A' && c <= 'Z') plain += static_cast<char>(c - 'A' + 'a');
+      if (c >= 'a' && c <= 'z') plain += c;
+    }
+    if (std::find(names.begin(), names.end(), plain) != names.end()) return column;
+  }
+  return "";
+}
+
+// A row for each student, for a program that knows students by mail and number.
+Result<std::string> students(const Overview& o, const std::vector<Graded>& all,
+                             const std::vector<std::string>& columns, GradesLayout layout) {
+  const std::string mail =
+      column_of(columns, {"mail", "email", "emailaddress", "mailaddress", "emailadresse"});
+  const std::string number =
+      column_of(columns, {"number", "id", "idnumber", "sid", "studentid", "studentnumber",
+                          "matriculation", "matriculationnumber", "matrikel", "matrikelnummer"});
+  if (mail.empty() && number.empty()) {
+    return fail(Errc::input,
+                "students are known there by mail or number: give the class list a column \"mail\" "
+                "or \"number\" (league team DIR --csv FILE)");
+  }
+  std::string text = layout == GradesLayout::moodle
+                         ? system::csv_line({"Email address", "ID number", o.state.file.title})
+                         : system::csv_line({"Name", "Email", "SID", "Total Score", "Max Points"});
+  for (const Graded& one : all) {
+    const int win = o.state.file.points.win;
+    const double best = static_cast<double>(one.row.played) * win;
+    const std::string score =
+        with_digits(best > 0.0 ? 100.0 * static_cast<double>(one.row.points) / best : 0.0, 2);
+    std::size_t count = one.students();
+    for (const std::string& column : {mail, number}) {
+      const std::string cell = one.more(column, std::nullopt);
+      const std::size_t known = cell.empty() ? 0 : parts_of(cell).size();
+      if (one.who.members.empty()) count = std::max(count, known);
+      if (known != 0 && known != count) {
+        return fail(Errc::input, one.name + " has " + std::to_string(one.who.members.size()) +
+                                     " members and " + std::to_string(known) + " in the column \"" +
+                                     column + "\": put ; between those of its members");
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto part = [&](const std::string& column) {
+        const std::string cell = one.more(column, std::nullopt);
+        return cell.empty() ? cell : parts_of(cell)[i];
+      };
+      const std::string who = i < one.who.members.size() ? one.who.members[i] : "";
+      if (part(mail).empty() && part(number).empty()) {
+        if (who.empty()) continue;
+        return fail(Errc::input, one.name + ": neither mail nor number of " + who + " is known");
+      }
+      text += layout == GradesLayout::moodle
+                  ? system::csv_line({part(mail), part(number), score})
+                  : system::csv_line({who, part(mail), part(number), score, "100"});
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::string_view drills_csv,
-                        const std::string& path) {
+                        const std::string& path, GradesLayout layout) {
   MIROCUP_TRY(const auto marks,
               path.empty() ? Result<Marks>(Marks{}) : read_drill_marks(drills_csv, path));
-  std::vector<std::string> cells{"rank",     "team",         "points",        "played",
-                                 "strength", "strength_low", "strength_high", "house_beaten",
-                                 "display",  "members"};
+  const std::vector<Graded> all = all_graded(o, people);
+  std::vector<std::string> columns;
+  for (const Graded& one : all) {
+    for (const auto& [column, value] : one.who.more) {
+      if (std::find(columns.begin(), columns.end(), column) == columns.end())
+        columns.push_back(column);
+    }
+  }
+  const bool any_is_known =
+      path.empty() || std::any_of(all.begin(), all.end(), [&](const auto& one) {
+        return marks.of_team.contains(one.name);
+      });
+  if (!any_is_known) return fail(Errc::input, path + ": it has no team of this league");
+  if (layout == GradesLayout::moodle || layout == GradesLayout::gradescope) {
+    MIROCUP_TRY(auto text, students(o, all, columns, layout));
+    return SiteFile{layout == GradesLayout::moodle ? "moodle.csv" : "gradescope.csv",
+                    std::move(text)};
+  }
+  const bool by_member = layout == GradesLayout::members;
+  std::vector<std::string> cells{"rank",           "team",
+                                 "points",         "played",
+                                 "strength",       "strength_low",
+                                 "strength_high",  "house_beaten",
+                                 "display",        by_member ? "member" : "members",
+                                 "points_per_leg", "state",
+                                 "entry"};
+  cells.insert(cells.end(), columns.begin(), columns.end());
   cells.insert(cells.end(), marks.drills.begin(), marks.drills.end());
   std::string text = system::csv_line(cells);
-  bool any_is_known = path.empty();
-  for (std::size_t i = 0; i < o.table.size(); ++i) {
-    const TableRow& row = o.table[i];
-    const std::string& team = o.state.name(row.team);
-    const Strength& strength = o.ratings.strengths[row.team];
-    const auto known = people.find(team);
-    const People who = known != people.end() ? known->second : People();
-    cells = {std::to_string(i + 1),
-             team,
-             std::to_string(row.points),
-             std::to_string(row.played),
-             std::to_string(std::lround(strength.value)),
-             std::to_string(std::lround(strength.low)),
-             std::to_string(std::lround(strength.high)),
-             house_teams_beaten(o, row.team),
-             who.display,
-             joined(who.members)};
-    const auto of_team = marks.of_team.find(team);
-    any_is_known = any_is_known || of_team != marks.of_team.end();
-    for (const std::string& drill : marks.drills) {
-      const bool has_mark = of_team != marks.of_team.end() && of_team->second.count(drill) != 0;
-      cells.push_back(has_mark ? of_team->second.at(drill) : "");
+  for (const Graded& one : all) {
+    const auto strength = [&](double Strength::*part) {
+      return one.team ? std::to_string(std::lround(o.ratings.strengths[*one.team].*part)) : "";
+    };
+    const int entry = one.team ? o.state.teams[*one.team].entry : 0;
+    const double a_leg =
+        one.row.played > 0 ? static_cast<double>(one.row.points) / one.row.played : 0.0;
+    for (std::size_t i = 0; i < (by_member ? one.students() : 1); ++i) {
+      const std::optional<std::size_t> member = by_member ? std::optional(i) : std::nullopt;
+      cells = {one.rank,
+               one.name,
+               std::to_string(one.row.points),
+               std::to_string(one.row.played),
+               strength(&Strength::value),
+               strength(&Strength::low),
+               strength(&Strength::high),
+               one.team ? house_teams_beaten(o, *one.team) : "",
+               one.who.display,
+               !by_member                ? joined(one.who.members)
+               : one.who.members.empty() ? ""
+                                         : one.who.members[i],
+               with_digits(a_leg, 3),
+               state_of(o, one.team),
+               entry > 0 ? std::to_string(entry) : ""};
+      for (const std::string& column : columns) cells.push_back(one.more(column, member));
+      const auto of_team = marks.of_team.find(one.name);
+      for (const std::string& drill : marks.drills) {
+        const bool has_mark = of_team != marks.of_team.end() && of_team->second.count(drill) != 0;
+        cells.push_back(has_mark ? of_team->second.at(drill) : "");
+      }
+      text += system::csv_line(cells);
     }
-    text += system::csv_line(cells);
   }
-  if (!any_is_known) return fail(Errc::input, path + ": it has no team of this league");
   return SiteFile{"grades.csv", text};
 }
 

@@ -171,26 +171,32 @@ std::string reason_in_words(const TableRow& row, const TableRow* next) {
   if (by.empty() || next == nullptr) return "";
   if (row.played == 0 && next->played == 0) return "";  // nothing has been decided yet
   if (by == "knockout") return "came further in the knockout";
+  if (by == "withdrawn") return "the next has withdrawn";
   if (by == "points") return "points" + to(row.points, next->points);
   if (by == "points per leg")
     return "points per leg, " + points_per_leg(row) + " to " + points_per_leg(*next);
   const auto rule = from_string<TieBreak>(by);
   if (!rule) return by;
+  // Of teams with different numbers of legs, or of byes, the means decide.
   switch (*rule) {
     case TieBreak::goal_difference:
+      if (row.difference() <= next->difference()) return "goal difference a leg";
       return "goal difference, " + with_sign(row.difference()) + " to " +
              with_sign(next->difference());
     case TieBreak::goals:
+      if (row.goals_for <= next->goals_for) return "goals a leg";
       return "goals" + to(row.goals_for, next->goals_for);
     case TieBreak::head_to_head_points:
       return "points in their own meetings";
     case TieBreak::head_to_head_goal_difference:
       return "goal difference in their own meetings";
     case TieBreak::penalties:
+      if (row.penalties >= next->penalties) return "fewer penalty kicks a leg against it";
       return "fewer penalty kicks against it" + to(row.penalties, next->penalties);
     case TieBreak::lots:
       return "a lot, drawn with the league's seed";
     case TieBreak::wins:
+      if (row.won <= next->won) return "a larger share of legs won";
       return "legs won" + to(row.won, next->won);
     case TieBreak::opponents_points:
       return "its opponents have more points";

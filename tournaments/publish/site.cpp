@@ -28,11 +28,13 @@ std::string table_text(const LeagueState& state) {
     std::ostringstream numbers;
     numbers << std::setw(4) << row.played << std::setw(5) << row.won << std::setw(6) << row.drawn
             << std::setw(5) << row.lost;
-    line(std::to_string(i + 1), state.name(row.team), numbers.str(),
-         std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against),
+    const bool is_out = state.teams[row.team].status == TeamStatus::withdrawn;
+    line(std::to_string(i + 1), state.name(row.team) + (is_out ? " (withdrawn)" : ""),
+         numbers.str(), std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against),
          std::to_string(row.points),
          reason_in_words(row, i + 1 < table.size() ? &table[i + 1] : nullptr));
   }
+  if (const std::string what = unpaired_in_words(state); !what.empty()) out << what << '\n';
   return out.str();
 }
 

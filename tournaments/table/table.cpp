@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <utility>
 
 namespace mirocup::league {
 
@@ -55,7 +56,9 @@ class Ranking {
 
   std::vector<TableRow> rows() {
     if (stage_reached_.empty()) {
-      by_points(teams_);
+      split(
+          teams_, "withdrawn", [this](int team) { return left(team) ? 0.0 : 1.0; },
+          [this](const std::vector<int>& level, bool) { by_points(level); });
     } else {
       split(
           teams_, "knockout", [this](int team) { return double(stage_reached_[team]); },
@@ -72,10 +75,17 @@ class Ranking {
     return team >= 0 && team < static_cast<int>(is_in_.size()) && is_in_[team];
   }
 
+  bool left(int team) const {
+    return rules_.evens_out && team < static_cast<int>(rules_.has_left.size()) &&
+           rules_.has_left[team];
+  }
+
   void add(std::size_t index) {
     const LegResult& r = results_[index];
     if (r.away < 0) {
-      if (has(r.home) && r.counts_for_home) add_bye(total_[r.home], rules_.points);
+      if (!has(r.home) || !r.counts_for_home) return;
+      add_bye(total_[r.home], rules_.points);
+      if (rules_.evens_out) legs_of_[r.home].push_back(index);
       return;
     }
     if (!has(r.home) || !has(r.away)) return;
@@ -131,6 +141,8 @@ class Ranking {
       return;
     }
     const TieBreak rule = rules_.tie_breaks[next];
+    if (rules_.evens_out && is_head_to_head(rule) && !have_all_met(level))
+      return break_tie(level, next + 1, false);
     const std::map<int, TableRow> mini =
         is_head_to_head(rule) ? among(level) : std::map<int, TableRow>();
     split(
@@ -148,7 +160,7 @@ class Ranking {
       for (const std::size_t i : legs_of_[team]) {
         const LegResult& r = results_[i];
         const bool home = r.home == team;
-        if (rows.count(home ? r.away : r.home) == 0) continue;
+        if (r.away < 0 || rows.count(home ? r.away : r.home) == 0) continue;
         add_result(row, home ? r.home_goals : r.away_goals, home ? r.away_goals : r.home_goals, 0,
                    r.both_lose, rules_.points);
       }
@@ -156,28 +168,64 @@ class Ranking {
     return rows;
   }
 
+  // True if each pair of the level teams has met as often, and has met at all.
+  bool have_all_met(const std::vector<int>& level) const {
+    std::map<std::pair<int, int>, int> legs;
+    for (const int team : level) {
+      for (const std::size_t i : legs_of_[team])
+        ++legs[{team, results_[i].home == team ? results_[i].away : results_[i].home}];
+    }
+    const int often = legs[{level[0], level[1]}];
+    for (const int team : level) {
+      for (const int other : level) {
+        if (team != other && legs[{team, other}] != often) return false;
+      }
+    }
+    return often > 0;
+  }
+
+  // Returns a sum over legs as it is compared between teams.
+  double over(std::int64_t sum, std::size_t legs) const {
+    const auto value = static_cast<double>(sum);
+    return rules_.evens_out && legs > 0 ? value / static_cast<double>(legs) : value;
+  }
+
+  // Returns the number of legs in which the team could score.
+  std::size_t legs_with_goals(int team) const {
+    return static_cast<std::size_t>(
+        std::count_if(legs_of_[team].begin(), legs_of_[team].end(),
+                      [this](std::size_t i) { return results_[i].away >= 0; }));
+  }
+
   double value(TieBreak rule, int team, const std::map<int, TableRow>& mini) const {
     switch (rule) {
       case TieBreak::goal_difference:
-        return static_cast<double>(total_[team].difference());
+        return over(total_[team].difference(), legs_with_goals(team));
       case TieBreak::goals:
-        return static_cast<double>(total_[team].goals_for);
+        return over(total_[team].goals_for, legs_with_goals(team));
       case TieBreak::head_to_head_points:
         return static_cast<double>(mini.at(team).points);
       case TieBreak::head_to_head_goal_difference:
         return static_cast<double>(mini.at(team).difference());
       case TieBreak::penalties:
-        return -static_cast<double>(total_[team].penalties);
+        return -over(total_[team].penalties, legs_with_goals(team));
       case TieBreak::lots:
         return Random(mix_seed(rules_.seed ^ static_cast<std::uint64_t>(team))).uniform();
       case TieBreak::wins:
-        return total_[team].won;
+        return over(total_[team].won, static_cast<std::size_t>(total_[team].played));
       case TieBreak::opponents_points: {
+        const bool by_leg = rules_.evens_out && rules_.by_points_per_leg;
         std::int64_t sum = 0;
+        double sum_by_leg = 0.0;
         for (const std::size_t i : legs_of_[team]) {
-          sum += total_[results_[i].home == team ? results_[i].away : results_[i].home].points;
+          const int other = results_[i].home == team ? results_[i].away : results_[i].home;
+          const TableRow& row = total_[other < 0 || left(other) ? team : other];
+          sum += row.points;
+          sum_by_leg += row.played > 0 ? double(row.points) / row.played : 0.0;
         }
-        return static_cast<double>(sum);
+        return by_leg ? sum_by_leg /
+                            static_cast<double>(std::max<std::size_t>(legs_of_[team].size(), 1))
+                      : over(sum, legs_of_[team].size());
       }
     }
     return 0.0;

@@ -42,7 +42,7 @@ enum class TieBreak {
   penalties,
   lots,
   wins,
-  opponents_points,  // sum over the legs of the team: the points of the opponent
+  opponents_points,  // over the legs of the team: the points of the opponent
 };
 
 // Each is within ±max_points, so that sums of them fit into 64 bits whatever is played.
@@ -80,6 +80,13 @@ struct TableRules {
   std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};
   std::uint64_t seed = 1;          // from which lots are drawn
   bool by_points_per_leg = false;  // for a ladder, where teams play different numbers of legs
+
+  // True: a tie-break does not depend on how many legs a team has played. Sums over legs are
+  // compared as means, head-to-head counts if all pairs of the level teams have met as often, and
+  // as an opponent a bye and a team that has left have as many points as the team itself. Teams
+  // that have left come last. False: the former rules, which took sums.
+  bool evens_out = true;
+  std::vector<bool> has_left = {};  // by team; empty: none has
 };
 
 // Returns the rows of these teams, best first. Only results between two of them count, and byes.

@@ -110,15 +110,24 @@ TEST(Rulings, ArePublishedAndCount) {
   EXPECT_EQ(run(league("status", folder)).exit_code, 1) << "a leg is to be played";
   ASSERT_EQ(run(league("start", folder)).exit_code, 0);
   EXPECT_EQ(read_file(folder + "/records/r1-f1-1-1.json"), record) << "what was void is evidence";
-  EXPECT_EQ(read_json(folder + "/records/r1-f1-1-2.json")["state_hash"],
-            nlohmann::ordered_json::parse(record)["state_hash"])
-      << "the same seed";
+  // With the same seed, the same libraries would play the same leg again.
+  const auto again = read_json(folder + "/records/r1-f1-1-2.json");
+  EXPECT_NE(again["seed"], nlohmann::ordered_json::parse(record)["seed"]);
+  EXPECT_NE(again["state_hash"], nlohmann::ordered_json::parse(record)["state_hash"]);
+  EXPECT_EQ(run(league("verify", folder)).exit_code, 0);
+  EXPECT_EQ(
+      run(league("void", folder, {"r2-f1", "--leg", "2", "--same-seed", "--reason", "a power cut"}))
+          .exit_code,
+      0);
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  EXPECT_EQ(read_json(folder + "/records/r2-f1-2-2.json")["state_hash"],
+            read_json(folder + "/records/r2-f1-2-1.json")["state_hash"]);
   const std::string page = read_file(folder + "/site/index.html");
   EXPECT_NE(page.find("ruling: &lt;b&gt;glue&lt;/b&gt; (Host)"), std::string::npos);
   EXPECT_NE(page.find("what was played before is void: cable fault"), std::string::npos);
   EXPECT_NE(page.find(">7:6<"), std::string::npos);
   const auto decisions = read_json(folder + "/site/decisions.json")["decisions"];
-  ASSERT_EQ(decisions.size(), 3u);
+  ASSERT_EQ(decisions.size(), 4u);
   EXPECT_EQ(decisions[0]["by"], "Host");
   EXPECT_TRUE(decisions[1]["by"].is_null());
   EXPECT_EQ(decisions[2]["why"], "cable fault");
@@ -134,7 +143,7 @@ TEST(Rulings, ArePublishedAndCount) {
       0);
   ASSERT_EQ(run(league("publish", folder)).exit_code, 0);
   const auto later = read_json(folder + "/site/decisions.json")["decisions"];
-  ASSERT_EQ(later.size(), 4u);
+  ASSERT_EQ(later.size(), 5u);
   EXPECT_EQ(later[3]["kind"], "withdraw");
   const auto site = test_support::site_of(folder);
   ASSERT_EQ(run(league("publish", folder)).exit_code, 0);

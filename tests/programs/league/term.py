@@ -205,7 +205,7 @@ class Term:
             file.write("team,display,members\nalpha,Zoë & Co,Zoë Brandt; Max Öz\nbeta,Löwen <3,Ada\n")
         self.host.ask("team", "--csv", os.path.join(home, "class.csv"))
         for line in self.host.ask("token", "--all", "--csv").splitlines()[1:]:
-            team, token = line.split(",")
+            team, _, token = line.split(",")
             with open(os.path.join(home, team + ".token"), "w", encoding="utf-8") as file:
                 file.write(token + "\n")
         self.host.open_desk()

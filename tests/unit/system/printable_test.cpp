@@ -47,5 +47,15 @@ TEST(InQuotes, CutsLongTextBetweenCharacters) {
   EXPECT_EQ(in_quotes("a\tb\n"), "\"a\\tb\\n\"");
 }
 
+// Two names that look alike must not pass as two.
+TEST(HiddenCharacter, IsFound) {
+  EXPECT_EQ(hidden_character("Al\u200bpha"), "U+200B");
+  EXPECT_EQ(hidden_character("Alpha\u200d"), "U+200D");
+  EXPECT_EQ(hidden_character("\u2060x"), "U+2060");
+  EXPECT_EQ(hidden_character("a\u00adb"), "U+00AD");
+  for (const char* seen : {"Zoë & Co", "فريق", "می\u200cخواهم", "👩\u200d🚀", "❤\ufe0f", "日本"})
+    EXPECT_EQ(hidden_character(seen), "") << seen;
+}
+
 }  // namespace
 }  // namespace mirocup::system

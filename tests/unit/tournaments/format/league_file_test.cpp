@@ -95,5 +95,16 @@ TEST(LeagueFile, KeepsHowAProgramForFirasimPlays) {
   EXPECT_NE(refusal(R"("entry": "firasim:")").find("/teams/0/entry"), std::string::npos);
 }
 
+// What was published must not change by an upgrade: a file of before has the rules of before.
+TEST(LeagueFile, KeepsTheRulesWithWhichItWasMade) {
+  const std::string of_before = R"({"schema": "mirocup/league/1"})";
+  EXPECT_TRUE(parse_league_file(of_before, "l")->has_former_rules());
+  EXPECT_FALSE(parse_league_file(of_before, "l")->table_rules().evens_out);
+  EXPECT_EQ(parse_league_file(of_before, "l", current_rules)->rules_version, current_rules);
+  EXPECT_NE(print_league_file({}).find("\"rules_version\": 2"), std::string::npos);
+  EXPECT_EQ(parse_league_file(print_league_file({}), "l")->rules_version, current_rules);
+  EXPECT_FALSE(parse_league_file(R"({"schema": "mirocup/league/1", "rules_version": 3})", "l"));
+}
+
 }  // namespace
 }  // namespace mirocup::league

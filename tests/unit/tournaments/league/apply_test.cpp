@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
+
 namespace mirocup::league {
 namespace {
 
@@ -107,6 +109,127 @@ TEST(Apply, ALineThatCannotBeDecodedIsDamage) {
   ASSERT_FALSE(applied);
   EXPECT_EQ(applied.error().code, Errc::damaged);
   EXPECT_EQ(applied.error().what, "j.jsonl: line 4: /why: missing");
+}
+
+// Rounds used to be left out without a word.
+TEST(Apply, ASwissRoundThatCannotBePairedIsSaid) {
+  LeagueFile file;
+  file.format.kind = FormatKind::swiss;
+  for (const char* name : {"a", "b", "c", "d"})
+    file.teams.push_back({.name = name, .source = "house:idle", .over_dds = false});
+  LeagueState state = new_league(file);
+  apply(state, Started{.config_sha256 = "x", .version = ""});
+  const Fixture second = state.fixtures[1].fixture;
+  for (const char* fixture : {"r1-f1", "r1-f2"}) {
+    for (const int leg : {1, 2})
+      apply(state, Ruled{.fixture = fixture, .leg = leg, .score = {1, 0}, .why = "w", .by = {}});
+  }
+  EXPECT_EQ(state.unpaired_round, 0);
+  EXPECT_EQ(unpaired_in_words(state), "");
+  for (const int team : {second.home, second.away})
+    apply(state, Withdrawn{.team = state.name(team), .why = "left", .by = {}});
+  EXPECT_EQ(state.unpaired_round, 2);
+  EXPECT_NE(unpaired_in_words(state).find("round 2 of 2 is not played"), std::string::npos);
+}
+
+// Decides each leg that is open, for the team that comes first in the list.
+void decide_all(LeagueState& state) {
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t i = 0; i < state.fixtures.size(); ++i) {
+      const FixtureState& f = state.fixtures[i];
+      for (int leg = 1; f.fixture.has_both() && leg <= f.needed(); ++leg) {
+        if (f.legs[leg - 1].played) continue;
+        const bool is_home = f.fixture.home < f.fixture.away;
+        apply(state, Ruled{.fixture = f.fixture.id(),
+                           .leg = leg,
+                           .score = {is_home ? 1 : 0, is_home ? 0 : 1},
+                           .why = "w",
+                           .by = {}});
+        more = true;
+      }
+    }
+  }
+}
+
+LeagueState started(const Format& format, int teams, int rules_version = current_rules) {
+  LeagueFile file;
+  file.format = format;
+  file.rules_version = rules_version;
+  for (int i = 0; i < teams; ++i)
+    file.teams.push_back({.name = std::string(1, static_cast<char>('a' + i)),
+                          .source = "house:idle",
+                          .over_dds = false});
+  LeagueState state = new_league(file);
+  apply(state, Started{.config_sha256 = "x", .version = ""});
+  return state;
+}
+
+// Returns what each tie was and how it ended.
+std::vector<std::array<int, 5>> ties_of(const LeagueState& state) {
+  std::vector<std::array<int, 5>> ties;
+  for (const FixtureState& f : state.fixtures) {
+    const TieOutcome o = outcome(state, f);
+    ties.push_back({f.fixture.home, f.fixture.away, o.winner, o.loser, f.decided()});
+  }
+  return ties;
+}
+
+// A tie that teams did not play because they had left used to be decided anew when others left: ties
+// and places of a knockout that was over changed.
+TEST(Apply, AWalkoverIsDecidedOnce) {
+  for (const std::string first : {"ab", "ac", "bd", "cd", "a", "d"}) {
+    LeagueState state = started({.kind = FormatKind::knockout}, 5);
+    const std::string quarter = state.fixtures[0].fixture.id();
+    for (const int leg : {1, 2})
+      apply(state, Ruled{.fixture = quarter, .leg = leg, .score = {1, 0}, .why = "w", .by = {}});
+    for (const char team : first)
+      apply(state, Withdrawn{.team = std::string(1, team), .why = "left", .by = {}});
+    decide_all(state);
+    const auto before = ties_of(state);
+    const int legs = state.legs();
+    for (const char team : std::string("abcde")) {
+      if (first.find(team) != std::string::npos) continue;
+      apply(state, Withdrawn{.team = std::string(1, team), .why = "late", .by = {}});
+      EXPECT_EQ(ties_of(state), before) << first << ", then " << team;
+      EXPECT_EQ(state.legs(), legs) << first << ", then " << team;
+    }
+  }
+}
+
+// The table of a group that is over used to send other teams on when one was annulled.
+TEST(Apply, WhoCameOutOfAGroupStays) {
+  LeagueState state = started({.kind = FormatKind::groups, .groups = 2}, 8);
+  for (const FixtureState& f : state.fixtures) {
+    if (f.fixture.part != Part::group) continue;
+    for (const int leg : {1, 2})
+      apply(state, Ruled{.fixture = f.fixture.id(),
+                         .leg = leg,
+                         .score = {f.fixture.home < f.fixture.away ? 1 : 0,
+                                   f.fixture.home < f.fixture.away ? 0 : 1},
+                         .why = "w",
+                         .by = {}});
+  }
+  const auto before = ties_of(state);
+  const int second = state.fixtures.back().fixture.home;
+  EXPECT_EQ(second, unknown_team);
+  apply(state, Withdrawn{.team = "h", .results = WithdrawnResults::annul, .why = "w", .by = {}});
+  apply(state, Withdrawn{.team = "a", .results = WithdrawnResults::annul, .why = "w", .by = {}});
+  const auto after = ties_of(state);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (state.fixtures[i].fixture.part != Part::knockout || before[i][0] < 0) continue;
+    EXPECT_EQ(after[i][0], before[i][0]);
+    EXPECT_EQ(after[i][1], before[i][1]);
+  }
+  // A ruling does change who goes on.
+  LeagueState other = started({.kind = FormatKind::knockout}, 4);
+  for (const int leg : {1, 2})
+    apply(other, Ruled{.fixture = "k1-f1", .leg = leg, .score = {1, 0}, .why = "w", .by = {}});
+  apply(other, Withdrawn{.team = "c", .why = "left", .by = {}});
+  const int finalist = other.fixtures[2].fixture.home;
+  for (const int leg : {1, 2})
+    apply(other, Ruled{.fixture = "k1-f1", .leg = leg, .score = {0, 1}, .why = "w", .by = {}});
+  EXPECT_NE(other.fixtures[2].fixture.home, finalist);
 }
 
 }  // namespace

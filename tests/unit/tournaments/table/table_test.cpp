@@ -204,5 +204,49 @@ TEST(Table, AddsTheLargestPointsAndGoalsOfManyLegs) {
   EXPECT_EQ(rows[1].difference(), -3'000'000'000);
 }
 
+// As an opponent, a bye and a team that has left have as many points as the team itself: they
+// neither favour it nor punish it.
+TEST(Table, CountsAByeAndATeamThatLeftAsAnOpponentLikeItself) {
+  // 0, 1 and 2 have 6 points each: by a bye, against 3, which left, and against 4.
+  std::vector<LegResult> results{leg_result(0, -1, 0, 0), leg_result(0, -1, 0, 0)};
+  for (int leg = 0; leg < 2; ++leg) {
+    results.push_back(leg_result(1, 3, 1, 0));
+    results.push_back(leg_result(2, 4, 1, 0));
+    results.push_back(leg_result(5, 4, 0, 1));
+  }
+  TableRules rules;
+  rules.tie_breaks = {TieBreak::opponents_points, TieBreak::head_to_head_points};
+  rules.has_left = {false, false, false, true, false, false};
+  const auto order = [&] {
+    std::vector<int> teams;
+    for (const TableRow& row : make_table(all_teams(6), results, rules)) teams.push_back(row.team);
+    return teams;
+  };
+  EXPECT_EQ(order(), (std::vector<int>{0, 1, 2, 4, 5, 3})) << "level, and 3 comes last";
+  rules.evens_out = false;
+  EXPECT_EQ(order(), (std::vector<int>{2, 4, 0, 1, 3, 5})) << "the former rules stay";
+}
+
+// Sums favour whoever has played more legs with goals.
+TEST(Table, ComparesGoalsOfUnlikeNumbersOfLegsByTheirMean) {
+  std::vector<LegResult> results{leg_result(0, -1, 0, 0), leg_result(0, 2, 2, 0),
+                                 leg_result(1, 2, 2, 0), leg_result(1, 3, 1, 0)};
+  TableRules rules;
+  EXPECT_EQ(make_table(all_teams(4), results, rules)[0].team, 0) << "2 a leg against 1.5";
+  rules.evens_out = false;
+  EXPECT_EQ(make_table(all_teams(4), results, rules)[0].team, 1);
+}
+
+// Head-to-head says nothing of teams of which some have not met.
+TEST(Table, LeavesOutHeadToHeadOfTeamsThatHaveNotMet) {
+  const std::vector<LegResult> results{leg_result(0, 1, 1, 0), leg_result(1, 3, 1, 0),
+                                       leg_result(2, 4, 1, 0), leg_result(0, 5, 0, 1)};
+  TableRules rules;
+  rules.tie_breaks = {TieBreak::head_to_head_points, TieBreak::lots};
+  // 0, 1, 2 and 5 have 3 points, and 5 has beaten 0.
+  const auto table = make_table(all_teams(6), results, rules);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(table[i].separated_by, "lots");
+}
+
 }  // namespace
 }  // namespace mirocup::league
