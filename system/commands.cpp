@@ -64,6 +64,11 @@ Option Option::is_a_seed() const {
   return checked("SEED", problem_with_seed);
 }
 
+Option Option::split_at(char separator) const {
+  option_->delimiter(separator);
+  return *this;
+}
+
 Option Option::takes(int least, int most) const {
   option_->expected(least, most);
   return *this;
@@ -95,6 +100,7 @@ Option Command::option(const std::string& names, T& value, const std::string& he
 
 template Option Command::option(const std::string&, std::string&, const std::string&) const;
 template Option Command::option(const std::string&, int&, const std::string&) const;
+template Option Command::option(const std::string&, std::int64_t&, const std::string&) const;
 template Option Command::option(const std::string&, std::uint64_t&, const std::string&) const;
 template Option Command::option(const std::string&, double&, const std::string&) const;
 template Option Command::option(const std::string&, std::optional<std::string>&,
@@ -115,10 +121,6 @@ Option Command::option_or_flag(const std::string& names, std::optional<std::stri
 
 Option Command::flag(const std::string& names, bool& value, const std::string& help) const {
   return Option(app_->add_flag(names, value, help));
-}
-
-void Command::hide() const {
-  app_->group("");
 }
 
 Commands::Commands(const std::string& name, const std::string& description,

@@ -44,6 +44,8 @@ class Option {
   // `problem` returns what is wrong with a text, or "".
   Option checked(const std::string& value, std::string (*problem)(const std::string&)) const;
 
+  // A list of values between such characters: "a,b".
+  Option split_at(char separator) const;
   // The number of words after it.
   Option takes(int least, int most) const;
 
@@ -62,16 +64,13 @@ class Command {
   explicit Command(CLI::App* app) : app_(app) {}
 
   // An option "-o,--output", or an argument "FILE". `value` is its default and gets what is typed.
-  // T: std::string, int, std::uint32_t, std::uint64_t, double, a std::optional or a std::vector of
-  // one of these.
+  // T: std::string, an integer, double, a std::optional of one of these, or a list of std::string.
   template <class T>
   Option option(const std::string& names, T& value, const std::string& help = "") const;
   // An option that may stand without a value: then `value` becomes "".
   Option option_or_flag(const std::string& names, std::optional<std::string>& value,
                         const std::string& help) const;
   Option flag(const std::string& names, bool& value, const std::string& help) const;
-  // Leaves the command out of the help: it is not for people.
-  void hide() const;
 
  private:
   CLI::App* app_;

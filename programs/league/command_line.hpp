@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// The command line of `mirocup league`. Only command_line.cpp includes the library that reads it.
+// The command line of `mirocup league`: the list of its subcommands.
 #pragma once
 
-#include "core/base/error.hpp"
+#include "system/commands.hpp"
 
-#include <functional>
-#include <optional>
+#include <variant>
 
 namespace mirocup::league {
 
-using Action = std::function<Result<int>()>;
-
-// Sets `action` to the subcommand with its options, and returns nothing. If the command line asks
-// for help or is wrong, prints the help or the mistake and returns the exit code.
-std::optional<int> read_command_line(int argc, char** argv, Action& action);
+// Returns the subcommand with its options. If the command line asks for help or is wrong, prints
+// the help or the error and returns the exit code instead.
+std::variant<system::Run, int> read_command_line(int argc, char** argv);
 
 }  // namespace mirocup::league

@@ -5,6 +5,7 @@
 #include "programs/league/progress_bar.hpp"
 #include "programs/league/scratch_folder.hpp"
 #include "record/json_reader.hpp"
+#include "record/rules_json.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/event.hpp"
 #include "tournaments/play/comparison_run.hpp"
@@ -20,6 +21,18 @@
 namespace mirocup::league {
 
 namespace {
+
+constexpr int fixtures_of_a_table = 50;  // of each pair, by default
+
+struct CompareOptions {
+  ComparisonRun run;
+  std::string league = "small";
+  std::string against = "first";
+  int most = 0;      // fixtures of a pair; 0: the default
+  std::string keep;  // folder for the records; "": they are not kept
+  bool json = false;
+  bool csv = false;
+};
 
 // What is reported of a pair, for text, JSON and CSV alike.
 struct PairReport {
@@ -311,8 +324,6 @@ void print(const std::vector<PairComparison>& pairs, const ComparisonRun& run,
   std::cout << record::json_text(json) << '\n';
 }
 
-}  // namespace
-
 Result<int> run_compare(const CompareOptions& options) {
   system::Disk disk;
   ComparisonRun run = options.run;
@@ -336,6 +347,54 @@ Result<int> run_compare(const CompareOptions& options) {
     return run.plays_all ? !pair.is_of_copies : pair.verdict != ComparisonVerdict::undecided;
   });
   return is_answered ? exit_yes : exit_no;
+}
+
+}  // namespace
+
+void add_compare(system::Commands& commands) {
+  const auto [command, o] = commands.add<CompareOptions>(
+      {"compare",
+       to_make,
+       "Play teams against each other until it can be said which is better, or that they are equal",
+       {"mirocup league compare new.so old.so",
+        "mirocup league compare a.so b.so c.so --against all"}},
+      run_compare);
+  ComparisonRun& r = o.run;
+  command
+      .option("TEAM", r.teams,
+              "libraries, or names of house teams, each with :KEY=VALUE for its parameters; the "
+              "first is compared with each other one")
+      .required()
+      .takes(2, 100);
+  command
+      .option("--against", o.against,
+              "all: plays each against each, --most fixtures a pair, and prints a rated table")
+      .one_of({"first", "all"})
+      .shows_default();
+  command.option("--league", o.league, "small (3 a side), middle (5), large (11)")
+      .one_of({"small", "middle", "large"})
+      .shows_default();
+  command.option("--half", r.half_s, "seconds of a half")
+      .between(record::min_half_s, record::max_half_s);
+  command.option("--conditions", r.conditions, "exact, hall or camera (default: as in a match)")
+      .one_of({"exact", "hall", "camera"});
+  command.option("--seed", r.seed, "seed of the fixtures").is_a_seed().shows_default();
+  command.option("--jobs", r.jobs, "number of legs at once (default: one for each processor)")
+      .between(1, 1024);
+  command
+      .option("--most", o.most,
+              "fixtures of two legs after which a pair is given up (default: " +
+                  std::to_string(r.max_fixtures) +
+                  "; with --against all: " + std::to_string(fixtures_of_a_table) + ")")
+      .between(1, 1'000'000);
+  command.option("--equal", r.test.equal_elo, "teams that are less Elo than this apart are equal")
+      .between(1.0, 400.0)
+      .shows_default();
+  command.option("--keep", o.keep,
+                 "a folder for the records; the same command goes on with those in it");
+  const system::Option json = command.flag("--json", o.json, "one JSON object on standard output");
+  command.flag("--csv", o.csv, "comma-separated values: the pairs, or the rated table")
+      .excludes(json);
 }
 
 }  // namespace mirocup::league

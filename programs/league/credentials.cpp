@@ -14,6 +14,13 @@ namespace mirocup::league {
 
 namespace {
 
+struct CredentialsOptions {
+  std::string folder;
+  std::vector<std::string> teams;
+  std::vector<std::string> revoked;
+  int days = 365;
+};
+
 // Returns the teams of the command line and those of the league in the folder, if there is one.
 Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
   std::vector<std::string> names = options.teams;
@@ -67,8 +74,6 @@ Result<void> run_script(std::vector<std::string> arguments) {
   return fail(Errc::unavailable, "the credentials could not be made; see above");
 }
 
-}  // namespace
-
 Result<int> run_credentials(const CredentialsOptions& options) {
   MIROCUP_TRY_VOID(check_names(options));
   MIROCUP_TRY(const auto teams, teams_of(options));
@@ -88,6 +93,23 @@ Result<int> run_credentials(const CredentialsOptions& options) {
   }
   MIROCUP_TRY_VOID(run_script(std::move(arguments)));
   return exit_yes;
+}
+
+}  // namespace
+
+void add_credentials(system::Commands& commands) {
+  const auto [command, o] = commands.add<CredentialsOptions>(
+      {"credentials",
+       to_make,
+       "Make the certificates of teams, match server and spectators for DDS Security",
+       {"mirocup league credentials spring"}},
+      run_credentials);
+  add_folder(command, o.folder);
+  command.option("--team", o.teams, "a team that is not in the league's file");
+  command.option("--revoke", o.revoked, "a team whose credentials become invalid");
+  command.option("--days", o.days, "number of days for which new credentials are valid")
+      .between(1, 3650)
+      .shows_default();
 }
 
 }  // namespace mirocup::league

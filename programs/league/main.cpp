@@ -10,10 +10,9 @@
 using namespace mirocup;
 
 int main(int argc, char** argv) {
-  league::Action action;
-  if (const auto done = league::read_command_line(argc, argv, action))
-    return system::after_standard_output(*done);
-  const Result<int> result = action();
+  const auto chosen = league::read_command_line(argc, argv);
+  if (const int* done = std::get_if<int>(&chosen)) return system::after_standard_output(*done);
+  const Result<int> result = std::get<system::Run>(chosen)();
   if (result) return system::after_standard_output(*result);
   std::cerr << "mirocup: " << system::printable(result.error().what) << '\n';
   return exit_code(result.error().code);

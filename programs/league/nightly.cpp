@@ -28,6 +28,14 @@ namespace mirocup::league {
 
 namespace {
 
+struct NightlyOptions {
+  std::string folder;
+  bool another = false;  // one more on the same day
+  std::string on_night;  // a program that hears of the night; "": none
+  std::string address;   // what links of the digests' texts begin with
+  PlayTerms play;
+};
+
 // Returns for each team its last accepted entry, or the one that it has pinned, unless it plays
 // with that already.
 Result<std::vector<EntryBooked>> new_entries(system::Files& files, const LeagueStore& store) {
@@ -69,7 +77,7 @@ bool goes_on(const LeagueState& state, std::int64_t now) {
 }
 
 // Begins a night, or goes on with the one that was interrupted.
-Result<void> begin_night(system::Files& files, LeagueStore& store, const LeagueOptions& options,
+Result<void> begin_night(system::Files& files, LeagueStore& store, const NightlyOptions& options,
                          std::int64_t now) {
   if (store.state().is_closed) return fail(Errc::input, "the league is closed: no night follows");
   if (auto started = start_league(files, store); !started) return started;
@@ -169,9 +177,7 @@ Result<void> tell_program(system::Files& files, const std::string& program, cons
   return files.write(told, utc_text(system::now_s()) + "\n", system::Readers::owner);
 }
 
-}  // namespace
-
-Result<int> run_nightly(const LeagueOptions& options) {
+Result<int> run_nightly(const NightlyOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
   std::string notice;
@@ -183,15 +189,15 @@ Result<int> run_nightly(const LeagueOptions& options) {
                 folder.path + " is being played already: this night is left out");
   const std::int64_t now = system::now_s();
   if (auto same =
-          expect_program(disk, store, record::this_software(), options.accepts_other_program);
+          expect_program(disk, store, record::this_software(), options.play.accepts_other_program);
       !same)
     return tl::unexpected(same.error());
   MIROCUP_TRY_VOID(begin_night(disk, store, options, now));
 
   auto progress = make_progress_reporter();
-  MIROCUP_TRY(const auto played, play_league(disk, std::move(store), *progress, options));
+  MIROCUP_TRY(const auto played, play_league(disk, std::move(store), *progress, options.play));
   progress->say("making pages");
-  MIROCUP_TRY_VOID(publish_league(disk, folder, options.jobs));
+  MIROCUP_TRY_VOID(publish_league(disk, folder, options.play.jobs));
   progress.reset();
 
   MIROCUP_TRY(const auto after, LeagueStore::open(disk, folder));
@@ -207,6 +213,33 @@ Result<int> run_nightly(const LeagueOptions& options) {
   if (after.state().played() == after.state().legs()) return exit_yes;
   say_what_is_left(after.state());
   return exit_no;
+}
+
+}  // namespace
+
+void add_nightly(system::Commands& commands) {
+  const auto [command, o] = commands.add<NightlyOptions>(
+      {"nightly",
+       to_play,
+       "Let what is accepted play, publish, and tell each team what changed",
+       {"mirocup league nightly spring",
+        "mirocup league nightly spring --on-night ./mail --address https://league.example/"}},
+      run_nightly);
+  add_folder(command, o.folder);
+  command.option("--jobs", o.play.jobs, "number of legs at once (default: one for each processor)")
+      .between(1, 1024);
+  command.flag("--another", o.another, "one more night on the same day");
+  command
+      .option("--on-night", o.on_night,
+              "a program that is started after the night, once, with the folder of its digests "
+              "as its argument")
+      .named("PROGRAM");
+  command
+      .option("--address", o.address,
+              "what the links in the digests for mails begin with, as "
+              "https://league.example/")
+      .named("URL");
+  add_other_program(command, o.play.accepts_other_program);
 }
 
 }  // namespace mirocup::league

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands serve and check-hand-in.
+// mirocup league serve: shows a league in browsers, and takes hand-ins.
 #include "programs/league/commands.hpp"
 #include "programs/league/served_league.hpp"
 #include "system/clock.hpp"
@@ -15,6 +15,18 @@
 namespace mirocup::league {
 
 namespace {
+
+struct ServeOptions {
+  std::string folder;
+  std::string at = "0";  // [HOST:]PORT
+  bool hand_in = false;  // take entries from teams with a token
+
+  // With hand_in.
+  int jobs = 0;                      // checks at once; 0: one for each processor
+  std::vector<std::string> tls;      // files of certificate and key; empty: no encryption
+  std::vector<std::string> proxies;  // addresses that are believed whom they speak for
+  std::string team_header;           // in which they name a team; "": none is believed
+};
 
 constexpr double wait_s = 3600.0;  // s
 
@@ -64,8 +76,6 @@ Result<web::SiteLimits> limits_of(const ServeOptions& options) {
   return limits;
 }
 
-}  // namespace
-
 Result<int> run_serve(const ServeOptions& options) {
   MIROCUP_TRY(const auto address, web::parse_address(options.at, "--at"));
   if (!options.team_header.empty() && options.proxies.empty())
@@ -100,10 +110,38 @@ Result<int> run_serve(const ServeOptions& options) {
   return exit_yes;
 }
 
-Result<int> run_check_hand_in(const CheckHandInOptions& options) {
-  system::Disk disk;
-  return check_hand_in(disk, Folder{options.folder}, options.team, options.entry, options.file,
-                       options.at, options.compile_seconds);
+}  // namespace
+
+void add_serve(system::Commands& commands) {
+  const auto [command, o] = commands.add<ServeOptions>(
+      {"serve",
+       to_show,
+       "Show the league in browsers, as it is now",
+       {"mirocup league serve spring --at 8080",
+        "mirocup league serve spring --hand-in --at 0.0.0.0:8443 --tls cert.pem key.pem"}},
+      run_serve);
+  add_folder(command, o.folder);
+  command.option("--at", o.at, "where to listen (default: this host only, any free port)");
+  const system::Option hand_in = command.flag(
+      "--hand-in", o.hand_in, "also take entries from teams that have a token (league token)");
+  command.option("--jobs", o.jobs, "number of checks at once (default: one for each processor)")
+      .between(1, 1024)
+      .needs(hand_in);
+  command.option("--tls", o.tls, "encrypt connections: files of the certificate and of its key")
+      .named("CERT KEY")
+      .takes(2, 2);
+  command
+      .option("--trust-proxy", o.proxies,
+              "address of a proxy that is believed for whom it asks (X-Forwarded-For, "
+              "X-Forwarded-Proto); may be given several times")
+      .named("ADDR")
+      .takes(1, 1)
+      .needs(hand_in);
+  command
+      .option("--team-header", o.team_header,
+              "header in which that proxy names the team of a person that it has signed on")
+      .named("NAME")
+      .needs(hand_in);
 }
 
 }  // namespace mirocup::league

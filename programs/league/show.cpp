@@ -12,6 +12,13 @@ namespace mirocup::league {
 
 namespace {
 
+struct ShowOptions {
+  std::string folder;
+  std::string round;     // its key, as in "r3"; "": the last one of which a leg was played
+  std::string at = "0";  // [HOST:]PORT
+  int at_once = 1;       // legs side by side
+};
+
 constexpr double poll_s = 3600.0;  // s
 
 // 128 bits of the system, as text for an address.
@@ -25,8 +32,6 @@ std::string secret() {
   }
   return text;
 }
-
-}  // namespace
 
 Result<int> run_show(const ShowOptions& options) {
   MIROCUP_TRY(const auto address, web::parse_address(options.at, "--at"));
@@ -47,6 +52,23 @@ Result<int> run_show(const ShowOptions& options) {
   while (!interrupts.is_asked_to_stop_within(poll_s)) {
   }
   return exit_yes;
+}
+
+}  // namespace
+
+void add_show(system::Commands& commands) {
+  const auto [command, o] = commands.add<ShowOptions>(
+      {"show",
+       to_show,
+       "Play the recorded legs of a round on a projector, one after the other",
+       {"mirocup league show spring --round r3 --at-once 2"}},
+      run_show);
+  add_folder(command, o.folder);
+  command.option("--round", o.round,
+                 "r3, or k1 of a knockout (default: the last round that was played)");
+  command.option("--at", o.at, "where to listen (default: this host only, any free port)");
+  command.option("--at-once", o.at_once, "number of legs side by side: 1, 2 or 4")
+      .one_of_numbers({1, 2, 4});
 }
 
 }  // namespace mirocup::league

@@ -6,6 +6,7 @@
 #include "programs/league/progress_bar.hpp"
 #include "programs/league/scratch_folder.hpp"
 #include "record/json_reader.hpp"
+#include "record/rules_json.hpp"
 #include "system/printable.hpp"
 #include "tournaments/play/comparison_run.hpp"
 #include "tournaments/tune/tuning_file.hpp"
@@ -19,6 +20,17 @@
 namespace mirocup::league {
 
 namespace {
+
+struct TuneOptions {
+  std::string team;                     // as in compare
+  std::vector<std::string> parameters;  // KEY=LOW:HIGH
+  std::vector<std::string> against;
+  std::string league = "small";
+  ComparisonRun run;  // half, conditions and jobs; the teams are filled in
+  TuningOptions tuning;
+  std::string folder = "tune";
+  bool json = false;
+};
 
 using TuningJson = nlohmann::ordered_json;
 
@@ -230,8 +242,6 @@ void print_result(const TuningResult& result, const TuningOptions& tuning,
             << system::printable(options.folder) << "/course.svg\n";
 }
 
-}  // namespace
-
 Result<int> run_tune(const TuneOptions& options) {
   TuningOptions tuning = options.tuning;
   for (const std::string& text : options.parameters) {
@@ -259,6 +269,54 @@ Result<int> run_tune(const TuneOptions& options) {
               Search(disk, all, tuning, std::move(file), scratch.path(), *progress).run());
   print_result(result, tuning, all);
   return result.has_gained() ? exit_yes : exit_no;
+}
+
+}  // namespace
+
+void add_tune(system::Commands& commands) {
+  const auto [command, o] = commands.add<TuneOptions>(
+      {"tune",
+       to_make,
+       "Find better numbers for a team",
+       {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker"}},
+      run_tune);
+  TuningOptions& t = o.tuning;
+  command.option("TEAM", o.team, "a library, or the name of a house team").required();
+  command.option("--param", o.parameters, "a parameter of the team, and where to look for it")
+      .required();
+  command.option("--against", o.against, "the opponents, with commas between them")
+      .split_at(',')
+      .required();
+  command.option("--league", o.league, "small (3 a side), middle (5), large (11)")
+      .one_of({"small", "middle", "large"})
+      .shows_default();
+  command.option("--half", o.run.half_s, "seconds of a half")
+      .between(record::min_half_s, record::max_half_s);
+  command.option("--conditions", o.run.conditions, "exact, hall or camera (default: as in a match)")
+      .one_of({"exact", "hall", "camera"});
+  command.option("--seed", t.seed, "seed of the search and of its fixtures")
+      .is_a_seed()
+      .shows_default();
+  command.option("--jobs", o.run.jobs, "number of legs at once (default: one for each processor)")
+      .between(1, 1024);
+  command.option("--generations", t.generations, "generations of the search")
+      .between(1, 10'000)
+      .shows_default();
+  command
+      .option("--fixtures", t.fixtures,
+              "fixtures of two legs of a candidate against each opponent; more if there is "
+              "much noise")
+      .between(2, 1000)
+      .shows_default();
+  command
+      .option("--test", t.test_fixtures, "fixtures of the test at the end, against each opponent")
+      .between(10, 100'000)
+      .shows_default();
+  command
+      .option("-o,--output", o.folder,
+              "a folder for what has been played and the picture; the same command goes on")
+      .shows_default();
+  command.flag("--json", o.json, "one JSON object on standard output");
 }
 
 }  // namespace mirocup::league

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The subcommand play-friendly: becomes the match of one friendly, at a low priority.
-#include "tournaments/handin/friendly.hpp"
-
 #include "programs/league/commands.hpp"
 #include "system/locations.hpp"
+#include "tournaments/handin/friendly.hpp"
 #include "tournaments/play/leg_command.hpp"
 
 #include <cerrno>
@@ -16,9 +15,16 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr int priority_of_friendlies = 15;  // checks, pages and matches come first
+struct PlayFriendlyOptions {
+  std::string folder;
+  std::string team;
+  int number = 0;
+  int entry = 0;
+  std::string opponent;  // a team, or "house:NAME"
+  int opponent_entry = 0;
+};
 
-}  // namespace
+constexpr int priority_of_friendlies = 15;  // checks, pages and matches come first
 
 Result<int> run_play_friendly(const PlayFriendlyOptions& options) {
   setpriority(PRIO_PROCESS, 0, priority_of_friendlies);
@@ -40,6 +46,20 @@ Result<int> run_play_friendly(const PlayFriendlyOptions& options) {
   words.push_back(nullptr);
   execv(words[0], words.data());
   return fail(Errc::host, command[0] + ": " + std::strerror(errno));
+}
+
+}  // namespace
+
+void add_play_friendly(system::Commands& commands) {
+  const auto [command, o] = commands.add<PlayFriendlyOptions>(
+      {"play-friendly", "", "What serve --hand-in starts for each friendly", {}},
+      run_play_friendly);
+  add_folder(command, o.folder);
+  command.option("TEAM", o.team).required();
+  command.option("NUMBER", o.number).required();
+  command.option("--entry", o.entry).required();
+  command.option("--opponent", o.opponent).required();
+  command.option("--opponent-entry", o.opponent_entry).required();
 }
 
 }  // namespace mirocup::league

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// mirocup league plan: books what shards have played, and lists what may be played.
 #include "programs/league/commands.hpp"
 #include "programs/league/progress_bar.hpp"
 #include "tournaments/play/program.hpp"
@@ -9,8 +11,14 @@
 
 namespace mirocup::league {
 
+namespace {
+
+struct PlanOptions {
+  std::string folder;
+};
+
 // The records of shards are booked first, because they may open the next round.
-Result<int> run_plan(const ShardOptions& options) {
+Result<int> run_plan(const PlanOptions& options) {
   system::Disk disk;
   MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
   const record::Software software = record::this_software();
@@ -31,12 +39,16 @@ Result<int> run_plan(const ShardOptions& options) {
   return exit_yes;
 }
 
-Result<int> run_shards(const ShardOptions& options) {
-  system::Disk disk;
-  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
-  MIROCUP_TRY(const auto failed, play_shards(disk, store, options.fixtures));
-  if (failed == 0) return exit_yes;
-  return fail(Errc::host, std::to_string(failed) + " legs could not be played; run it again");
+}  // namespace
+
+void add_plan(system::Commands& commands) {
+  const auto [command, o] = commands.add<PlanOptions>(
+      {"plan",
+       on_clusters,
+       "Start the league, book the records of shards, and list the fixtures to play",
+       {"mirocup league plan spring"}},
+      run_plan);
+  add_folder(command, o.folder);
 }
 
 }  // namespace mirocup::league

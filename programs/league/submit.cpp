@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands submit and owner.
+// mirocup league submit: stores an entry, checks it, and plays with it if it passes.
 #include "programs/league/commands.hpp"
 #include "record/json_reader.hpp"
 #include "system/clock.hpp"
@@ -19,6 +19,17 @@
 namespace mirocup::league {
 
 namespace {
+
+struct SubmitOptions {
+  std::string folder;
+  std::string team;
+  std::string file;
+  std::string inbox;
+  std::string run;  // the command of a firasim team; "": people start it
+  std::string run_folder = ".";
+  bool lockstep = false;  // of a firasim team
+  bool json = false;
+};
 
 // Prints the answer to one file.
 void print(const std::string& path, const std::string& team, const Submission& done, bool json) {
@@ -83,8 +94,6 @@ Result<int> enter_program(system::Files& files, const SubmitOptions& options) {
   return done.is_accepted ? exit_yes : exit_no;
 }
 
-}  // namespace
-
 Result<int> run_submit(const SubmitOptions& options) {
   system::Disk disk;
   if (options.inbox.empty() && options.file.empty())
@@ -114,28 +123,43 @@ Result<int> run_submit(const SubmitOptions& options) {
   return done.is_accepted ? exit_yes : exit_no;
 }
 
-Result<int> run_owner(const OwnerOptions& options) {
-  system::Disk disk;
-  const Folder folder{options.folder};
-  if (!is_good_name(options.team))
-    return fail(Errc::input, "\"" + options.team + "\" is no name of a team");
-  MIROCUP_TRY_VOID(LeagueStore::open(disk, folder));
-  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.submitting()));
-  MIROCUP_TRY(auto known, read_hand_ins(disk, folder, options.team));
-  if (options.is_free || !options.user.empty()) {
-    known.owner.reset();
-    if (!options.is_free) {
-      known.owner = system::find_user(options.user);
-      if (!known.owner) return fail(Errc::input, "there is no user " + options.user);
-    }
-    MIROCUP_TRY_VOID(write_hand_ins(disk, folder, options.team, known));
-  }
-  std::cout << options.team << ": "
-            << (known.owner ? system::printable(system::name_of_user(*known.owner)) +
-                                  " hands in by a shared inbox"
-                            : "who hands in first by a shared inbox is its owner")
-            << '\n';
-  return exit_yes;
+}  // namespace
+
+void add_submit(system::Commands& commands) {
+  const auto [command, o] = commands.add<SubmitOptions>(
+      {"submit",
+       to_take,
+       "Hand in an entry: store it, check it, and play with it if it passes",
+       {"mirocup league submit spring alpha alpha.so",
+        "mirocup league submit spring --inbox inbox"}},
+      run_submit);
+  add_folder(command, o.folder);
+  const system::Option team = command.option("TEAM", o.team, "its name");
+  const system::Option file =
+      command.option("FILE", o.file,
+                     "its library (.so), its file of Python (.py), house:TEAM, or "
+                     "firasim:NAME for a program that speaks FIRASim's protocol");
+  const system::Option inbox =
+      command
+          .option("--inbox", o.inbox,
+                  "a folder: hand in each TEAM.so and TEAM.py in it that is new")
+          .excludes(team)
+          .excludes(file);
+  const system::Option run =
+      command
+          .option("--run", o.run,
+                  "the command that starts a program for FIRASim in each leg; without it, "
+                  "people start it")
+          .named("COMMAND")
+          .excludes(inbox);
+  command.option("--folder", o.run_folder, "the folder in which it runs (default: this one)")
+      .named("DIR")
+      .needs(run);
+  command
+      .flag("--lockstep", o.lockstep,
+            "the legs of that program wait for its answers, not for the clock")
+      .excludes(inbox);
+  command.flag("--json", o.json, "one JSON object for each entry on standard output");
 }
 
 }  // namespace mirocup::league

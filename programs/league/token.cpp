@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The subcommand token.
-#include "tournaments/handin/tokens.hpp"
-
 #include "programs/league/commands.hpp"
 #include "system/csv.hpp"
 #include "system/file_lock.hpp"
+#include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/class_list.hpp"
 #include "tournaments/league/submission.hpp"
 
@@ -14,6 +13,17 @@
 namespace mirocup::league {
 
 namespace {
+
+struct TokenOptions {
+  std::string folder;
+  std::string team;
+  bool all = false;    // for each team of the league that has none
+  bool staff = false;  // for those who run the league
+  bool tutor = false;  // for those who only look
+  bool csv = false;
+  bool revoke = false;
+  std::string expires;  // UTC; "": never
+};
 
 // Returns a time as league.json has it; also a day is taken, which means its end.
 Result<std::string> expiry_of(const std::string& text, const std::string& now) {
@@ -75,8 +85,6 @@ void print(const TokenOptions& options, const PeopleOfTeams& people, const std::
   }
 }
 
-}  // namespace
-
 Result<int> run_token(const TokenOptions& options) {
   const Role role = options.staff ? Role::staff : options.tutor ? Role::tutor : Role::team;
   if (int{options.all} + int{options.staff} + int{options.tutor} + int{!options.team.empty()} != 1)
@@ -123,6 +131,28 @@ Result<int> run_token(const TokenOptions& options) {
   for (const auto& [whose, token] : made) print(options, people, whose, token);
   if (options.all && made.empty()) std::cerr << "mirocup: every team has a token already\n";
   return exit_yes;
+}
+
+}  // namespace
+
+void add_token(system::Commands& commands) {
+  const auto [command, o] =
+      commands.add<TokenOptions>({"token",
+                                  to_take,
+                                  "Make a token by which a team hands in, and print it once",
+                                  {"mirocup league token spring alpha",
+                                   "mirocup league token spring --all --csv >tokens.csv"}},
+                                 run_token);
+  add_folder(command, o.folder);
+  command.option("TEAM", o.team, "its name; it may be new to the league");
+  command.flag("--all", o.all, "a token for each team of the league that has none");
+  command.flag("--staff", o.staff, "a token that reads what all teams have handed in, and decides");
+  command.flag("--tutor", o.tutor, "a token that reads what the staff reads, and decides nothing");
+  command.flag("--csv", o.csv, "lines of team, display name and token, for a mail merge");
+  const system::Option expires =
+      command.option("--expires", o.expires, "UTC: 2026-12-18T18:00:00Z, or the last day");
+  command.flag("--revoke", o.revoke, "make no token; all tokens of the team become worthless")
+      .excludes(expires);
 }
 
 }  // namespace mirocup::league

@@ -1,91 +1,34 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands verify, backup, grades and team.
+// mirocup league team: makes teams, and says by what names people know them.
 #include "programs/league/commands.hpp"
-#include "record/json_reader.hpp"
 #include "system/clock.hpp"
 #include "system/file_lock.hpp"
 #include "system/printable.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/class_list.hpp"
-#include "tournaments/league/kept_program.hpp"
+#include "tournaments/league/league_store.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/league/submission.hpp"
-#include "tournaments/play/backup.hpp"
-#include "tournaments/play/program.hpp"
-#include "tournaments/publish/grades.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
+#include <vector>
 
 namespace mirocup::league {
 
-Result<int> run_verify_league(const LeagueOptions& options) {
-  system::Disk disk;
-  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
-  if (options.trusts_programs) {
-    MIROCUP_TRY(const auto trusted, trust_kept_programs(disk, store.folder()));
-    for (const std::string& path : trusted)
-      std::cerr << "mirocup: " << system::printable(path) << " is trusted from now on\n";
-  }
-  MIROCUP_TRY(const auto done, verify_records(disk, store, options.jobs));
-  int result = exit_yes;
-  for (const auto& problem : done.problems) result = std::max(result, problem.code);
-  if (options.json) {
-    Json problems = Json::array();
-    for (const auto& p : done.problems)
-      problems.push_back({{"record", p.record}, {"code", p.code}, {"what", p.text}});
-    std::cout << record::json_text({{"records", done.records},
-                                    {"reproduced", done.reproduced},
-                                    {"programs", done.programs},
-                                    {"problems", problems}})
-              << '\n';
-    return result;
-  }
-  for (const auto& problem : done.problems)
-    std::cout << system::printable(problem.record) << ": " << system::printable(problem.text)
-              << '\n';
-  for (const std::string& program : done.programs) std::cout << system::printable(program) << '\n';
-  std::cout << done.reproduced << " of " << done.records << " records reproduced\n";
-  return result;
-}
-
-Result<int> run_backup(const BackupOptions& options) {
-  system::Disk disk;
-  // Is it a league?
-  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
-  MIROCUP_TRY(const auto done, back_up(disk, Folder{options.folder}, Folder{options.to}));
-  std::cout << options.to << ": " << done.copied << " files copied, " << done.known
-            << " records were there\n";
-  return exit_yes;
-}
-
-Result<int> run_grades(const LeagueOptions& options) {
-  system::Disk disk;
-  const Folder folder{options.folder};
-  MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
-  std::string drills;
-  if (!options.drills.empty()) {
-    MIROCUP_TRY(drills, disk.read(options.drills, {.max_size = system::size_limit::note,
-                                                   .links = system::Links::followed}));
-  }
-  MIROCUP_TRY_VOID(
-      spare_class_list(disk, folder, options.output.empty() ? "/proc/self/fd/1" : options.output));
-  MIROCUP_TRY(const auto people, everybody(disk, store));
-  MIROCUP_TRY(const auto file,
-              grades(overview(store.state()), people, drills, options.drills, options.layout));
-  if (options.output.empty()) {
-    std::cout << file.bytes;
-    return exit_yes;
-  }
-  MIROCUP_TRY_VOID(disk.write(options.output, file.bytes, system::Readers::owner));
-  std::cout << options.output << '\n';
-  return exit_yes;
-}
-
 namespace {
+
+struct TeamOptions {
+  std::string folder;
+  std::string team;
+  std::optional<std::string> display;
+  std::vector<std::string> members;
+  std::optional<std::string> colour;  // "#c03a2b"; "": none
+  std::string csv;                    // a class list; "": one team
+  bool is_removed = false;            // a team that was a mistake
+};
 
 void print(const std::string& team, const People& one) {
   std::cout << team << ": " << (one.display.empty() ? team : one.display);
@@ -161,8 +104,6 @@ Result<int> remove_team(system::Files& files, LeagueStore& store, const std::str
   return exit_yes;
 }
 
-}  // namespace
-
 Result<int> run_team(const TeamOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
@@ -197,6 +138,31 @@ Result<int> run_team(const TeamOptions& options) {
   MIROCUP_TRY_VOID(write_people(disk, folder, people));
   print(team, one);
   return exit_yes;
+}
+
+}  // namespace
+
+void add_team(system::Commands& commands) {
+  const auto [command, o] = commands.add<TeamOptions>(
+      {"team",
+       to_take,
+       "Make teams from a class list, and say by what names people know them",
+       {"mirocup league team spring --csv class.csv",
+        "mirocup league team spring alpha --display \"Zoë & Co\" --member Zoë"}},
+      run_team);
+  add_folder(command, o.folder);
+  command.option("TEAM", o.team, "its name in the league");
+  command.option("--display", o.display, "any letters; \"\": its name in the league");
+  command.option("--member", o.members, "once for each member; \"\": it has none");
+  command
+      .option("--colour", o.colour, "of the mark beside its name on pages, as #c03a2b; \"\": none")
+      .named("COLOUR");
+  command
+      .option("--csv", o.csv,
+              "a class list: makes its teams; columns team, display, members (with ; between "
+              "them), colour, and further ones, which the grades have again")
+      .named("FILE");
+  command.flag("--remove", o.is_removed, "take out a team that was a mistake");
 }
 
 }  // namespace mirocup::league

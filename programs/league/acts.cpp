@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommands for what the staff decides: award, rule, void, withdraw, pause, resume, freeze,
+// release, close, undo. Each decision is a line of the journal with a reason; the lines before it
+// stay. Decisions may be made while the league is being played.
+#include "tournaments/league/acts.hpp"
+
+#include "programs/league/commands.hpp"
+#include "programs/league/publishing.hpp"
+#include "system/clock.hpp"
+#include "system/printable.hpp"
+#include "tournaments/league/league_store.hpp"
+
+#include <iostream>
+#include <vector>
+
+namespace mirocup::league {
+
+namespace {
+
+struct ActOptions {
+  std::string folder;
+  Act act;
+};
+
+Result<int> run_act(const ActOptions& options) {
+  system::Disk disk;
+  MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY(const auto lines, perform(disk, store, options.act, system::now_s()));
+  for (const std::string& line : lines) std::cout << system::printable(line) << '\n';
+  // What is held back must not stay on the pages, and what is released is looked for there.
+  const Folder folder{options.folder};
+  if (options.act.kind == ActKind::release && !options.act.is_dry_run &&
+      disk.exists(folder.site())) {
+    MIROCUP_TRY_VOID(publish_league(disk, folder));
+  }
+  return exit_yes;
+}
+
+// The subcommand of an act, with the argument DIR.
+struct ActCommand {
+  system::Command command;
+  Act& act;
+};
+
+ActCommand add_act(system::Commands& commands, ActKind kind, const char* description,
+                   std::vector<const char*> examples) {
+  const auto [command, options] = commands.add<ActOptions>(
+      {to_string(kind).data(), kind == ActKind::release ? to_show : to_rule, description,
+       std::move(examples)},
+      run_act);
+  options.act.kind = kind;
+  add_folder(command, options.folder);
+  return {command, options.act};
+}
+
+void add_fixture(const system::Command& command, Act& act) {
+  command.option("FIXTURE", act.fixture, "its id, as in r3-f1").required();
+  const system::Option leg = command.option("--leg", act.leg, "1, 2 or 3").between(1, 3);
+  command.flag("--all-legs", act.has_all_legs, "all legs of the fixture").excludes(leg);
+}
+
+void add_team(const system::Command& command, Act& act) {
+  command.option("TEAM", act.team, "its name").required();
+}
+
+void add_reason(const system::Command& command, Act& act) {
+  command.option("--reason", act.reason, "why; it is published").required();
+  command.option("--by", act.by, "who decided; it is published");
+  command.flag("--dry-run", act.is_dry_run, "say what would change, and change nothing");
+}
+
+}  // namespace
+
+void add_award(system::Commands& commands) {
+  const auto [command, act] =
+      add_act(commands, ActKind::award, "Give legs to a team, as by a forfeit",
+              {"mirocup league award spring r3-f1 alpha --all-legs --reason \"beta left\""});
+  add_fixture(command, act);
+  add_team(command, act);
+  add_reason(command, act);
+}
+
+void add_rule(system::Commands& commands) {
+  const auto [command, act] =
+      add_act(commands, ActKind::rule, "Decide the score of a leg, or of all legs",
+              {"mirocup league rule spring r3-f1 --leg 1 --score 2:1 --reason \"appeal 4\""});
+  add_fixture(command, act);
+  command.option("--score", act.score, "goals of the home team and of the other").required();
+  add_reason(command, act);
+}
+
+void add_void(system::Commands& commands) {
+  const auto [command, act] = add_act(
+      commands, ActKind::void_, "Declare legs void; they are played again with another seed",
+      {"mirocup league void spring r3-f1 --leg 2 --reason \"power cut\""});
+  add_fixture(command, act);
+  command.flag("--same-seed", act.keeps_seed,
+               "with the seed that they had: the same libraries play the same leg again");
+  add_reason(command, act);
+}
+
+void add_withdraw(system::Commands& commands) {
+  const auto [command, act] =
+      add_act(commands, ActKind::withdraw, "Take a team out of the league",
+              {"mirocup league withdraw spring beta --reason \"left the course\""});
+  add_team(command, act);
+  act.results = "keep";
+  command.option("--results", act.results, "keep its results, or annul them")
+      .one_of({"keep", "annul"})
+      .shows_default();
+  add_reason(command, act);
+}
+
+void add_pause(system::Commands& commands) {
+  const auto [command, act] =
+      add_act(commands, ActKind::pause, "Start no legs of a team until it is resumed",
+              {"mirocup league pause spring beta --reason \"is looked at\""});
+  add_team(command, act);
+  add_reason(command, act);
+}
+
+void add_resume(system::Commands& commands) {
+  const auto [command, act] = add_act(commands, ActKind::resume, "Let a paused team play again",
+                                      {"mirocup league resume spring beta --reason \"repaired\""});
+  add_team(command, act);
+  add_reason(command, act);
+}
+
+void add_freeze(system::Commands& commands) {
+  const auto [command, act] = add_act(commands, ActKind::freeze, "Take no entries from a time on",
+                                      {"mirocup league freeze spring --reason \"last day\""});
+  const system::Option at = command.option(
+      "--at", act.from, "2026-11-30T18:00:00Z, …+01:00, or in the league's zone (default: now)");
+  at.named("TIME");
+  command.flag("--lift", act.is_lifted, "take entries again").excludes(at);
+  add_reason(command, act);
+}
+
+void add_release(system::Commands& commands) {
+  const auto [command, act] =
+      add_act(commands, ActKind::release, "Say which rounds the pages show",
+              {"mirocup league release spring --through r3 --reason \"it is Friday\""});
+  act.level = "all";
+  command
+      .option("--level", act.level,
+              "all: everybody; teams: each team reads its digest; hidden: neither")
+      .one_of({"all", "teams", "hidden"})
+      .shows_default();
+  command.option("--through", act.through,
+                 "the last round that the pages show, r3 or k1 (default: with all every "
+                 "round, otherwise none)");
+  add_reason(command, act);
+}
+
+void add_close(system::Commands& commands) {
+  const auto [command, act] =
+      add_act(commands, ActKind::close, "End a league: no night follows, no entry",
+              {"mirocup league close spring --reason \"the term is over\""});
+  add_reason(command, act);
+}
+
+void add_undo(system::Commands& commands) {
+  const auto [command, act] = add_act(commands, ActKind::undo, "Take a decision back",
+                                      {"mirocup league undo spring 3 --reason \"the wrong leg\""});
+  command.option("NUMBER", act.decision, "its number in league decisions").required();
+  add_reason(command, act);
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup league decisions: what the staff has decided.
+#include "programs/league/commands.hpp"
+#include "record/json_reader.hpp"
+#include "system/printable.hpp"
+#include "tournaments/league/league_store.hpp"
+#include "tournaments/publish/decision_view.hpp"
+#include "tournaments/publish/exports.hpp"
+
+#include <iostream>
+
+namespace mirocup::league {
+
+namespace {
+
+struct DecisionsOptions {
+  std::string folder;
+  bool json = false;
+};
+
+Result<int> run_decisions(const DecisionsOptions& options) {
+  system::Disk disk;
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  const LeagueState& state = store.state();
+  if (options.json) {
+    std::cout << decisions_json(state) << '\n';
+    return exit_yes;
+  }
+  for (const DecisionView& d : decision_views(state)) {
+    std::cout << d.number << "  " << (d.at.empty() ? "-" : shown_time(state.file, d.at)) << "  "
+              << (d.by.empty() ? "-" : system::printable(d.by)) << "  " << system::printable(d.what)
+              << "  \"" << system::printable(d.why) << '"'
+              << (d.undoing.empty() ? "" : "  [" + d.undoing + "]") << '\n';
+  }
+  return exit_yes;
+}
+
+}  // namespace
+
+void add_decisions(system::Commands& commands) {
+  const auto [command, o] =
+      commands.add<DecisionsOptions>({"decisions",
+                                      to_rule,
+                                      "List what was decided: number, when, who, what, why",
+                                      {"mirocup league decisions spring"}},
+                                     run_decisions);
+  add_folder(command, o.folder);
+  command.flag("--json", o.json, "one JSON object on standard output");
+}
+
+}  // namespace mirocup::league

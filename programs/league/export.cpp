@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup league export: table, legs and bracket as files.
+#include "programs/league/commands.hpp"
+#include "tournaments/league/league_store.hpp"
+#include "tournaments/league/roster.hpp"
+#include "tournaments/publish/exports.hpp"
+#include "tournaments/publish/grades.hpp"
+
+#include <iostream>
+#include <vector>
+
+namespace mirocup::league {
+
+namespace {
+
+struct ExportOptions {
+  std::string folder;
+  std::string output = "export";
+  std::string drills;  // the output of mirocup drill --csv; "": none
+};
+
+Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const ExportOptions& options,
+                                              const LeagueStore& store) {
+  const Overview overview = league::overview(store.state());
+  std::vector<SiteFile> files;
+  for (const auto& [name, make] : exports(overview)) files.push_back({name, make()});
+  if (options.drills.empty()) return files;
+  MIROCUP_TRY(const auto drills, disk.read(options.drills, {.max_size = system::size_limit::note,
+                                                            .links = system::Links::followed}));
+  MIROCUP_TRY(const auto people, everybody(disk, store));
+  MIROCUP_TRY(auto joined, grades(overview, people, drills, options.drills));
+  files.push_back(std::move(joined));
+  return files;
+}
+
+Result<int> run_export(const ExportOptions& options) {
+  system::Disk disk;
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY(const auto files, files_to_export(disk, options, store));
+  MIROCUP_TRY_VOID(disk.make_folder(options.output));
+  for (const SiteFile& file : files) {
+    const std::string path = options.output + "/" + file.name;
+    MIROCUP_TRY_VOID(disk.write(path, file.bytes));
+    std::cout << path << '\n';
+  }
+  return exit_yes;
+}
+
+}  // namespace
+
+void add_export(system::Commands& commands) {
+  const auto [command, o] =
+      commands.add<ExportOptions>({"export",
+                                   to_show,
+                                   "Write table, legs and bracket as files",
+                                   {"mirocup league export spring -o tables"}},
+                                  run_export);
+  add_folder(command, o.folder);
+  command.option("-o,--output", o.output, "the folder for them")
+      .shows_default()
+      .checked("DIR", problem_with_folder);
+  command
+      .option("--drills", o.drills, "marks of the teams, from mirocup drill --csv: adds grades.csv")
+      .named("FILE");
+}
+
+}  // namespace mirocup::league

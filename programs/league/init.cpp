@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup league init: makes a league.
+#include "programs/league/commands.hpp"
+#include "record/rules_json.hpp"
+#include "tournaments/league/apply.hpp"
+#include "tournaments/league/league_store.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+namespace mirocup::league {
+
+namespace {
+
+struct InitOptions {
+  std::string folder;
+  std::string config;
+  std::vector<std::string> teams;  // NAME=ENTRY
+  std::string format;
+  double half_s = 0.0;  // duration of a half, seconds; 0: that of the rules
+  std::uint64_t seed = 1;
+};
+
+// Returns the last part of the path of a folder, which may be written as "." or end in a slash.
+std::string name_of_folder(const std::string& path) {
+  const auto whole = std::filesystem::absolute(path).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+Result<LeagueFile> file_from(system::Files& files, const InitOptions& options) {
+  if (!options.config.empty()) {
+    MIROCUP_TRY(const auto text,
+                files.read(options.config, {.max_size = system::size_limit::league_file,
+                                            .links = system::Links::followed}));
+    auto file = parse_league_file(text, options.config, current_rules);
+    if (!file) return file;
+    // Paths of libraries are relative to the folder of the file.
+    const std::filesystem::path base = std::filesystem::path(options.config).parent_path();
+    for (TeamConfig& team : file->teams) {
+      if (team.is_firasim()) {
+        team.program.folder =
+            std::filesystem::absolute(base / team.program.folder).lexically_normal().string();
+      } else if (!team.is_house() && !team.hands_in()) {
+        team.source = (base / team.source).string();
+      }
+    }
+    if (!file->conditions) file->conditions = default_conditions();
+    return file;
+  }
+  LeagueFile file;
+  file.seed = options.seed;
+  file.title = name_of_folder(options.folder);
+  if (!options.format.empty()) file.format.kind = *from_string<FormatKind>(options.format);
+  if (file.format.kind == FormatKind::swiss)
+    file.tie_breaks.insert(file.tie_breaks.begin(), TieBreak::opponents_points);
+  if (options.half_s > 0.0) file.rules.half_s = options.half_s;
+  file.conditions = default_conditions();
+  for (const std::string& text : options.teams) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+      return fail(Errc::input, "--team " + text +
+                                   ": NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, "
+                                   "NAME=firasim:NAME or, if it hands in later, NAME=submitted is "
+                                   "expected");
+    }
+    file.teams.push_back(
+        {.name = text.substr(0, equals), .source = text.substr(equals + 1), .over_dds = false});
+  }
+  // Parsed again, because the parser checks the names.
+  return parse_league_file(print_league_file(file), "--team");
+}
+
+Result<int> run_init(const InitOptions& options) {
+  system::Disk disk;
+  MIROCUP_TRY(const auto file, file_from(disk, options));
+  const int teams = static_cast<int>(file.teams.size());
+  // Of a league whose teams come later, only its start can say more.
+  if (file.format.kind == FormatKind::swiss && teams > 1) {
+    if (const std::string why = objection(file.format, teams); !why.empty())
+      return fail(Errc::input, options.folder + ": " + why);
+  }
+  const Folder folder{options.folder};
+  MIROCUP_TRY_VOID(init_folder(disk, folder, file));
+  const LeagueState state = new_league(file);
+  std::cout << folder.path << ": " << file.teams.size()
+            << (file.teams.size() == 1 ? " team, " : " teams, ") << state.legs() << " legs\n";
+  return exit_yes;
+}
+
+}  // namespace
+
+void add_init(system::Commands& commands) {
+  const auto [command, o] = commands.add<InitOptions>(
+      {"init",
+       to_make,
+       "Make a league",
+       {"mirocup league init spring --team alpha=alpha.so --team house=house:striker --half 120",
+        "mirocup league init spring --config league.json"}},
+      run_init);
+  add_folder(command, o.folder);
+  const system::Option config = command.option("--config", o.config, "a league.json to start from");
+  command
+      .option("--team", o.teams,
+              "NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, NAME=firasim:NAME (people start "
+              "it), or NAME=submitted: it hands in "
+              "later; once for each team")
+      .named("NAME=TEAM")
+      .excludes(config);
+  command.option("--format", o.format, "the format of the schedule (default: double_round_robin)")
+      .one_of(system::names_of<FormatKind>())
+      .excludes(config);
+  command.option("--half", o.half_s, "seconds of a half")
+      .between(record::min_half_s, record::max_half_s)
+      .excludes(config);
+  command.option("--seed", o.seed, "seed of all random draws").is_a_seed().excludes(config);
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup league publish: makes the pages.
+#include "programs/league/commands.hpp"
+#include "programs/league/publishing.hpp"
+#include "tournaments/league/league_store.hpp"
+#include "tournaments/publish/site.hpp"
+#include "tournaments/publish/snapshot.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+namespace mirocup::league {
+
+namespace {
+
+struct PublishOptions {
+  std::string folder;
+  std::string output;
+  std::string through;  // the last round shown; "": all rounds
+};
+
+Result<int> run_publish(const PublishOptions& options) {
+  system::Disk disk;
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  // site/ has what is released, so the pages of other rounds go to another folder.
+  const Folder folder{options.through.empty() ? options.folder : options.output};
+  if (!options.through.empty() && disk.exists(folder.config()))
+    return fail(Errc::input, "--output " + folder.path +
+                                 " is a league, whose records and pages would be replaced: name a "
+                                 "folder for the pages alone");
+  MIROCUP_TRY_VOID(
+      options.through.empty()
+          ? publish_league(disk, folder)
+          : state_through(store.state(), store.journal(), options.through)
+                .and_then([&](const LeagueState& shown) {
+                  return copy_records(disk, store.folder(), shown, folder).and_then([&] {
+                    return publish_site(disk, folder, shown, {});
+                  });
+                }));
+  std::cout << std::filesystem::absolute(folder.site() + "/index.html").lexically_normal().string()
+            << '\n';
+  return exit_yes;
+}
+
+}  // namespace
+
+void add_publish(system::Commands& commands) {
+  const auto [command, o] = commands.add<PublishOptions>(
+      {"publish", to_show, "Make the pages", {"mirocup league publish spring"}}, run_publish);
+  add_folder(command, o.folder);
+  const system::Option output =
+      command.option("-o,--output", o.output, "the folder for the pages of --through")
+          .checked("DIR", problem_with_folder);
+  const system::Option through =
+      command
+          .option("--through", o.through,
+                  "leave out all rounds after this one: r3, or k1 of a knockout")
+          .needs(output);
+  output.needs(through);
+}
+
+}  // namespace mirocup::league

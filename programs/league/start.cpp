@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup league start: plays a league, or resumes it.
+#include "programs/league/commands.hpp"
+#include "programs/league/progress_bar.hpp"
+#include "programs/league/publishing.hpp"
+#include "system/file_lock.hpp"
+#include "tournaments/league/league_store.hpp"
+#include "tournaments/publish/site.hpp"
+
+#include <iostream>
+
+namespace mirocup::league {
+
+namespace {
+
+struct StartOptions {
+  std::string folder;
+  PlayTerms play;
+};
+
+Result<int> run_start(const StartOptions& options) {
+  system::Disk disk;
+  const Folder folder{options.folder};
+  std::string notice;
+  MIROCUP_TRY(auto store, LeagueStore::open(disk, folder, &notice));
+  if (!notice.empty()) std::cerr << "mirocup: " << notice << '\n';
+  MIROCUP_TRY(const auto mine, system::FileLock::try_acquire(folder.running()));
+  if (!mine) {
+    return fail(Errc::unavailable, folder.path + " is being played already; mirocup league stop " +
+                                       folder.path + " ends that");
+  }
+
+  auto progress = make_progress_reporter();
+  MIROCUP_TRY(const auto played, play_league(disk, std::move(store), *progress, options.play));
+  progress->say("making pages");
+  const int jobs_here = options.play.engine == "local" ? options.play.jobs : 0;
+  MIROCUP_TRY_VOID(publish_league(disk, folder, jobs_here));
+  progress.reset();  // removes the bar before the table is printed
+  std::cout << table_text(played);
+  if (played.legs() == played.played()) return exit_yes;
+  say_what_is_left(played);
+  if (options.play.engine != "local")
+    std::cerr << "mirocup: what teams over the network play is left to league start without "
+                 "--engine\n";
+  return exit_no;
+}
+
+}  // namespace
+
+void add_start(system::Commands& commands) {
+  const auto [command, o] = commands.add<StartOptions>(
+      {"start", to_play, "Play the league, or resume it", {"mirocup league start spring --jobs 4"}},
+      run_start);
+  add_folder(command, o.folder);
+  add_other_program(command, o.play.accepts_other_program);
+  command
+      .option("--engine", o.play.engine,
+              "where legs are played: on this host, or on the nodes of its Slurm cluster")
+      .one_of({"local", "slurm"})
+      .shows_default();
+  command.flag("--watch", o.play.watched,
+               "let league serve show the legs of this host while they are played");
+  command
+      .option("--jobs", o.play.jobs,
+              "number of legs, and then of pages, at once (default: one for each processor)")
+      .between(1, 1024);
+  command
+      .option("--dds-domain", o.play.dds_domain,
+              "DDS domain of legs on this host in which a team plays over DDS")
+      .between(0, 230)
+      .shows_default();
+}
+
+}  // namespace mirocup::league

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// mirocup league verify: simulates all records again.
+#include "programs/league/commands.hpp"
+#include "record/json_reader.hpp"
+#include "system/printable.hpp"
+#include "tournaments/league/kept_program.hpp"
+#include "tournaments/league/league_store.hpp"
+#include "tournaments/play/backup.hpp"
+#include "tournaments/play/program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace mirocup::league {
+
+namespace {
+
+struct VerifyOptions {
+  std::string folder;
+  int jobs = 0;  // records at once; 0: one for each processor
+  bool trusts_programs = false;
+  bool json = false;
+};
+
+Result<int> run_verify_league(const VerifyOptions& options) {
+  system::Disk disk;
+  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  if (options.trusts_programs) {
+    MIROCUP_TRY(const auto trusted, trust_kept_programs(disk, store.folder()));
+    for (const std::string& path : trusted)
+      std::cerr << "mirocup: " << system::printable(path) << " is trusted from now on\n";
+  }
+  MIROCUP_TRY(const auto done, verify_records(disk, store, options.jobs));
+  int result = exit_yes;
+  for (const auto& problem : done.problems) result = std::max(result, problem.code);
+  if (options.json) {
+    Json problems = Json::array();
+    for (const auto& p : done.problems)
+      problems.push_back({{"record", p.record}, {"code", p.code}, {"what", p.text}});
+    std::cout << record::json_text({{"records", done.records},
+                                    {"reproduced", done.reproduced},
+                                    {"programs", done.programs},
+                                    {"problems", problems}})
+              << '\n';
+    return result;
+  }
+  for (const auto& problem : done.problems)
+    std::cout << system::printable(problem.record) << ": " << system::printable(problem.text)
+              << '\n';
+  for (const std::string& program : done.programs) std::cout << system::printable(program) << '\n';
+  std::cout << done.reproduced << " of " << done.records << " records reproduced\n";
+  return result;
+}
+
+}  // namespace
+
+void add_verify(system::Commands& commands) {
+  const auto [command, o] = commands.add<VerifyOptions>(
+      {"verify",
+       to_play,
+       "Simulate all records again, each with the program that played it",
+       {"mirocup league verify spring", "mirocup league verify copied --trust-programs"}},
+      run_verify_league);
+  add_folder(command, o.folder);
+  command.option("--jobs", o.jobs, "records at once (default: one for each processor)")
+      .between(1, 1024);
+  command.flag("--trust-programs", o.trusts_programs,
+               "run the programs that the folder keeps, from now on: this host has not kept "
+               "them, but you know where they are from");
+  command.flag("--json", o.json, "one JSON object on standard output");
+}
+
+}  // namespace mirocup::league
