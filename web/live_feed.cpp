@@ -25,9 +25,7 @@ Json decisions_json(const std::vector<match::LoggedDecision>& decisions, std::si
 }  // namespace
 
 LiveFeed::LiveFeed(const match::Leg& match)
-    : robots_(match.field().robots_per_team),
-      counted_(match),
-      statistics_(match) {
+    : robots_(match.field().robots_per_team), counted_(match), statistics_(match) {
   copy(match);
 }
 
