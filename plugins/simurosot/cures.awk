@@ -58,6 +58,7 @@ function take_apart(    rest) {
   if (name ~ /^_*asm$/ || text ~ /(^|[^A-Za-z_0-9])_+asm([^A-Za-z_0-9]|$)/) next
   if (text ~ "^[ \t]*(static[ \t]+|const[ \t]+|extern[ \t]+|register[ \t]+|inline[ \t]+)*" name "[ \t]*[(=;,[]" && $0 ~ /name a type/) {
     say(file, number, "\"" name "\" has no type, which Visual C++ 6 took for int.", "write \"int " name "\" there.")
+    has_no_type[name] = 1
   } else if (loop > 0) {
     type = type_in(head)
     rest = substr(head, length(type) + 1)
@@ -70,7 +71,7 @@ function take_apart(    rest) {
   } else if (name ~ /^(cout|cin|cerr|endl|string|vector|map|list|deque|set|queue|stack|pair|ifstream|ofstream|sort)$/) {
     say(file, number, "\"" name "\" is a name of the C++ library.",
         "include its header, and write \"using namespace std;\" after the includes.")
-  } else {
+  } else if (!(name in has_no_type)) {
     say(file, number, "\"" name "\" is not declared.",
         "write PRELUDE in CMakeLists.txt, and a header with it: one of the team's, or a new one with what the team needs of Windows.")
   }

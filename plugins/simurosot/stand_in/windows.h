@@ -245,6 +245,17 @@ static inline HWND FindWindowW(LPCWSTR, LPCWSTR) {
 static inline BOOL EnumWindows(WNDENUMPROC, LPARAM) {
   return 1;
 }
+#define GWLP_USERDATA (-21)
+static inline LONG GetWindowLongW(HWND, int) {
+  return 0;
+}
+static inline LONG GetWindowLongA(HWND, int) {
+  return 0;
+}
+static inline DWORD GetWindowThreadProcessId(HWND, LPDWORD process) {
+  if (process != NULL) *process = 0;
+  return 0;
+}
 static inline int GetWindowTextW(HWND, LPWSTR text, int) {
   text[0] = 0;
   return 0;
@@ -397,6 +408,7 @@ MIROCUP_DOES_NOTHING(HBRUSH, CreateSolidBrush, 0)
 #define CopyFile CopyFileA
 #define DeleteFile DeleteFileA
 #define FindWindow FindWindowA
+#define GetWindowLong GetWindowLongA
 #define GetCurrentDirectory GetCurrentDirectoryA
 #define SetCurrentDirectory SetCurrentDirectoryA
 #define GetModuleFileName GetModuleFileNameA

@@ -34,5 +34,6 @@ void f()
   SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_HIGHEST);
   SetConsoleTextAttribute(GetStdHandle(STD_OUTPUT_HANDLE), FOREGROUND_RED | FOREGROUND_INTENSITY);
   HDC screen = GetDC(NULL); TextOut(screen, 0, 0, "x", 1); SetPixel(screen, 0, 0, RGB(1, 2, 3));
+  DWORD process; GetWindowThreadProcessId(0, &process); GetWindowLongW(0, GWLP_USERDATA);
   PostMessage(0, WM_USER, 0, 0); HWND other = FindWindow(0, "x"); MAKEWORD(1, 2); LOWORD(3);
 }
