@@ -22,7 +22,7 @@ match::Snapshot to_scene(const mirocup_v3_WorldState& sample);
 // The answer of a Welcome to a Hello; the numbers are those of mirocup_v3_Admission.
 enum class Admission : std::uint8_t { accepted, not_now, refused };
 
-// Returns what spectators are told of a leg. `speed`: factor of real time, 0 for lockstep.
+// Returns the facts of a leg for spectators. `speed`: factor of real time, 0 for lockstep.
 mirocup_v3_MatchInfo to_sample(const match::Briefing& briefing, std::uint64_t leg,
                                const match::ByTeam<std::string>& names, double speed);
 
