@@ -18,7 +18,7 @@ namespace mirocup::drills {
 
 // The result of one try.
 struct TryResult {
-  bool passed = false;   // all that was asked for came true
+  bool passed = false;   // all events of the drill came out as asked
   double marks = 0.0;    // 0 to 1
   double seconds = 0.0;  // of play, until it was over
   std::string why;       // the first thing that was missing: "goal"; "" if it passed
