@@ -16,7 +16,7 @@ namespace mirocup::record {
 
 class JsonReader;
 
-// The shortest and the longest half with which a leg can be played, s.
+// The shortest half that an option may give, and the longest with which a leg can be played, s.
 inline constexpr double min_half_s = 0.1;
 inline constexpr double max_half_s = 36'000.0;
 

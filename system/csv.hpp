@@ -13,7 +13,7 @@ namespace mirocup::system {
 // printable().
 std::string csv_line(const std::vector<std::string>& cells);
 
-// Returns the cells of a line without its end.
+// Returns the cells of a line that has no line end.
 std::vector<std::string> csv_cells(std::string_view line);
 
 }  // namespace mirocup::system
