@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The table of a league joined with the marks of drills: what a lecturer grades by.
+// The table of a league joined with the marks of drills, for a lecturer's grades.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -20,9 +20,9 @@ namespace mirocup::league {
 //                                        it has lost, of those that count
 //   display, members                     the names in teams.json; members are separated by "; "
 // and then its score in each drill and in all of them. `drills_csv` is the output of `mirocup drill
-// … --csv`, read from `path`, "" for none; a team is found by its name, and has empty cells where
-// there is no mark. An error is Errc::input: a text that is not such an output, or one in which no
-// team of the league is named.
+// … --csv`, read from `path`; "" for none. A team is found by its name, and has empty cells for
+// missing marks. An error is Errc::input: the text is not such an output, or names no team of the
+// league.
 Result<SiteFile> grades(const Overview& overview, const PeopleOfTeams& people,
                         std::string_view drills_csv, const std::string& path);
 

@@ -30,7 +30,7 @@ Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& jou
                                     const std::string& round, const std::set<LegName>& legs);
 
 // Copies the records of the legs that `state` holds, with their replays, to another folder, and
-// removes there those of other legs of the league.
+// removes records of other legs of the league from that folder.
 Result<void> copy_records(system::Files& files, const Folder& from, const LeagueState& state,
                           const Folder& to);
 
