@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The fixed options with which a league compiles: plain 64-bit code that each host of the league
-// runs, with the C++ library inside, so that it does not depend on the one of another computer.
+// can run, with the C++ library linked in, so that it does not depend on the C++ library of another
+// computer.
 #pragma once
 
 namespace mirocup::plugins {
@@ -17,7 +18,7 @@ inline constexpr const char* cpp_compiler = "/usr/bin/g++";
 #define MIROCUP_CPP_OPTIONS "-std=c++20", "-ftemplate-depth=900", MIROCUP_COMPILER_OPTIONS
 #define MIROCUP_LINK_OPTIONS "-shared", "-static-libgcc", "-L/mirocup/lib"
 
-// The exit code of the project's compiler for an archive that is refused; its last line says why.
+// The exit code of the project's compiler if it refuses the archive; its last line says why.
 inline constexpr int refused_archive = 3;
 
 }  // namespace mirocup::plugins

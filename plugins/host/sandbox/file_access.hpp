@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Limits a team's process with Landlock: it may read libraries while it loads, then no files at
-// all. Where the kernel's Landlock can forbid it, the process may also not use the network or send
+// all. If the kernel's Landlock can forbid it, the process may also not use the network or send
 // signals to other processes.
 #pragma once
 
