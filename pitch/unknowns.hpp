@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What can be identified from a recording: numbers of the model, and the delay of commands.
+// The numbers that can be identified from a recording: those of the model, and the delay of
+// commands.
 #pragma once
 
 #include "core/simulator/model/parameters.hpp"
@@ -24,7 +25,7 @@ struct Unknown {
   double least, most;      // its range
   double widest;           // half-width of the 95 % interval beyond which it counts as not known:
                            // of the logarithm, or of the number itself
-  std::string_view needs;  // what a recording must show to tell it
+  std::string_view needs;  // the motion that a recording must show to tell it
 };
 
 inline constexpr int unknown_count = 13;

@@ -41,7 +41,7 @@ struct BudgetReport {
   int bad_commands = 0;
 };
 
-// True if the team is a program of its own that plays over the network.
+// True if the team is a separate program that plays over the network.
 inline bool is_on_network(TeamKind kind) {
   return kind == TeamKind::dds || kind == TeamKind::firasim;
 }

@@ -105,8 +105,8 @@ class TeamSeat {
   std::optional<match::Fault> load_fault_;
 };
 
-// Keeps this process and those that it starts on the current core. A match and its teams take
-// turns: handing over costs 1 us on one core, and 50 us across cores.
+// Keeps this process and its children on the current core. A match and its teams take turns:
+// handing over costs 1 us on one core, and 50 us across cores.
 void stay_on_this_core();
 
 // Waits until both teams can play, blue first. If a team never can, the match becomes void or

@@ -103,7 +103,7 @@ class Match {
   void write_statistics(float* to) const;
   bool is_done() const { return counts_.is_terminated || counts_.is_truncated; }
   std::uint64_t next_seed();
-  // A leg on a pitch of its own has a world of its own.
+  // If each episode draws its pitch, each leg has its own world.
   bool shares_world() const { return config_.pitch.is_null(); }
   void take_up(simulator::World& world);
   void lay_aside();

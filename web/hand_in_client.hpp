@@ -14,7 +14,7 @@ namespace mirocup::web {
 
 using Json = nlohmann::ordered_json;
 
-// What the server answered: a status and an object, or the sentence in {"error"}.
+// The answer of the server: a status and an object, or the sentence in {"error"}.
 struct DeskReply {
   int status = 0;  // 0: no server has answered
   Json json;       // null if the reply is not JSON

@@ -10,7 +10,7 @@
 
 namespace mirocup::plugins {
 
-// Whether loading such a team lists the folders of the system's libraries.
+// Returns whether loading such a team lists the folders of the system's libraries.
 Folders folders_of_guest();
 
 // Loads the team from the entry at `path`, which is also open as entry_descriptor, and creates it.

@@ -33,7 +33,7 @@ struct ObservationPage {
   mirocup_observation observation;
 };
 
-// What a team's process reports about its library before the first answer. The process could write
+// The report of a team's process about its library before the first answer. The process could write
 // anything here, so the server uses the report only as the reason of a leg that the team loses.
 enum class LoadState : std::uint32_t { loading, ready, no_load, bad_abi, crash };
 

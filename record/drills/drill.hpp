@@ -69,7 +69,7 @@ struct Drill {
   nlohmann::ordered_json situation;  // numbers may be {"from", "to"}
   std::string opponent;              // as on the command line
   std::string mates;                 // "": the tested team steers all robots
-  referee::RobotSet robots;          // those that it steers; the mates steer the others
+  referee::RobotSet robots;          // that the tested team steers; the mates steer the others
   match::TeamParameters parameters;  // of the tested team
   double seconds = 10.0;             // of play in a try
   int tries = 60;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Statistics for people and for tables: what `mirocup stats` prints.
+// Statistics for people and for tables: the output of `mirocup stats`.
 #pragma once
 
 #include "record/statistics/totals.hpp"

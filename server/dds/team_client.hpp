@@ -67,7 +67,7 @@ class TeamClient {
   // shapes arrive before the match continues. A lost sample is not sent again.
   void think(ThoughtsSample& thoughts, std::uint32_t tick);
 
-  // Answers the state of `tick`, which must be the last one that wait() returned.
+  // Answers the state of `tick`, which must be the last tick that wait() returned.
   void send(const match::Command& command, std::uint32_t tick);
 
   // Returns a sentence that says why there is no seat yet, as far as the client knows.

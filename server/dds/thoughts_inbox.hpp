@@ -13,7 +13,7 @@
 
 namespace mirocup::dds {
 
-// Where the thoughts of a team go.
+// The receiver of a team's thoughts.
 struct ThoughtSink {
   std::function<void(std::uint32_t tick, const match::Thought&)> add;
   std::function<void(std::uint32_t shapes)> leave_out;  // gets the number of shapes that were

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 // Returns a time of a book, "2026-11-25T01:02:03Z", as people of the league read it.
 using TimeInWords = std::function<std::string(const std::string& utc)>;
 
-// What the private page of a team shows.
+// The content of a team's private page.
 struct TeamDesk {
   std::string team;
   Json entries;                        // entry_report() of each, the latest first

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A league as it stood after a round, for a host who shows the results round by round.
+// A league as it was after a round, for a host who shows the results round by round.
 #pragma once
 
 #include "tournaments/journal/journal.hpp"

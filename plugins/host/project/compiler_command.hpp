@@ -10,7 +10,7 @@ namespace mirocup::plugins {
 inline constexpr const char* c_compiler = "/usr/bin/gcc";
 inline constexpr const char* cpp_compiler = "/usr/bin/g++";
 
-// Where the sandbox has the headers of a strategy and the library of predict.hpp.
+// The folders of the strategy's headers and of the library of predict.hpp in the sandbox.
 #define MIROCUP_COMPILER_OPTIONS                                           \
   "-O2", "-DNDEBUG", "-fPIC", "-fvisibility=hidden", "-I/mirocup/include", \
       "-fno-diagnostics-color", "-fmax-errors=20"

@@ -11,8 +11,8 @@ inline constexpr int no_entry = -1;
 // The path of the team's library in that tree.
 inline constexpr const char* private_entry_path = "/entry/strategy.so";
 
-// The folders that the dynamic loader searches, and the one that holds the links of Debian's
-// alternatives. Missing ones are left out.
+// The folders that the dynamic loader searches, and the folder with the links of Debian's
+// alternatives. Missing folders are left out.
 inline constexpr const char* library_folders[] = {
     "/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/alternatives"};
 inline constexpr const char* loader_cache = "/etc/ld.so.cache";

@@ -15,7 +15,7 @@
 //   }
 //
 // Scenes are plain structs: copy one to try several futures from it. An advance() allocates
-// nothing. A simulator has no referee: after a goal the ball lies in the goal, and play goes on.
+// nothing. A simulator has no referee: after a goal the ball lies in the goal, and play continues.
 //
 // How exact it is
 //   From a scene that a simulator made, or from robots and a ball that were just put down, it
@@ -132,7 +132,7 @@ class Tracker {
 // median, and 3 cm in one case of ten.
 enum class Precision { match, coarse };
 
-// What happened in a predicted tick. Bit i of a set is robot i.
+// The events of a predicted tick. Bit i of a set is robot i.
 struct PredictedTick {
   std::uint32_t own_touched_ball = 0;
   std::uint32_t opponent_touched_ball = 0;

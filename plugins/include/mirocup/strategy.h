@@ -164,7 +164,7 @@ typedef struct mirocup_setup {
   int32_t league;        /* enum mirocup_league */
   int32_t team;          /* enum mirocup_team: your colour in this leg */
   int32_t robots;        /* of each team: 3, 5 or 11 */
-  uint64_t seed;         /* for your own random numbers; your opponent has another one */
+  uint64_t seed;         /* for your own random numbers; your opponent gets another seed */
   double control_period; /* s between two calls of decide() */
   double half_seconds;   /* length of a half */
 
@@ -202,9 +202,9 @@ typedef struct mirocup_setup {
   void (*draw_text)(void* host, const char* layer, uint32_t colour, double x, double y,
                     const char* text);
 
-  /* What else moves robots and ball on this pitch (`mirocup match --pitch`). */
+  /* Further numbers of this pitch (`mirocup match --pitch`). */
   double turn_time_constant;  /* lag of the angular velocity */
-  double brake_time_constant; /* lag of the forward speed while both wheels are told 0 */
+  double brake_time_constant; /* lag of the forward speed while both wheels are commanded 0 */
   double rolling_resistance;  /* the ball slows down by (rolling_resistance * 9.81 +        */
   double viscous_friction;    /* viscous_friction * speed / ball_mass) / 1.4, m/s^2         */
   /* Part of the speed towards each other with which two things part; and Coulomb's friction. */

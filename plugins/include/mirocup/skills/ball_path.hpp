@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the ball rolls if no robot touches it: it brakes along its path and rebounds from walls and
-// corners. The speed between two walls has a closed form, so a path costs some ten square roots.
+// The path of the ball if no robot touches it: the ball brakes along its path and rebounds from
+// walls and corners. The speed between two walls has a closed form, so a path costs some ten square
+// roots.
 //
 // It is for frequent questions about the ball alone. For a ball that meets robots use the Simulator
 // of predict.hpp, which gives the same path to 1e-6 m if the ball meets no robot.
@@ -194,7 +195,7 @@ class BallPath {
   int count_ = 0;
 };
 
-// Where the ball crosses a line across the field.
+// The point at which the ball crosses a line across the field.
 struct Crossing {
   bool is_ahead = false;  // false: it does not cross the line within the time
   double seconds = 0.0;

@@ -58,7 +58,7 @@ class PenaltyTaker {
   }
 
  private:
-  // Where the keeper will be in a moment, m.
+  // The place of the keeper in a moment, m.
   static double keeper_y(const Observation& now) {
     int keeper = 0;
     for (int j = 1; j < now.robots; ++j) {
