@@ -46,8 +46,8 @@ struct Identified {
   int unexplained = 0;      // that no state explains
 };
 
-// Identifies from one recording or several of the same pitch, from `start` on. An error,
-// Errc::input: no window has a body that moves by known commands, or a ball that rolls.
+// Identifies from one recording or several of the same pitch, from `start` on. Errc::input if no
+// window has a body that moves by known commands or a ball that rolls.
 Result<Identified> identify(const std::vector<Recording>& recordings, const Guess& start);
 
 }  // namespace mirocup::pitch

@@ -23,8 +23,7 @@ struct NetworkTerms {
   int dds_domain = 0;
   std::string credentials;                         // folder; "": anybody may join
   double join_within = 60.0;                       // s that a team has to join
-  std::optional<double> away_limit;                // s that a team may be absent; empty: the
-                                                   // default
+  std::optional<double> away_limit;                // s of allowed absence; empty: the default
   firasim::Addresses firasim{"", "", "", "", ""};  // "": those of the instance
   std::string firasim_instance = "0";              // a number, or "auto"
   match::ByTeam<std::string> programs;  // commands that start firasim teams; "": people do

@@ -37,7 +37,7 @@ class RoundTrip {
                                           last_.begin() + static_cast<std::ptrdiff_t>(known));
   }
 
-  // Seconds until an unanswered state is sent again: half as long again as the network needs.
+  // Seconds until an unanswered state is sent again: 1.5 times the time that the network needs.
   double resend_after() const {
     return std::clamp(1.5 * shortest(), min_resend_interval, max_resend_interval);
   }

@@ -33,7 +33,7 @@ class WrongTokens {
     std::int64_t waits = 0;  // until then
   };
   std::map<std::string, Count> addresses_;
-  std::int64_t swept_ = 0;  // when the forgotten ones were removed last
+  std::int64_t swept_ = 0;  // when forgotten addresses were removed last
 };
 
 // Returns the network whose addresses one person is likely to have: of IPv6 the first 64 bits.

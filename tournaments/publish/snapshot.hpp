@@ -15,7 +15,7 @@ namespace mirocup::league {
 // Returns the state as if nothing had been played after a round. "r3" is the third round of a table
 // or of all groups; "k1" is the first round of a knockout, which follows all groups. `whole` is the
 // present state. Withdrawals and pauses show in every round. Errors: Errc::input if there is no
-// such round, or if an event of the rounds shown depends on a later one.
+// such round, or if an event of a shown round depends on an event of a later round.
 Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
                                   const std::string& round);
 
@@ -25,7 +25,7 @@ Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal&
 // A leg of the league: the id of its fixture and its number, from 1.
 using LegName = std::pair<std::string, int>;
 
-// The same, but of the legs of the round itself only those in `legs` have been played.
+// The same, but of the legs of the round only those in `legs` count as played.
 Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,
                                     const std::string& round, const std::set<LegName>& legs);
 

@@ -207,12 +207,12 @@ typedef struct mirocup_setup {
   double brake_time_constant; /* lag of the forward speed while both wheels are commanded 0 */
   double rolling_resistance;  /* the ball slows down by (rolling_resistance * 9.81 +        */
   double viscous_friction;    /* viscous_friction * speed / ball_mass) / 1.4, m/s^2         */
-  /* Part of the speed towards each other with which two things part; and Coulomb's friction. */
+  /* Speed of separation divided by speed of approach; and Coulomb's friction. */
   double ball_wall_restitution, ball_robot_restitution;
   double robot_wall_restitution, robot_robot_restitution;
   double ball_wall_friction, ball_robot_friction, robot_wall_friction, robot_robot_friction;
-  /* The outline of a robot that is no square, counter-clockwise in its own frame, m; 0: a square of
-     robot_side. */
+  /* The outline of a robot that is not a square, counter-clockwise in its own frame, m; 0 corners: a
+     square of robot_side. */
   int32_t corners;
   int32_t reserved_corners;
   double corner_x[8], corner_y[8];
@@ -284,8 +284,8 @@ typedef struct mirocup_strategy {
   uint32_t size;        /* of this structure, bytes */
   const char* name;     /* of the team, used in reports */
 
-  /* Returns a pointer to whatever you keep between calls; null refuses to play. `setup` stays valid
-   * and unchanged until destroy(). */
+  /* Returns a pointer to the data that you keep between calls; null refuses to play. `setup` stays
+   * valid and unchanged until destroy(). */
   void* (*create)(const mirocup_setup* setup);
 
   /* Answers one tick. `team` is what create() returned; the other pointers are valid only during

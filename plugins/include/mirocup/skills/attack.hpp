@@ -13,7 +13,7 @@
 //   shooting_aim    the open corner of the goal, or along a wall
 //   is_on_line      whether a robot is behind the ball, on the line of the shot
 //   attack_ball     1, 2 and 3
-//   attack_ball_at  the same, where the caller knows the place at which it meets the ball
+//   attack_ball_at the same, if the caller knows the place at which it meets the ball
 //   supporting_place   between the ball and the own goal, on alternate sides
 //
 // Frames and units are those of strategy.h.
