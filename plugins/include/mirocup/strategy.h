@@ -211,8 +211,8 @@ typedef struct mirocup_setup {
   double ball_wall_restitution, ball_robot_restitution;
   double robot_wall_restitution, robot_robot_restitution;
   double ball_wall_friction, ball_robot_friction, robot_wall_friction, robot_robot_friction;
-  /* The outline of a robot that is not a square, counter-clockwise in its own frame, m; 0 corners: a
-     square of robot_side. */
+  /* The outline of a robot that is not a square, counter-clockwise in its own frame, m; 0 corners:
+     a square of robot_side. */
   int32_t corners;
   int32_t reserved_corners;
   double corner_x[8], corner_y[8];
