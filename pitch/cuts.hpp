@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Which windows of a recording are simulated, and where they begin.
+// Chooses the windows of a recording that are simulated, and where they begin.
 //
-// A window begins where its motion depends on what pictures tell: nothing touches, and wheels hold.
-// A robot that has just slid or been hit has a sideways speed that a camera hardly sees, and which
-// would pass for a lag of its motors. Whether wheels hold is judged by pictures before the window.
-// Their noise is not that of the window's own, so the choice does not bend what is found.
+// A window begins where pictures tell all that its motion depends on: nothing touches, and wheels
+// hold. A robot that has just slid or been hit has a sideways speed that a camera hardly sees, and
+// that would pass for a lag of its motors. Pictures before the window decide whether wheels hold.
+// Their noise is independent of the noise in the window, so the choice does not bias the numbers.
 #pragma once
 
 #include "pitch/windows.hpp"
@@ -14,8 +14,8 @@
 
 namespace mirocup::pitch {
 
-// Returns windows of the ball alone, of up to two seconds: its slowing down shows best in long
-// windows.
+// Returns windows of the ball alone, of up to two seconds: long windows show best how it slows
+// down.
 std::vector<Window> rolls(const Footage& footage, const simulator::Parameters& parameters);
 
 // Returns windows of one robot alone whose commands are known, of up to half a second.

@@ -18,18 +18,17 @@
 namespace mirocup::pitch {
 
 // A window in the fit. Its bodies have unknowns at its start: the ball x, y, vx, vy; a robot x, y,
-// heading, forward, turn and, where wheels may slide, its sideways speed. That of wheels which hold
-// shows in nothing, so it has a residual of its own, which keeps it near 0.
+// heading, forward, turn and, if wheels may slide, its sideways speed. If the wheels hold after
+// all, nothing depends on the sideways speed, so a separate residual keeps it near 0.
 struct Piece {
   const Footage* footage = nullptr;
   Window window;
   std::vector<simulator::BodyState> start;
   std::array<bool, unknown_count> tells{};  // the numbers that its bodies depend on
   int states = 0;                           // unknowns of the starts
-  int rows = 0;                             // residuals: two or three for each sight, then those
-                                            // of sideways speeds
-  double square = 0.0;                      // of its residuals, weighted
-  bool counts = true;                       // explained by some start
+  int rows = 0;                             // residuals: 2 or 3 a sight, then sideways speeds
+  double square = 0.0;                      // sum of its squared residuals, weighted
+  bool counts = true;                       // false: no start explains it
   std::vector<simulator::BodyState> trial;
   Eigen::MatrixXd gain;  // of the starts on the pitch: A^-1 B
   Eigen::VectorXd own;   // A^-1 a
@@ -48,10 +47,12 @@ class Fit {
  public:
   Fit(const Guess& start, const Noise& noise) : guess_(start), noise_(noise) {}
 
-  // Adds a window, unless its bodies are hardly seen at its start, or touch something there.
+  // Adds a window, unless too few pictures show its bodies at its start, or they touch something
+  // there.
   void add(const Footage& footage, Window window);
-  // Ends windows of several bodies a little after their first impact in the simulator: each further
-  // one multiplies errors. Windows without an impact tell nothing about impacts, and are left out.
+  // Ends windows of several bodies a little after their first impact in the simulator, because each
+  // further impact multiplies errors. Windows without an impact tell nothing about impacts, and are
+  // dropped.
   void end_after_impacts();
 
   bool is_empty() const { return pieces_.empty(); }
@@ -60,7 +61,7 @@ class Fit {
   const Noise& noise() const { return noise_; }
   void set_noise_known(bool known) { noise_is_known_ = known; }
 
-  // The unknowns that are searched. Tied lags are that of driving.
+  // The unknowns that are searched. A tied lag equals the lag of driving.
   void set_free(int unknown, bool free) { is_free_[unknown] = free; }
   bool is_free(int unknown) const { return is_free_[unknown]; }
   void tie_turn_lag(bool tied) { turn_is_tied_ = tied; }
@@ -69,17 +70,19 @@ class Fit {
   bool brake_lag_is_tied() const { return brake_is_tied_; }
   std::vector<int> free_unknowns() const;
 
-  // Begins from each guess with some of the windows, and keeps the best: the cost can have several
-  // minima.
+  // Fits some of the windows from each guess, and keeps the best result, because the cost can have
+  // several minima.
   void choose(std::span<const Guess> guesses);
-  // Steps until the cost falls no more. `hard`: outliers are left out rather than weighed down.
+  // Steps until the cost does not fall any more. `hard`: drops outliers instead of giving them less
+  // weight.
   void run(bool hard);
-  // Looks for better starts of the windows that the present ones explain badly: a hit with the
-  // other edge first is a minimum of its own.
+  // Looks for better starts of windows that their present starts explain badly: a hit with the
+  // other edge first is a separate minimum.
   void retry();
-  // The least cost at each of some values of an unknown, with the rest of the pitch as it is, of
-  // the windows that depend on it. Each window has the best starts that a sweep to and
-  // fro finds. Goes to the best value if that is better than the present one.
+  // The least cost at each of some values of an unknown, of the windows that depend on it, with the
+  // other numbers of the pitch fixed. Each window has the best starts that a sweep upwards and
+  // downwards finds. profile() sets the unknown to the best value if that is better than the
+  // present value.
   struct Profile {
     std::vector<double> values, costs;
     std::vector<std::vector<double>> parts;  // of each window, its cost at each value
@@ -91,7 +94,7 @@ class Fit {
   void linearise();
   // Returns the inverse of the covariance of the free unknowns, in their order.
   const Eigen::MatrixXd& information() const { return information_; }
-  // What each window adds to the information, and the gradient of its cost.
+  // The information of one window, and the gradient of its cost.
   struct Told {
     Eigen::MatrixXd information;
     Eigen::VectorXd gradient;

@@ -4,14 +4,14 @@
 // recording shows them.
 //
 // Least squares over windows (windows.hpp). The unknowns are the numbers of the pitch, and the
-// state of each body at the start of each window. Levenberg and Marquardt's steps; the states are
-// eliminated window by window (Schur's complement), so a step costs one small system for each
-// window and one of the size of the pitch. What is left of a window's equations after that
-// elimination is what it tells about the pitch, and their sum is the inverse of the covariance.
+// state of each body at the start of each window. Steps are those of Levenberg and Marquardt. The
+// states are eliminated window by window (Schur's complement), so a step costs one small system for
+// each window and one of the size of the pitch. The reduced equations of a window are its
+// information about the pitch, and their sum is the inverse of the covariance.
 //
-// Robust: pictures count less the further they are off (Huber), and in the end those beyond five
-// standard deviations not at all. Windows that no state explains, such as one in which a hand moves
-// a robot, are left out and counted.
+// It is robust: pictures count less the further they are off (Huber), and in the end pictures
+// beyond five standard deviations do not count. Windows that no state explains, for example because
+// a hand moves a robot, are dropped and counted.
 #pragma once
 
 #include "pitch/recording.hpp"
@@ -31,9 +31,9 @@ struct Estimate {
 };
 
 struct Identified {
-  Guess guess;  // what is not known is as in the pitch from which the search began
-  std::array<std::optional<Estimate>, unknown_count> known;  // nothing: the recording does not tell
-  std::array<std::string, unknown_count> why_not;            // a sentence for each of these
+  Guess guess;  // numbers that are not known are those of the pitch from which the search began
+  std::array<std::optional<Estimate>, unknown_count> known;  // empty: the recording does not tell
+  std::array<std::string, unknown_count> why_not;            // a sentence for each empty one
   bool has_one_lag = true;                                   // turning lags as driving does
   bool has_brake = false;
   Estimate deceleration;  // of the ball at 0.5 m/s, m/s^2; meaningless without a rolling ball
@@ -41,13 +41,13 @@ struct Identified {
   Estimate position_noise;  // m
   Estimate heading_noise;   // rad
   double unseen = 0.0;      // share of bodies that a picture misses
-  double outliers = 0.0;    // share of sights that are left out
+  double outliers = 0.0;    // share of dropped sights
   int windows = 0;          // that count
   int unexplained = 0;      // that no state explains
 };
 
-// Identifies from one recording or several of the same pitch, from `start` on. An error,
-// Errc::input: no window has a body that moves by known commands, or a ball that rolls.
+// Identifies from one recording or several of the same pitch, from `start` on. Errc::input if no
+// window has a body that moves by known commands or a ball that rolls.
 Result<Identified> identify(const std::vector<Recording>& recordings, const Guess& start);
 
 }  // namespace mirocup::pitch

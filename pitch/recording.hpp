@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A recording: what a camera saw of robots and ball, and what the robots were told. Schema
+// A recording: the robots and the ball as a camera saw them, and the commands of the robots. Schema
 // mirocup/recording/1, JSON lines, which docs/pitches.md describes with a camera program that
 // writes it.
 //
@@ -26,19 +26,19 @@ struct SeenPose {
   double heading = 0.0;
 };
 
-// One line: a picture, a command, or both. What was not seen or not known is empty.
+// One line: a picture, a command, or both. Values that were not seen or are not known are empty.
 struct Frame {
   double t = 0.0;
   std::optional<Vec2> ball;
   match::ByTeam<std::vector<std::optional<SeenPose>>> robots;
-  match::ByTeam<std::vector<simulator::WheelSpeeds>> commands;  // empty: none was sent to that team
+  match::ByTeam<std::vector<simulator::WheelSpeeds>> commands;  // empty: no command to that team
 };
 
 struct Recording {
   std::string path;  // for messages
   League league = League::small;
   int robots = 0;                // of each team that are listed
-  std::optional<double> period;  // s between two pictures; nothing: irregular
+  std::optional<double> period;  // s between two pictures; empty: irregular
   std::string pitch;             // the name of the pitch; "": not known
   std::vector<Frame> frames;     // in the order of their times
 
@@ -51,8 +51,8 @@ struct Recording {
   double usual_period() const;
 };
 
-// A short line becomes a picture of all robots, some hundred times as large. This is four hours at
-// 30 Hz, and half a GiB of memory.
+// The limit of pictures: a short line becomes a picture of all robots that is some hundred times as
+// large. The limit is four hours at 30 Hz, and half a GiB of memory.
 inline constexpr std::size_t max_pictures = 450'000;
 
 // Reads a recording. The error, Errc::input, names the file, the line, the key and the reason.
@@ -61,14 +61,14 @@ Result<Recording> parse_recording(std::string_view text, const std::string& path
 Result<Recording> read_recording(const std::string& path);
 
 // The same from a table with commas and a first line of names: t, ball_x, ball_y, blue0_x, blue0_y,
-// blue0_heading, blue0_left, blue0_right, blue1_x, …, yellow0_x, …, in any order. An empty field is
-// a thing that was not seen. read_recording() reads files that end in ".csv" this way.
+// blue0_heading, blue0_left, blue0_right, blue1_x, …, yellow0_x, …, in any order. An empty field
+// means that the body was not seen. read_recording() reads files that end in ".csv" this way.
 Result<Recording> parse_csv(std::string_view text, const std::string& path,
                             std::size_t most_pictures = max_pictures);
 
 std::string print_recording(const Recording& recording);
 
-// What a camera does to pictures.
+// The errors of a camera.
 struct CameraNoise {
   double position = 0.002;     // m, standard deviation of each coordinate
   double heading = 0.0174533;  // rad

@@ -14,8 +14,8 @@
 
 namespace mirocup::pitch {
 
-// Returns a file of schema mirocup/pitch/1. What was identified has {"value", "low", "high"}; what
-// was not is as in `start`, and "not_known" says why. `name` is that of the pitch.
+// Returns a file of schema mirocup/pitch/1. Identified numbers have {"value", "low", "high"}; the
+// others are as in `start`, and "not_known" says why. `name` is that of the pitch.
 nlohmann::ordered_json pitch_json(const Identified& identified, const match::PitchSpec& start,
                                   const std::string& name);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What can be identified from a recording: numbers of the model, and the delay of commands.
+// The numbers that can be identified from a recording: those of the model, and the delay of
+// commands.
 #pragma once
 
 #include "core/simulator/model/parameters.hpp"
@@ -17,25 +18,26 @@ struct Guess {
   double command_delay = 0.0;  // s, from the time at which a command was sent to its first effect
 };
 
-// One number of it.
+// One number of a pitch.
 struct Unknown {
   std::string_view name;   // "wheel_radius", "restitution/ball_wall", "command_delay"
   bool is_ratio;           // found as a logarithm: it is positive, and its interval is a factor
   double least, most;      // its range
   double widest;           // half-width of the 95 % interval beyond which it counts as not known:
                            // of the logarithm, or of the number itself
-  std::string_view needs;  // what a recording must show to tell it
+  std::string_view needs;  // the motion that a recording must show to tell it
 };
 
 inline constexpr int unknown_count = 13;
-// Indices of those that others refer to.
+// Indices of unknowns to which other sources refer.
 inline constexpr int motor_lag = 2, turn_lag = 3, brake_lag = 4, grip_limit = 5;
 inline constexpr int rolling_resistance = 6, viscous_friction = 7;
 inline constexpr int ball_on_wall = 8, ball_on_robot = 9, robot_on_wall = 10, robot_on_robot = 11;
 
 const std::array<Unknown, unknown_count>& unknowns();
 
-// Returns the number, and sets it (kept in its range). With is_ratio it is the logarithm.
+// value_of() returns the number, set_value() sets it, clamped to its range. If is_ratio, both take
+// its logarithm instead.
 double value_of(const Guess& guess, int unknown);
 void set_value(Guess& guess, int unknown, double value);
 

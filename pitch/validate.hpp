@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Validation: how far from a recording the simulator is some pictures ahead, beside yardsticks.
+// Validation: the errors of the simulator's predictions some pictures ahead in a recording, beside
+// those of yardsticks.
 //
-// From every few pictures on, all bodies start with the positions and velocities that the pictures
-// until then show, and are predicted. The yardsticks start from the same states:
+// Every few pictures a prediction begins: all bodies start with the positions and velocities that
+// the pictures until then show. The yardsticks start from the same states:
 //   straight  each body keeps its speed and its turn rate, through everything
-//   peer      another engine with the same motors, where one is given
+//   peer      another engine with the same motors, if one is given
 //   paper     the simulator with the paper's equations alone: wheels that never slide, motors with
 //             one lag, friction of the ball in x and y separately, contacts without friction
-// An error is the distance from where the body was seen. What the camera's noise adds to it is
-// subtracted in the mean: of the picture ahead, and of the start that the noise has disturbed.
+// An error is the distance to the place where the body was seen. The mean contribution of the
+// camera's noise is subtracted: its noise in the picture ahead, and its effect on the start.
 #pragma once
 
 #include "pitch/recording.hpp"
@@ -23,8 +24,8 @@
 
 namespace mirocup::pitch {
 
-// What happens to a body between the start and the picture ahead, as the simulator has it. The
-// first of these that applies counts.
+// The event of a body between the start and the picture ahead, in the simulator. The first of these
+// that applies counts.
 enum class EventKind { push, robot_and_robot, robot_and_ball, wall, slide, drive, free_roll };
 
 inline constexpr std::array<int, 5> horizons{1, 2, 5, 10, 30};  // pictures

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A validation from files to a page: what `mirocup validate` does, and mirocup-bench with a peer.
+// A validation from files to a page, for `mirocup validate`, and for mirocup-bench with a peer.
 #pragma once
 
 #include "pitch/validate.hpp"

@@ -24,10 +24,10 @@ namespace mirocup::pitch {
 struct Window {
   int first = 0, last = 0;
   std::vector<int> bodies;
-  bool may_slide = false;  // wheels at the start: then sideways speeds are unknown, too
+  bool may_slide = false;  // wheels may slide at the start: then sideways speeds are also unknown
 };
 
-// The recording as windows need it: flat, with obvious outliers left out.
+// The recording in flat arrays for windows, without obvious outliers.
 class Footage {
  public:
   explicit Footage(const Recording& recording);
@@ -56,21 +56,21 @@ class Footage {
   // through them.
   struct FittedState {
     simulator::BodyState state;
-    double misfit = 0.0;  // m: root mean square of what the pictures are off, for their freedom
+    double misfit = 0.0;  // m: root mean square residual of the pictures, per degree of freedom
     // Variances of a coordinate and of its velocity, and their covariance, for a noise of 1 m.
     double position = 0.0, both = 0.0, velocity = 0.0;
   };
   // Fits the `count` pictures from the frame on or, with a negative count, up to it. `degree` is 1
-  // for a line, 2 for a parabola. Nothing if less than half of them see the body, or less than
-  // degree + 2.
+  // for a line, 2 for a parabola. Returns nothing if less than half of them, or fewer than degree +
+  // 2, see the body.
   std::optional<FittedState> state_at(int body, int frame, int count, int degree) const;
 
   // True if a body is moved by hand between two frames of the range (no robot is that fast), or if
   // the camera pauses between them.
   bool is_broken(int first, int last) const;
 
-  // Returns the camera's noise of a coordinate, m: robustly, from third differences, which hardly
-  // see motion. 0: too few pictures.
+  // Returns the camera's noise of a coordinate, m, estimated robustly from third differences, in
+  // which motion hardly shows. 0: too few pictures.
   double position_noise() const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One absence of a team that plays over the network, as the server notices it and the record lists
+// One absence of a team that plays over the network: the server notices it, and the record lists
 // it.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace mirocup::record {
 struct Absence {
   std::uint32_t tick = 0;             // the first tick without an answer
   std::uint32_t noticed = 0;          // the tick in which the server noticed it
-  std::optional<std::uint32_t> back;  // the tick answered in step again; nothing: none was
+  std::optional<std::uint32_t> back;  // the next tick answered in step; empty: there was none
   bool has_left = false;              // true: the team's process had gone; false: it was silent
 };
 

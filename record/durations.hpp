@@ -15,7 +15,7 @@ namespace mirocup::record {
 
 class Durations {
  public:
-  // Adds one duration, s. One that is outside of all ranges counts in the first or the last range.
+  // Adds one duration, s. A duration outside of all ranges counts in the first or the last range.
   void add(double seconds) {
     ++counts_[range_of(seconds)];
     ++count_;

@@ -3,9 +3,9 @@
 // Reads a JSON document and remembers the first problem with its JSON pointer (RFC 6901) and a
 // reason: a key that is missing or unknown, a value of the wrong type or out of its range.
 //
-// A reader never throws. After a problem it still returns a value of the requested type, so a
-// parser is a plain list of what it expects, and the problem is asked for once, at the end. All
-// files of this project are read this way:
+// A reader never throws. After a problem it still returns a value of the requested type. So a
+// parser is a plain list of the keys and types that it expects, and looks for a problem once, at
+// the end. All files of this project are read this way:
 //
 //   Result<Limits> parse_limits(std::string_view text, const std::string& path) {
 //     return record::read_json<Limits>(text, path, Errc::input, [](const JsonReader& json) {
@@ -25,9 +25,9 @@
 // expected, not "huge"". A reader of files that later versions may extend calls expect_object()
 // without a list of keys: then unknown keys are ignored.
 //
-// Documents may come from strangers. parse_json() is the only place where text becomes a tree, and
-// JsonLimits says how much of it: nothing that is larger is built, and no tree is too deep for
-// functions that call themselves. A message quotes a short piece of the document at most.
+// Documents may come from strangers. Only parse_json() turns text into a tree, within JsonLimits:
+// it builds nothing larger, and no tree that is too deep for recursive functions. A message quotes
+// at most a short piece of the document.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -88,22 +88,23 @@ class JsonReader {
   // Returns the number of elements of an array; 0 for any other value.
   std::size_t size() const { return value_->is_array() ? value_->size() : 0; }
 
-  // The member of that key, or the element of that index. If there is none: a complaint, and a
-  // reader of null.
+  // Returns the member of that key, or the element of that index. If there is none, complains and
+  // returns a reader of null.
   JsonReader at(const std::string& key) const;
   JsonReader at(std::size_t index) const;
 
-  // The member of that key; nothing, and no complaint, if it is missing or null.
+  // Returns the member of that key. If it is missing or null, returns nothing and does not
+  // complain.
   std::optional<JsonReader> find(const std::string& key) const;
 
-  // All elements of an array. Complains about any other value and about a size out of range, and
-  // returns none then.
+  // Returns all elements of an array. If the value is not an array or its size is out of range,
+  // complains and returns no elements.
   std::vector<JsonReader> elements(
       std::size_t min_size = 0,
       std::size_t max_size = std::numeric_limits<std::size_t>::max()) const;
 
-  // All members of an object, in the order of the document. Complains about any other value, and
-  // returns none then.
+  // Returns all members of an object, in the order of the document. If the value is not an object,
+  // complains and returns no members.
   std::vector<std::pair<std::string, JsonReader>> members() const;
 
   // Returns a finite number in [min, max]. After a complaint: 0, or the limit that it exceeds.
@@ -113,16 +114,16 @@ class JsonReader {
   // Returns a number above 0. After a complaint: 1.
   double positive_number() const;
 
-  // A number without a fraction in [min, max]; 3.0 is one. After a complaint: the number of that
-  // range that is nearest to it, or to 0 if it is no number at all.
+  // Returns a number without a fraction in [min, max]; 3.0 is such a number. After a complaint: the
+  // number of the range nearest to the value, or nearest to 0 if the value is not a number.
   template <std::integral T>
   T integer(T min = std::numeric_limits<T>::min(), T max = std::numeric_limits<T>::max()) const;
 
   bool boolean() const;
   std::string text() const;
 
-  // The enumerator of that name; E needs enum_names (core/base/names.hpp). After a complaint: the
-  // first enumerator.
+  // Returns the enumerator of that name; E needs enum_names (core/base/names.hpp). After a
+  // complaint: the first enumerator.
   template <class E>
   E name() const;
 
@@ -154,7 +155,7 @@ class JsonReader {
   std::optional<JsonProblem>* problem_;
 };
 
-// What a document may have. The defaults are many times what the files of this project need.
+// The limits of a document. The defaults are many times larger than the files of this project.
 struct JsonLimits {
   std::size_t bytes = 32u << 20;   // of the whole text
   std::size_t depth = 64;          // lists and objects within each other
@@ -164,8 +165,8 @@ struct JsonLimits {
   std::size_t text = 1u << 20;     // bytes of one text or key
 };
 
-// A parsed document, or the problem of a text that is not JSON, is larger than the limits, has a
-// key twice in one object, or a character U+0000.
+// A parsed document, or its problem: the text is not JSON or larger than the limits, has a key
+// twice in one object, or has a character U+0000.
 struct ParsedJson {
   JsonReader::Json value;
   std::optional<JsonProblem> problem;
@@ -173,8 +174,8 @@ struct ParsedJson {
 };
 ParsedJson parse_json(std::string_view text, const JsonLimits& limits = {});
 
-// The text of a value, in one line or with this many spaces for each level. What is not UTF-8
-// becomes U+FFFD, so it is always JSON.
+// The text of a value, in one line or with this many spaces for each level. Bytes that are not
+// UTF-8 become U+FFFD, so the text is always JSON.
 std::string json_text(const JsonReader::Json& value, int indent = -1);
 
 // Returns the error that a person reads: "PATH: POINTER: REASON".

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// KEY=VALUE from a command line, as --rule and --condition take it.
+// KEY=VALUE from a command line, for --rule and --condition.
 #pragma once
 
 #include "core/base/error.hpp"

@@ -28,7 +28,7 @@ enum class TeamKind { plugin, house, dds, firasim };
 struct TeamInfo {
   std::string name;
   TeamKind kind = TeamKind::plugin;
-  std::optional<std::string> sha256;  // of the library; nothing for a DDS team
+  std::optional<std::string> sha256;  // of the library; empty for a DDS team
   match::TeamParameters parameters = {};
 };
 
@@ -41,30 +41,30 @@ struct BudgetReport {
   int bad_commands = 0;
 };
 
-// True if the team is a program of its own that plays over the network.
+// True if the team is a separate program that plays over the network.
 inline bool is_on_network(TeamKind kind) {
   return kind == TeamKind::dds || kind == TeamKind::firasim;
 }
 
-// What became of the datagrams of a team that plays by FIRASim's protocol. Only those that reached
-// the server are counted.
+// Counts of the datagrams of a team that plays by FIRASim's protocol, by their fate. Only datagrams
+// that reached the server are counted.
 struct DatagramReport {
   std::uint64_t received = 0;        // commands of the team's own sender
   std::uint64_t placements = 0;      // of the team
   std::uint64_t stale = 0;           // came after the answer that counted, or for another step
-  std::uint64_t malformed = 0;       // no message at all, whoever sent it
+  std::uint64_t malformed = 0;       // not a message, whoever sent it
   std::uint64_t replacements = 0;    // refused, whoever sent it
   std::uint64_t not_finite = 0;      // commands with NaN or an infinity
-  std::uint64_t unknown_robots = 0;  // commands to a robot that there is not
+  std::uint64_t unknown_robots = 0;  // commands to a robot that does not exist
 };
 
-// The traffic between the server and a team on the network. Commands are counted by their fate:
-// those in step were driven, and of the late ones the newest where nothing newer was there.
+// The traffic between the server and a team on the network. Commands are counted by their fate.
+// Commands in step were driven. The newest late command was driven if no newer command had come.
 struct NetworkReport {
   std::uint64_t in_step = 0;
   std::uint64_t late = 0;         // for a tick that was over
-  std::uint64_t late_driven = 0;  // of these, the ones that were driven
-  std::uint64_t duplicate = 0;    // a further one for the tick that was answered last
+  std::uint64_t late_driven = 0;  // late commands that were driven
+  std::uint64_t duplicate = 0;    // further commands for the tick that was answered last
   std::uint64_t ahead = 0;        // for a tick that had not begun
   std::uint64_t foreign = 0;      // from a process that is not the team's
   int processes = 0;              // that played for the team, one after the other
@@ -81,7 +81,7 @@ struct PaceReport {
 
 // The program that plays or played a match. `behaviour_hash` stands for its physics, laws and
 // conditions: the first 16 digits of the SHA-256 of core/golden_hash.txt. A program with another
-// one may play another leg from the same commands.
+// hash may play another leg from the same commands.
 struct Software {
   std::string version;
   std::string build;
@@ -90,12 +90,12 @@ struct Software {
   bool operator==(const Software&) const = default;
 };
 
-// The record from which a leg was played on: its commands up to that tick are those of this record,
-// too, and only then its own teams played.
+// The record from which a leg was played on. This leg has the commands of that record up to `tick`;
+// its own teams played only from then on.
 struct PlayedOnFrom {
   std::uint32_t tick = 0;            // the first one in which the teams of this leg were asked
   std::uint64_t state_hash = 0;      // of the whole leg of that record
-  match::ByTeam<std::string> teams;  // the names of those who had played until then
+  match::ByTeam<std::string> teams;  // the names of the teams that had played until then
 };
 
 struct MatchRecord {
@@ -103,9 +103,9 @@ struct MatchRecord {
   match::ByTeam<TeamInfo> teams;
   match::ByTeam<BudgetReport> budget;
   match::ByTeam<std::optional<NetworkReport>> network;  // written, but not read
-  std::optional<PaceReport> pace;                       // as above; nothing at full speed
+  std::optional<PaceReport> pace;                       // as above; empty at full speed
   std::string isolation;                                // "T2", "T1", "none", "network"
-  std::optional<PlayedOnFrom> from;                     // nothing: played from its start
+  std::optional<PlayedOnFrom> from;                     // empty: played from its start
   replay::Recording recording;
 };
 
@@ -117,8 +117,8 @@ Software this_software();
 // nothing about the record or its teams.
 bool has_other_behaviour(const MatchRecord& record);
 
-// Returns the error for such a record if it differs from `tick` on: Errc::damaged, as for data of
-// another version.
+// Returns the error for a record with other behaviour that differs from `tick` on: Errc::damaged,
+// as for data of another version.
 Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick);
 
 Json to_json(const match::Outcome& result);
@@ -128,15 +128,15 @@ Json to_json(const match::LoggedDecision& decision);
 // own digest.
 Json to_json(const MatchRecord& record);
 
-// Writes the replay, then the record: a record that is there has its replay.
+// Writes the replay, then the record, so that a record never lacks its replay.
 Result<void> save(system::Files& files, const std::string& path, const MatchRecord& record);
 
-// Whether load() checks the digest of the record's own text, which is its last key. It finds every
-// byte that was changed or lost. It does not prevent forgery, since a forger can compute digests,
-// too: that is found by replay::verify(). The digest of the replay is always checked.
+// Whether load() checks the digest of the record's own text, which is its last key. The digest
+// finds every byte that was changed or lost. It does not find forgery, since a forger can compute
+// digests as well; replay::verify() finds that. The digest of the replay is always checked.
 enum class ChecksumPolicy { checked, ignored };
 
-// Returns an error unless the text of a record is what was written: Errc::damaged, with the path.
+// Returns Errc::damaged, with the path, unless the text of a record is as it was written.
 Result<void> expect_whole(const std::string& text, const std::string& path);
 
 // Reads the record and its replay, which must be in the same folder. Errors: Errc::unavailable if a

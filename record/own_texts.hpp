@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What only a team and its host may see of a leg, as it lies beside the record.
+// The files beside a record that only a team and its host may see: thoughts and logs.
 #pragma once
 
 #include "core/match/snapshot.hpp"
@@ -24,8 +24,8 @@ inline constexpr Whose of_both{true, true};
 // Returns true if thoughts of one of these teams were kept with the record.
 bool has_thoughts(system::Files& files, const std::string& record_path, const Whose& whose);
 
-// Reads what these teams drew and printed in the leg. What is missing is empty. Errors: those of
-// Files::read(), and of unpacked_thoughts().
+// Reads the thoughts and logs of these teams in the leg. Texts whose files are missing are empty.
+// Errors: those of Files::read(), and of unpacked_thoughts().
 Result<OwnTexts> read_own_texts(system::Files& files, const std::string& record_path,
                                 const Whose& whose, system::Links links = system::Links::refused);
 

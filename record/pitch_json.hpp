@@ -22,9 +22,9 @@ inline constexpr double max_control_period = 1.0;
 // Returns an object from which read_pitch() makes the same pitch.
 nlohmann::ordered_json to_json(const match::PitchSpec& pitch);
 
-// Reads the name of a preset, or an object. What an object leaves out is as in the preset that its
-// key "preset" names, by default mirosot. Complains about an unknown key, a wrong type, and
-// parameters that make no robot.
+// Reads the name of a preset, or an object. Values that an object leaves out are those of its key
+// "preset", by default mirosot. Complains about an unknown key, a wrong type, and parameters that
+// make no robot.
 match::PitchSpec read_pitch(const JsonReader& json);
 
 // Reads a file. The error, Errc::input, names `path`, the JSON pointer and the reason.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The replay file beside a record, compressed with zstd: the commands of every tick, a hash of the
-// state after it, the trace of the bodies, and the poses that teams asked for. schema.md specifies
-// the bytes.
+// The replay file beside a record, compressed with zstd: for every tick the commands and a hash of
+// the state after it, the trace of the bodies, and the poses that teams asked for. schema.md
+// specifies the bytes.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -23,15 +23,15 @@ struct Replay {
 // Returns the bytes of the file. `robots`: number of robots of a team.
 std::string pack_replay(const replay::Recording& recording, int robots);
 
-// What the record says of its replay.
+// The size of a replay, as its record states it.
 struct ReplayShape {
   int robots = 0;         // of a team
   std::size_t ticks = 0;  // of the leg
 };
 
-// Reads the bytes, which may come from strangers: nothing is decompressed that is larger than a
-// replay of this shape can be, or of more ticks than the bytes can hold. `path` is for the message
-// of the error, which is Errc::damaged.
+// Reads the bytes, which may come from strangers: it decompresses nothing larger than a replay of
+// this shape can be, and no more ticks than the bytes can hold. The error is Errc::damaged and
+// names `path`.
 Result<Replay> unpack_replay(std::string_view bytes, const ReplayShape& shape,
                              const std::string& path);
 

@@ -16,21 +16,21 @@ namespace mirocup::record {
 
 class JsonReader;
 
-// The shortest half that can be asked for, and the longest with which a leg can be played, s.
+// The shortest half that an option may give, and the longest with which a leg can be played, s.
 inline constexpr double min_half_s = 0.1;
 inline constexpr double max_half_s = 36'000.0;
 
 nlohmann::ordered_json to_json(const referee::Rules& rules);
 
-// Starts from the preset that the object names (default: mirosot), as that preset is in `league`,
+// Starts from the preset that the object names (default: mirosot), with its values for `league`,
 // and applies the other keys. Complains about an unknown key, a wrong type and a negative number.
 referee::Rules read_rules(const JsonReader& json, League league);
 
 // Applies all keys of the object but "preset" to `rules`.
 void read_parameters(const JsonReader& json, referee::Rules& rules);
 
-// As read_rules(), for an object that is the value of the key "rules". The error has the code and
-// begins with the JSON pointer: "/rules/half_s: ...".
+// As read_rules(), for the value of the key "rules". The error has `code` and begins with the JSON
+// pointer: "/rules/half_s: ...".
 Result<referee::Rules> rules_from_json(const nlohmann::ordered_json& object, Errc code,
                                        League league);
 

@@ -30,7 +30,7 @@ inline constexpr double max_start_overlap = 1e-3;
 nlohmann::ordered_json to_json(const Situation& situation);
 
 // Complains about an unknown key, a wrong type, a number out of its range, and bodies that overlap
-// by more than max_start_overlap, which it names. After a complaint the situation may not be
+// by more than max_start_overlap, with their names. After a complaint the situation must not be
 // played.
 Situation read_situation(const JsonReader& json);
 

@@ -18,11 +18,11 @@ class JsonReader;
 
 nlohmann::ordered_json to_json(const match::TeamParameters& parameters);
 
-// Complains about what no team can have.
+// Complains about parameters that no team can have.
 match::TeamParameters read_team_parameters(const JsonReader& json);
 
-// Returns the parameters with changes from a command line: each is KEY=VALUE, and the last one of a
-// name counts. An error is Errc::input and names `option`.
+// Returns the parameters with changes from a command line: each is KEY=VALUE; if a name comes
+// twice, the last value counts. An error is Errc::input and names `option`.
 Result<match::TeamParameters> parameters_with_changes(match::TeamParameters parameters,
                                                       const std::vector<std::string>& changes,
                                                       const std::string& option);

@@ -2,8 +2,8 @@
 //
 // One shape as a line of mirocup/thoughts/1 (schema.md): JSON with a line break behind it.
 //
-// A team may draw two hundred shapes in a tick, and a tick of a leg takes some 20 us. So the part
-// of a line that the shape before had as well is not written again.
+// A team may draw two hundred shapes in a tick, and a tick of a leg takes some 20 us. So a line
+// reuses the part that it shares with the line before, instead of formatting it again.
 #pragma once
 
 #include "core/match/thought.hpp"
@@ -17,8 +17,8 @@ namespace mirocup::record {
 
 class ThoughtLine {
  public:
-  // Returns the line of a shape, which stays valid until the next call. Numbers are written to
-  // 0.1 mm, and those beyond 1 km as 1 km. Bytes that are no text are escaped.
+  // Returns the line of a shape, which stays valid until the next call. Numbers are written to 0.1
+  // mm, and numbers beyond 1 km as 1 km. Bytes that are not text are escaped.
   std::string_view write(std::uint32_t tick, const match::Thought& thought);
 
  private:
@@ -28,7 +28,7 @@ class ThoughtLine {
   std::string line_;      // the head and what follows it
   std::size_t head_ = 0;  // size of the head, which has tick, layer, colour and kind; 0: none
   std::size_t tick_ = 0;  // size of the part of the head that has the tick
-  std::uint32_t head_tick_ = 0;  // what the head says
+  std::uint32_t head_tick_ = 0;  // the values in the head
   match::ThoughtKind kind_ = match::ThoughtKind::line;
   std::uint32_t colour_ = 0;
   std::string layer_;

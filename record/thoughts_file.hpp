@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The file with what a team drew in a leg (mirocup/thoughts/1 of schema.md): JSON lines, one for
-// each shape, packed with zstd. It lies beside the record, and nothing else depends on it.
+// The file with the shapes that a team drew in a leg (mirocup/thoughts/1 of schema.md): JSON lines,
+// one for each shape, packed with zstd. It lies beside the record, and nothing else depends on it.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -21,22 +21,22 @@ namespace mirocup::record {
 // Returns the path of a team's thoughts: NAME.blue.thoughts.zst beside NAME.json.
 std::string thoughts_path(const std::string& record_path, Team team);
 
-// Collects the thoughts of one team in a leg. They are packed while they come, so that a leg needs
-// no room for all of them.
+// Collects the thoughts of one team in a leg. It packs them while they come, so that a leg needs no
+// memory for all of them.
 class ThoughtsWriter {
  public:
-  // Adds a shape of a tick. The first one that would go beyond max_thought_bytes of the leg, and
-  // all that follow, are left out.
+  // Adds a shape of a tick. Drops the first shape with which the leg would exceed
+  // max_thought_bytes, and all shapes after it.
   void add(std::uint32_t tick, const match::Thought& thought);
 
-  // Counts shapes that were left out before they came here.
+  // Counts shapes that were dropped before they came here.
   void count_left_out(std::uint32_t shapes) { left_out_ += shapes; }
 
-  // Returns how many shapes of the leg were left out so far.
+  // Returns how many shapes of the leg were dropped so far.
   std::uint64_t left_out() const { return left_out_; }
 
-  // Ends the file and returns its bytes. If something was left out, the last line is a text that
-  // says so. Nothing can be added afterwards.
+  // Ends the file and returns its bytes. If shapes were dropped, the last line is a text that says
+  // so. Nothing can be added afterwards.
   std::string packed();
 
  private:
@@ -56,7 +56,8 @@ class ThoughtsWriter {
   bool is_full_ = false;
 };
 
-// Returns the JSON lines of a file. The error says why the bytes are none; `path` is named in it.
+// Returns the JSON lines of a file. The error names `path` and says why the bytes are not such a
+// file.
 Result<std::string> unpacked_thoughts(std::string_view bytes, const std::string& path);
 
 }  // namespace mirocup::record

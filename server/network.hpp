@@ -23,19 +23,19 @@ struct NetworkTerms {
   int dds_domain = 0;
   std::string credentials;                         // folder; "": anybody may join
   double join_within = 60.0;                       // s that a team has to join
-  std::optional<double> away_limit;                // s that a team may be absent; nothing: as usual
+  std::optional<double> away_limit;                // s of allowed absence; empty: the default
   firasim::Addresses firasim{"", "", "", "", ""};  // "": those of the instance
   std::string firasim_instance = "0";              // a number, or "auto"
   match::ByTeam<std::string> programs;  // commands that start firasim teams; "": people do
-  bool lockstep = false;  // firasim teams are waited for even where real time is asked for
+  bool lockstep = false;                // true: waits for firasim teams, also in real time
 };
 
-// What a seat needs from the match. All of it outlives the seat.
+// The part of the match that a seat uses. All of it outlives the seat.
 struct SeatTerms {
   const match::Leg& leg;
   double period;  // wall s of a tick; 0: as fast as possible
   system::Interrupt& interrupt;
-  record::ThoughtsWriter* thoughts;  // gets what a DDS team draws; null: that is not kept
+  record::ThoughtsWriter* thoughts;  // gets the shapes of a DDS team; null: not kept
   std::string log;                   // file for what the team's program prints
 };
 
@@ -45,20 +45,21 @@ class Network {
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;
 
-  // Opens what these teams need; nothing if both are libraries. Errc::input for a program of a
-  // team that needs none, Errc::unavailable if a port or an interface is not to be had.
+  // Opens the DDS topics and FIRASim sockets that these teams need; opens nothing if both are
+  // libraries. Errc::input if a program is given for a team that needs none; Errc::unavailable if a
+  // port or an interface cannot be had.
   Result<void> open(const match::ByTeam<TeamChoice>& teams);
   bool is_open() const { return dds_ != nullptr || firasim_ != nullptr; }
 
   // Makes room for a team of kind dds or firasim, and starts its program if the match does that.
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team, const SeatTerms& terms);
 
-  // Tells DDS teams and spectators of the match, and shows them its first state, which teams answer
-  // before the match begins. `speed`: factor of real time; 0: as fast as possible.
+  // Announces the match to DDS teams and spectators, and publishes its first state. Teams answer
+  // that state before the match begins. `speed`: factor of real time; 0: as fast as possible.
   void announce(const match::Leg& leg, const match::ByTeam<std::string>& names, double speed);
-  // Shows the tick that begins. Never waits.
+  // Publishes the tick that begins. Never waits.
   void publish(const match::Leg& leg);
-  // Tells of the end, and gives the programs a moment to end by themselves.
+  // Publishes the end of the match, and gives the programs a moment to end by themselves.
   void close(const match::Leg& leg);
 
  private:

@@ -28,15 +28,15 @@ struct TeamChoice {
 };
 
 // `text` is "dds:NAME", "firasim:NAME", the path of a library or of a file of Python, or the name
-// of a house team. One that cannot be loaded is a fault of the team, not an error.
+// of a house team. A file that cannot be loaded is a fault of the team, not an error.
 Result<TeamChoice> choose_team(const std::string& text);
 
 // The place of one team in a leg: starts the team and asks it, whatever kind it is.
 class TeamSeat {
  public:
-  // Each starts the team or makes room for it, and does not wait for it. An error is a failure of
-  // the host. A fault of the team is returned by wait_until_ready().
-  // A library gets the parameters of `choice.info`.
+  // Each function starts the team or makes room for it, and does not wait for it. An error is a
+  // failure of the host; wait_until_ready() returns faults of the team. A library gets the
+  // parameters of `choice.info`.
   static Result<TeamSeat> take_in_process(const TeamChoice& choice, const match::Briefing& briefing,
                                           const plugins::ProcessTerms& terms);
   static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing,
@@ -48,11 +48,11 @@ class TeamSeat {
                                           Team team, firasim::Server& server,
                                           const firasim::Terms& terms);
 
-  // Waits until the team can play. The error is why it never will: a Fault of its own, or a
+  // Waits until the team can play. The error says why it never can: a Fault of its own, or a
   // HostFailure.
   tl::expected<void, match::Answer> wait_until_ready();
 
-  // False for a team on the network that was ready and has gone since.
+  // False if a team on the network was ready and has left since.
   bool is_there() const { return network_ == nullptr || network_->is_there(); }
 
   // Only for a team that is ready. The seat keeps it alive.
@@ -62,29 +62,29 @@ class TeamSeat {
   }
   const record::TeamInfo& info() const { return info_; }
 
-  // Returns the name that the team's own library gives it; "" if it has none, is not ready, or
-  // gives one that cannot be printed on a line.
+  // Returns the name that the team's own library gives it. "" if the team has no library, is not
+  // ready, or gives a name that cannot be printed on a line.
   std::string own_name() const;
   void rename(const std::string& name) { info_.name = name; }
 
-  // Returns those of its parameters that the team has not asked for so far.
+  // Returns the given parameters that the team has not asked for so far.
   match::TeamParameters unknown_parameters() const;
 
-  // Returns what the team drew in the tick that it answered last; null if that is not kept.
+  // Returns the shapes of the tick that the team answered last; null if they are not kept.
   const plugins::ThoughtsPage* thoughts();
 
-  // Returns what came of what the team drew; null unless it plays over the network.
+  // Returns the counts of the team's samples of thoughts; null unless it plays over the network.
   const dds::ThoughtCounts* thoughts_sent() const {
     return network_ != nullptr ? &network_->thoughts() : nullptr;
   }
 
-  // Without late_ticks and bad_commands, which the match counts.
+  // Returns the team's budget without late_ticks and bad_commands, which the match counts.
   record::BudgetReport budget_report() const;
 
-  // Nothing unless the team plays over the network.
+  // Returns nothing unless the team plays over the network.
   std::optional<record::NetworkReport> network_report() const;
 
-  // Returns the process of the team; null if it has none of its own.
+  // Returns the process of the team; null if the team has no process of its own.
   const plugins::ProcessController* process() const { return process_; }
 
   // The text that the team printed to standard error; "" if it has no process of its own.
@@ -105,11 +105,11 @@ class TeamSeat {
   std::optional<match::Fault> load_fault_;
 };
 
-// Keeps this process and those that it starts on the current core. A match and its teams take
-// turns: handing over costs 1 us on one core, and 50 us across cores.
+// Keeps this process and its children on the current core. A match and its teams take turns:
+// handing over costs 1 us on one core, and 50 us across cores.
 void stay_on_this_core();
 
-// Waits until both teams can play, blue first. If a team never will, the match becomes void or
+// Waits until both teams can play, blue first. If a team never can, the match becomes void or
 // forfeited. Returns early after an interrupt.
 void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, system::Interrupt& interrupt);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // One match as it is played on this host: a leg, the seats of its teams, the network, the viewers,
-// and what is kept of it for the record.
+// and the data that is kept for the record.
 #pragma once
 
 #include "core/match/leg.hpp"
@@ -24,24 +24,24 @@ namespace mirocup::server {
 
 struct SessionTerms {
   NetworkTerms network;
-  bool thoughts = false;  // keep what the teams draw
+  bool thoughts = false;  // keeps the shapes that the teams draw
   bool trusted = false;   // libraries play in this process
   std::string isolation;  // "T1" or "T2"; "": the strongest that this system allows
-  // Of a team as a library: it keeps its name and is not called as its library says.
+  // True: the team keeps its present name, instead of the name that its library gives.
   match::ByTeam<bool> keeps_name{};
-  // Files for what programs print that the match starts.
+  // Files for the output of programs that the match starts.
   match::ByTeam<std::string> logs{"/dev/null", "/dev/null"};
 };
 
 // A match. Call the functions below in their order, each once. One thread.
 struct Session {
-  // `factor` of real time; nothing: as fast as possible.
+  // `factor` of real time; if empty, the match plays as fast as possible.
   Session(SessionTerms terms, const match::Setup& setup, std::optional<double> factor);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   SessionTerms terms;
-  system::Interrupt interrupt;  // before all that may start a thread
+  system::Interrupt interrupt;  // comes before all members that may start a thread
   match::Leg leg;
   double speed;  // factor of real time; 0: as fast as possible
   pace::SteadyWallClock clock;
@@ -57,13 +57,13 @@ struct Session {
   std::optional<record::PlayedOnFrom> from;  // the record that is played on
 };
 
-// Plays the ticks before `until` as they are recorded. So nothing is lost of what the leg
-// remembers: counts of the laws, the disturbances, what the camera saw, commands on their way.
-// `path` names the record in errors: Errc::damaged if it is not reproduced.
+// Plays the ticks before `until` as they are recorded. So the leg keeps its whole memory: counts of
+// the laws, disturbances, the camera's view, commands on their way. `path` names the record in
+// errors: Errc::damaged if it is not reproduced.
 Result<void> play_past(Session& session, const record::MatchRecord& past, std::uint32_t until,
                        const std::string& path);
 
-// Starts the teams, blue first, and waits until they can play. A team that never will makes the leg
+// Starts the teams, blue first, and waits until they can play. A team that never can makes the leg
 // void or forfeited.
 Result<void> seat_teams(Session& session, const match::ByTeam<TeamChoice>& teams);
 

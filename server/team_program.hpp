@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The program of a team that speaks FIRASim's protocol, where the match starts it: a command of the
-// host for the shell, which learns its colour and its addresses from environment variables. It has
-// all rights of this process.
+// The program of a team that speaks FIRASim's protocol, if the match starts it: a shell command of
+// the host, which gets its colour and its addresses in environment variables. It has all rights of
+// this process.
 #pragma once
 
 #include "core/field/team.hpp"
@@ -17,16 +17,16 @@ namespace mirocup::server {
 
 class TeamProgram {
  public:
-  // `instance` is its number on this host, with which `addresses` were made. What the program
-  // prints goes to the file `log`. Errc::unavailable if no process can be started.
+  // `instance` is the number on this host with which `addresses` were made. The program's output
+  // goes to the file `log`. Errc::unavailable if no process can be started.
   static Result<TeamProgram> start(const std::string& command, Team team, int instance,
                                    const firasim::Addresses& addresses, const std::string& log);
   TeamProgram(TeamProgram&& other) noexcept;
   TeamProgram& operator=(TeamProgram&&) = delete;
-  ~TeamProgram();  // kills it, and what it has started
+  ~TeamProgram();  // kills it, and all processes that it has started
 
-  // Why the team will not be heard again, if the program has ended: a fault of the team, or of the
-  // host if there is no such program. `when` ends the sentence: "before it sent anything".
+  // If the program has ended, returns why the team cannot send any more: a fault of the team, or of
+  // the host if there is no such program. `when` ends the sentence: "before it sent anything".
   std::optional<match::Answer> why_gone(const std::string& when);
 
   // Gives the program a moment to end by itself, after the referee's HALT.

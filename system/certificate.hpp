@@ -11,7 +11,7 @@
 namespace mirocup::system {
 
 // Returns the moment until which a certificate (PEM) is valid, in seconds since 1970 UTC; nothing
-// if the text is no certificate.
+// if the text is not a certificate.
 std::optional<std::int64_t> certificate_end(std::string_view pem);
 
 // Returns the present moment, in seconds since 1970 UTC, by the computer's clock.

@@ -3,8 +3,8 @@
 // Starts programs: as child processes, or in the place of this one. ProcessSet
 // (system/process_set.hpp) waits for several children.
 //
-// A child is killed when the thread that started it ends, and with it this process. It inherits no
-// descriptor but standard input, output and error, and no blocked signal.
+// The kernel kills a child when the thread that started it ends, so also when this process ends. A
+// child inherits no descriptor but standard input, output and error, and no blocked signal.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -21,17 +21,16 @@ inline constexpr int not_found = 127;
 // The program of a child process, and its surroundings.
 struct ChildOptions {
   std::vector<std::string> arguments;  // [0]: the program, a path or a name on the PATH
-  int cpu = -1;                        // the one processor that it may use; -1: any
-  // The file that its output and errors go to, a regular one of this user or a device. Then it has
-  // no input and a process group of its
-  // own, so that an interrupt at the terminal reaches this process alone. "": it shares input,
-  // output, errors and process group with this process.
+  int cpu = -1;                        // the only processor that it may use; -1: any
+  // The file for its output and errors: a regular file of this user, or a device. The child then
+  // has no input and a separate process group, so that an interrupt at the terminal reaches this
+  // process alone. "": it shares input, output, errors and process group with this process.
   std::string log;
 };
 
-// Starts a child and returns its process id. The caller must wait for it. A program that is not
-// there ends with the code not_found. Errc::unavailable if no process can be started or its log
-// cannot be written.
+// Starts a child and returns its process id. The caller must wait for it. If the program does not
+// exist, the child ends with the code not_found. Errc::unavailable if no process can be started or
+// its log cannot be written.
 Result<pid_t> start_child(const ChildOptions& options);
 
 // Starts a child and waits for its end. Returns its exit code, or 128 + the number of the signal

@@ -21,8 +21,8 @@ std::int64_t now_s();
 std::string utc_text(std::int64_t at);
 
 // Reads a date and a time: "2026-11-30T18:00:00Z", or with an offset in place of the Z,
-// "2026-11-30T19:00:00+01:00". Without either, `is_local` is true and the number is as if it were
-// UTC. Returns nothing if it is no such text, or no day of the calendar.
+// "2026-11-30T19:00:00+01:00". Without Z and offset, `is_local` is true and the number is as if the
+// text were UTC. Returns nothing if the text has another form, or names no day of the calendar.
 struct ParsedTime {
   std::int64_t at = 0;  // s since 1970
   bool is_local = false;
@@ -34,11 +34,11 @@ class TimeZone {
  public:
   TimeZone() = default;  // UTC
 
-  // Finds a zone by its name, "Europe/Berlin". Errors: Errc::input if the computer has none of that
-  // name.
+  // Finds a zone by its name, "Europe/Berlin". Errors: Errc::input if the computer has no zone of
+  // that name.
   static Result<TimeZone> find(const std::string& name);
 
-  // Returns the seconds by which local time is ahead of UTC at a time, and what that is called:
+  // Returns the seconds by which local time is ahead of UTC at a time, and the name of that offset:
   // "CET".
   struct Offset {
     int seconds = 0;
@@ -50,8 +50,8 @@ class TimeZone {
   std::string text(std::int64_t time) const;
   std::string date(std::int64_t time) const;  // "2026-11-30"
 
-  // Returns the time at which clocks in the zone show that: of two, the first; in a gap, the time
-  // after it.
+  // Returns the time at which clocks in the zone show `shown`. If there are two, returns the first;
+  // in a gap, the time after the gap.
   std::int64_t from_local(std::int64_t shown) const;
 
  private:
@@ -59,8 +59,8 @@ class TimeZone {
   std::shared_ptr<const Table> table_;  // null: UTC
 };
 
-// Returns a time of the journal as people of the zone read it: "2026-11-30 19:00 CET"; what is no
-// time stays as it is.
+// Returns a time of the journal as people of the zone read it: "2026-11-30 19:00 CET". A text that
+// is not a time stays as it is.
 std::string in_zone(const TimeZone& zone, const std::string& utc);
 
 }  // namespace mirocup::system

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a command line tells about itself: its help, the completion of a shell and its manual
-// pages, all made from the options as they are declared.
+// The help, the shell completion and the manual pages of a program, all made from the declarations
+// of its options.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ class App;
 
 namespace mirocup::system {
 
-// What the help of a command has beside its options.
+// The parts of a command's help besides its options.
 struct CommandHelp {
   const char* name;         // of the subcommand
   const char* group;        // the heading under which the program's help lists it; "": nowhere
@@ -35,14 +35,15 @@ std::string own_value_name(const std::string& type);
 // after all commands are declared.
 void finish_help(CLI::App& app, std::span<const CommandHelp> commands, const ValueNames& names);
 
-// Returns how the last of the words may go on, a line each: "WORD<tab>DESCRIPTION". The words are
-// those after the program's name; the last one may be "". A last line ":files" means: or a file.
-// `teams` are the names of the house teams.
+// Returns the completions of the last of the words, one a line: "WORD<tab>DESCRIPTION". `words` are
+// the words after the program's name; the last may be "". A last line ":files" means that the word
+// may also be a file. `teams` are the names of the house teams.
 std::string completions(const CLI::App& app, std::span<const std::string> words,
                         std::span<const std::string> teams);
 
 // Returns the script that a shell reads to complete the words after `program`: "bash", "zsh" or
-// "fish"; "" for another shell. The script asks `program complete WORD…`, so it stays true.
+// "fish"; "" for another shell. The script runs `program complete WORD…`, so it is never out of
+// date.
 std::string completion_script(const std::string& shell, const std::string& program);
 
 // Returns the pages of the manual, by the names of their files: mirocup.1, mirocup-match.1.

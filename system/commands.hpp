@@ -33,7 +33,7 @@ class Option {
   Option required() const;
   Option shows_default() const;
 
-  // What values it takes; others are wrong usage.
+  // The values that it accepts; others are wrong usage.
   Option between(int low, int high) const;
   Option between(double low, double high) const;
   Option between_or(int low, int high, const std::string& word) const;
@@ -41,7 +41,7 @@ class Option {
   Option one_of(const std::vector<std::string>& words) const;
   Option one_of_numbers(const std::vector<int>& numbers) const;
   Option is_a_seed() const;  // an integer of 64 bits
-  // `problem` returns what is wrong with a text, or "".
+  // `problem` returns why a text is wrong, or "".
   Option checked(const std::string& value, std::string (*problem)(const std::string&)) const;
 
   // A list of values between such characters: "a,b".
@@ -67,7 +67,7 @@ class Command {
   // T: std::string, an integer, double, a std::optional of one of these, or a list of std::string.
   template <class T>
   Option option(const std::string& names, T& value, const std::string& help = "") const;
-  // An option that may stand without a value: then `value` becomes "".
+  // Adds an option whose value may be missing: then `value` becomes "".
   Option option_or_flag(const std::string& names, std::optional<std::string>& value,
                         const std::string& help) const;
   Option flag(const std::string& names, bool& value, const std::string& help) const;
@@ -76,13 +76,13 @@ class Command {
   CLI::App* app_;
 };
 
-// What the command line has chosen: a subcommand with its options.
+// The chosen subcommand with its options.
 using Run = std::function<Result<int>()>;
 
 // The subcommands of one program.
 class Commands {
  public:
-  // `name` is how the program is called: "mirocup league". `footer` ends its help.
+  // `name` is the way to call the program: "mirocup league". `footer` ends its help.
   Commands(const std::string& name, const std::string& description, const std::string& version,
            const std::string& footer);
   ~Commands();
@@ -107,7 +107,7 @@ class Commands {
 
   // Returns the subcommand that was chosen. If the command line asks for help or is wrong, prints
   // the help or the error and returns the exit code instead. `values` names the values of options
-  // that say none; `teams` are the names of the house teams, for completion.
+  // that name none; `teams` are the names of the house teams, for completion.
   std::variant<Run, int> read(int argc, char** argv, const ValueNames& values,
                               std::span<const std::string> teams);
 

@@ -10,7 +10,7 @@ namespace mirocup::system {
 
 class Descriptor {
  public:
-  // Owns `fd` from now on. A negative one, as open() returns on failure, is none.
+  // Owns `fd` from now on. A negative number, as open() returns on failure, means no descriptor.
   explicit Descriptor(int fd = -1) : fd_(fd) {}
   Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
   Descriptor& operator=(Descriptor&& other) noexcept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// SHA-256 digests, base64 (RFC 4648, with padding), and numbers that nobody can guess.
+// SHA-256 digests, base64 (RFC 4648, with padding), and random bytes that nobody can guess.
 #pragma once
 
 #include <cstddef>

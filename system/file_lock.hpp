@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // An exclusive lock on a file (flock), held as long as the object lives. The kernel releases it
-// when the process ends, in whatever manner, so a file without a lock says nothing.
+// when the process ends, in whatever manner, so a lock file alone does not mean that the lock is
+// held.
 //
-// Only this user can open the file (mode 0600), because a user who can read a file can lock it.
-// A link is refused, and a file that belongs neither to this user nor to the owner of the folder.
+// Only this user can open the file (mode 0600), because a user who can read a file can lock it. A
+// link is refused, and so is a file that belongs neither to this user nor to the owner of the
+// folder.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -22,12 +24,12 @@ class FileLock {
   // Waits until the lock is free.
   static Result<FileLock> acquire(const std::string& path);
 
-  // Returns nothing if another process holds the lock and keeps it for 0.2 s. Otherwise the file
-  // names this process until it ends, for signal_holder().
+  // Returns nothing if another process holds the lock for 0.2 s more. Otherwise the file names this
+  // process until the process ends, for signal_holder().
   static Result<std::optional<FileLock>> try_acquire(const std::string& path);
 
   // Sends the signals to the process that holds the lock. Returns false if no process does.
-  // Errc::unavailable if the holder cannot be told for certain, for example because it runs on
+  // Errc::unavailable if the holder is not known for certain, for example because it runs on
   // another computer: no other process is ever signalled.
   static Result<bool> signal_holder(const std::string& path, std::span<const int> signals);
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Access to the disk. Whoever reads says what the file may be: how large, and whether its name may
-// be a link. Only regular files are read, so nobody waits for a pipe or reads a device without an
-// end. A file that is written whole is at any moment either the old one or the new one, also after
-// a crash. What is appended is on disk when append() returns. Tests replace the disk by one with
-// faults.
+// Access to the disk. A caller that reads says how large the file may be, and whether its name may
+// be a link. Only regular files are read, so no reader waits for a pipe or reads a device without
+// an end. A file that is written whole is at any moment either the old file or the new one, also
+// after a crash. Appended bytes are on disk when append() returns. Tests replace the disk by a disk
+// with faults.
 //
-// Errors name the file and the reason. A file that is of the wrong kind, too large or a link is
-// Errc::input; what the system refuses is Errc::unavailable.
+// Errors name the file and the reason. A file of the wrong kind, too large or a link is
+// Errc::input; a refusal of the system is Errc::unavailable.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -41,21 +41,21 @@ inline constexpr std::uint64_t system_file = 64u << 20;  // of the installation
 }  // namespace size_limit
 
 enum class Links {
-  refused,   // whoever may write into the folder could name a file that only the host may read
+  refused,   // a user who may write into the folder could name a file that only the host may read
   followed,  // the host has named the file: an argument of the command line
 };
 
 enum class Growth {
   refused,  // the file is complete: a change while it is read is an error
-  ignored,  // another process appends to it: what is there when it is opened is read
+  ignored,  // another process appends to it: only bytes that it has when it is opened are read
 };
 
-// What a file may be that is read.
+// Limits of a file that is read.
 struct ReadOptions {
   std::uint64_t max_size;  // bytes; a larger file is refused before its first byte is read
   Links links = Links::refused;
   Growth growth = Growth::refused;
-  std::string_view if_too_large = "";  // what its owner may do about that
+  std::string_view if_too_large = "";  // ends the message: what the file's owner can do
 };
 
 // A regular file that is open for reading, as it was when it was opened.
@@ -75,20 +75,20 @@ struct OpenFile {
 Result<OpenFile> open_file(const std::string& path, const ReadOptions& options);
 
 // True if the name stands for a device, a pipe or something that is already open, for example
-// /dev/null or /dev/stdout. What is written there is written in place: a file must not replace it,
-// and nothing can stand beside it. If another user has made the name, the answer is false.
+// /dev/null or /dev/stdout. Bytes are written there in place: a file must not replace it, and no
+// temporary file can stand beside it. False if another user has made the name.
 bool is_written_in_place(const std::string& path);
 
-// Returns a copy of the bytes in memory: a file without a name that can be run, and that nobody can
-// change any more. Errors: Errc::unavailable.
+// Returns a copy of the bytes in memory: a file without a name that can be run and that nobody can
+// change. Errors: Errc::unavailable.
 Result<Descriptor> sealed_copy(std::string_view bytes);
 
 // Reads the file from `offset` to the size that it had when it was opened.
 Result<std::string> read_file(const OpenFile& file, std::uint64_t offset = 0);
 
-// The users that may read a written file. Only its owner may write it again.
+// The users who may read a written file. Only its owner may write it again.
 enum class Readers {
-  everybody,  // mode 0644, folders 0755, less what the umask takes
+  everybody,  // mode 0644, folders 0755, without the bits of the umask
   owner,      // mode 0600, folders 0700
 };
 
@@ -98,13 +98,13 @@ class Files {
 
   virtual Result<std::string> read(const std::string& path, const ReadOptions& options) = 0;
 
-  // Returns the bytes behind the first `offset`.
+  // Returns the bytes after the first `offset`.
   virtual Result<std::string> read_from(const std::string& path, std::size_t offset,
                                         const ReadOptions& options);
 
-  // Reads a file that a program of ours keeps, or returns nothing if nothing has that name. The
-  // file may be there and not be readable, which is an error: Errc::damaged if it is of the wrong
-  // kind, too large or a link, and otherwise Errc::unavailable.
+  // Reads a file that a program of ours keeps, or returns nothing if nothing has that name. If the
+  // file is there but cannot be read, the error is Errc::damaged if it is of the wrong kind, too
+  // large or a link, and otherwise Errc::unavailable.
   Result<std::optional<std::string>> read_if_there(const std::string& path,
                                                    const ReadOptions& options,
                                                    std::size_t offset = 0);
@@ -116,7 +116,7 @@ class Files {
   virtual Result<void> write(const std::string& path, std::string_view bytes,
                              Readers readers = Readers::everybody) = 0;
 
-  // Removes the temporary files of killed writers from the folder and from those below it. Files
+  // Removes the temporary files of killed writers from the folder and all folders below it. Files
   // that are being written stay.
   virtual Result<void> remove_unfinished(const std::string& folder) = 0;
 
@@ -126,33 +126,34 @@ class Files {
   // Cuts the file to its first `size` bytes.
   virtual Result<void> truncate(const std::string& path, std::size_t size) = 0;
 
-  // False only if nothing has that name. If the system cannot tell, or if a link on the way leads
-  // to nothing, it is true, and whoever reads the file gets the reason.
+  // Returns false only if nothing has that name. If the system cannot tell, or if a link on the way
+  // leads to nothing, returns true; reading the file then gives the reason.
   virtual bool exists(const std::string& path) = 0;
 
-  // Makes the folder and its missing parents. With Readers::owner the folder, but not its parents,
-  // is closed to others, also if it was there; a folder of another user is refused.
+  // Makes the folder and its missing parents. Readers::owner closes the folder, but not its
+  // parents, to others, also if it existed; a folder of another user is refused.
   virtual Result<void> make_folder(const std::string& path,
                                    Readers readers = Readers::everybody) = 0;
 
   // Returns the names in a folder, sorted by their bytes.
   virtual Result<std::vector<std::string>> names_in(const std::string& folder) = 0;
 
-  // The same, and no names if nothing has the folder's name.
+  // The same; returns no names if nothing has the folder's name.
   Result<std::vector<std::string>> names_if_there(const std::string& folder);
 
-  // Removes a file, or a folder with everything in it. Links are removed and not followed. What is
-  // not there is no error.
+  // Removes a file, or a folder with everything in it. Links are removed, not followed. A missing
+  // file is not an error.
   virtual Result<void> remove(const std::string& path) = 0;
 };
 
-// True if a file of that name is being written by Files::write() or IncomingFile, or was when its
-// process died. Earlier versions wrote the id of the process instead of random digits.
+// True if the name is that of a temporary file of Files::write() or IncomingFile, which is being
+// written or was left by a process that died. Names of earlier versions have the process id instead
+// of random digits.
 bool is_unfinished(const std::string& path);
 
 // A file that arrives in parts, for example over a network, and is hashed on its way. It has a
-// temporary name in the folder of its later path, until keep() gives it that path. What is not kept
-// is removed by the destructor; after a crash, by Files::remove_unfinished().
+// temporary name in the folder of its later path until keep() gives it that path. The destructor
+// removes a file that is not kept; after a crash Files::remove_unfinished() does.
 class IncomingFile {
  public:
   // Begins a file that only its owner can read. The folder must be there.

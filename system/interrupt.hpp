@@ -7,11 +7,11 @@ namespace mirocup::system {
 
 class Interrupt {
  public:
-  // Blocks both signals from now on, in this thread and in those that it starts later. So create it
-  // before any thread.
+  // Blocks both signals from now on, in this thread and in threads that it starts later. So create
+  // it before any thread.
   Interrupt();
 
-  // True if one of them has arrived since the construction. A system call until the first one has.
+  // True if one of the signals has arrived since the construction. Costs a system call until then.
   bool is_asked_for();
 
  private:

@@ -21,7 +21,7 @@ struct TeamKit {
   std::string prefix;     // for find_package(mirocup)
   std::string headers;    // folder of strategy.h, for people to read
   std::string templates;  // folder with a folder of a new team's files for each language
-  std::string python;     // folder of the package mirocup for Python; "" if it is not here
+  std::string python;     // folder of the package mirocup for Python; "" if it is not installed
 };
 TeamKit team_kit();
 
@@ -38,9 +38,9 @@ std::string house_team(const std::string& name);
 // The same for a library that another program has loaded: `folder` is the library's.
 std::string house_team(const std::string& name, const std::string& folder);
 
-// The folder in which programs remember what belongs to this computer and not to a league.
-// Returns $STATE_DIRECTORY, which systemd sets, $XDG_STATE_HOME/mirocup or ~/.local/state/mirocup;
-// "" if no variable names an absolute path. The folder may not be there.
+// Returns the folder in which programs keep data of this computer that belong to no league:
+// $STATE_DIRECTORY, which systemd sets, $XDG_STATE_HOME/mirocup or ~/.local/state/mirocup; "" if no
+// variable names an absolute path. The folder may be missing.
 std::string state_folder();
 
 }  // namespace mirocup::system

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The memory of the machine, as far as this process may use it, and what a leg needs of it.
+// The memory of the machine that this process may use, and the memory that a leg needs.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,15 @@
 
 namespace mirocup::system {
 
-// What a team's process may take (its limit of addresses), what a match server takes at most, and
-// both together, bytes.
+// The limits of memory of a team's process (of its addresses), of a match server, and of a leg with
+// both teams, bytes.
 inline constexpr std::size_t memory_of_a_team = std::size_t{1} << 30;
 inline constexpr std::size_t memory_of_a_server = std::size_t{64} << 20;
 inline constexpr std::size_t memory_of_a_leg = 2 * memory_of_a_team + memory_of_a_server;
 
 // Returns how much memory this process and its children could take before the kernel has to end a
 // process, bytes: the least of what the kernel calls available and of the room that each memory
-// cgroup around this process has left. Nothing if the kernel does not tell. Tests give another
+// cgroup around this process has left. Nothing if the kernel does not tell. Tests pass another
 // `root`.
 std::optional<std::size_t> available_memory(const std::string& root = "");
 

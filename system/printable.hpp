@@ -10,13 +10,14 @@
 namespace mirocup::system {
 
 enum class LineEnds {
-  escaped,  // the text is part of a line: it cannot begin one of its own
+  escaped,  // the text is part of a line: it cannot begin a new line
   kept,     // the text is a log of lines
 };
 
 // Returns the text with every byte as \xNN that a terminal, a page or a reader could mistake for
 // something else: control characters, bytes that are not UTF-8, and the characters that change the
-// direction of writing. Tabs are kept, line ends as `ends` says. What was escaped stays as it is.
+// direction of writing. Tabs are kept, and line ends if `ends` says so. Text that is escaped
+// already stays as it is.
 std::string printable(std::string_view text, LineEnds ends = LineEnds::escaped);
 
 bool is_utf8(std::string_view text);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Child processes that run at the same time, and one wait for the first that ends. They are killed
-// with this process.
+// Child processes that run at the same time, and one wait for the first that ends. The kernel kills
+// them with this process.
 //
-// One thread uses a ProcessSet. Create it before any other thread, which must not receive its
-// signals.
+// One thread uses a ProcessSet. Create it before any other thread, because other threads must not
+// receive its signals.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -33,8 +33,8 @@ class ProcessSet {
   ProcessSet& operator=(const ProcessSet&) = delete;
 
   // Starts the program arguments[0], a path or a name on the PATH, on processor `cpu` (-1: any).
-  // Its output and errors go to the file `log`. A program that is not there ends with code
-  // not_found.
+  // Its output and errors go to the file `log`. If the program does not exist, the child ends with
+  // code not_found.
   Result<pid_t> start(const std::vector<std::string>& arguments, int tag, int cpu,
                       const std::string& log);
 
@@ -52,7 +52,7 @@ class ProcessSet {
   News wait_within(double seconds);
 
   // Waits for that time, whatever the children do. Returns true as soon as SIGINT or SIGTERM
-  // arrives; with 0 s, whether one has arrived already.
+  // arrives. With 0 s, returns at once whether one has arrived.
   bool is_asked_to_stop_within(double seconds);
 
   // Kills one child, and waits for its end. wait() will not report it.

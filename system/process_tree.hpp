@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a program uses, with all programs that it has started.
+// The processor time of a program and of all programs that it has started.
 #pragma once
 
 #include <map>
@@ -14,10 +14,10 @@ struct TreeUse {
   bool is_runnable = false;  // one of the processes runs, or waits for a processor or a disk
 };
 
-// Returns the use of each of these processes, with that of their children, of the children's
-// children, and of all of these that have ended and were waited for. A process that is not there
-// has 0. A child that was killed together with its parent is no longer counted: a caller who looks
-// several times keeps the largest time.
+// Returns the use of each of these processes together with that of all its descendants, also of
+// those that have ended and were waited for. A process that does not exist has 0. A child that was
+// killed together with its parent does not count any more, so a caller that asks repeatedly keeps
+// the largest time.
 std::map<pid_t, TreeUse> use_of_trees(const std::vector<pid_t>& roots);
 
 }  // namespace mirocup::system

@@ -7,8 +7,8 @@
 
 namespace mirocup::system {
 
-// Returns a word that a POSIX shell reads as this text: the text itself where it has only plain
-// characters, else in single quotation marks.
+// Returns a word that a POSIX shell reads as this text: the text itself if it has only plain
+// characters, otherwise the text in single quotation marks.
 std::string shell_word(const std::string& text);
 
 }  // namespace mirocup::system

@@ -5,9 +5,9 @@
 
 namespace mirocup::system {
 
-// Writes what is left of standard output. Returns `code`, or 3 after a sentence on standard error
-// if `code` is 0 and the output could not be written. A reader that has gone (`| head`) and an
-// output that is closed are no errors.
+// Flushes standard output. Returns `code`. If `code` is 0 and the output could not be written,
+// prints a sentence on standard error and returns 3. A reader that has gone (`| head`) and a closed
+// output are not errors.
 int after_standard_output(int code);
 
 }  // namespace mirocup::system

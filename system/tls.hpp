@@ -16,22 +16,21 @@
 
 namespace mirocup::system {
 
-// An encrypted connection over a socket, which it does not own. After an error it is of no more
-// use.
+// An encrypted connection over a socket, which it does not own. After an error it must not be used.
 class TlsConnection {
  public:
   TlsConnection(TlsConnection&&) noexcept;
   TlsConnection& operator=(TlsConnection&&) noexcept;
   ~TlsConnection();
 
-  // True if read() has bytes without waiting, although none wait in the socket.
+  // True if read() can return bytes without waiting, even if none wait in the socket.
   bool has_bytes() const;
 
   // Reads up to `size` bytes. Returns their number; 0 at the end, negative after an error or if
   // nothing comes within `ms`.
   ssize_t read(char* bytes, std::size_t size, int ms);
 
-  // Writes all bytes. Returns their number; negative after an error or if the other end takes
+  // Writes all bytes. Returns their number; negative after an error or if the other end receives
   // nothing for `ms`.
   ssize_t write(std::string_view bytes, int ms);
 
@@ -48,8 +47,8 @@ class TlsConnection {
 
 class TlsServer {
  public:
-  // Reads a certificate, with those that lead to its root behind it, and its key: PEM files. The
-  // error (Errc::input) names the file and the reason.
+  // Reads two PEM files: a certificate, followed by the certificates that lead to its root, and its
+  // key. The error (Errc::input) names the file and the reason.
   static Result<TlsServer> load(const std::string& certificate, const std::string& key);
   TlsServer(TlsServer&&) noexcept;
   TlsServer& operator=(TlsServer&&) noexcept;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which files of this computer nobody but root and this user, the effective one, can have put where
-// they are. No other program is run in place of this one, and no other list of programs is read.
+// Tells whether only root and this (the effective) user can have put a file where it is. mirocup
+// runs no other program in its own place, and reads no other list of programs.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -10,25 +10,27 @@
 
 namespace mirocup::system {
 
-// Set in the environment of a version of mirocup that another one asks: it asks none itself.
+// Set in the environment of a version of mirocup that another version runs, so that it does not run
+// a further one.
 inline constexpr const char* asks_no_other = "MIROCUP_IS_ASKED";
 
 // Returns the real path of a file or folder, which strangers cannot change as long as root and this
-// user leave it. A relative path begins at the working folder. Each name and each link on the way,
-// from / on, belongs to root or to this user; nobody else may
-// write to it. A folder of root's with the sticky bit may be open to all, such as /tmp. In such a
-// folder only what belongs to this user counts. It may not be mounted there, and a file has one
-// name only, since strangers may mount their own file systems and link to files of others.
+// user do not change it. A relative path begins at the working folder. Each name and each link on
+// the way from / must belong to root or to this user, and nobody else may write to it. A folder of
+// root with the sticky bit may be open to all, such as /tmp. In such a folder everything must
+// belong to this user, must not be a mount point, and a file must have one name only, since
+// strangers may mount their own file systems there and link to files of others.
 //
-// Only bits of the mode are looked at. Of a POSIX access list, the bits of the group show the most
-// that it grants to anybody, so one that lets others write is refused; lists of NFS are not seen.
+// The check looks only at the bits of the mode. The group bits of a file with a POSIX access
+// control list show the most that the list grants to anybody, so a list that lets others write is
+// refused. Lists of NFS are not seen.
 //
 // Errors: Errc::input if the path is not trusted, with the name and the reason; Errc::unavailable
-// if a name is not there or cannot be read.
+// if a name does not exist or cannot be read.
 Result<std::string> trusted_path(const std::string& path);
 
-// The same for a program, whose real name must be `name`: a link to another program is refused
-// (Errc::input), and so is what is not a regular file that this user may run.
+// The same for a program, whose real name must be `name`. A link to another program is refused
+// (Errc::input), and so is anything but a regular file that this user may run.
 Result<std::string> trusted_program(const std::string& path, const std::string& name);
 
 }  // namespace mirocup::system

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The users of this computer, by number and by name, and who of them may write where.
+// The users of this computer, by number and by name, and the users that may write into a folder.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,7 +14,7 @@ namespace mirocup::system {
 // Returns the number of the user whose rights this process has.
 uid_t this_user();
 
-// Returns how a sentence names the user: "alice", or "user 1001" if the number has no name.
+// Returns the user's name for a sentence: "alice", or "user 1001" if the number has no name.
 std::string name_of_user(uid_t user);
 
 // Returns the user of that name or number; nothing if there is no such name.
@@ -24,7 +24,7 @@ std::optional<uid_t> find_user(const std::string& text);
 struct FolderWriters {
   uid_t owner = 0;
   bool others_write = false;   // true: others make files in it
-  bool others_remove = false;  // true: they remove and rename each other's files, too
+  bool others_remove = false;  // true: they also remove and rename each other's files
 };
 Result<FolderWriters> writers_of(const std::string& folder);
 

@@ -28,7 +28,7 @@ class Batch {
   Result<void> step();
   void set_weights(const Weights& weights) { config_.weights = weights; }
 
-  // The match of that number; an error if there is none, or if it has not been reset yet.
+  // Returns the match of that number; an error if it does not exist, or has not been reset yet.
   Result<Match*> match(int number) const;
   Result<match::Snapshot> snapshot(int number) const;
   Result<void> record(int number, bool last, const std::string& path) const;

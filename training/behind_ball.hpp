@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The place behind the ball: where a robot's middle is when it touches the ball on the side that is
-// turned away from the opponents' goal. From there it pushes the ball to the goal.
+// The place behind the ball: the middle of a robot that touches the ball on the side away from the
+// opponents' goal. From there the robot pushes the ball to the goal.
 #pragma once
 
 #include "core/base/vec2.hpp"

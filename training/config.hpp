@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The configuration of a batch: what is played, who learns, what a learner sees, does and gets.
-// docs/training.md describes the keys of its JSON.
+// The configuration of a batch: the legs that are played, the learners, their observations, actions
+// and rewards. docs/training.md describes the keys of its JSON.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -36,8 +36,8 @@ enum class Autoreset { next_step, same_step, disabled };
 // One team of every match.
 struct Side {
   std::vector<int> learners;         // indices of the robots that learn, ascending
-  std::string mates = "idle";        // steers the others: "noise", a house team, or a library
-  std::string library;               // path of its library; "" for "noise", and if all robots learn
+  std::string mates = "idle";        // steers the other robots: "noise", a house team, or a library
+  std::string library;               // path of the mates' library; "" for "noise" or no mates
   match::TeamParameters parameters;  // of the library
 
   bool learns() const { return !learners.empty(); }
@@ -46,7 +46,7 @@ struct Side {
 struct Config {
   int matches = 1;
   int threads = 0;     // 0: one for each processor
-  match::Setup setup;  // its seed is that of no match
+  match::Setup setup;  // its seed is not used
   match::ByTeam<Side> sides;
   Agents agents = Agents::team;
   ObservationKind observation = ObservationKind::standard;
@@ -54,20 +54,20 @@ struct Config {
   Autoreset autoreset = Autoreset::next_step;
   double episode_s = 30.0;          // of play, after which an episode is truncated; infinite: never
   bool ends_at_goal = true;         // a goal terminates the episode
-  bool skips_stops = true;          // steps go on until play is on: at restarts robots stand
-  std::vector<StartRanges> starts;  // of episodes; none: with the kick-off
+  bool skips_stops = true;          // a step lasts until play is on: at restarts robots stand
+  std::vector<StartRanges> starts;  // of episodes; empty: the kick-off
   nlohmann::ordered_json pitch;     // "parameters" of a scene, with ranges; null: those of a match
   int ticks_per_step = 1;           // control periods for which an action holds
   Weights weights = default_weights();
-  std::string text;  // of the JSON, without the number of matches and threads
+  std::string text;  // the JSON, without the number of matches and threads
 };
 
-// `folder` is where house teams are looked for, besides the places where programs find them.
-// Errors: Errc::input, with the JSON pointer of the key.
+// `folder` is a further place to look for house teams, besides those of programs. Errors:
+// Errc::input, with the JSON pointer of the key.
 Result<Config> parse_config(std::string_view json, const std::string& folder);
 
-// Returns the setup of the leg of an episode, whose seed draws its start and its pitch. The error
-// is that of a start of which no draw could be played.
+// Returns the setup of the leg of an episode; `seed` draws its start and its pitch. The error is
+// that of a start without a playable draw.
 Result<match::Setup> setup_of(const Config& config, std::uint64_t seed);
 
 }  // namespace mirocup::training

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What has to be kept of an episode so that it can be played again: its seed, the commands of each
-// tick, and what was asked for at restarts. Everything else follows from them.
+// The data with which an episode can be played again: its seed, the commands of each tick, and the
+// placement requests at restarts. Everything else follows from them.
 #pragma once
 
 #include "core/match/leg.hpp"
@@ -35,7 +35,7 @@ struct Episode {
 };
 
 // Plays the episode again and writes it as a record, with its replay beside it. An episode that was
-// cut, or has not ended yet, is a void leg.
+// truncated, or has not ended yet, becomes a void leg.
 Result<void> save_record(const Config& config, const Episode& episode, const std::string& path);
 
 }  // namespace mirocup::training

@@ -26,12 +26,12 @@ struct Slots {
   explicit Slots(const Config& config);
 };
 
-// The statistics of an episode: these, then the sum of each term.
+// The statistics of an episode: these values, then the sum of each term.
 inline constexpr std::array<std::string_view, 5> first_statistics{"return", "steps", "seconds",
                                                                   "score", "opponent_score"};
 inline constexpr int statistics = static_cast<int>(first_statistics.size()) + terms;
 
-// The rows of one match in the caller's buffers; null where nothing is wanted.
+// The rows of one match in the caller's buffers; null if the caller does not want them.
 struct Rows {
   const float* actions = nullptr;
   float* observations = nullptr;
@@ -48,42 +48,41 @@ std::unique_ptr<simulator::World> make_world(const match::Setup& setup, const fi
 
 class Match {
  public:
-  // What is passed outlives the match. `seed` is that of its first episode.
+  // The arguments outlive the match. `seed` is that of its first episode.
   Match(const Config& config, const Slots& slots, const Observer& observer, std::uint64_t seed);
 
-  // The functions below that take a world use it while they run and leave nothing in it: matches
-  // that are played by one thread share one, so what a match needs between steps is small. It is
-  // made by make_world().
+  // The functions below use a world only while they run, and leave nothing in it. So matches of one
+  // thread share a world, and a match needs little memory between steps. make_world() makes it.
 
-  // Starts an episode: the first one of a seed, or the next one. The error is that of a team that
-  // does not start.
+  // Starts an episode: the first episode of a seed, or without a seed the next one. The error is
+  // that of a team that does not start.
   Result<void> reset(std::optional<std::uint64_t> seed, const Rows& rows, simulator::World& world);
 
-  // Plays one step, or starts the episode that is due. Not before the first reset().
+  // Plays one step, or starts the next episode if it is due. Must not be called before reset().
   Result<void> step(const Rows& rows, const Weights& weights, simulator::World& world);
 
   bool has_started() const { return leg_.has_value(); }
-  // The state of all bodies. Not before the first reset().
+  // Returns the state of all bodies. Must not be called before reset().
   match::Snapshot snapshot(simulator::World& world);
 
   const Episode& episode() const { return episode_; }
   const std::optional<Episode>& last_episode() const { return last_; }
 
-  // A copy of its state as bytes, and the match in the state of a copy.
+  // save() returns the match's state as bytes; restore() sets the match to such a state.
   std::string save() const;
   Result<void> restore(std::string_view copy, simulator::World& world);
 
  private:
   using Commands = match::ByTeam<match::Command>;
 
-  // What is counted of an episode.
+  // Counts of an episode.
   struct Counts {
     std::uint64_t steps = 0;
     std::uint64_t play_ticks = 0;
     bool is_terminated = false;
     bool is_truncated = false;
   };
-  // What is measured for a learner.
+  // Measures of a learner.
   struct Measures {
     RewardMeter meter;
     Terms sums{};
@@ -105,7 +104,7 @@ class Match {
   void write_statistics(float* to) const;
   bool is_done() const { return counts_.is_terminated || counts_.is_truncated; }
   std::uint64_t next_seed();
-  // A leg on a pitch of its own has a world of its own.
+  // If each episode draws its pitch, each leg has its own world.
   bool shares_world() const { return config_.pitch.is_null(); }
   void take_up(simulator::World& world);
   void lay_aside();
@@ -117,7 +116,7 @@ class Match {
   std::uint64_t episodes_ = 0;    // of the series, begun so far
   std::uint64_t max_play_ticks_;  // of an episode
   std::optional<match::Leg> leg_;
-  match::ByTeam<std::unique_ptr<plugins::TrustedController>> teams_;  // null where none plays
+  match::ByTeam<std::unique_ptr<plugins::TrustedController>> teams_;  // null: no library plays
   match::ByTeam<Noise> noise_;
   Counts counts_;
   std::vector<Measures> measures_;  // of each learner

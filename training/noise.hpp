@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Robots that move at random, as the ones that do not learn in rSoccer's VSS environment: the speed
-// of each wheel is an Ornstein-Uhlenbeck process, x += theta (0 - x) dt + sigma sqrt(dt) n, with
-// theta = 0.17/s and sigma = 0.5/sqrt(s), in shares of the speed limit.
+// Robots that move at random, as the robots without a learner do in rSoccer's VSS environment: the
+// speed of each wheel is an Ornstein-Uhlenbeck process, x += theta (0 - x) dt + sigma sqrt(dt) n,
+// with theta = 0.17/s and sigma = 0.5/sqrt(s), in shares of the speed limit.
 #pragma once
 
 #include "core/match/command.hpp"

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// What a learner sees: numbers near [-1, 1], in the frame of its team.
+// The observation of a learner: numbers near [-1, 1], in the frame of its team.
 //
-// `standard`: the ball (x, y, velocity along x and y), then for each robot x, y, cosine and sine of
-// its heading, velocity along x and y, turn: those of the own team, then the opponents; then who
-// took the last restart and how long play has been getting nowhere. A learner that is one robot
-// comes first of its team.
+// `standard`: the ball (x, y, velocity along x and y); then for each robot of the own team, and
+// then of the opponents, x, y, cosine and sine of its heading, velocity along x and y, turn; then
+// the taker of the last restart, and the time for which the ball has been stuck. If the learner is
+// one robot, it comes first in its team.
 //
 // `relative`: the same in the frame of the one robot that learns, whose x points forward: the ball;
-// its own velocity and turn; the middle of both goals; then where it and the ball are on the field;
-// the directions of the ball, of the goal, and of the place behind the ball
+// its own velocity and turn; the middle of both goals; then the places of the robot and the ball on
+// the field; the directions of the ball, of the goal, and of the place behind the ball
 // (training/behind_ball.hpp), and how near ball and place are; the shot from the ball to the goal;
-// then each mate and each opponent: x, y, velocity, and cosine and sine of its heading, all as seen
-// by the robot; restart and stalemate.
+// then for each mate and each opponent x, y, velocity, and cosine and sine of its heading; restart
+// and stalemate.
 //
-// `vss`: that of rSoccer's VSS environment: the ball, the own robots with sine before cosine, the
-// opponents without heading.
+// `vss`: the observation of rSoccer's VSS environment: the ball, the own robots with sine before
+// cosine, the opponents without heading.
 //
-// Under conditions with a camera both show what the camera sees.
+// Under conditions with a camera, observations show the field as the camera sees it.
 #pragma once
 
 #include "training/config.hpp"
@@ -44,8 +44,8 @@ class Observer {
 
   const std::vector<Quantity>& quantities() const { return quantities_; }
 
-  // Writes what a learner of a team sees. `first` is the robot that comes first in the list of its
-  // own team; 0 keeps the order.
+  // Writes the observation of a learner of a team. `first` is the robot that comes first in the
+  // list of its own team; 0 keeps the order.
   void write(const match::Leg& leg, Team team, int first, std::span<float> to) const;
 
  private:

@@ -3,7 +3,7 @@
 // The reward of a learner: a sum of named terms, each with a weight.
 //
 // Terms are measured in the frame of the learner's team, tick by tick while play is on, and summed
-// up over the ticks of a step. What bodies gain by being placed at a restart does not count.
+// up over the ticks of a step. Changes by the placement at a restart do not count.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -41,7 +41,7 @@ constexpr Weights default_weights() {
   return weights;
 }
 
-// The unit of a term and what it says, for the spec.
+// The unit and the meaning of a term, for the spec.
 struct TermText {
   std::string_view unit;
   std::string_view meaning;
@@ -60,9 +60,9 @@ class RewardMeter {
   // To be called when an episode starts.
   void start(const match::Leg& leg, const Learner& learner);
 
-  // Adds what happened in the tick that the leg has played last. `command` is what the learner's
-  // team was told to drive in the tick, rad/s. `decisions` is how many decisions the leg had before
-  // the tick.
+  // Adds the tick that the leg has played last. `command` are the wheel speeds that the learner's
+  // team drove in the tick, rad/s. `decisions` is the number of decisions of the leg before the
+  // tick.
   void add_tick(const match::Leg& leg, const Learner& learner,
                 const std::array<simulator::WheelSpeeds, max_robots_per_team>& command,
                 std::size_t decisions);

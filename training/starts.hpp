@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where episodes start, if not with a kick-off: situations, and those of drills, with numbers that
+// The starts of episodes without a kick-off: situations, also those of drills, with numbers that
 // each episode draws.
 #pragma once
 
@@ -21,8 +21,8 @@ struct StartRanges {
 };
 
 // Reads one start or a list of them: a situation, the name of a drill, or the file of a situation
-// or a drill. `folder` is that of the library, near which drills are looked for. Complains about a
-// start of which no draw can be played; with `is_even`, about a score that is not even.
+// or a drill. `folder` is that of the library; drills are looked for near it. Complains about a
+// start without a playable draw and, if `is_even`, about an uneven score.
 std::vector<StartRanges> read_starts(const record::JsonReader& json, League league, bool is_even,
                                      const std::string& folder);
 

@@ -3,8 +3,8 @@
 // The threads of a batch. They divide numbered pieces of work among themselves; which thread does
 // which piece must not matter.
 //
-// Each thread begins with its own share of the pieces, the same one in every run, so that what it
-// works on stays in its processor's caches; who has finished helps the others.
+// Each thread begins with its own share of the pieces, the same share in every run, so that its
+// data stay in its processor's caches. A thread that has finished helps the others.
 #pragma once
 
 #include <atomic>
@@ -17,7 +17,7 @@ namespace mirocup::training {
 
 class Workers {
  public:
-  // The calling thread works, too: there are `threads` - 1 others.
+  // The calling thread also works, so there are `threads` - 1 other threads.
   explicit Workers(int threads);
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
@@ -25,7 +25,7 @@ class Workers {
 
   int threads() const { return static_cast<int>(others_.size()) + 1; }
 
-  // What is done: a piece, by one of the threads, numbered from 0 (the calling one).
+  // Does one piece. Threads are numbered from 0, the calling thread.
   using DoPiece = std::function<void(int piece, int thread)>;
 
   // Does the pieces 0 .. pieces-1 and returns when all are done. Each thread works with the default
@@ -46,7 +46,7 @@ class Workers {
   std::vector<Share> shares_;  // by thread
   const DoPiece* do_piece_ = nullptr;
   bool is_closing_ = false;
-  // What is written before a change of these two is read by those who saw the change.
+  // Writes before a change of these two are visible to threads that saw the change.
   std::atomic<std::uint32_t> runs_{0};  // begun so far
   std::atomic<int> busy_{0};            // other threads that have not finished this run
   std::vector<std::thread> others_;

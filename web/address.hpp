@@ -16,7 +16,7 @@ struct Address {
   int port = 0;
 };
 
-// `option` names the option of the text, for the error (Errc::input).
+// `option` names the option that gave the text, for the error (Errc::input).
 Result<Address> parse_address(const std::string& text, const std::string& option);
 
 }  // namespace mirocup::web

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The client of a league's desk: hands a file in over HTTP and asks what became of it.
+// The client of a league's desk: hands a file in over HTTP and asks for its state.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,18 +14,18 @@ namespace mirocup::web {
 
 using Json = nlohmann::ordered_json;
 
-// What the server answered: a status and an object, or the sentence in {"error"}.
+// The answer of the server: a status and an object, or the sentence in {"error"}.
 struct DeskReply {
   int status = 0;  // 0: no server has answered
-  Json json;       // null if the reply is none
+  Json json;       // null if the reply is not JSON
   std::string error;
 };
 
 class HandInClient {
  public:
-  // `url` is the address of the league, "https://host:8443"; `authority` a file with the
-  // certificate that signs for the server, "": those of the system. Errc::input if the address is
-  // none.
+  // `url` is the address of the league, "https://host:8443". `authority` is a file with the
+  // certificate that signs for the server; "": the certificates of the system. Errc::input if `url`
+  // is not an address.
   static Result<std::unique_ptr<HandInClient>> open(const std::string& url,
                                                     const std::string& token,
                                                     const std::string& authority);
@@ -33,7 +33,7 @@ class HandInClient {
   HandInClient(const HandInClient&) = delete;
   HandInClient& operator=(const HandInClient&) = delete;
 
-  // The team of the token, and whether it may hand in now.
+  // Asks for the team of the token, and whether it may hand in now.
   DeskReply about();
   // Sends a file.
   DeskReply put(const std::string& name, const std::string& bytes);

@@ -22,16 +22,18 @@
 
 namespace mirocup::web {
 
-// The library's server, but a request has at most 64 KiB in all and arrives within ten seconds, and
-// asks for a whole page: the library itself takes headers, lines and bodies without end, and a
-// thousand ranges of one page at once. A PUT may have a larger body where the server takes uploads.
+// The library's server with limits: a request has at most 64 KiB in all, arrives within ten
+// seconds, and gets whole pages. The library itself accepts headers, lines and bodies without end,
+// and a thousand ranges of one page at once. If the server takes uploads, a PUT may have a larger
+// body.
 class BoundedServer : public httplib::Server {
  public:
   // Answers the one request of a connection; the connection stays open.
   bool answer(socket_t connection);
 
-  // Takes bodies of PUT up to that size, bytes, within that time, s. The body is asked for
-  // ("100 Continue") when it is read: a client that waits for that does not send in vain.
+  // Accepts bodies of PUT up to that size, bytes, within that time, s. The server asks for the body
+  // ("100 Continue") only when it reads it, so that a client that waits for this does not send in
+  // vain.
   void allow_uploads(std::size_t size, int seconds);
 
   // Encrypts all connections from now on.
@@ -56,9 +58,9 @@ class HttpServer {
   // For setting the routes, before listen().
   BoundedServer& server() { return server_; }
 
-  // Binds to the address and serves requests from now on, in threads of a lower priority. `option`
-  // is the one that named the address, for the error: Errc::unavailable if the address is in use or
-  // not of this host.
+  // Binds to the address and serves requests from now on, in threads of a lower priority. The error
+  // names `option`, which gave the address: Errc::unavailable if the address is in use or not of
+  // this host.
   Result<void> listen(const Address& address, const std::string& option);
 
   std::string url() const;

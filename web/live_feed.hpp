@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The feed of a running match for its viewers: always the latest state, without a queue. The
+// The feed of a running match for its viewers: it has always the latest state, and no queue. The
 // match never waits for a viewer; a slow viewer misses states.
 //
 // Threads: the thread of the match calls publish() and close(); any other thread may call news().
@@ -32,7 +32,7 @@ class LiveFeed {
     bool has_ended = false;
     std::size_t decisions = 0;
     std::uint64_t version = 0;     // of the state
-    std::uint64_t statistics = 0;  // version of the statistics that it has
+    std::uint64_t statistics = 0;  // version of the viewer's statistics
     Frame frame;
   };
 
@@ -43,7 +43,7 @@ class LiveFeed {
   void copy(const match::Leg& match);
 
   int robots_;
-  // Of the thread of the match, up to date.
+  // Used by the thread of the match only, and up to date.
   statistics::LegCounter counted_;
 
   mutable std::mutex mutex_;

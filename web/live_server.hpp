@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The live page of one match over HTTP: the page at /, its events at /events, and nothing else. No
-// request changes anything, and no file is read.
+// The live page of one match over HTTP: the page at / and its events at /events. No request changes
+// anything, and the server reads no file.
 //
 // Threads: the server has threads of its own, with a lower priority than the match. A viewer that
 // does not read blocks its own thread only, and is dropped after a few seconds. All functions

@@ -15,8 +15,8 @@
 
 namespace mirocup::web {
 
-// Whether the page shows times that a clock measured. They differ whenever the leg is played; a
-// page without them has the same bytes on every machine.
+// Whether the page shows times that a clock measured. They differ each time that the leg is played;
+// a page without them has the same bytes on every machine.
 enum class Times { shown, left_out };
 
 // Simulates the leg again to get the positions, and returns the data that page/main.js reads: the
@@ -24,8 +24,8 @@ enum class Times { shown, left_out };
 tl::expected<record::Json, replay::Divergence> replay_data(const record::MatchRecord& record,
                                                            Times times = Times::shown);
 
-// Returns the data in a page of replay_page(), also of one of an earlier version; nothing if there
-// is none. `html` may be any text.
+// Returns the data in a page of replay_page(), also in a page of an earlier version. `html` may be
+// any text; if it has no such data, returns nothing.
 std::optional<record::Json> data_of_page(std::string_view html);
 
 // Returns the first moment of the leg as an SVG element, whose bodies page/field.js moves.
@@ -33,7 +33,7 @@ std::string first_picture(const record::MatchRecord& record);
 
 struct ReplayPage {
   std::string html;
-  statistics::LegStatistics statistics;  // that it shows
+  statistics::LegStatistics statistics;  // that the page shows
 };
 
 // Returns the page of the leg, with its data. Between the comments <!--league--> and

@@ -11,10 +11,10 @@ namespace mirocup::web {
 
 using record::Json;
 
-// The values that hold from a tick on: {state, phase, left, score}.
+// The values that change seldom, as they are from a tick on: {state, phase, left, score}.
 Json moment_json(const match::Snapshot& scene);
 
-// The robots that count as keepers, blue's and yellow's; -1: none does.
+// The robots that count as keepers, blue's and yellow's; -1: the team has none.
 Json keepers_json(const match::Snapshot& scene);
 
 // The statistics of the leg as `mirocup stats` has them (docs/statistics.md) without the lists of

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // One moment of a leg as SVG: the field, the robots with their numbers, the ball and its trail. It
-// is a file of its own, and also the picture that the pages animate.
+// can be a separate file, and is also the picture that the pages animate.
 #pragma once
 
 #include "core/match/leg.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A request to a server and the reply to it, without the HTTP library, so that what answers can be
-// tested without a connection.
+// A request to a server and its reply, without the HTTP library, so that tests of replies need no
+// connection.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,9 @@ struct Request {
   std::multimap<std::string, std::string> query{};
   std::multimap<std::string, std::string> headers{};  // names in lower case
 
-  // Returns the value of a header or of a part of the query. "" if there is none, and if there are
-  // several: nobody can choose which of two this server and a proxy before it believe.
+  // Returns the value of a header or of a part of the query; "" if there is none, or if there are
+  // several. So nobody can make this server believe one of two values, and a proxy before it the
+  // other.
   std::string header(const std::string& name) const { return only(headers, name); }
   std::string asked(const std::string& name) const { return only(query, name); }
 
@@ -36,8 +37,8 @@ struct Request {
 };
 
 // Reads the body of a request in parts and gives them to `take`. Returns false if `take` did, or if
-// the connection broke before the end of the body. May be called once, or not at all: then the body
-// is not asked for.
+// the connection broke before the end of the body. May be called at most once. If it is not called,
+// the server does not ask for the body.
 using Body = std::function<bool(const std::function<bool(std::string_view part)>& take)>;
 
 // Whole server-sent events.
@@ -52,8 +53,8 @@ struct Reply {
   std::string bytes = {};
   std::vector<std::pair<std::string, std::string>> headers = {};
 
-  // If set, the reply is a stream of events in place of the bytes. It is called about 30 times a
-  // second.
+  // If set, the reply is a stream of events instead of `bytes`. The server calls this function
+  // about 30 times a second.
   std::function<EventBatch()> events = {};
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A site over HTTP whose pages change while they are shown: pages at the paths that the site knows,
-// the changes at /events, and below /live/NAME/ the live pages of matches on this host; once a
-// match is over, its address leads to /replays/NAME.html. No request changes anything, unless the
+// A site over HTTP whose pages change while they are shown. It has pages at the paths that the site
+// knows, the changes at /events, and below /live/NAME/ the live pages of matches on this host. Once
+// a match is over, its address leads to /replays/NAME.html. No request changes anything, unless the
 // site takes commands or has a desk. Paths of requests are looked up in the site, never joined to
 // the path of a folder.
 #pragma once
@@ -32,33 +32,33 @@ struct Site {
   // Returns the page at a path, which starts with "/"; nothing if there is none.
   std::function<std::optional<Page>(const std::string& path)> page;
 
-  // The server-sent events for a viewer that has seen version `seen` (0: none); "" if that is the
-  // present version. Sets `seen` to the present version.
+  // Returns the server-sent events for a viewer that has version `seen` (0: no version); "" if that
+  // is the present version. Sets `seen` to the present version.
   std::function<std::string(std::uint64_t& seen)> news;
 
   // Returns the port of this host at which the match of that name has its live page; nothing if it
-  // has none.
+  // has no live page.
   std::function<std::optional<int>(const std::string& name)> match;
 
   // Takes the body of a request to /control; false if it is not allowed. Without this function no
   // request changes anything.
   std::function<bool(const std::string& body)> control = {};
 
-  // If set, it is asked first, whatever the method. It returns nothing if it has no such path: then
-  // the path is looked up in the pages.
+  // If set, the server calls it first, whatever the method. If it returns nothing, it does not have
+  // the path, and the server looks for the path in the pages.
   std::function<std::optional<Reply>(const Request& request, const Body& body)> desk = {};
 };
 
-// What a site server takes and how.
+// Uploads and encryption of a site server.
 struct SiteLimits {
-  std::size_t max_upload = 0;                 // bytes of the body of a PUT; 0: none is taken
-  std::optional<system::TlsServer> tls = {};  // nothing: connections are not encrypted
+  std::size_t max_upload = 0;                 // bytes of the body of a PUT; 0: no uploads
+  std::optional<system::TlsServer> tls = {};  // empty: connections are not encrypted
 };
 
 class SiteServer {
  public:
-  // `option` is the one that named the address, for the error: Errc::unavailable if the address is
-  // in use or not of this host.
+  // The error names `option`, which gave the address: Errc::unavailable if the address is in use or
+  // not of this host.
   static Result<std::unique_ptr<SiteServer>> open(const Address& address, const std::string& option,
                                                   Site site, SiteLimits limits = {});
   ~SiteServer();

@@ -19,7 +19,7 @@ class SvgPath {
   SvgPath& move_to(const Vec2& point) { return add('M', point); }
   SvgPath& line_to(const Vec2& point) { return add('L', point); }
 
-  // Follows the shorter arc of that radius, m. The direction is that of a view from above.
+  // Follows the shorter arc of that radius, m. `counter_clockwise` is as seen from above.
   SvgPath& arc_to(double radius, const Vec2& point, bool counter_clockwise);
 
   SvgPath& circle(const Vec2& centre, double radius);

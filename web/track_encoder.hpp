@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The positions of all bodies, tick by tick, small enough for a page: whole numbers, each written
-// as its difference to the straight line through the two numbers before it, in as few bytes as it
-// needs.
+// The positions of all bodies, tick by tick, small enough for a page. They are whole numbers. Each
+// is written as its difference to the straight line through the two numbers before it, in as few
+// bytes as possible.
 //
 // A frame is the state at the start of a tick as whole numbers, in the units below: clock, ball x
 // and y, then x, y and heading of each robot, blue robots first. page/track.js reads frames and

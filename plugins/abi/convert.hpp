@@ -9,7 +9,7 @@
 
 namespace mirocup::abi {
 
-// The functions and the handle of the host are null: who runs the team sets its own.
+// The functions and the handle of the host are null: the program that runs the team sets them.
 mirocup_setup to_setup(const match::Briefing& briefing);
 mirocup_observation to_observation(const match::Observation& observation);
 match::Command to_command(const mirocup_command& command);

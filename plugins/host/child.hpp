@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A child process: its exit status and what it has used.
+// A child process: its exit status, processor time and memory.
 #pragma once
 
 #include <ctime>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A word about a team that crashes in the server's own process (--trusted), before the process dies
-// of it. In a team's own process fault_report.hpp does this.
+// Reports a team that crashes in the server's own process (--trusted), before that process dies. In
+// a team's own process fault_report.hpp does this.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ struct RunningCall {
   std::uint32_t tick = 0;
 };
 
-// From here on a deadly signal first prints one line about the running call. A handler that is
-// there already, as a sanitizer's, stays. For programs, not for a library in another's process.
+// From here on a deadly signal first prints one line about the running call. Existing handlers,
+// such as a sanitizer's, stay. For programs, not for a library in another program's process.
 void tell_of_crashes();
 
-// Says that the call runs, until the object ends.
+// Marks the call as running as long as the object lives.
 class RunningCallMark {
  public:
   explicit RunningCallMark(const RunningCall& call);

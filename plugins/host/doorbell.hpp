@@ -28,7 +28,7 @@ class Doorbell {
     --members_;
   }
 
-  // Asks for a wake-up of the process that sleeps on `word`. It happens when every member has
+  // Asks for a wake-up of the process that sleeps on `word`. All are woken when every member has
   // asked, or at the next ring(). The word must live until then.
   void ask(const std::atomic<std::uint32_t>& word) {
     assert(asked_ < 2);
@@ -37,7 +37,8 @@ class Doorbell {
   }
 
   // Wakes the processes that were asked for. Must be called before waiting for an answer: a team
-  // that still computes gets no new observation and does not ask, and the other one would sleep on.
+  // that still computes gets no new observation, so nobody asks for it, and the other team would
+  // not wake up.
   void ring() {
     if (asked_ == 1) wake(*words_[0]);
     if (asked_ == 2) wake(*words_[0], *words_[1]);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads a shared library without loading it: whether it is one, complete and built for this
-// machine, and what it exports and needs.
+// Reads a shared library without loading it: whether it is a complete library for this machine, its
+// exports and the libraries that it needs.
 //
-// The bytes come from a stranger: every offset is checked before it is followed, none of the code
-// is run, and time and memory are bounded by the size of the file: a tenth of a second and some
-// hundred KiB, whatever its tables claim. This is a reader of our own rather than libelf, so that
-// all of these checks are here. A library that passes can still fail to load, which the sandbox
-// finds out.
+// The bytes come from a stranger: every offset is checked before it is followed, no code runs, and
+// the size of the file bounds time and memory: a tenth of a second and some hundred KiB, whatever
+// its tables claim. This is our own reader instead of libelf, so that all of these checks are here.
+// A library that passes can still fail to load; the sandbox finds that out.
 #pragma once
 
 #include <tl/expected.hpp>
@@ -24,7 +23,7 @@ struct SharedLibrary {
   bool exports_entry = false;       // true: it defines a function mirocup_entry
 };
 
-// Reads the whole file in `bytes`. An error is a sentence that tells the author what to do.
+// Reads the whole file in `bytes`. An error is a sentence with advice for the author.
 tl::expected<SharedLibrary, std::string> read_shared_library(std::string_view bytes);
 
 }  // namespace mirocup::plugins

@@ -8,12 +8,12 @@
 namespace mirocup::plugins {
 
 // Installs handlers of the deadly signals. They write the signal, or the number of the forbidden
-// system call, into the page and end the process with exit_faulted. A signal that another process
-// has sent is ignored: it is no fault of the team. The handlers run on a stack of their own, so
-// that they can also report a stack overflow. After that they write the trace of the calls in the
-// library that was loaded from `library`, as far as they come. Then unblocks all signals, which the
-// server blocked when it started the process. `page` and `library` must stay until the process
-// ends. Returns false on failure; errno says why.
+// system call, into the page and end the process with exit_faulted. A signal from another process
+// is ignored, because it is not a fault of the team. The handlers run on a separate stack, so that
+// they can also report a stack overflow. After the signal they write the trace of the calls in the
+// library that was loaded from `library`, if they can. Then unblocks all signals, which the server
+// blocked when it started the process. `page` and `library` must stay until the process ends.
+// Returns false on failure; errno says why.
 bool report_faults_to(CommandPage& page, const char* library);
 
 }  // namespace mirocup::plugins

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Advice to an author who hands in a file that cannot be a team, by its bytes alone.
+// Advice to an author whose file cannot be a team, from the bytes of the file alone.
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@
 
 namespace mirocup::plugins {
 
-// Returns advice about a file that is no shared library but something else that is known, such as
-// an archive or a source; "" if it is not known.
+// Returns advice about a file of another known kind than a shared library, such as an archive or a
+// source; "" if its kind is not known.
 std::string advice_on_file(std::string_view bytes);
 
-// Returns advice about a library that exports no mirocup_entry(); it may be there under a C++ name.
+// Returns advice about a library that exports no mirocup_entry(). It may export the function under
+// a C++ name.
 std::string advice_on_missing_entry(std::string_view bytes);
 
 }  // namespace mirocup::plugins

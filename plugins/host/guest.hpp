@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// In the team's process: what kind of team the program plays. mirocup-plugin-host plays libraries
-// (library_guest.cpp), mirocup-python-host plays teams in Python (plugins/python/python_guest.cpp).
+// In the team's process: the kind of team that the program plays. mirocup-plugin-host plays
+// libraries (library_guest.cpp), mirocup-python-host plays teams in Python
+// (plugins/python/python_guest.cpp).
 #pragma once
 
 #include "plugins/host/plugin.hpp"
@@ -9,10 +10,10 @@
 
 namespace mirocup::plugins {
 
-// Whether loading such a team lists the folders of the system's libraries.
+// Returns whether loading such a team lists the folders of the system's libraries.
 Folders folders_of_guest();
 
-// Loads the team from the entry, which is at `path` and open as entry_descriptor, and creates it.
+// Loads the team from the entry at `path`, which is also open as entry_descriptor, and creates it.
 // `setup` must outlive it.
 tl::expected<Plugin, match::Fault> load_guest(const char* path, const mirocup_setup& setup);
 

@@ -10,10 +10,10 @@
 
 namespace mirocup::plugins {
 
-enum class Care { none, watched };  // watched: mistakes in the use of memory are looked for
+enum class Care { none, watched };  // watched: the program looks for mistakes in the use of memory
 
-// Returns the path of the program for the entry. A team in Python is watched by Python itself.
-// Errors: Errc::unavailable where the part that plays Python is not built or installed.
+// Returns the path of the program for the entry. Python itself watches a team in Python. Errors:
+// Errc::unavailable if the part that plays Python is not built or installed.
 Result<std::string> host_program(const SealedEntry& entry, Care care = Care::none);
 
 // The same for the module by which --trusted plays Python.

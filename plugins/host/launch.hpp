@@ -17,18 +17,18 @@ namespace mirocup::plugins {
 enum HostDescriptor : int {
   observation_descriptor = 3,
   command_descriptor = 4,
-  setup_descriptor = 5,  // where it tells that the sandbox stands, or why not
+  setup_descriptor = 5,  // to report that the sandbox stands, or why it does not
   entry_descriptor = 6,
   program_descriptor = 7,  // closed by exec
 };
 
 // The byte that the process writes to setup_descriptor, a socket of packets, when the sandbox
-// stands. Before it a packet with the descriptor of ask_before_loading() may come. Any other text
+// stands. A packet with the descriptor of ask_before_loading() may come before it. Any other text
 // is the reason why the sandbox does not stand.
 inline constexpr char sandbox_stands = '+';
 
-// The programs of a team's process: for libraries, for libraries whose mistakes are looked for, and
-// for teams in Python.
+// The programs of a team's process: for libraries, for libraries in which `mirocup check` looks for
+// mistakes, and for teams in Python.
 inline constexpr const char* library_host = "mirocup-plugin-host";
 inline constexpr const char* careful_host = "mirocup-careful-host";
 inline constexpr const char* python_host = "mirocup-python-host";
@@ -37,7 +37,7 @@ struct Launch {
   std::string program;  // path of one of the programs above
   Isolation isolation = Isolation::T2;
   bool fixed_addresses = true;  // see surroundings.hpp
-  // Descriptors of the calling process, which stay its own.
+  // Descriptors of the calling process, which still owns them.
   int observation = -1;
   int command = -1;
   int setup = -1;

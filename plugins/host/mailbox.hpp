@@ -4,7 +4,7 @@
 //
 // The server writes the observation page, and the team can only read it. The team writes the
 // command page, and the server trusts nothing on it: it copies an answer once and checks the copy.
-// Each page has a counter that the other side waits for with a futex, so that handing over costs
+// Each page has a counter on which the other side waits with a futex, so that handing over costs
 // one wake-up and no copy through the kernel.
 #pragma once
 
@@ -29,24 +29,24 @@ struct ObservationPage {
   Surroundings surroundings;
   mirocup_setup setup;  // its pointers are null: the team's process sets its own
   ParameterTable parameters;
-  std::uint32_t keeps_thoughts;  // 1: what the team draws is kept
+  std::uint32_t keeps_thoughts;  // 1: the team's shapes are kept
   mirocup_observation observation;
 };
 
-// What a team's process reports about its library before the first answer. The process could write
-// anything here, so the server uses it only as the reason of a leg that the team loses.
+// The report of a team's process about its library before the first answer. The process could write
+// anything here, so the server uses the report only as the reason of a leg that the team loses.
 enum class LoadState : std::uint32_t { loading, ready, no_load, bad_abi, crash };
 
 // The exit codes of a team's process that left a report on its page, and the fields that hold it.
 inline constexpr int exit_refused = 1;  // load_state and text
-inline constexpr int exit_faulted = 3;  // fault_signal and what follows it
+inline constexpr int exit_faulted = 3;  // fault_signal and the fields after it
 
 inline constexpr int no_call = -1;
 
-// The function of the team that runs. None of them while the library is loaded.
+// The function of the team that runs; `none` while the library is being loaded.
 enum class TeamCall : std::uint32_t { none, create, decide, place };
 
-// The kind of address that a process was killed for.
+// The kind of address whose access killed a process.
 enum class AddressKind : std::uint32_t { unknown, null, end_of_stack, other };
 
 struct CommandPage {
@@ -60,7 +60,7 @@ struct CommandPage {
   std::atomic<TeamCall> team_call;  // the function that runs, or ran last
   AskedRows asked_parameters;       // of ObservationPage::parameters
   char name[64];                    // of the team, as its library says; any bytes
-  char text[256];                   // why the team does not play, or what it threw
+  char text[256];                   // why the team does not play, or the text of its exception
   char requests[1024];              // only of mirocup-careful-host: write_requests()
   mirocup_command command;
   mirocup_placement placement;  // valid if the observation had placing = 1

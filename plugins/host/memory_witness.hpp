@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells whose memory ended a leg.
+// Decides who is to blame if a lack of memory ended a leg.
 //
-// Where memory is short the kernel ends a process of its choice with SIGKILL. A team that has taken
-// no more than it may have is not to blame for that: the leg is void, and the sentence names the
-// team and the sizes. It is to blame only if the machine had all that both teams may take, and what
-// then was missing went to this team.
+// If memory is short, the kernel ends a process of its choice with SIGKILL. A team that stayed
+// within its limit is not at fault: the leg is void, and the sentence names the team and the sizes.
+// A team is at fault only if the kernel ended a process for want of memory, a leg's memory was free
+// when the leg began, no other process has taken it since, and the team has taken more than the
+// other and at least half of its limit.
 #pragma once
 
 #include "core/field/team.hpp"
@@ -20,9 +21,9 @@
 
 namespace mirocup::plugins {
 
-// What is known about a team's process that was killed from outside. Sizes in bytes.
+// The evidence about a team's process that was killed from outside. Sizes in bytes.
 struct MemoryEvidence {
-  std::optional<bool> was_out_of_memory;     // nothing: the kernel does not tell
+  std::optional<bool> was_out_of_memory;     // empty: the kernel does not tell
   std::optional<std::size_t> free_at_start;  // of the leg
   std::optional<std::size_t> free_now;       // when the process was gone
   std::size_t own_peak = 0;

@@ -21,7 +21,8 @@ struct ParameterTable {
   std::array<Row, match::max_team_parameters> rows{};
 };
 
-// Returns the table of parameters that problem_with() finds nothing wrong with, in the same order.
+// Returns the table of the parameters, in the same order. Precondition: problem_with() finds
+// nothing wrong with them.
 ParameterTable parameter_table(const match::TeamParameters& parameters);
 
 // One bit for each row of a table, counted from the lowest: 1 if the team asked for that name.

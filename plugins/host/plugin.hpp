@@ -13,7 +13,7 @@
 
 namespace mirocup::plugins {
 
-// Writes a line to standard error: setup.log of a process whose standard error is the team's log.
+// Implements setup.log: writes a line to standard error, which is the team's log.
 void write_line(const char* text);
 
 class Plugin {
@@ -24,14 +24,14 @@ class Plugin {
   static tl::expected<Plugin, match::Fault> load(const std::string& path,
                                                  const mirocup_setup& setup);
 
-  // Takes a team that other code of this process has created with these functions. destroy() is
-  // not called.
+  // Takes a team that other code of this process has created with these functions, and does not
+  // call destroy().
   static Plugin adopt(const mirocup_strategy& strategy, void* team) {
     return Plugin(nullptr, &strategy, team);
   }
 
-  // Returns why load() would refuse the library at `path`, as far as that can be told without a
-  // team: its file, its version, its functions.
+  // Returns why load() would refuse the library at `path`, as far as its file, version and
+  // functions tell without a team.
   static tl::expected<void, match::Fault> check(const std::string& path);
 
   Plugin(Plugin&& other) noexcept;

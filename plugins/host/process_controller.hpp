@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A team in a sandboxed process of its own. The server goes on, whatever the team does: a process
-// that dies, hangs or answers nonsense is a fault of its team; a process that was killed from
-// outside is a failure of the host.
+// A team in a separate sandboxed process. The server continues whatever the team does. If the
+// process dies, hangs or answers nonsense, it is a fault of the team; if it is killed from outside,
+// it is a failure of the host.
 //
-// Only the answers of the process have an effect on the match. Its reports (why it ended, what it
-// printed) are labels: a team that forges them forges the reason of its own loss.
+// Only the answers of the process affect the match. Its reports (the reason of its end, its output)
+// are labels: a team that forges them forges the reason of its own loss.
 #pragma once
 
 #include "core/match/controller.hpp"
@@ -28,9 +28,9 @@
 namespace mirocup::plugins {
 
 // The limits of a team, in seconds. The match waits for both teams and counts their processor time.
-// A team has a bank of it for the whole leg; the limits of one tick only stop code that would never
-// end. The limits of wall time are against teams that sleep: they leave out the time in which a
-// team waits for a processor, so a busy machine does not end its leg.
+// A team has a bank of processor time for the whole leg; the limits of one tick only stop code that
+// would never end. The limits of wall time are against teams that sleep. They leave out the time in
+// which a team waits for a processor, so a busy machine does not end its leg.
 struct Budget {
   double start_cpu = 10.0;
   double start_wall = 30.0;
@@ -40,7 +40,7 @@ struct Budget {
   double bank = 2.0;
   double bank_per_tick = 1e-3;
   double bank_per_place = 20e-3;
-  double sleep = 10.0;  // in the leg: time neither computing nor waiting for a processor
+  double sleep = 10.0;  // in the leg: time in which it neither computes nor waits for a processor
 
   // Returns the processor time that a team may have used after that many ticks and placements.
   double bank_after(std::uint32_t ticks, std::uint32_t places) const {
@@ -60,9 +60,9 @@ struct Deadline {
 struct ProcessTerms {
   Isolation isolation = Isolation::T2;
   Budget budget;
-  std::optional<Deadline> deadline;  // nothing: a tick lasts until the answer comes
+  std::optional<Deadline> deadline;  // empty: a tick lasts until the answer comes
   Surroundings surroundings;
-  bool keeps_thoughts = false;  // what the team draws
+  bool keeps_thoughts = false;  // keeps the team's shapes
   std::shared_ptr<Doorbell> bell = std::make_shared<Doorbell>();
   std::shared_ptr<MemoryWitness> memory = std::make_shared<MemoryWitness>();
 };
@@ -70,7 +70,7 @@ struct ProcessTerms {
 class ProcessController final : public match::Controller {
  public:
   // Starts mirocup-plugin-host at `host_program` with the entry, which gets the parameters. An
-  // error is a failure of the host; wait_until_ready() tells what became of the library.
+  // error is a failure of the host; wait_until_ready() returns faults of the library.
   static Result<std::unique_ptr<ProcessController>> start(const std::string& host_program,
                                                           const SealedEntry& entry,
                                                           const match::Briefing& briefing,
@@ -101,37 +101,37 @@ class ProcessController final : public match::Controller {
   // Returns the peak of the process's memory, bytes.
   std::size_t peak_memory() const { return child_.peak_memory(); }
 
-  // Returns the rows of the table of parameters that the team asked for so far, as its process
-  // shows them.
+  // Returns the rows of the parameter table that the team has asked for so far, according to its
+  // process.
   std::uint32_t asked_parameters() const {
     return out_->asked_parameters.load(std::memory_order_relaxed);
   }
 
-  // Returns a copy of what the team drew in the tick that it answered last, or ended in; null if
-  // that is not kept.
+  // Returns a copy of the team's shapes in the tick that it answered last, or in which it ended;
+  // null if they are not kept.
   const ThoughtsPage* thoughts();
 
   // Returns the name that the library gives its team: any bytes, and "" before it is ready.
   std::string team_name() const { return {out_->name, strnlen(out_->name, sizeof out_->name)}; }
 
-  // Returns what the process left when it ended by itself; nothing before that.
+  // Returns the report that the process left when it ended by itself; nothing before that.
   const std::optional<LastWords>& exit_report() const { return exit_report_; }
 
   // Returns the functions of the library in which the process crashed, a line each, innermost
-  // first; "" if it has not crashed or left no trace. They are at the end of output(), too.
+  // first; "" if it has not crashed or left no trace. They are also at the end of output().
   const std::string& backtrace() const { return backtrace_; }
 
-  // Returns what the team asked the system for, a line each, as its process says: any bytes, and
-  // nothing unless the host program is mirocup-careful-host.
+  // Returns the team's requests to the system, one a line, according to its process: any bytes, and
+  // "" unless the host program is mirocup-careful-host.
   std::string requests() const {
     return {out_->requests, strnlen(out_->requests, sizeof out_->requests)};
   }
 
-  // Returns for how long the team slept, s: neither computing nor waiting for a processor; nothing
-  // if the kernel does not tell.
+  // Returns the time for which the team slept, neither computing nor waiting for a processor, s;
+  // nothing if the kernel does not tell.
   std::optional<double> slept_seconds() const;
 
-  // Returns the output of the team so far: bounded, and harmless to show.
+  // Returns the output of the team so far, bounded and escaped.
   std::string output();
 
  private:
@@ -196,7 +196,7 @@ class ProcessController final : public match::Controller {
   std::uint32_t places_ = 0;                           // those in which the team was asked to place
   std::uint32_t request_ = 0;  // number of the last observation that was handed over
   bool is_awaited_ = false;    // true: it has not been answered
-  bool is_placing_ = false;    // true: it asks for poses, too
+  bool is_placing_ = false;    // true: it also asks for poses
   WallClock::time_point posted_at_;
   WallClock::time_point asked_at_;        // of the oldest observation without an answer
   std::optional<double> delay_at_slice_;  // s, processor_delay() in the first slice after that

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What mirocup-python.so exports, for teams in Python that play in the process that calls it: with
+// The exports of mirocup-python.so, for teams in Python that play in the calling process: with
 // `mirocup match --trusted` and `mirocup join`.
 #pragma once
 
@@ -13,12 +13,12 @@ namespace mirocup::plugins {
 
 struct PythonLoaded {
   const mirocup_strategy* strategy;
-  void* team;     // null: the file is no team, or its team cannot be created
-  char why[256];  // then a sentence
+  void* team;     // null: the file is not a team, or its team cannot be created
+  char why[256];  // if `team` is null, a sentence
 };
 
 // Loads the file of a team and creates the team. `setup` must outlive it. Must be called from the
-// thread that plays. The team's functions throw what a team in Python raises.
+// thread that plays. The team's functions throw the exceptions that a team in Python raises.
 extern "C" void mirocup_python_load(const char* path, const mirocup_setup* setup,
                                     PythonLoaded* loaded);
 

@@ -2,9 +2,9 @@
 //
 // The fault of a team whose process has ended, as a sentence of the server.
 //
-// What the process wrote before its end is the team's own word. It is printed as such: on one line,
-// in quotation marks, cut. And it is believed only as far as it can be true: a team that has played
-// cannot be one that never loaded.
+// The text that the process wrote before its end is the team's own statement. The server prints it
+// as such: on one line, in quotation marks, cut. The server believes it only if it can be true: a
+// team that has played did load.
 #pragma once
 
 #include "core/match/controller.hpp"
@@ -17,7 +17,7 @@
 
 namespace mirocup::plugins {
 
-// What a process left on its command page, copied out of the memory that it can write.
+// The report that a process left on its command page, copied out of the memory that it can write.
 struct LastWords {
   LoadState load_state = LoadState::loading;
   int signal = 0;                              // fault_signal
@@ -33,9 +33,8 @@ struct AskedMoment {
   match::State state = match::State::READY;
 };
 
-// Returns the fault of a team whose process ended so. `has_played` says whether the server had
-// seen it ready; before that, the library can be at fault.
-// The moment is told if the team was answering one.
+// Returns the fault of a team whose process ended with `status`. `has_played`: the server had seen
+// it ready; before that, the library can be at fault. If `moment` is given, the sentence names it.
 match::Fault fault_of(const ExitStatus& status, const LastWords& words, bool has_played,
                       const std::optional<AskedMoment>& moment = std::nullopt);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A team's library, or its text in Python, as it was handed in, copied once into sealed memory.
+// A team's library or Python text as it was handed in, copied once into sealed memory.
 //
 // The copy is hashed, inspected and played, so a file that changes later has no effect. The server
 // never loads the library; only a sandboxed process does.
@@ -27,8 +27,8 @@ class SealedEntry {
   // Returns the contents, which are valid as long as this object.
   std::string_view bytes() const { return bytes_; }
 
-  // True for the text of a team in Python: no library, no zero byte, and a line that imports
-  // something of mirocup.
+  // True if this is the text of a team in Python: not a library, without a zero byte, and with a
+  // line that imports something of mirocup.
   bool is_python() const;
 
   // Returns the descriptor of the sealed copy, open for reading; this object keeps owning it.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What surrounds a team's process and must not change its answers. In every leg it is the same;
-// `mirocup check` plays a leg again in other surroundings, so that it finds a team that takes
-// chance from them.
+// The surroundings of a team's process, which must not change its answers. They are the same in
+// every leg; `mirocup check` plays a leg again in other surroundings, so that it finds a team whose
+// answers depend on them.
 #pragma once
 
 #include "plugins/host/team_clocks.hpp"

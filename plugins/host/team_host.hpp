@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The host of a team as its library sees it: what `setup.host` of strategy.h points to, and the
+// The host of a team as its library sees it: the target of `setup.host` of strategy.h, and the
 // functions of the setup that take it.
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace mirocup::plugins {
 
-// The members stay the caller's.
+// The caller owns the targets of these pointers.
 struct TeamHost {
   const ParameterTable* table = nullptr;
   AskedRows* asked = nullptr;
-  ThoughtsPage* thoughts = nullptr;  // null: what the team draws is not kept
+  ThoughtsPage* thoughts = nullptr;  // null: the team's shapes are not kept
 };
 
 // Gives the setup the host and its functions.
@@ -26,9 +26,9 @@ void give_host(mirocup_setup& setup, TeamHost& host);
 // `host` and marks it as asked for; `fallback` if the table or the name is missing.
 double parameter_of(void* host, const char* name, double fallback);
 
-// The functions `setup.draw_line` and its neighbours: they put a shape on the page of the TeamHost
-// at `host`. A shape is left out and counted if there is no room for it, if a number is not finite,
-// or if a polygon has fewer than 3 or more than max_polygon_corners corners.
+// The functions `setup.draw_line` and so on put a shape on the page of the TeamHost at `host`. A
+// shape is dropped and counted if there is no room for it, if a number is not finite, or if a
+// polygon has fewer than 3 or more than max_polygon_corners corners.
 void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,
                double y2);
 void draw_circle(void* host, const char* layer, std::uint32_t colour, double x, double y,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The output of a team in a leg: bounded, and made harmless to show.
+// The output of a team in a leg, bounded and escaped.
 #pragma once
 
 #include <cstddef>

@@ -26,19 +26,19 @@ struct ThoughtsPage {
   std::uint32_t shapes = 0;
   std::uint32_t numbers = 0;
   std::uint32_t text = 0;
-  std::uint32_t left_out = 0;  // shapes of this tick that were not taken
+  std::uint32_t left_out = 0;  // dropped shapes of this tick
   std::array<Shape, match::max_thoughts> shape;
   std::array<double, match::max_thought_numbers> number;
   std::array<char, match::max_thought_text> texts;
 
-  // Takes everything off the page, before a tick.
+  // Empties the page, before a tick.
   void clear() { shapes = numbers = text = left_out = 0; }
 };
 
-// Copies what is used of a page that its writer may be changing.
+// Copies the used part of a page that its writer may be changing.
 void copy_thoughts(const ThoughtsPage& from, ThoughtsPage& to);
 
-// Goes through the shapes of a copy, and ends early where the page contradicts itself.
+// Goes through the shapes of a copy, and ends early if the page contradicts itself.
 class ThoughtReader {
  public:
   explicit ThoughtReader(const ThoughtsPage& page) : page_(page) {}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A team in the server's own process (`--trusted`): without protection from it, and without cost.
+// A team in the server's own process (`--trusted`), without protection from the team and without
+// its cost.
 #pragma once
 
 #include "plugins/host/plugin.hpp"
@@ -15,7 +16,7 @@ namespace mirocup::plugins {
 class TrustedController final : public match::Controller {
  public:
   // Loads the library at `path`, which must contain a slash, and creates its team, which gets the
-  // parameters. If thoughts are kept, thoughts() has what the team drew.
+  // parameters. If `keeps_thoughts`, thoughts() has the team's shapes.
   static tl::expected<std::unique_ptr<TrustedController>, match::Fault> load(
       const std::string& path, const match::Briefing& briefing,
       const match::TeamParameters& parameters, bool keeps_thoughts = false);
@@ -28,17 +29,17 @@ class TrustedController final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
-  // Returns what the team drew in the tick that it answered last; null if that is not kept.
+  // Returns the team's shapes in the tick that it answered last; null if they are not kept.
   const ThoughtsPage* thoughts() const { return facts_->thoughts ? &*facts_->thoughts : nullptr; }
 
   // Returns the name that the library gives its team: any text.
   std::string team_name() const { return plugin_.name(); }
 
-  // Returns the rows of the table of parameters that the team asked for so far.
+  // Returns the rows of the parameter table that the team has asked for so far.
   std::uint32_t asked_parameters() const { return facts_->asked.load(std::memory_order_relaxed); }
 
  private:
-  // What the team reads while it lives.
+  // Data that the team reads while it lives.
   struct Facts {
     ParameterTable parameters;
     AskedRows asked{0};

@@ -3,11 +3,11 @@
 // Judges one try of a drill: follows the leg tick by tick, says when the try is over, and gives its
 // marks.
 //
-// What counts as what:
+// Definitions:
 //   foul      a call with which the tested team gives the opponents something
 //   contact   a touch of one robot in consecutive ticks
-//   pass      a contact of another robot of the team after one of its own, with no opponent's
-//             between them, when the ball has rolled for at least 0.15 m
+//   pass      a contact of one robot of the team after a contact of another, with no opponent's
+//             contact between them, when the ball has rolled for at least 0.15 m
 //   save      a contact of the tested team with a ball that would have gone into its goal, after
 //             which no goal falls for half a second, or until play is stopped
 #pragma once
@@ -18,7 +18,7 @@ namespace mirocup::drills {
 
 // The result of one try.
 struct TryResult {
-  bool passed = false;   // all that was asked for came true
+  bool passed = false;   // all events of the drill came out as asked
   double marks = 0.0;    // 0 to 1
   double seconds = 0.0;  // of play, until it was over
   std::string why;       // the first thing that was missing: "goal"; "" if it passed

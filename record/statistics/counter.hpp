@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Counts the statistics of a leg, tick by tick. docs/statistics.md says in words what each function
-// here counts; the numbers below are the limits that it names.
+// Counts the statistics of a leg, tick by tick. docs/statistics.md defines the count of each
+// function; the numbers below are the limits that it names.
 //
 // A half-turn of the field and an exchange of the colours leave every count as it is.
 #pragma once
@@ -13,11 +13,11 @@ namespace mirocup::statistics {
 
 inline constexpr double min_flight_m = 0.15;    // of a pass, and of a ball that is intercepted
 inline constexpr double shot_speed = 0.5;       // m/s; a slower ball is no shot
-inline constexpr double shot_distance_m = 1.0;  // to the goal line; from further away is no shot
+inline constexpr double shot_distance_m = 1.0;  // to the goal line; farther away is no shot
 inline constexpr double wide_goals = 2.0;       // a shot misses by at most half a goal's width
-inline constexpr double shot_pause_s = 0.5;     // off its course for longer, it is another shot
-inline constexpr double save_s = 0.5;           // within which a saved ball is not in the goal
-inline constexpr double duel_pause_s = 0.5;     // without both at the ball, and a duel is over
+inline constexpr double shot_pause_s = 0.5;     // after a longer time off course, it is a new shot
+inline constexpr double save_s = 0.5;           // a ball in the goal within this time is no save
+inline constexpr double duel_pause_s = 0.5;     // without a contested tick, then a duel is over
 
 class Counter {
  public:
@@ -27,8 +27,7 @@ class Counter {
   // To be called for each tick in its order.
   void add(const PlayTick& tick);
 
-  // Returns the numbers as if play had ended now. What is undecided by then, such as a duel, is won
-  // by no team.
+  // Returns the numbers as if play had ended now. If a duel is undecided, no team wins it.
   LegStatistics statistics() const;
 
  private:
@@ -84,13 +83,13 @@ class Counter {
   // Since the last restart:
   Restart restart_;
   std::optional<Team> holder_;    // the team that has the ball
-  std::optional<Sender> sender_;  // nothing before the first touch, and after a contested one
+  std::optional<Sender> sender_;  // empty before the first touch, and after a contested tick
   std::uint32_t last_touch_ = 0;  // tick
   Vec2 ball_then_{0.0, 0.0};      // at its end
   ByTeam<Vec2> last_place_{Vec2{0.0, 0.0}, Vec2{0.0, 0.0}};  // of the ball at a team's last touch
   ByTeam<std::optional<Loss>> last_loss_;
   std::optional<Shot> shot_;
-  std::optional<Save> save_;                   // that may still turn out to be none
+  std::optional<Save> save_;                   // a save that may still fail
   std::optional<std::uint32_t> last_contest_;  // tick; nothing if no duel is on
 };
 

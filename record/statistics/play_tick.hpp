@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One tick of a leg as those see it who count: plain data, so that a test can write it by hand.
+// One tick of a leg as the counter sees it: plain data, so that a test can write it by hand.
 // Everything is in the field's frame; metres, m/s.
 #pragma once
 
@@ -12,12 +12,12 @@ namespace mirocup::statistics {
 
 struct PlayTick {
   std::uint32_t tick = 0;
-  bool is_play = true;  // play was on in it; otherwise only `decisions` is of interest
-  bool goes_on = true;  // play is on after it
+  bool is_play = true;  // play was on in the tick; otherwise only `decisions` matters
+  bool goes_on = true;  // play is on after the tick
   referee::Phase phase = referee::Phase::FIRST_HALF;
   Team left = Team::blue;               // the team that defends the left end
   Vec2 ball{0.0, 0.0};                  // at the end of the tick
-  Vec2 ball_velocity{0.0, 0.0};         // likewise; of no meaning unless play goes on
+  Vec2 ball_velocity{0.0, 0.0};         // likewise; meaningless unless goes_on
   ByTeam<referee::RobotSet> touched{};  // the robots that touched the ball
   ByTeam<double> driven{};              // the distance that all robots of a team drove, m
   std::span<const match::LoggedDecision> decisions;  // of this tick, in their order

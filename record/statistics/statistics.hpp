@@ -3,8 +3,8 @@
 // The statistics of football: plain numbers of one leg. docs/statistics.md defines each of them,
 // counter.hpp counts them.
 //
-// Times are in seconds, lengths in metres. A place is in the frame of the team that it is told of:
-// that team attacks +x. A shoot-out counts for nothing here.
+// Times are in seconds, lengths in metres. A place is in the frame of its own team, which attacks
+// +x. A shoot-out does not count.
 #pragma once
 
 #include "core/base/vec2.hpp"
@@ -19,8 +19,8 @@ namespace mirocup::statistics {
 
 using match::ByTeam;
 
-// How a goal came about, from the view of the team for which it counts: match::GoalKind, and the
-// own goals of the opponents. Attempts of a shoot-out are no goals.
+// The kind of a goal, from the view of the team for which it counts: match::GoalKind, or an own
+// goal of the opponents. Attempts of a shoot-out are not goals.
 enum class GoalOrigin {
   open_play,
   kick_off,
@@ -37,7 +37,7 @@ enum class Third { own, middle, opponent };
 
 // How a team lost the ball to the other one while play was on.
 enum class LossKind {
-  interception,  // the ball was on its way, and an opponent touched it first
+  interception,  // the ball was on its way, and an opponent was the next to touch it
   save,          // likewise, and it was on its way into the goal
   tackle,        // an opponent took it from the team's robots
 };
@@ -94,7 +94,7 @@ struct TeamStatistics {
 
 // The loss of the ball that came before a goal.
 struct Loss {
-  std::uint32_t tick = 0;  // in which an opponent had it
+  std::uint32_t tick = 0;  // in which an opponent got it
   LossKind kind = LossKind::tackle;
   Vec2 place{0.0, 0.0};  // where the losing team touched it last
   Third third = Third::own;
@@ -106,16 +106,16 @@ struct Goal {
   Team team = Team::blue;  // for which it counts
   GoalOrigin origin = GoalOrigin::open_play;
   std::optional<match::Touch> scorer;
-  referee::Restart restart = referee::Restart::none;  // the last one, the law that gave it, …
+  referee::Restart restart = referee::Restart::none;  // the last restart, the law that gave it, …
   referee::Law restart_law = referee::Law::toss;
   Team taker = Team::blue;     // … and the team that took it
   double since_restart = 0.0;  // s of play
-  // The last loss of the team that conceded, since the restart; nothing if it did not have the
-  // ball or did not lose it.
+  // The last loss of the conceding team since the restart; empty if it did not have the ball or did
+  // not lose it.
   std::optional<Loss> loss;
 };
 
-// A shot that is counted, with what became of it.
+// A counted shot and its outcome.
 struct ShotMark {
   std::uint32_t tick = 0;  // in which it began
   Team team = Team::blue;
@@ -126,7 +126,7 @@ struct ShotMark {
   bool operator==(const ShotMark&) const = default;
 };
 
-// A pass that is counted.
+// A counted pass.
 struct PassMark {
   std::uint32_t tick = 0;  // in which the mate touched the ball
   Team team = Team::blue;
@@ -148,7 +148,7 @@ struct LegStatistics {
   double play_s = 0.0;
   double dead_ball_s = 0.0;  // from a decision to the whistle after it
   int stoppages = 0;         // restarts, without those that open a half
-  int duels = 0;             // those that no team won included
+  int duels = 0;             // also those that no team won
   std::vector<Goal> goals;   // in their order
   std::vector<Foul> fouls;   // in their order
   std::vector<ShotMark> shots;

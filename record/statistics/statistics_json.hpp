@@ -14,7 +14,8 @@ namespace mirocup::statistics {
 
 using record::Json;
 
-// The statistics of a leg without what names it: {play_s, dead_ball_s, …, teams, goals, fouls}.
+// The statistics of a leg without its record and names: {play_s, dead_ball_s, …, teams, goals,
+// fouls}.
 Json to_json(const LegStatistics& statistics);
 
 // A leg with its record and the names of its teams.

@@ -10,8 +10,8 @@
 
 namespace mirocup::statistics {
 
-// The sums over the legs of one team. A value that belongs to both teams of a leg is here once for
-// each of them.
+// The sums over the legs of one team. A value that both teams of a leg share counts in the sums of
+// each.
 struct TeamTotals {
   std::string name;
   int legs = 0;
@@ -24,8 +24,8 @@ struct TeamTotals {
   void add(const LegStatistics& leg, Team team);
 };
 
-// Returns the name under which a team of a leg is counted: its own name, with its colour in a leg
-// of two teams of one name.
+// Returns the name under which a team of a leg is counted: its own name, with its colour if both
+// teams have the same name.
 std::string counted_name(const LegReport& leg, Team team);
 
 // Returns the sums of all teams, in the order in which they first appear, blue first.

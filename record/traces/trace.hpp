@@ -18,14 +18,15 @@
 
 namespace mirocup::traces {
 
-// The positions from time `t` on. A value that a frame does not give is that of the frame before.
+// The positions from time `t` on. If a frame leaves out a value, the value of the frame before
+// holds.
 struct KeyFrame {
   double t = 0.0;
   Vec2 ball{0.0, 0.0};
   double ball_since = 0.0;                   // the time of the frame that gave the ball
-  referee::ByEnd<std::vector<Pose>> robots;  // by index; unlisted ones stand far away
-  // Pairs that touch: a robot and another robot, or the ball if there is no other robot. Nothing:
-  // contacts are judged by the gaps.
+  referee::ByEnd<std::vector<Pose>> robots;  // by index; unlisted robots stand far away
+  // Pairs that touch: a robot and another robot or, if there is no other robot, the ball. If empty,
+  // gaps decide about contacts.
   using Contact = std::pair<referee::RobotId, std::optional<referee::RobotId>>;
   std::optional<std::vector<Contact>> contacts;
   referee::ByRobot<std::optional<double>> drive{};  // command towards the touched robot, -1 to 1
@@ -57,7 +58,7 @@ struct HandOnField {
   End team = End::left;
 };
 
-// A penalty attempt of a shoot-out that is going on.
+// A penalty attempt of a shoot-out in progress.
 struct Attempt {
   End taker = End::left;
   double t = 0.0;  // since its start
@@ -73,7 +74,7 @@ struct Trace {
   std::vector<KeyFrame> frames;  // at least one, in order
   bool is_interpolated = false;
   Motion motion;
-  std::optional<double> hold;  // the situation lasts until this time; nothing: until the last frame
+  std::optional<double> hold;  // the situation lasts until this time; empty: until the last frame
   std::vector<std::pair<double, double>> clock_stops;     // from, to
   std::optional<referee::Placement> requested_placement;  // with state PLACE
   referee::ByEnd<int> requested_robots{};                 // how many poses each team gave
@@ -83,8 +84,8 @@ struct Trace {
   std::optional<Attempt> attempt;
 };
 
-// Reads one situation. An error, Errc::input, begins with the JSON pointer of the key that is
-// wrong. Unknown keys are ignored.
+// Reads one situation. An error, Errc::input, begins with the JSON pointer of the wrong key.
+// Unknown keys are ignored.
 Result<Trace> trace_from_json(nlohmann::ordered_json json);
 
 }  // namespace mirocup::traces

@@ -14,8 +14,8 @@ class TraceSampler {
   // Both must outlive the sampler.
   TraceSampler(const Trace& trace, const referee::Pitch& pitch);
 
-  // Returns the number of the last sample: the first one that shows the last frame or, if that is
-  // later, the last one within `hold`.
+  // Returns the number of the last sample: the first sample that shows the last frame or, if later,
+  // the last sample within `hold`.
   int last_sample() const { return last_sample_; }
 
   // Returns the situation at the time k * sample_period, with the motion since the sample before.

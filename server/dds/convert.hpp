@@ -19,10 +19,10 @@ inline constexpr std::size_t max_team_name = sizeof(mirocup_v4_Hello::name) - 1;
 mirocup_v4_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg);
 match::Snapshot to_scene(const mirocup_v4_WorldState& sample);
 
-// The answer of a Welcome to a Hello; the numbers are those of std::uint8_t.
+// The answer of a Welcome to a Hello; the numbers are the IDL's ADMISSION_ACCEPTED and so on.
 enum class Admission : std::uint8_t { accepted, not_now, refused };
 
-// Returns what spectators are told of a leg. `speed`: factor of real time, 0 for lockstep.
+// Returns the facts of a leg for spectators. `speed`: factor of real time, 0 for lockstep.
 mirocup_v4_MatchInfo to_sample(const match::Briefing& briefing, std::uint64_t leg,
                                const match::ByTeam<std::string>& names, double speed);
 

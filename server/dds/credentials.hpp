@@ -15,16 +15,16 @@
 
 namespace mirocup::dds {
 
-// Adds to `qos` the properties that make a participant a secure one. `folder` holds the
-// credentials; a missing file is Errc::input.
+// Adds to `qos` the properties of a secure participant. `folder` holds the credentials; a missing
+// file is Errc::input.
 Result<void> set_credentials(dds_qos_t* qos, const std::string& folder);
 
 // Returns the moment, in seconds since 1970 UTC, until which the credentials in `folder` are valid:
 // the certificate and those of the authorities behind it. Nothing if they cannot be read.
 std::optional<std::int64_t> credentials_end(const std::string& folder);
 
-// The same for the credentials of a team, as the folder of the server's credentials knows them.
-// Nothing if it does not know them.
+// The same for the credentials of a team, from the team's certificate in the folder of the server's
+// credentials. Nothing if the folder has none.
 std::optional<std::int64_t> team_credentials_end(const std::string& server_folder,
                                                  std::string_view team);
 

@@ -16,7 +16,7 @@ namespace mirocup::dds {
 // The number of match servers that can run on one host at the same time.
 inline constexpr int server_ports = 10;
 
-// DDS domains are numbered from 0. Each has ports of its own, so another domain moves the ports.
+// DDS domains are numbered from 0. Each has its own ports, so another domain moves the ports.
 inline constexpr int default_domain = 0;
 inline constexpr int last_domain = 230;  // the ports of later ones do not exist
 

@@ -39,7 +39,7 @@ class Entity {
     if (handle_ > 0) dds_delete(handle_);
     handle_ = 0;
   }
-  void abandon() { handle_ = 0; }  // is not deleted before the process ends
+  void abandon() { handle_ = 0; }  // the entity then lives until the process ends
 
  private:
   dds_entity_t handle_ = 0;

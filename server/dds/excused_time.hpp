@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The wall time of a match that is the host's own fault and therefore no absence of a team: its
-// network interface was down, or the server itself stood still. The class is the rule alone, and is
-// told the time and what was seen.
+// The wall time of a match that does not count as absence of a team, because it is the host's own
+// fault: its network interface was down, or the server itself stood still. The class is the rule
+// alone: the caller passes the time and what it saw.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,14 @@ namespace mirocup::dds {
 
 class ExcusedTime {
  public:
-  // `usual_step`: a server at work looks at least this often, s. What a step lasts longer, the
-  // server stood still.
+  // `usual_step`: a server at work calls look() at least this often, s. Time beyond `usual_step`
+  // counts as a stall of the server.
   explicit ExcusedTime(double usual_step) : usual_step_(usual_step) {}
 
-  // Tells what is seen at a moment, s. `is_up`: the host's interface has a carrier and an address.
-  // `any_heard`: a command of a team has come since the last look. A network over which one team is
-  // heard is not down, whatever the interface says: then the other team is away by itself.
+  // Notes the state at the moment `now`, s. `is_up`: the host's interface has a carrier and an
+  // address. `any_heard`: a command of a team has come since the last look. If one team's commands
+  // arrive, the network is not down, even if the interface seems to be: the other team is away by
+  // its own fault.
   void look(double now, bool is_up, bool any_heard) {
     const double step = last_ ? now - *last_ : 0.0;
     last_ = now;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds what a stranger or a bad network can make the server say.
+// Bounds how many sentences a stranger or a bad network can make the server print.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace mirocup::dds {
 
-// Sentences of one kind: after `max` of them, and a last one that says so, it is silent.
+// Prints at most `max` sentences of one kind; the last of them says that no more follow.
 class FewWords {
  public:
   explicit FewWords(int max = 10) : left_(max) {}

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Sorts the arriving commands of a team: the first one that answers the present tick is driven in
-// step. The newest one that comes too late is kept, and may be driven where nothing newer is there.
+// Sorts the arriving commands of a team. The first command that answers the present tick is driven
+// in step. The newest late command is kept; it may be driven if no command for the present tick has
+// come.
 #pragma once
 
 #include <algorithm>
@@ -11,23 +12,23 @@
 namespace mirocup::dds {
 
 // A late command is driven if it answers a tick that is at most this many ticks old. 6 ticks are
-// 0.2 s at a control period of 33 ms. An older one only shows that the team is there.
+// 0.2 s at a control period of 33 ms. An older command only shows that the team is present.
 inline constexpr std::uint32_t max_late_ticks = 6;
 
 struct CommandCounts {
   std::uint64_t in_step = 0;      // answered the present tick; at most one for each tick
   std::uint64_t late = 0;         // answered a tick that was over
-  std::uint64_t late_driven = 0;  // of these, the ones that were driven
+  std::uint64_t late_driven = 0;  // late commands that were driven
   std::uint64_t duplicate = 0;    // answered the last answered tick again
   std::uint64_t ahead = 0;        // answered a tick that has not begun
-  std::uint64_t foreign = 0;      // from another process than the team's
+  std::uint64_t foreign = 0;      // from a process that is not the team's
 };
 
 // The kinds of commands of the team's own process.
 enum class Arrival {
   in_step,   // the answer to the present tick
-  late,      // to a tick that is over, and newer than all before
-  old,       // to a tick that is over, and not newer
+  late,      // to a tick that is over, and newer than all commands before it
+  old,       // to a tick that is over, but not newer
   repeated,  // the answer to the last answered tick again
   ahead,
 };

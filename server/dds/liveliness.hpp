@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The liveliness of a team that plays over the network. The class is the rule alone: it is told
-// what happened and when, in seconds of wall time, and knows neither the network nor a clock.
+// The liveliness of a team that plays over the network. The class is the rule alone: the caller
+// passes each event with its wall time in seconds, so the class needs neither the network nor a
+// clock.
 //
-// A team is away from when it has been silent for `notice` seconds though a state waited for its
-// answer, or its process has left the network, until it answers again. An answer that comes too
-// late for its tick is a sign of life as well. The absences are added up over the leg.
+// An absence begins when the team has been silent for `notice` seconds while a state waited for its
+// answer, or when its process has left the network. It ends when the team answers again; a late
+// answer counts as well. The absences of a leg are added up.
 #pragma once
 
 #include "record/absence.hpp"
@@ -22,26 +23,27 @@ class Liveliness {
   // `limit`: how long the absences of a leg may last together, s.
   Liveliness(double notice, double limit) : notice_(notice), limit_(limit) {}
 
-  // Tells that a tick waits for its answer from now on.
+  // To be called when a tick begins to wait for its answer.
   void asked(double now) {
     if (!owes_) silent_since_ = now;
     owes_ = true;
   }
 
-  // Tells that the answer to `tick`, the present one, has come. Returns true if the team was away.
+  // To be called when the answer to the present tick, `tick`, has come. Returns true if the team
+  // was away.
   bool answered(std::uint32_t tick, double now);
 
-  // Tells that a command has come to `tick`, the newest up to now, when the present tick was
-  // `present` already. Returns true if the team was away.
+  // To be called when a late command has come: to `tick`, newer than all commands before it, while
+  // `present` is the present tick. Returns true if the team was away.
   bool answered_late(std::uint32_t tick, std::uint32_t present, double now);
 
-  // Tells that the answer to the present tick has come once more, as it must while the state is
-  // sent again.
+  // To be called when the answer to the present tick has come once more, as it must while the state
+  // is sent again.
   void repeated(double now) {
     if (!owes_) silent_since_ = heard_ = now;
   }
 
-  // Tells that nothing has come up to now, in the present `tick`. Returns true if the team is away
+  // To be called while nothing has come, in the present `tick`. Returns true if the team is away
   // from this moment on. `has_left`: its process has left the network.
   bool silent(std::uint32_t tick, double now, bool has_left);
 
@@ -50,7 +52,7 @@ class Liveliness {
   // Returns how long the team has been away in this leg, s, the present absence included.
   double away(double now) const { return away_ + (away_since_ ? now - *away_since_ : 0.0); }
 
-  // Returns how the team stands at this moment.
+  // Returns the team's presence at this moment, and whether it has lost by absence.
   Standing standing(double now) const;
 
   // Returns the first absences of the leg, at most 100.
@@ -62,10 +64,10 @@ class Liveliness {
 
   double notice_;
   double limit_;
-  bool owes_ = false;                   // a tick waits for its answer
-  std::optional<double> silent_since_;  // nothing before the first tick
+  bool owes_ = false;                   // a tick waits for the team's answer
+  std::optional<double> silent_since_;  // empty before the first tick
   double heard_ = 0.0;
-  std::uint32_t next_tick_ = 0;  // the one after the last answered tick
+  std::uint32_t next_tick_ = 0;  // the tick after the last answered tick
   std::optional<double> away_since_;
   record::Absence present_;  // the absence that began at away_since_
   double away_ = 0.0;        // sum of the absences that are over, s

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A match ID belongs to one match server of a host at a time. Two with the same ID would share a
-// partition, and tear the teams apart between their legs.
+// A match ID belongs to one match server of a host at a time. Two servers with the same ID would
+// share a partition, and each team would get states of both legs.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -11,8 +11,8 @@
 
 namespace mirocup::dds {
 
-// Claims the ID on this host, for as long as the descriptor is open. The system takes the claim
-// back when the process ends, however it does. Errc::unavailable: another process has it.
+// Claims the ID on this host for as long as the descriptor is open. The system releases the claim
+// when the process ends, in whatever manner. Errc::unavailable: another process has the claim.
 Result<system::Descriptor> claim_match(const std::string& match_id, int domain);
 
 }  // namespace mirocup::dds

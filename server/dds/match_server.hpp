@@ -26,8 +26,8 @@ class MatchServer {
                                                    const std::string& credentials,
                                                    int domain = default_domain);
 
-  // Tells spectators what is played: the names of the teams, the facts that both teams have in
-  // their briefings, and the factor of real time, 0 for lockstep.
+  // Announces the match to spectators: the names of the teams, the common facts of both teams'
+  // briefings, and the factor of real time, 0 for lockstep.
   void announce(const match::Briefing& briefing, const match::ByTeam<std::string>& names,
                 double speed);
 
@@ -41,13 +41,13 @@ class MatchServer {
   // Publishes the state at the start of a tick and the decisions since the last call.
   void publish(const match::Leg& match);
 
-  // Receives the samples that have arrived for all seats. Waits at most `seconds` if there is none.
-  // Sends the state again while it waits, because a team may have missed it: every 5 ms, or later
-  // where the answers need longer.
+  // Receives the samples that have arrived for all seats. If there is none, waits at most
+  // `seconds`. Sends the state again while it waits, because a team may have missed it: every 5 ms,
+  // or less often if answers take longer.
   void listen(double seconds);
 
-  // Waits until all seats have answered the tick, until its time is over, or until the absences of
-  // the teams end the leg. Then each seat's collect() returns at once.
+  // Waits until all seats have answered the tick, or its time is over, or the absences of the teams
+  // end the leg. Then each seat's collect() returns at once.
   void settle();
 
   // Returns why the leg must be void, if the host's own network was down for too long.
@@ -85,7 +85,7 @@ class MatchServer {
   WallClock::time_point began_ = WallClock::now();
   WallClock::time_point looked_;  // at the host's interface
   bool is_up_ = true;             // the host's interface
-  bool was_up_ = false;           // it has been seen up, so that its state can be told
+  bool was_up_ = false;           // the interface has been up, so its state means something
   FewWords of_host_{4};
 };
 

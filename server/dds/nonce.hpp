@@ -11,7 +11,8 @@ namespace mirocup::dds {
 std::uint64_t random_nonce();
 
 // Returns a nonce for one more connection of this process: its upper 48 bits are the same for all
-// of them, the others are random. So the server can tell a process that joins anew from another.
+// of them, the others are random. So the server can tell a process that joins anew from another
+// process.
 std::uint64_t connection_nonce();
 
 // Returns the part of a nonce that all connections of a process share.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What the absences of both teams mean for the leg. The rule alone: it is told what is known of the
-// teams and of the host's network at one moment, and knows neither a network nor a clock.
+// The verdict on a leg from the absences of both teams. This is the rule alone: the caller passes
+// the state of the teams and of the host's network at one moment.
 //
-// A team whose absences together have lasted longer than the limit has lost. Nobody wins who is not
-// there: the opponents win with their first sign of life after that moment. If they are away as
-// well, the leg waits for them as long as their own limit lasts, and then nobody has won.
+// A team whose absences together have lasted longer than the limit has lost. But a team that is
+// away cannot win: the opponents win with their first sign of life after that moment. If they are
+// away as well, the leg waits for them until their own limit is over; then nobody has won.
 //
 // Times are seconds of wall time since any moment, the same for all.
 #pragma once
@@ -18,17 +18,17 @@
 
 namespace mirocup::dds {
 
-// What is known of a team at one moment.
-struct Elsewhere {};  // it does not play over the network; its own controller knows of its faults
+// The presence of a team at one moment.
+struct Elsewhere {};  // it does not play over the network; its own controller reports its faults
 struct Present {
   double heard = 0.0;  // the time of its last command
 };
-struct Late {  // it owes the answer to a tick, but not for long enough to be away
+struct Late {  // a tick waits for its answer, but not for long enough to call it away
   double heard = 0.0;
 };
 struct Away {  // it has been silent for too long
   double since = 0.0;
-  std::uint32_t tick = 0;  // in which that was noticed
+  std::uint32_t tick = 0;  // the tick in which the server noticed it
 };
 struct Left {  // its process has left the network
   double since = 0.0;
@@ -41,9 +41,9 @@ struct Standing {
   std::optional<double> lost_at;  // when its absences together had lasted longer than the limit
 };
 
-// What follows from it.
+// The possible verdicts.
 struct PlayOn {};
-struct AwaitOther {};  // one team has lost, and the other one has not been seen since
+struct AwaitOther {};  // one team has lost, and no command of the other has come since
 struct Disconnected {
   match::ByTeam<bool> teams{};  // true: it has lost
 };

@@ -2,10 +2,10 @@
 //
 // The seat of one team in a match on the network: the process that has it, and its answers.
 //
-// A seat belongs to the process that was accepted into it. That process is known by the key that
-// DDS gives to every participant and by the nonce that it drew. Commands that other processes write
-// in the team's name are counted and thrown away. Another process of the same team name may take
-// the seat only while the first one is away.
+// A seat belongs to the process that was accepted into it. The seat knows that process by the key
+// that DDS gives to every participant and by the nonce that the process drew. It counts and drops
+// commands that other processes write in the team's name. Another process of the same team name may
+// take the seat only while the first one is away.
 //
 // A seat is part of a MatchServer and is used from its thread. Its collect() settles the tick for
 // all seats of the server at once, because what one team's absence means depends on the other one.
@@ -29,14 +29,15 @@ namespace mirocup::dds {
 
 // The terms on which a team joins and stays in a match; seconds of wall time.
 struct JoinTerms {
-  double to_join = 60.0;         // from the making of the seat to the team's first answer
-  std::uint32_t first_tick = 0;  // that the team answers; above 0 where a record is played on
-  // The time in which a tick must be answered (real time). Nothing: the match waits (lockstep).
+  double to_join = 60.0;         // from the construction of the seat to the team's first answer
+  std::uint32_t first_tick = 0;  // that the team answers; above 0 if a record is played on
+  // The time in which a tick must be answered (real time). If empty, the match waits without a
+  // limit (lockstep).
   std::optional<double> tick;
   double notice = 1.0;   // a team that is silent for this long is away
   double away = 10.0;    // how long a team may be away in a leg, all absences together
-  double longest = 0.0;  // how long the leg may last, from the making of the seat
-  ThoughtSink thoughts;  // gets what the team draws; without `add`, it is not kept
+  double longest = 0.0;  // how long the leg may last, from the construction of the seat
+  ThoughtSink thoughts;  // gets the team's shapes; if `add` is empty, they are not kept
   std::function<bool()> interrupted = [] { return false; };     // called while the seat waits
   std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
 };
@@ -49,10 +50,10 @@ struct SeatLink {
   std::uint64_t leg = 0;                       // the number of the server's leg
   std::function<void(double seconds)> listen;  // receives for all seats; waits at most `seconds`
   std::function<void()> settle;                // waits for the answers of all seats
-  // Wall seconds in which the host's own fault kept the teams away, and those of its interface.
+  // Wall seconds in which the host's own fault kept the teams away.
   std::function<double()> excused;
   std::function<std::optional<match::HostFailure>()> host_failure;
-  // Until when the team's credentials are valid, s since 1970 UTC; nothing: that is not known.
+  // The time until which the team's credentials are valid, s since 1970 UTC; empty: not known.
   std::optional<std::int64_t> credentials_end;
   std::function<std::string()> last_error;  // the last messages of DDS, as the end of a sentence
 };
@@ -76,10 +77,10 @@ class Seat final : public match::Controller {
 
   // For the server, while it settles a tick.
   bool has_answered() const { return answer_.has_value(); }
-  // Seconds in which the answer is still in time; in lockstep, longer than any wait.
+  // Seconds that are left for an answer in time; in lockstep 1, which is longer than any wait.
   double time_left() const { return terms_.tick ? posted_at_ + *terms_.tick - now() : 1.0; }
   bool is_overdue() const { return time_left() <= 0.0; }
-  Standing look();  // notices that the team is away
+  Standing look();  // as standing(), but first notes whether the team is away
   Standing standing() const { return liveliness_.standing(fair_now()); }
   void end(match::Answer how) { end_ = std::move(how); }  // what collect() returns instead
   match::Fault disconnected() const;
@@ -87,8 +88,8 @@ class Seat final : public match::Controller {
   double resend_after() const { return round_trip_.resend_after(); }  // s
   bool take_heard() { return std::exchange(was_heard_, false); }      // since the last call
 
-  // True if the team's process has been heard lately. For the time before the first tick, in which
-  // the state is sent again and again.
+  // True if a command of the team's process has come lately. For the time before the first tick, in
+  // which the state is sent again and again.
   bool is_there() const { return !has_left() && now() - heard_at_ < terms_.notice; }
 
   Team team() const { return briefing_.team; }

@@ -5,7 +5,7 @@
 //
 // The client maintains the connection itself. If the server falls silent, the client joins the
 // network again as a new participant, because hostile packets can cut two participants off from
-// each other for good. It also joins a server that was started again. Used from one thread.
+// each other for good. It also joins a server that was started again. One thread uses it.
 #pragma once
 
 #include "server/dds/convert.hpp"
@@ -45,12 +45,12 @@ using News = std::variant<Silence, Seated, match::Snapshot, MatchOver, Refused>;
 
 class TeamClient {
  public:
-  // Prepares the connection without waiting for a match. Once there is one, wait() returns Seated
-  // before anything else.
+  // Prepares the connection without waiting for a match. Once there is a match, wait() returns
+  // Seated before anything else.
   static Result<std::unique_ptr<TeamClient>> open(const JoinRequest& request);
 
   // Returns the next news, or Silence after `timeout` seconds. Ticks come in order, each once. If
-  // the server missed the answer to a tick, the client sends it again by itself.
+  // the server missed an answer, the client itself sends it again.
   News wait(double timeout);
 
   // Both describe the leg of the last Seated. They must not be called before the first one.
@@ -63,18 +63,18 @@ class TeamClient {
   // True if the match keeps what the team draws. It is false for a moment after Seated, at most.
   bool keeps_thoughts() const;
 
-  // Sends what the team drew for the state of `tick`; before the answer, so that it is there when
-  // the match goes on. A sample that is lost is not sent again.
+  // Sends the shapes that the team drew for the state of `tick`. Call it before send(), so that the
+  // shapes arrive before the match continues. A lost sample is not sent again.
   void think(ThoughtsSample& thoughts, std::uint32_t tick);
 
-  // Answers the state of `tick`, which must be the last one that wait() returned.
+  // Answers the state of `tick`, which must be the last tick that wait() returned.
   void send(const match::Command& command, std::uint32_t tick);
 
-  // Returns a sentence that says why there is no seat yet, as far as the client can know.
+  // Returns a sentence that says why there is no seat yet, as far as the client knows.
   std::string last_error() const;
 
  private:
-  // One participant on the network with all that belongs to it; a new connection gets a new one.
+  // One participant on the network with its entities; a new connection gets a new Link.
   struct Link {
     Entity participant;
     Entity match_subscriber, team_publisher, team_subscriber;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What one team draws, as the match server receives it. The samples of the process that has the
-// seat count, each tick once and in order; all others are counted and thrown away. Nothing waits
-// for a sample, and the work for one tick is bounded.
+// The thoughts of one team as the match server receives them. It takes samples of the process that
+// has the seat, each tick once and in order; it counts and drops all others. Nothing waits for a
+// sample, and the work for one tick is bounded.
 #pragma once
 
 #include "server/dds/entity.hpp"
@@ -13,17 +13,17 @@
 
 namespace mirocup::dds {
 
-// Where the thoughts of a team go.
+// The receiver of a team's thoughts.
 struct ThoughtSink {
   std::function<void(std::uint32_t tick, const match::Thought&)> add;
-  std::function<void(std::uint32_t shapes)> leave_out;  // that were left out before they came here
+  std::function<void(std::uint32_t shapes)> leave_out;  // number of shapes dropped earlier
 };
 
 // Numbers of samples; a sample holds what a team drew in one tick.
 struct ThoughtCounts {
   std::uint64_t taken = 0;
-  std::uint64_t late = 0;       // for a tick too long ago, out of order, or once more
-  std::uint64_t foreign = 0;    // from another process than the team's
+  std::uint64_t late = 0;       // for a tick too long ago, out of order, or repeated
+  std::uint64_t foreign = 0;    // from a process that is not the team's
   std::uint64_t malformed = 0;  // contradict themselves, or are for a tick that has not begun
 };
 
@@ -34,10 +34,10 @@ class ThoughtsInbox {
   ThoughtsInbox& operator=(const ThoughtsInbox&) = delete;
   ~ThoughtsInbox();
 
-  // Makes the reader. Before that take() has no effect.
+  // Makes the reader. Without it take() has no effect.
   Result<void> open(const Entity& participant, const Entity& subscriber);
 
-  // From now on the thoughts of this process count, and no other's.
+  // From now on only the thoughts of this process count.
   void admit(std::uint64_t nonce, const ParticipantKey& process);
 
   // Hands over the shapes that have come since the last call, in order, for the ticks up to the

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team draws in one tick, as a sample of the topic "Thoughts": how a team's process fills
-// one, and how the match server reads one.
+// The shapes that a team draws in one tick, as a sample of the topic "Thoughts": a team's process
+// fills it, and the match server reads it.
 #pragma once
 
 #include "core/field/team.hpp"
@@ -22,8 +22,8 @@ class ThoughtsSample {
   ThoughtsSample(const ThoughtsSample&) = delete;
   ThoughtsSample& operator=(const ThoughtsSample&) = delete;
 
-  // Adds a shape. One that is not complete or not finite, or for which there is no room, is left
-  // out and counted. Of its layer the first max_layer_name bytes are kept.
+  // Adds a shape. A shape that is not complete or not finite, or for which there is no room, is
+  // dropped and counted. The name of its layer is cut to max_layer_name bytes.
   void add(const match::Thought& thought);
 
   bool is_empty() const { return sample_.shapes._length == 0 && sample_.left_out == 0; }

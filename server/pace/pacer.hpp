@@ -16,7 +16,7 @@ namespace mirocup::pace {
 class Pacer {
  public:
   // `control_period`: simulated seconds of a tick. `factor`: simulated seconds per second of wall
-  // time; nothing: no waiting at all. The clock must outlive the pacer.
+  // time; if empty, the pacer never waits. The clock must outlive the pacer.
   Pacer(WallClock& clock, double control_period, std::optional<double> factor)
       : clock_(clock), period_(factor ? control_period / *factor : 0.0) {
     assert(control_period > 0.0 && (!factor || *factor > 0.0));

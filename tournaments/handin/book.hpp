@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // The book of the hand-ins of a league, hand-ins.jsonl: a journal like that of the league, with a
-// line for each file that came in over the network and one for each answer. A team is told that its
-// file was taken when its line is on disk, and what became of it when that is. So a server that is
-// killed at any moment goes on where it was.
+// line for each file that came in over the network and a line for each answer. The server tells a
+// team that its file was taken, or the answer, only when that line is on disk. So a server that is
+// killed at any moment continues where it was.
 //
-// It is a file of its own because teams hand in before the league starts, with which its journal
-// begins, and because what a team is told is for that team alone. journal/format.md has the lines.
+// It is a separate file because teams hand in before the league starts, while the league's journal
+// begins with the start, and because an answer is for its team alone. journal/format.md has the
+// lines.
 //
 // Threads: one at a time. Processes: the one that holds the lock.
 #pragma once
@@ -29,8 +30,8 @@ class HandInBook {
 
   const HandInQueue& queue() const { return queue_; }
 
-  // Keeps a file that has arrived as the team's next entry and writes its line. `stored` puts the
-  // file in its place, a path. After an error nothing was taken.
+  // Keeps a file that has arrived as the team's next entry and writes its line. `store` moves the
+  // file to the path that it gets. After an error nothing was taken.
   Result<int> take(WaitingHandIn handed,
                    const std::function<Result<void>(const std::string& path)>& store);
 
@@ -38,13 +39,13 @@ class HandInBook {
   Result<void> answer(const std::string& team, int entry, HandInState state,
                       const std::string& message, std::int64_t at);
 
-  // Writes which entry a team wants to play; 0: its latest. The file of the team says so, too. If
-  // this server dies between the two, the next one sets that right.
+  // Writes which entry a team wants to play; 0: its latest. The file of the team says so as well.
+  // If this server dies between the two, the next server repairs that file.
   Result<void> pin(const std::string& team, int entry, std::int64_t at);
   const std::map<std::string, int>& pins() const { return pins_; }
   int pins_in_last_hour(const std::string& team, std::int64_t now) const;
 
-  // What is not written, because it ends with the server.
+  // These states end with the server, so they are not written.
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking) {
     queue_.begin(team, entry, state);
   }

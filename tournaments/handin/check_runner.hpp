@@ -4,9 +4,9 @@
 // check-hand-in`. A child may be killed at any moment, or die with this process; then its hand-in
 // waits again. Friendlies are played when no hand-in waits, and stopped when one has come.
 //
-// What a check uses is looked at a few times each second. One that uses up the processor time of
-// CheckLimits, with all programs that it starts, is stopped and begun once more, and then refused.
-// One that takes long gives way (queue.hpp).
+// The runner measures the use of each check a few times a second. If a check, with all programs
+// that it starts, uses up the processor time of CheckLimits, the runner stops it and begins it once
+// more; the second time the hand-in is refused. A check that takes long gives way (queue.hpp).
 //
 // Threads: the one that uses the ProcessSet.
 #pragma once
@@ -25,7 +25,7 @@ struct CheckLimits {
   // Processor time of a check, s, and in addition that of CompileTime for a source. A check plans
   // to take half of it (programs/mirocup/entry_check.hpp).
   double processor = 40.0;
-  // Time on the clock, s. A check that takes longer was not given a processor: the host's fault.
+  // Wall time, s. A check that takes longer was not given a processor, which is the host's fault.
   double clock = 900.0;
 };
 
@@ -36,8 +36,8 @@ class CheckRunner {
               int jobs, std::function<void(const std::string& line)> tell,
               const CheckLimits& limits = {});
 
-  // Starts checks, books the ends of checks, and waits for the next for a short time. Returns false
-  // if this process is asked to stop.
+  // Starts checks, books checks that have ended, and waits a short time for the next to end.
+  // Returns false if this process is asked to stop.
   bool step();
 
  private:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Says whose request it is: by a token ("Authorization: Bearer"), by the session of a browser in
-// which a token was typed, or by the word of a trusted proxy in front of this server.
+// Finds out who sends a request: by a token ("Authorization: Bearer"), by the session of a browser
+// in which a token was typed, or by the header of a trusted proxy in front of this server.
 //
-// A browser sends its cookie with every request, also with one that another site has made it send.
-// So a request that changes something and comes with a cookie, or through a proxy that signs people
-// on, has to name this server as its origin.
+// A browser sends its cookie with every request, even if another site caused the request. So if a
+// request changes something and comes with a cookie, or through a proxy that signs people on, it
+// has to name this server as its origin.
 //
 // Threads: one at a time.
 #pragma once
@@ -20,17 +20,17 @@
 
 namespace mirocup::league {
 
-// What stands between this server and its viewers. By default nothing.
+// The proxies between this server and its viewers. By default there are none.
 struct ProxyTrust {
-  // Addresses of proxies whose X-Forwarded-For and X-Forwarded-Proto are believed.
+  // Addresses of proxies. The server believes their X-Forwarded-For and X-Forwarded-Proto.
   std::set<std::string> addresses;
 
-  // The header in which these proxies name the team of a person that they have signed on; "": none
-  // is believed. They must remove it from what viewers send.
+  // The header in which these proxies name the team of a person that they have signed on; "": the
+  // server believes no such header. The proxies must remove it from requests of viewers.
   std::string team_header;
 };
 
-// The one whose request it is.
+// The sender of a request.
 struct Visitor {
   std::string team;  // "": the staff, or a tutor
   Role role = Role::team;
@@ -39,7 +39,7 @@ struct Visitor {
   bool sees_all() const { return role != Role::team; }
 };
 
-// Why a request is not looked at any further.
+// Why a request is refused.
 struct Refusal {
   int status = 401;
   std::string why;        // a sentence
@@ -56,10 +56,11 @@ class Doorkeeper {
   Result<std::variant<Visitor, Refusal>> admit(const web::Request& request, Purpose purpose,
                                                std::int64_t now);
 
-  // True if the request has a token, a session, or the word of a proxy; admit() looks at them.
+  // True if the request has a token, a session, or the header of a proxy, valid or not; admit()
+  // checks them.
   bool has_credentials(const web::Request& request) const;
 
-  // Begins a session by a token that was typed. Returns the header "Set-Cookie".
+  // Begins a session with a typed token. Returns the header "Set-Cookie".
   Result<std::variant<std::string, Refusal>> log_in(const web::Request& request,
                                                     std::string_view token, std::int64_t now);
 
@@ -76,7 +77,7 @@ class Doorkeeper {
   std::string cookie_of(const web::Request& request) const;
   std::string cookie_header(const web::Request& request, const std::string& value,
                             std::int64_t seconds) const;
-  // Returns why a change is refused; nothing if it comes from a page of this server.
+  // Returns why a change is refused. If it comes from a page of this server, returns nothing.
   std::optional<Refusal> foreign(const web::Request& request, bool must_have_origin) const;
   Refusal wrong_token(const web::Request& request, std::string_view token, std::int64_t now);
   std::string sessions_path() const { return folder_.path + "/sessions.json"; }

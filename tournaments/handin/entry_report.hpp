@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team is told of one of its entries, as the HTTP API has it: state, reason, the result of
-// each check, times, the log. Nothing in it names a path or a user of the host.
+// The report of one entry for its team, in the form of the HTTP API: state, reason, the result of
+// each check, times, the log. It names no path and no user of the host.
 #pragma once
 
 #include "tournaments/handin/queue.hpp"
@@ -25,9 +25,9 @@ struct CheckStep {
 // Returns the last step in the output of a check that is running.
 CheckStep last_step(std::string_view output);
 
-// Returns the report of an entry; null if the team has none of that number. A verdict that cannot
-// be read is an error: nobody is told that it was a refusal. `waiting` may be null: then the entry
-// was not handed in over the network. The report has checks, times and log only if it `is_whole`.
+// Returns the report of an entry; null if the team has no entry of that number. A verdict that
+// cannot be read is an error, not a refusal. If `waiting` is null, the entry was not handed in over
+// the network. The report has checks, times and log only if it `is_whole`.
 Result<Json> entry_report(system::Files& files, const Folder& folder, const std::string& team,
                           int entry, const WaitingHandIn* waiting, int before,
                           const CheckStep& step, bool is_whole);

@@ -32,16 +32,16 @@ enum class FriendlyState {
 struct Friendly {
   std::string team;
   int number = 0;             // among those of the team, from 1
-  int entry = 0;              // with which the team plays
+  int entry = 0;              // the team's entry that plays
   std::string opponent = {};  // a team of the league, or "house:NAME"
   int opponent_entry = 0;     // 0: a house team
-  bool is_burst = false;      // it follows from an accepted entry; nobody has asked for it
+  bool is_burst = false;      // belongs to the burst of an accepted entry: nobody asked for it
   std::int64_t at = 0;        // s since 1970
 
   FriendlyState state = FriendlyState::waiting;
   int goals = 0;
   int against = 0;
-  std::string end = {};  // as in a record: "full_time"; of a leg that is void, why
+  std::string end = {};  // as in a record: "full_time"; of a void leg the reason
 
   int failures = 0;  // of the host, since the server started
 };
@@ -51,31 +51,33 @@ bool is_house(std::string_view opponent);
 
 class Friendlies {
  public:
-  static constexpr int per_hour = 10;  // that a team may ask for
-  static constexpr int kept = 60;      // of each team; records of older ones are removed
+  static constexpr int per_hour = 10;  // legs that a team may ask for
+  static constexpr int kept = 60;      // legs of each team; records of older legs are removed
 
   // Adds a leg that waits. Precondition: it has the team's next number.
   void add(Friendly friendly);
 
-  // Says how a leg ended, with its goals and its end.
+  // Notes how a leg ended, with its goals and its end.
   void finish(const std::string& team, int number, FriendlyState state, int goals, int against,
               const std::string& end);
 
   void begin(const std::string& team, int number);
-  // It waits again: the host has spoiled the leg, or has stopped it for a check.
+  // Lets a leg wait again. `is_spoiled`: the host has spoiled it; otherwise it was stopped for a
+  // check.
   void wait_again(const std::string& team, int number, bool is_spoiled);
 
-  // Returns the leg that is to be played next: of the team that has waited for its turn longest,
-  // one at a time of each team. Null if none may be played.
+  // Returns the leg that is to be played next, that of the team that has waited longest for its
+  // turn. Each team plays one leg at a time. Null if no leg may be played now.
   const Friendly* next() const;
 
   const Friendly* find(const std::string& team, int number) const;
   int last_number(const std::string& team) const;
 
-  // Those that a team has asked for and those that another team has asked it for, the latest first.
+  // Returns the legs that a team has asked for, and those that other teams have asked for against
+  // it, the latest first.
   std::vector<const Friendly*> of_team(const std::string& team) const;
 
-  // The waiting legs of entries of the team before this one.
+  // Returns the numbers of the waiting legs of the team's entries before this one.
   std::vector<int> waiting_of_older(const std::string& team, int entry) const;
 
   bool has_burst(const std::string& team, int entry) const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The book of the friendlies of a league, friendlies.jsonl, in the form of a journal: a line for
-// each leg that is to be played and one for how it ended. A killed server goes on with those that
-// have no end. journal/format.md has the lines.
+// each leg that is to be played and a line for its end. After a server was killed, the next one
+// continues with the legs that have no end. journal/format.md has the lines.
 //
 // Threads: one at a time. Processes: the one that holds the lock of the book of hand-ins.
 #pragma once

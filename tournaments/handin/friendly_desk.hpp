@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Takes friendlies, gives them to the runner, and shows them to the two teams that play: the
-// result, the replay, and to each its own thoughts and the log of its own process. Those of a burst
-// are shown to their team only.
+// Accepts friendlies, gives them to the runner, and shows them to the two teams that play: the
+// result, the replay, and to each team its own thoughts and the log of its own process. Only its
+// own team sees a leg of a burst.
 //
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
@@ -20,11 +20,11 @@ namespace mirocup::league {
 struct FriendlyOptions {
   // Returns the teams of the league against which a friendly can be played, with their entries.
   std::function<std::map<std::string, int>()> teams;
-  // Returns the teams next to a team in the table; none before the league has one.
+  // Returns the teams next to a team in the table; no teams before the league has a table.
   std::function<std::vector<std::string>(const std::string& team)> neighbours;
   // The house teams, without "house:".
   std::vector<std::string> house;
-  // Returns the page that replays a record, a path, with the thoughts and logs of these teams.
+  // Returns the page that replays the record at a path, with the thoughts and logs of these teams.
   std::function<std::optional<std::string>(const std::string& record, const record::Whose& whose)>
       replay;
 };
@@ -34,8 +34,8 @@ class FriendlyDesk {
   static Result<std::unique_ptr<FriendlyDesk>> open(system::Files& files, const Folder& folder,
                                                     FriendlyOptions options, std::string* notice);
 
-  // An entry was accepted: its burst waits from now on, and waiting legs of older entries are void.
-  // Does nothing for an entry that has had its burst.
+  // To be called when an entry was accepted: adds its burst, and makes waiting legs of older
+  // entries void. Does nothing if the entry has had its burst.
   Result<void> entry_accepted(const std::string& team, int entry, std::int64_t now);
 
   // POST: a team asks for a leg.
@@ -48,7 +48,7 @@ class FriendlyDesk {
   // GET below the path of friendlies, "/TEAM/NUMBER/log" or "/TEAM/NUMBER/replay".
   web::Reply show(const std::string& visitor, std::string_view rest);
 
-  // For the runner. The host's failures void a leg after some tries. One that was stopped for a
+  // For the runner. After some failures of the host a leg is void. A leg that was stopped for a
   // check is not spoiled: it waits again.
   std::optional<Friendly> begin_next();
   Result<void> played(const Friendly& friendly, std::int64_t now);

@@ -23,14 +23,14 @@ class FriendlyRunner {
   // computer cannot start one now.
   bool start_next(int tag, std::int64_t now);
 
-  // Books the end of a leg. Returns false if the tag is not that of one.
+  // Books the end of a leg. Returns false if no leg has this tag.
   bool book(const system::Exit& exit, std::int64_t now);
 
   // Kills legs that take too long.
   void look_at_time();
 
-  // Stops a leg that has taken some seconds, so that a check can begin; it is played again later.
-  // Returns false if there is none.
+  // Stops a leg that has taken some seconds, so that a check can begin; the leg is played again
+  // later. Returns false if there is no such leg.
   bool give_way();
 
   int running() const { return static_cast<int>(running_.size()); }

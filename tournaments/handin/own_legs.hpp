@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team reads of its own legs on its private page: result, processor time, faults, its log.
-// Of the opponent it reads what everybody does: result and replay.
+// The legs of a team on its private page: result, processor time, its own faults and log. Of the
+// opponent a team sees result and replay, as everybody does.
 #pragma once
 
 #include "record/own_texts.hpp"
@@ -18,10 +18,10 @@
 
 namespace mirocup::league {
 
-// Where the desk shows the replay of a leg to its teams and the staff: NAME.html follows.
+// The path below which the desk shows replays of legs to their teams and the staff, as NAME.html.
 inline constexpr std::string_view own_replays_path = "/hand-in/replays/";
 
-// A leg of a team that is decided, seen from that team.
+// A decided leg, seen from one of its teams.
 struct OwnLeg {
   std::string fixture;  // its id
   int leg = 1;          // from 1
@@ -37,10 +37,10 @@ struct OwnLeg {
 // Returns the decided legs of a team in the order of the schedule; none if there is no such team.
 std::vector<OwnLeg> own_legs(const LeagueState& state, const std::string& team);
 
-// What the team's process took in a leg, from the record.
+// The time that the team's process took in a leg, from the record.
 struct LegCost {
   double cpu_seconds = 0.0;
-  double bank_seconds = 0.0;  // that it was allowed
+  double bank_seconds = 0.0;  // processor time that it was allowed
   double slowest_tick_ms = 0.0;
   int late_ticks = 0;
 };
@@ -51,7 +51,7 @@ class LegCosts {
   explicit LegCosts(system::Files& files, Folder folder)
       : files_(files), folder_(std::move(folder)) {}
 
-  // Nothing if the record is not there or cannot be read.
+  // Returns nothing if the record is missing or cannot be read.
   std::optional<LegCost> of(const OwnLeg& leg);
 
  private:
@@ -61,10 +61,10 @@ class LegCosts {
   std::map<std::string, LegCost> known_;  // by record and colour
 };
 
-// Returns the team of a leg whose thoughts and log it may see: its own.
+// Returns whose thoughts and log the team may see in its leg: its own only.
 record::Whose own_side(const OwnLeg& leg);
 
-// Returns the path of what the team's process printed in a leg.
+// Returns the path of the file with the output of the team's process in a leg.
 std::string log_path(const Folder& folder, const OwnLeg& leg);
 
 // Returns the name by which the HTTP API knows a leg, that of its record.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The desk of a league in the network: who hands in, what of, and what became of it. It answers the
-// requests of the HTTP API and of the private pages, and gives the queue's next check to
-// CheckRunner. docs/handing-in.md describes the API.
+// The HTTP front of a league: accepts hand-ins and reports their state. It answers the requests of
+// the HTTP API and of the private pages, and gives the queue's next check to CheckRunner.
+// docs/handing-in.md describes the API.
 //
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
@@ -28,14 +28,15 @@ struct PortalOptions {
   int max_waiting = 4;  // hand-ins of one team without an answer
   int max_uploads = 2;  // of one team at once
 
-  // Returns why no entry of a team is taken at a time, a sentence; "" if entries are taken.
+  // Returns a sentence that says why no entry of a team is taken at that time; "" if entries are
+  // taken.
   std::function<std::string(const std::string& team, const std::string& now)> why_not;
   // Returns the decided legs of a team.
   std::function<std::vector<OwnLeg>(const std::string& team)> legs;
-  // Returns what the last night changed for a team, as the inside of a page; "" if it may not know.
+  // Returns the team's digest of the last night as part of a page; "" if the team may not see it.
   std::function<std::string(const std::string& team)> digest = {};
-  // Returns the replay page of a leg, by the name of its record, with what was kept of the thoughts
-  // and logs of these teams; nothing if there is no page.
+  // Returns the replay page of a leg, by the name of its record. The page has the kept thoughts and
+  // logs of the teams in `whose`. Returns nothing if the leg has no page.
   std::function<std::optional<std::string>(const std::string& name, const record::Whose& whose)>
       replay = {};
   // Returns the part of a page with the football statistics of a team, HTML; "" if there are none.
@@ -56,19 +57,19 @@ class Portal {
   // The friendlies, for their runner.
   FriendlyDesk& friendlies() { return *friendlies_; }
 
-  // Marks the next hand-in as being checked and returns it; nothing if none is to be checked.
+  // Marks the next hand-in as being checked and returns it; nothing if no check may begin.
   std::optional<WaitingHandIn> begin_next();
   bool has_next();
 
   void set_step(const std::string& team, int entry, const CheckStep& step);
 
-  // Books what became of a check.
+  // Books the answer of a check.
   Result<void> close(const std::string& team, int entry, HandInState state,
                      const std::string& message);
 
-  // A check has ended without an answer, and is tried again. After some failures of the host the
-  // hand-in is void. If it has used up its processor time, `seconds`, that is the file's own fault,
-  // but one time it may have had bad luck: the second time the hand-in is refused.
+  // To be called when a check has ended without an answer: the check is tried again. After some
+  // failures of the host the hand-in is void. A check that has used up its processor time,
+  // `seconds`, is tried once more; the second time the hand-in is refused.
   Result<void> wait_again(const std::string& team, int entry, NoAnswer why = NoAnswer::host_failed,
                           double seconds = 0.0);
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The hand-ins of a league in the order in which they came, and which is checked next. The order is
-// fair between teams: checks go in rounds, and a team has one in each. Who comes joins the round
-// that is being checked, or the one after its own last. A team has one check at a time.
+// The hand-ins of a league in the order in which they came, and the choice of the next check. The
+// order is fair between teams: checks go in rounds, and a team has one check in each round. A new
+// hand-in joins the present round or the round after its team's last one, whichever is later. A
+// team has one check at a time.
 //
 // A check that takes long gives way to the check of another team that waits: it is stopped, and its
-// hand-in comes in a later round, as if it were handed in anew. So that each comes to its end, one
-// check at a time that has given way often enough is left alone. The others still give way, so on
-// two processors a short check never waits for two long ones.
+// hand-in comes in a later round, as if it were handed in anew. So that each check comes to its
+// end, one check at a time that has given way often enough may run on. All other checks still give
+// way, so on two processors a short check never waits for two long ones.
 //
 // A pure function of the events that it is given. Threads: one at a time.
 #pragma once
@@ -47,7 +48,7 @@ SourceKind source_kind_of(std::string_view file);
 // Returns what `mirocup compile --language` calls it.
 std::string language_of(SourceKind kind);
 
-// Why a check has ended without an answer: the host has spoiled it, it was stopped for that of
+// Why a check has ended without an answer: the host has spoiled it, it gave way to the check of
 // another team, or it has used up its processor time.
 enum class NoAnswer { host_failed, gave_way, spent };
 
@@ -56,13 +57,13 @@ struct WaitingHandIn {
   std::string team;
   int entry = 0;       // its number in the team's folder of entries
   std::string file;    // its name, as the team gave it
-  std::string sha256;  // of its bytes
+  std::string sha256;  // of the file's bytes
   std::uint64_t bytes = 0;
   std::int64_t at = 0;  // s since 1970
 
   HandInState state = HandInState::queued;
   std::string message = {};            // the answer to the team, once there is one
-  int round = 0;                       // in which it is checked
+  int round = 0;                       // the round in which it is checked
   std::array<int, 3> unanswered = {};  // checks since the server started, by NoAnswer
 
   int times(NoAnswer why) const { return unanswered[static_cast<std::size_t>(why)]; }
@@ -73,11 +74,12 @@ struct RunningCheck {
   std::string team;
   int entry = 0;
   double processor = 0.0;  // of all its processes together
-  double asleep = 0.0;     // none of them wanted a processor
+  double asleep = 0.0;     // time in which none of them wanted a processor
 };
 
-// Processor time that the sources of each team may take to be compiled, s. A team whose source was
-// not compiled within the short time gets that for its next one, until one is.
+// Processor time that the sources of each team may take to be compiled, s. If a source of a team is
+// not compiled within the short time, the team gets the short time for its next sources, until one
+// is compiled.
 class CompileTime {
  public:
   static constexpr int usual = 60;
@@ -85,7 +87,7 @@ class CompileTime {
 
   int of(const std::string& team) const { return slow_.contains(team) ? after_slow_one : usual; }
 
-  // Says how a source ended, after its compiler used that time.
+  // Notes whether a source was compiled, and the processor time that its compiler used.
   void note(const std::string& team, bool is_compiled, double used) {
     if (is_compiled) {
       slow_.erase(team);
@@ -100,30 +102,31 @@ class CompileTime {
 
 class HandInQueue {
  public:
-  // What a check uses before it may have to give way, asleep or not, s. The time for which it waits
-  // for a processor is not its own.
+  // Time that a check may use, asleep or not, before it may have to give way, s. Time for which it
+  // waits for a processor does not count.
   static constexpr double turn = 3.0;
-  static constexpr int gives_way_at_most = 2;  // times; then it may be the one that is left alone
+  static constexpr int gives_way_at_most = 2;  // times; then it may be the one that runs on
 
-  // Adds a hand-in that waits. Precondition: the team has none of this number.
+  // Adds a hand-in that waits. Precondition: the team has no hand-in of this number.
   void add(WaitingHandIn handed);
 
-  // Says what became of a hand-in; of one that has an answer already, nothing changes.
+  // Sets the answer of a hand-in. Does nothing if it has an answer already.
   void answer(const std::string& team, int entry, HandInState state, const std::string& message);
 
-  // Its check begins, or has ended without an answer. Then it waits again: in its old place, or
-  // behind the other teams if its check took long.
+  // To be called when the check of a hand-in begins, or has ended without an answer. After the
+  // latter the hand-in waits again: in its old place, or behind the other teams if its check took
+  // long.
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking);
   void wait_again(const std::string& team, int entry, NoAnswer why = NoAnswer::host_failed);
 
-  // Returns which of the checks, all that run, is to be stopped so that the next can begin; null if
-  // none is. For a caller that has no processor for the next.
+  // `running` are all checks that run. Returns the one that is to be stopped so that the next can
+  // begin; null if there is none. For a caller that has no processor for the next check.
   const WaitingHandIn* to_stop(const std::vector<RunningCheck>& running) const;
 
-  // Returns the hand-in that is to be checked next; null if none may be.
+  // Returns the hand-in that is to be checked next; null if no check may begin.
   const WaitingHandIn* next() const;
 
-  // Returns how many hand-ins are taken before this one, with those that are being checked.
+  // Returns how many hand-ins are checked before this one, the running checks included.
   int before(const std::string& team, int entry) const;
 
   const WaitingHandIn* find(const std::string& team, int entry) const;
@@ -142,7 +145,7 @@ class HandInQueue {
 
   // The hand-ins without an answer in the order in which they are taken.
   std::vector<const WaitingHandIn*> order() const;
-  // Puts it into the round in which it would be if it came now.
+  // Moves a hand-in to the round in which it would be if it came now.
   void put_behind(WaitingHandIn& handed);
 
   int round_ = 0;                          // of the last check that began or was answered

@@ -17,7 +17,7 @@ namespace mirocup::league {
 web::Reply json_reply(int status, const nlohmann::ordered_json& json);
 web::Reply problem_reply(int status, const std::string& why);
 
-// The host is told the reason, and a stranger is not.
+// Returns a 503 without the reason, which a stranger may not learn.
 web::Reply host_failed(const Error&);
 
 // Reads a number from 1 that is the whole text.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Browsers in which a token was typed: each has a random number in a cookie. Only its SHA-256 is
-// kept here, with the token's: when the token is revoked or expires, its sessions end with it.
+// Sessions of browsers in which a token was typed: each browser has a random number in a cookie.
+// This class keeps only the SHA-256 of that number and of the token: when the token is revoked or
+// expires, its sessions end as well.
 //
 // Threads: one at a time.
 #pragma once
@@ -26,7 +27,7 @@ struct Session {
 class Sessions {
  public:
   static constexpr std::int64_t duration = 12 * 3600;  // s
-  static constexpr std::size_t max_of_token = 20;      // more end the oldest
+  static constexpr std::size_t max_of_token = 20;      // a further session ends the oldest
 
   // Begins a session and returns the value of its cookie.
   std::string begin(const std::string& token_sha256, std::int64_t now);
@@ -37,8 +38,8 @@ class Sessions {
   // Ends the session of the cookie, if there is one.
   void end(std::string_view cookie);
 
-  // The sessions as JSON, for a server that starts again, and those that it held. What cannot be
-  // read is no session.
+  // The sessions as JSON, for a server that starts again; and the sessions of such a text. Sessions
+  // that cannot be read are dropped.
   std::string text() const;
   static Sessions parse(const std::string& text);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The pages of the desk: the one that asks for a token, and the private page of a team, where it
-// hands in and reads what became of its entries. page/hand_in.js of web sends what is filled
-// in and follows checks.
+// The pages of the desk: the page that asks for a token, and the private page of a team, where it
+// hands in and reads the answers to its entries. page/hand_in.js of web sends the forms and follows
+// checks.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 // Returns a time of a book, "2026-11-25T01:02:03Z", as people of the league read it.
 using TimeInWords = std::function<std::string(const std::string& utc)>;
 
-// What the private page of a team shows.
+// The content of a team's private page.
 struct TeamDesk {
   std::string team;
   Json entries;                        // entry_report() of each, the latest first
@@ -26,13 +26,13 @@ struct TeamDesk {
   Json friendlies;                     // FriendlyDesk::list()
   std::vector<std::string> opponents;  // against whom it may play friendlies
   int playing = 0;                     // the entry that plays; 0: none yet
-  bool is_pinned = false;              // that entry plays on, whatever is accepted
+  bool is_pinned = false;              // that entry plays even if a later one is accepted
   std::string statistics;              // HTML
-  std::string digest;                  // HTML: what the last night has changed; "": nothing
+  std::string digest;                  // HTML: the digest of the last night; "": none
   TimeInWords time_in_words;
 };
 
-// `why` is a sentence that says what was wrong with the last token; "": nothing was.
+// `why` is a sentence that says what was wrong with the last token; "" if nothing was.
 std::string log_in_page(const std::string& why);
 
 std::string team_desk_page(const TeamDesk& desk);

@@ -15,8 +15,8 @@
 
 namespace mirocup::league {
 
-// Whose a token is. The staff sees the private pages of all teams and decides; a tutor sees what
-// the staff sees, and changes nothing.
+// The owner of a token. The staff sees the private pages of all teams and decides; a tutor sees the
+// same and changes nothing.
 enum class Role { team, staff, tutor };
 
 struct Token {
@@ -24,8 +24,8 @@ struct Token {
   Role role = Role::team;
   std::string sha256;
   std::string made;     // UTC, as league.json has times
-  std::string expires;  // from then on it is worth nothing; "": never
-  std::string revoked;  // when it was revoked; "": it was not
+  std::string expires;  // UTC; from then on it is not valid; "": never
+  std::string revoked;  // UTC, when it was revoked; "": it was not
 
   bool is_valid(const std::string& now) const {
     return revoked.empty() && (expires.empty() || now < expires);
@@ -47,8 +47,8 @@ struct TokenList {
 
   bool has_valid(const std::string& team, const std::string& now) const;
 
-  // Returns the valid token with this text, or of this SHA-256; null if there is none. Small
-  // letters and blanks in the text are taken as a person may type them.
+  // Returns the valid token with this text, or of this SHA-256; null if there is none. The text may
+  // have small letters and blanks, as a person may type them.
   const Token* find(std::string_view text, const std::string& now) const;
   const Token* find_sha256(const std::string& sha256, const std::string& now) const;
 
@@ -58,8 +58,8 @@ struct TokenList {
 
 std::string tokens_path(const Folder& folder);
 
-// Reads and writes the tokens of a league; a league without the file has none. Only the host can
-// read the file. A damaged one is Errc::damaged.
+// Reads and writes the tokens of a league; a league without the file has no tokens. Only the host
+// can read the file. A damaged file is Errc::damaged.
 Result<TokenList> read_tokens(system::Files& files, const Folder& folder);
 Result<TokenList> parse_tokens(const std::string& text, const std::string& path);
 Result<void> write_tokens(system::Files& files, const Folder& folder, const TokenList& list);

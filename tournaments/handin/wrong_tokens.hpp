@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Counts wrong tokens of each address, and says how long an address has to wait after several. A
-// right token is never made to wait: a class behind one address is not locked out by one of it.
+// right token never waits, so one student cannot lock out a class that shares an address.
 //
 // Threads: one at a time.
 #pragma once
@@ -20,7 +20,7 @@ class WrongTokens {
   static constexpr std::size_t max_addresses = 10'000;
 
   // Notes a wrong token at a time, s on any clock that only goes forward. Returns how many seconds
-  // the address has to wait before the next is looked at; 0: it need not. While it waits, wrong
+  // must pass before the next token of the address is checked; 0: none. While it waits, wrong
   // tokens do not make the wait longer.
   std::int64_t note(const std::string& address, std::int64_t now);
 
@@ -33,7 +33,7 @@ class WrongTokens {
     std::int64_t waits = 0;  // until then
   };
   std::map<std::string, Count> addresses_;
-  std::int64_t swept_ = 0;  // when the forgotten ones were removed last
+  std::int64_t swept_ = 0;  // when forgotten addresses were removed last
 };
 
 // Returns the network whose addresses one person is likely to have: of IPv6 the first 64 bits.

@@ -3,9 +3,9 @@
 // The journal of a league: an append-only file from which tables and pages are derived.
 //
 // Each line is a JSON object with its number, the SHA-256 of the line before and its own. A line is
-// on disk (fsync) before anything follows from it. An incomplete last line, left by a process that
-// died while writing, is ignored by readers and removed by the next append(). Any other damage is
-// an error that names the line. format.md describes the lines; league/event.hpp decodes them.
+// on disk (fsync) before it has any effect. An incomplete last line, left by a process that died
+// while writing, is ignored by readers and removed by the next append(). Any other damage is an
+// error that names the line. format.md describes the lines; league/event.hpp decodes them.
 //
 // Processes: several may read a journal at any time. Each may append to it if it holds a FileLock
 // while it calls refresh() and append(). Threads: one at a time.
@@ -25,7 +25,8 @@ using Json = nlohmann::ordered_json;
 
 class Journal {
  public:
-  // Of all lines together, which stay in memory: those of a million legs.
+  // The limit of JSON values of all lines together, which stay in memory: enough for a million
+  // legs.
   static constexpr std::size_t max_values = 20'000'000;
 
   // Reads the file; a missing file is an empty journal. `notice` gets a sentence for the user if an
@@ -39,11 +40,11 @@ class Journal {
   const std::vector<Json>& lines() const { return lines_; }
   const std::string& path() const { return path_; }
 
-  // Reads the lines that other processes have written since.
+  // Reads the lines that other processes have written since the last call.
   Result<void> refresh();
 
   // Writes a line: "n", "kind", the fields, "prev" and "hash". After an error the journal is as
-  // before. What readers would refuse is not written.
+  // before. Returns an error instead of writing a line that readers would refuse.
   Result<void> append(const std::string& kind, Json fields);
 
  private:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A copy of a league's folder, which may be taken while the league is played and while teams hand
-// in. What a line of a journal names is on disk before the line is. So the journals are read first
-// and written last: the copy has all that its journals name, and `league start` in it goes on from
-// there.
+// in. Files that a line of a journal names are on disk before the line. So the journals are read
+// first and written last: the copy has all files that its journals name, and `league start` in the
+// copy continues from there.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -14,13 +14,13 @@ namespace mirocup::league {
 
 struct BackupCount {
   int copied = 0;
-  int known = 0;  // records that the copy had already: they never change
+  int known = 0;  // records that the copy had already, since they never change
 };
 
 // Copies a league to a folder that is new or holds an earlier copy of it. Pages (`site`), locks and
 // files that are arriving are left out. After an error, or if this process dies, an earlier copy is
-// as whole as before. Errors: Errc::input if the folder holds something else, another league or a
-// copy that has decided something by itself, or is inside the league's own folder.
+// as whole as before. Errors: Errc::input if the folder holds something else, another league, or a
+// copy with decisions of its own, or is inside the league's own folder.
 Result<BackupCount> back_up(system::Files& files, const Folder& from, const Folder& to);
 
 }  // namespace mirocup::league

@@ -4,13 +4,13 @@
 // fixture is two legs of one seed with swapped colours; every fixture has a seed of its own.
 // Fixtures count in their order, so the answer does not depend on the number of jobs.
 //
-// Copies prove nothing. Two legs are different if their goals fell in different ticks or for other
-// colours, and, without goals, if their state hashes differ. Nothing is claimed while fewer than
-// half of the fixtures of a pair are different. The two legs of one fixture may be alike: a team
-// that meets itself has the same luck in both.
+// Copies prove nothing. Two legs with goals are different if their goals fell in different ticks or
+// for other colours; two legs without goals, if their state hashes differ. Nothing is claimed while
+// fewer than half of the fixtures of a pair are different. The two legs of one fixture may be
+// alike: a team that meets itself has the same luck in both.
 //
-// A folder that is kept holds comparison.json, which says what is played, and the record of every
-// leg. The same run with the same folder takes the legs that are there and plays the others.
+// A folder that is kept holds comparison.json, which describes the run, and the record of every
+// leg. The same run with the same folder uses the legs that are there and plays the others.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -34,7 +34,7 @@ namespace mirocup::league {
 
 struct ComparisonRun {
   std::vector<std::string> teams;  // texts of compared_team(); at least two
-  bool all_pairs = false;          // false: the first team against each other one
+  bool all_pairs = false;          // false: the first team against each other team
   League league = League::small;
   double half_s = 0.0;     // seconds of a half; 0: as in the rules
   std::string conditions;  // a preset; "": the default of a match
@@ -56,10 +56,10 @@ struct ComparedTeam {
 // Reads TEAM or TEAM:KEY=VALUE, with as many further :KEY=VALUE as there are parameters.
 ComparedTeam compared_team(const std::string& text);
 
-// What a comparison needs of a leg; the teams are those of its pair.
+// The data of a leg for a comparison; the teams are those of its pair.
 struct ComparedLeg {
   std::array<int, 2> score{};
-  std::array<std::map<match::GoalKind, int>, 2> goals;  // those of a decided forfeit are not here
+  std::array<std::map<match::GoalKind, int>, 2> goals;  // without goals given by a forfeit
   std::array<int, 2> faults{};                          // 1: this team forfeited
   bool both_lose = false;                               // a double forfeit
   std::string trajectory;                               // equal for copies
@@ -83,12 +83,12 @@ struct PairComparison {
 std::uint64_t comparison_seed(const ComparisonRun& run, const std::array<int, 2>& teams,
                               int fixture);
 
-// Adds a fixture to a pair and decides, unless `plays_all` leaves that to the last fixture.
+// Adds a fixture to a pair and decides about it; with `plays_all` only the last fixture decides.
 void count_fixture(PairComparison& pair, const std::array<ComparedLeg, 2>& legs,
                    const ComparisonRun& run);
 
-// Returns what the legs of a run depend on: teams with the digests of their libraries, the game,
-// and how it is played. The error is that of a library that cannot be read.
+// Returns everything on which the legs of a run depend: teams with the digests of their libraries,
+// the game, and its settings. The error is that of a library that cannot be read.
 Result<nlohmann::ordered_json> comparison_identity(system::Files& files, const ComparisonRun& run);
 
 // True if no more fixtures of the pair are needed.

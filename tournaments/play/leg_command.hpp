@@ -20,8 +20,8 @@ struct LegId {
   int attempt = 1;  // number in the journal
 };
 
-// Returns the legs (from 1) of a fixture that can be played now, in order: they are not decided,
-// and both teams are known and neither paused nor withdrawn.
+// Returns the legs (from 1) of a fixture that can be played now, in order. Such legs are not
+// decided, and both teams are known and neither paused nor withdrawn.
 std::vector<int> open_legs(const LeagueState& state, const FixtureState& fixture);
 
 // Returns the seed of a leg: that of its fixture, and another one for the leg that decides a tie,

@@ -18,10 +18,10 @@ namespace mirocup::league {
 Result<LegPlayed> leg_played(const LeagueFile& file, const LegId& id, const Json& record,
                              const std::string& record_path);
 
-// The event of the leg if its record is in the folder and belongs to these teams, entries and seed:
-// then the leg has been played, by this program or by another. Nothing if there is no record, or if
+// Returns the event of the leg if its record is in the folder and belongs to these teams, entries
+// and seed: then this program or another has played it. Returns nothing if there is no record, or
 // it is of another seed or entry, or of a void leg. A record that cannot be read may be that of a
-// leg that was played, so it is an error: as in Files::read_if_there(), or Errc::damaged.
+// played leg, so it is an error: as in Files::read_if_there(), or Errc::damaged.
 Result<std::optional<LegPlayed>> find_played_leg(system::Files& files, const Folder& folder,
                                                  const LeagueState& state, const LegId& id);
 

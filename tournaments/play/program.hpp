@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The program that plays a league. The journal names it, and programs/ in the folder of the league
-// keeps a copy of its match server. So after an upgrade old records are verified by the program
-// that played them, and no league goes on with another one by accident.
+// keeps a copy of its match server. So after an upgrade the program that played old records
+// verifies them, and no league continues with another program by accident.
 #pragma once
 
 #include "record/match_record.hpp"
@@ -13,20 +13,20 @@
 
 namespace mirocup::league {
 
-// Refuses to play a league that another program has begun to play, unless `accepts_other`: then a
-// line says that this one goes on. A program is another one if its version or the hash of its
-// behaviour (`game`) is; where the journal does not name the latter, the last record does. Errors:
+// Refuses to play a league that another program has begun to play. With `accepts_other` it instead
+// writes a line that this program continues. A program is another one if its version or its
+// behaviour hash (`game`) is; if the journal does not name the hash, the last record does. Errors:
 // Errc::input.
 Result<void> expect_program(system::Files& files, LeagueStore& store,
                             const record::Software& program, bool accepts_other);
 
-// Keeps copies of this match server, and of the host of teams' libraries that it needs for a rerun,
-// with the league, if no trusted ones are there, and puts the match server on this host's list
+// If the league has no trusted copies of this match server and of the plugin host that it needs for
+// a rerun, keeps copies with the league. Puts the match server on this host's list
 // (league/kept_program.hpp). If the list cannot be written, standard error says so.
 Result<void> keep_program(system::Files& files, const Folder& folder,
                           const record::Software& program);
 
-// What became of the records of a league.
+// The result of verifying the records of a league.
 struct VerifiedRecords {
   struct Problem {
     std::string record;  // its path inside the league
@@ -39,10 +39,10 @@ struct VerifiedRecords {
   std::vector<Problem> problems;
 };
 
-// Verifies all records of a league, `jobs` at once (0: one for each processor): each is simulated
-// again by the program that played it, and those that the journal names are the ones that it means.
-// For a record whose own text is damaged, no program is started.
-// Errors: Errc::interrupted, or what keeps a verification from starting.
+// Verifies all records of a league, `jobs` at once (0: one for each processor): the program that
+// played a record simulates it again, and a record that the journal names must be the one that the
+// journal means. If the text of a record is damaged, no program is started. Errors:
+// Errc::interrupted, or the reason why the verification cannot start.
 Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs);
 
 }  // namespace mirocup::league

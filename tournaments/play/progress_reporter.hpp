@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells a person how a league that is being played gets on.
+// Shows a person the progress of a league that is being played.
 #pragma once
 
 #include <string>

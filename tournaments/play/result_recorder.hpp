@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Turns match records into events of the journal, alike for every engine that plays a league. A leg
-// gets its result, unless the host failed or a team lost by a clock for the first time: then the
+// gets its result. But if the host failed, or a team lost by a clock for the first time, the
 // attempt is void. A team that loses a number of legs in a row by its own faults is paused.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace mirocup::league {
 
-// After this number of attempts that failed because of the host, a leg is left alone until the next
-// start of the program, before which a person can repair the host.
+// After this number of attempts that failed because of the host, a leg is not tried again until the
+// next start of the program, so that a person can repair the host first.
 inline constexpr int max_attempts = 3;
 
 class ResultRecorder {
@@ -32,21 +32,21 @@ class ResultRecorder {
   // Reads the events that other processes, such as a person's rulings, have written.
   Result<void> refresh() { return store_.refresh(); }
 
-  // Returns the fixture as it is now; null if the schedule no longer has it. Valid until the next
-  // change of the state.
+  // Returns the present fixture of that id; null if the schedule no longer has it. Valid until the
+  // next change of the state.
   const FixtureState* find(const std::string& id) const;
 
-  // Returns the leg of a fixture that is to be played next; nothing if none can be played now, or
-  // if the host has failed max_attempts times while this program ran.
+  // Returns the next leg of a fixture. Returns nothing if no leg can be played now, or if the host
+  // has failed max_attempts times while this program ran.
   std::optional<LegId> next_leg(const FixtureState& fixture) const;
 
-  // Books the leg if its record is there. False if it is not.
+  // Books the leg if its record is there. Returns false if it is not.
   Result<bool> book_if_played(const LegId& leg);
 
   // Books the legs of a fixture in order as long as there are records. Returns their number.
   Result<int> book_played(const std::string& fixture);
 
-  // True if a match server has been started for the leg; the last line of its output.
+  // True if a match server has been started for the leg.
   bool has_begun(const LegId& leg) const { return files_.exists(leg_output(folder(), leg)); }
 
   // Returns the last line that the leg's match server printed.

@@ -4,9 +4,9 @@
 // program. As many run at once as there are jobs; the legs of a fixture run one after the other on
 // the same processor.
 //
-// A finished leg is in the journal before anything else happens. A leg that the host lost is void
-// and is played again with the same seed; so is, once, a leg that a clock decided. Nothing that a
-// team does can stop a league.
+// A finished leg is in the journal before anything else happens. A leg that the host spoiled is
+// void and is played again with the same seed. The same holds, once, for a leg that a clock
+// decided. Nothing that a team does can stop a league.
 #pragma once
 
 #include "system/process_set.hpp"
@@ -26,8 +26,8 @@ struct RunOptions {
   int dds_domain = 0;    // of the legs in which a team plays over DDS
 };
 
-// Returns a sentence for the host if that many legs at once may take more memory than there is,
-// bytes; "" if all is well or not known.
+// Returns a sentence for the host if that many legs at once may take more memory than `available`,
+// bytes; "" if they do not, or if `available` is empty.
 std::string memory_warning(std::optional<std::size_t> available, int jobs);
 
 class Runner {

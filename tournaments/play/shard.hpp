@@ -12,8 +12,8 @@
 
 namespace mirocup::league {
 
-// Returns the ids of the fixtures that can be played now, in the order of the schedule, without
-// those of teams over DDS or that people start, which only one host can play.
+// Returns the ids of the fixtures that can be played now, in the order of the schedule. Leaves out
+// fixtures of teams that play over DDS or that people start, because only one host can play them.
 std::vector<std::string> open_shards(const LeagueState& state);
 
 // Plays the legs of these fixtures that are not decided and have no record, one after the other.

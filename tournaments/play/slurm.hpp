@@ -37,8 +37,8 @@ CommandLine sbatch_command(const SlurmArray& array);
 CommandLine squeue_command();
 std::vector<SlurmTask> parse_queue(const std::string& text, const std::string& league);
 
-// Cancels tasks: all of them; only those that are pending by now; or those that run, which an
-// interrupt lets come to the end of their present leg.
+// Cancels tasks: all of them; only pending ones; or running ones, which get an interrupt and end
+// after their present leg.
 enum class CancelScope { all, pending, after_leg };
 CommandLine scancel_command(const std::vector<std::string>& tasks, CancelScope scope);
 

@@ -25,9 +25,9 @@ class SlurmRunner {
   SlurmRunner(system::Files& files, LeagueStore store, ProgressReporter& progress);
 
   // Plays as Runner::run() does, with the same meaning of interrupts. `jobs` is the number of tasks
-  // that run at once; 0: as many as the cluster has processors. Legs of teams over DDS are left,
-  // since only one host can play them. Errors: Errc::unavailable if there is no Slurm; Errc::host
-  // if arrays of tasks end without a record.
+  // that run at once; 0: as many as the cluster has processors. Legs of teams over DDS are not
+  // played, since only one host can play them. Errors: Errc::unavailable if there is no Slurm;
+  // Errc::host if arrays of tasks end without a record.
   Result<int> run(int jobs);
 
   const LeagueState& state() const { return recorder_.state(); }
@@ -63,7 +63,7 @@ class SlurmRunner {
   bool is_silent_ = false;               // squeue did not answer the last time
   std::vector<SlurmTask> tasks_;         // from the last answer of squeue
   std::map<std::string, int> restarts_;  // by task: restarts whose lost legs are booked
-  std::map<int, PlanLines> plans_;       // those that were needed so far
+  std::map<int, PlanLines> plans_;       // the plans that were needed so far
 };
 
 }  // namespace mirocup::league

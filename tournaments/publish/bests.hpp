@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What people talk about: the records of a league, and the legs that are worth watching.
+// The bests of a league, such as its fastest goal, and the legs that are worth watching.
 #pragma once
 
 #include "tournaments/publish/leg_view.hpp"
@@ -16,12 +16,11 @@ struct Best {
   std::string value;
   std::string who;
   std::string where;
-  std::string page;  // from the top of the site, "" if there is none; a replay at the moment
+  std::string page;  // from the top of the site: the replay at that moment; "": there is none
 };
 
-// Returns the records that the league has so far: fastest goal, biggest win, most goals in a leg,
-// biggest upset, longest winning run, longest run without defeat, most goals of a robot, cleanest
-// team.
+// Returns the bests of the league so far: fastest goal, biggest win, most goals in a leg, biggest
+// upset, longest winning run, longest run without defeat, most goals of a robot, cleanest team.
 std::vector<Best> bests_of(const Overview& overview);
 
 struct WorthWatching {
@@ -29,9 +28,9 @@ struct WorthWatching {
   std::string why;  // "the lead changed twice, decided 8 s before the end"
 };
 
-// Returns the most exciting legs, the best first: where the lead changed, that were decided late,
-// close, full of goals, or won by the team that is weaker by far. `team`: only its legs; no_team:
-// all.
+// Returns the most exciting legs, the best first: legs with changes of the lead, with a late
+// decision, with a close score, with many goals, or won by the far weaker team. `team`: only its
+// legs; no_team: all.
 std::vector<WorthWatching> worth_watching(const Overview& overview, int team, std::size_t most);
 
 }  // namespace mirocup::league

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Files of a site that it does not have any more, because rounds were hidden again.
+// Removes files of a site that it does not have any more, because rounds were hidden again.
 #pragma once
 
 #include "system/files.hpp"
@@ -10,8 +10,8 @@
 
 namespace mirocup::league {
 
-// Removes the files in the folder `part` ("rounds/") of the site that are not among `names`, which
-// begin with their part. A file that another process is writing stays.
+// Removes the files in the folder `part` ("rounds/") of the site that `names` does not list; each
+// name begins with `part`. A file that another process is writing stays.
 Result<void> remove_former_pages(system::Files& files, const std::string& site,
                                  const std::string& part, const std::set<std::string>& names);
 

@@ -12,13 +12,13 @@
 
 namespace mirocup::league {
 
-// All that the pages of a site show.
+// The content of all pages of a site.
 struct SiteContent {
   const Overview& overview;
   const LegReports& reports;
   std::vector<RoundView> rounds;
   StrengthHistory history;
-  bool has_night = false;  // true: night.html and feed.xml are made
+  bool has_night = false;  // true: the site has night.html and feed.xml
 };
 
 std::string front_html(const SiteContent& content);
@@ -26,7 +26,7 @@ std::string front_html(const SiteContent& content);
 // Returns the page of the round with that index.
 std::string round_html(const SiteContent& content, std::size_t round);
 
-// Returns the page of the crosstable. Precondition: has_crosstable(), the teams are not too many.
+// Returns the page of the crosstable. Precondition: has_crosstable(), that is, not too many teams.
 bool has_crosstable(const SiteContent& content);
 std::string crosstable_html(const SiteContent& content);
 

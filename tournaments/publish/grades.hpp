@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The table of a league joined with the marks of drills: what a lecturer grades by.
+// The table of a league joined with the marks of drills, for a lecturer's grades.
 #pragma once
 
 #include "core/base/error.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The football statistics of a league: of each leg that counts and has a record, as the journal
-// says. They are counted once, when the replay page of the leg is made, and kept beside it as
-// site/statistics/LEG.json.
+// The football statistics of a league: of each leg that counts and has a record, according to the
+// journal. A leg is counted once, when its replay page is made; site/statistics/LEG.json keeps the
+// numbers.
 #pragma once
 
 #include "record/statistics/report.hpp"
@@ -29,19 +29,19 @@ bool has_statistics(system::Files& files, const Folder& folder, const std::strin
 // Reports that were read, by the path of the record inside the league folder.
 using KnownReports = std::map<std::string, statistics::LegReport>;
 
-// Returns what is kept of the legs that count, in the order of the schedule. A leg whose file is
-// missing, damaged or of another leg is left out. `known`, if not null, has the reports that were
+// Returns the kept reports of the legs that count, in the order of the schedule. Leaves out a leg
+// whose file is missing, damaged or of another leg. `known`, if not null, has the reports that were
 // read before, which do not change, and gets those that are read now.
 LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state,
                            KnownReports* known = nullptr);
 
-// As above, but legs of which nothing is kept are played again. Nothing is written. Errors: those
-// of statistics::count_record().
+// As above, but plays legs without a kept report again. Writes nothing. Errors: those of
+// statistics::count_record().
 Result<LegReports> all_statistics(system::Files& files, const Folder& folder,
                                   const LeagueState& state);
 
-// The team whose robots kept out the greatest share of the shots on their goal, as a record of the
-// league; nothing if no team has had least_shots of them.
+// Returns the team whose robots kept out the greatest share of the shots on their goal, as a best
+// of the league. Returns nothing if no team has faced least_shots of them.
 inline constexpr int least_shots = 10;
 std::optional<Best> best_goalkeeper(const Overview& overview, const LegReports& reports);
 

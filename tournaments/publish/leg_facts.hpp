@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What pages tell of a leg besides its result: goals with their times and scorers, fouls, the
+// The facts of a leg on pages besides its result: goals with their times and scorers, fouls, the
 // score of a shoot-out. The journal does not have these; they are read from the match records.
 #pragma once
 
@@ -30,13 +30,13 @@ struct LegFacts {
 // By the path of the record inside the league folder.
 using FactsOfLegs = std::map<std::string, LegFacts>;
 
-// Reads the facts of all legs that were played. `known` are those that were read before: records do
+// Reads the facts of all played legs. `known` are the facts that were read before, since records do
 // not change. A record that cannot be read has no facts.
 FactsOfLegs read_facts(system::Files& files, const Folder& folder, const LeagueState& state,
                        FactsOfLegs known = {});
 
-// Returns the facts of a record's text; nothing if it is not one. `is_home_blue`: the home team was
-// blue.
+// Returns the facts of a record's text; nothing if the text is not a record. `is_home_blue`: the
+// home team was blue.
 std::optional<LegFacts> facts_of(const std::string& bytes, bool is_home_blue);
 
 }  // namespace mirocup::league

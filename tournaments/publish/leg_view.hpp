@@ -45,8 +45,8 @@ struct LegTotals {
   std::string score() const { return std::to_string(goals) + ":" + std::to_string(against); }
 };
 
-// All that a site is made of, computed once. Refers to the state and the facts, which must outlive
-// it.
+// The data from which a site is made, computed once. Refers to the state and the facts, which must
+// outlive it.
 inline const FactsOfLegs no_facts;
 
 struct Overview {
@@ -72,12 +72,12 @@ std::string fault_in_words(const LegFault& fault);
 // "2.15"; "0.00" before the first leg.
 std::string points_per_leg(const TableRow& row);
 
-// Returns what puts a row above the next: "goal difference, +5 to +2"; "" for the last row, and
-// before both teams have played. `next` is null for the last row.
+// Returns the reason that puts a row above the next: "goal difference, +5 to +2"; "" for the last
+// row, and before both teams have played. `next` is null for the last row.
 std::string reason_in_words(const TableRow& row, const TableRow* next);
 
-// Returns how many legs the team of a row would have to play against the next one to be told apart
-// (legs_to_tell()): "120"; "over 1000000"; "" for the last row.
+// Returns how many legs the teams of a row and of the next row would have to play against each
+// other to be told apart (legs_to_tell()): "120"; "over 1000000"; "" for the last row.
 std::string legs_to_tell_in_words(const Overview& o, const TableRow& row, const TableRow* next);
 
 }  // namespace mirocup::league

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a night has changed: for each team its rank and strength since the night before, to whom it
-// lost, and its worst moments. A pure function of the journal, the state and the facts of its legs.
+// The digest of a night: for each team the changes of its rank and strength since the night before,
+// the opponents to which it lost, and its worst moments. A pure function of the journal, the state
+// and the facts of the legs.
 #pragma once
 
 #include "tournaments/journal/journal.hpp"
@@ -23,7 +24,7 @@ struct Night {
 };
 
 // Returns the last night of a league; nothing if there was none. `shown` is the league as it is
-// told, of which `journal` may have later nights than it shows. Errors: Errc::damaged.
+// shown; `journal` may have later nights. Errors: Errc::damaged.
 Result<std::optional<Night>> last_night(const LeagueState& shown, const Journal& journal);
 
 // A leg as its loser sees it.
@@ -49,7 +50,7 @@ struct TeamDigest {
   int rank_before = 0;  // 0: it had not played
   Strength strength;
   std::optional<Strength> strength_before;  // nothing: it had not played
-  int entry = 0;                            // that plays; 0: none
+  int entry = 0;                            // the entry that plays; 0: none
   bool has_new_entry = false;               // since the night before
   int won = 0;                              // legs of the night
   int drawn = 0;

@@ -13,11 +13,11 @@
 
 namespace mirocup::league {
 
-// Makes night.html, what has changed for all teams, and digests/TEAM.html for each team. Refers to
+// Makes night.html with the digests of all teams, and digests/TEAM.html for each team. Refers to
 // overview and night.
 FileMakers night_pages(const Overview& overview, const Night& night);
 
-// Returns the digest of a team as the inside of a page. `root` leads to the top of the site.
+// Returns the digest of a team as part of a page. `root` leads to the top of the site.
 std::string digest_html(const Overview& overview, const Night& night, const TeamDigest& digest,
                         const std::string& root);
 

@@ -16,18 +16,18 @@ std::string_view page_file(std::string_view name);
 // Returns the template page/NAME filled with values.
 std::string filled_page(std::string_view name, const Json& values);
 
-// What head.html and top.html need. `root` leads from the page to the top of the site: "" or "../".
-// `title` is the page's own; "" for the front page, which has the league's.
+// Returns the values of head.html and top.html. `root` leads from the page to the top of the site:
+// "" or "../". `title` is the page's own; "" for the front page, which has the league's.
 Json page_values(const Overview& overview, const std::string& root, const std::string& title);
 
-// The mark of a team's colour, as markup that stands before its name; "" if it has none.
+// Returns the mark of a team's colour, as markup for the place before its name; "" if it has none.
 std::string mark_of(const LeagueState& state, int team);
 
 // {name, mark, page, index} of a team.
 Json team_values(const Overview& overview, int team, const std::string& root);
 
-// What fixture.html needs: {id, home, away, legs [{score, page, record}], open [], notes}. The
-// scores are as the home team sees them.
+// Returns the values of fixture.html: {id, home, away, legs [{score, page, record}], open [],
+// notes}. The home team's goals come first.
 Json fixture_values(const Overview& overview, const FixtureView& fixture, const std::string& root);
 Json fixtures_values(const Overview& overview, const RoundView& round, const std::string& root);
 

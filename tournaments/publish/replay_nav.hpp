@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The links of a replay page to the league that it belongs to. A page is made once, and its links
-// change as the league goes on: they stand between two comments, where this puts them.
+// The links of a replay page to the league that it belongs to. A page is made once, but its links
+// change while the league is played. They stand between two marker comments; this function replaces
+// them.
 #pragma once
 
 #include "tournaments/publish/leg_view.hpp"
@@ -11,8 +12,8 @@
 namespace mirocup::league {
 
 // Returns the replay page of a record with links to the front page, the round, both teams and the
-// legs before and after, and a note where the leg does not count. `record` is the path inside the
-// league folder. A page without the comments is returned as it is.
+// legs before and after, and a note if the leg does not count. `record` is the path inside the
+// league folder. A page without the comments is returned unchanged.
 std::string with_league_links(std::string page, const Overview& overview,
                               const std::string& record);
 

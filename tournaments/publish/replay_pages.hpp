@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A replay page for every leg that was played. `mirocup replay` makes the pages, several at once,
-// and without measured times, so that a page depends on its record only. Beside each page it keeps
-// the statistics of the leg (league_statistics.hpp), so a leg is played again once. What exists is
-// kept, since records do not change; only the links to the league are written anew
+// and without measured times, so that a page depends on its record only. Beside each page it writes
+// the statistics of the leg (league_statistics.hpp), so a leg is played again only once. Existing
+// pages stay, since records do not change; only their links to the league are renewed
 // (replay_nav.hpp).
 #pragma once
 
@@ -18,7 +18,7 @@ namespace mirocup::league {
 // Returns the path inside site/ of the page of a record ("records/x.json").
 std::string replay_page_of(const std::string& record);
 
-// The pages that could not be made, which does not keep a league from being published.
+// The pages that could not be made. The league is published without them.
 struct FailedPages {
   int count = 0;
   std::set<std::string> reasons;  // why programs that the league keeps were not run; sentences

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The rounds of a league as pages show them. A round of all groups is one round; those of a
-// knockout come after all others.
+// The rounds of a league as pages show them. Round n of all groups counts as one round; rounds of a
+// knockout come last.
 #pragma once
 
 #include "tournaments/publish/leg_view.hpp"

@@ -22,10 +22,10 @@
 
 namespace mirocup::league {
 
-// What a site is made of.
+// The data from which a site is made.
 struct SiteSource {
   LeagueState state;
-  LegReports reports = {};          // of the legs that were played; pages say less without them
+  LegReports reports = {};          // of the played legs; without them pages say less
   FactsOfLegs facts = {};           // likewise
   std::optional<Night> night = {};  // adds night.html and digests/
   std::string feed = {};            // feed.xml, if not ""
@@ -41,7 +41,7 @@ class Site {
   // Returns the names of all files inside site/, in the order of the alphabet.
   std::vector<std::string> names() const;
 
-  // Makes a file; nothing if there is none of that name.
+  // Makes a file. Returns nothing if the site has no file of that name.
   std::optional<std::string> file(const std::string& name) const;
 
   const LeagueState& state() const { return source_.state; }

@@ -14,9 +14,9 @@ struct SiteFile {
   std::string bytes;
 };
 
-// Functions that return the bytes of files, by their names inside site/. Of a large league most
-// pages are seldom read, so that a server makes each only when it is asked for. The functions refer
-// to what they were made from.
+// Functions that return the bytes of files, by their names inside site/. Most pages of a large
+// league are seldom read, so a server makes a page only when it is asked for. The functions refer
+// to the data from which they were made.
 using FileMakers = std::map<std::string, std::function<std::string()>>;
 
 }  // namespace mirocup::league

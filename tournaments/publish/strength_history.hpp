@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How the strengths of the teams developed: what was known after each round.
+// The strengths of the teams as they were known after each round.
 #pragma once
 
 #include "tournaments/publish/rounds.hpp"
@@ -17,7 +17,7 @@ struct StrengthHistory {
 };
 
 // Fits the strengths to the results up to each round, for at most 24 rounds. Empty for more than 64
-// teams, where it would take too long.
+// teams, because the fit would take too long.
 StrengthHistory strength_history(const Overview& overview, const std::vector<RoundView>& rounds);
 
 // Returns a curve for each team as an SVG element; the curves of `highlighted`, with its interval,

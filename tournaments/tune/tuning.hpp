@@ -4,11 +4,11 @@
 // at the end a test on seeds that the search has not seen.
 //
 // Noise. All candidates of a generation play the same seeds, so their differences say more than
-// their results. When the differences between candidates are hardly larger than chance would make
-// them, the next generation plays more fixtures; when they are much larger, fewer. The result is
-// the mean of the distribution and not the luckiest candidate.
+// their results. If the differences between candidates are hardly larger than those of chance, the
+// next generation plays more fixtures; if they are much larger, it plays fewer. The result is the
+// mean of the distribution, not the luckiest candidate.
 //
-// The claim. The found numbers and those that the team has without parameters play the same fresh
+// The claim. The team with the found numbers and the team without parameters play the same fresh
 // fixtures. The gain is the mean of the differences; its 95 % interval is Student's. A gain is
 // claimed if the interval of the points lies above 0.
 #pragma once
@@ -24,7 +24,7 @@
 
 namespace mirocup::league {
 
-// A parameter of the team, and where to look for it.
+// A parameter of the team and its range.
 struct TunedParameter {
   std::string name;
   double low = 0.0;
@@ -46,8 +46,8 @@ struct Mark {
   double points = 0.0;  // share: 1 for a win, 1/2 for a draw
 };
 
-// Plays fixtures with these values of the parameters, in their order; nothing: without parameters.
-// The marks depend on values, seed and number only.
+// Plays fixtures with these values of the parameters, in their order. If `values` is empty, the
+// team plays without parameters. The marks depend on values, seed and number only.
 using PlayFixtures = std::function<Result<std::vector<Mark>>(
     const std::optional<std::vector<double>>& values, std::uint64_t seed, int fixtures)>;
 
@@ -58,7 +58,7 @@ struct Gain {
   double high = 0.0;
 };
 
-// What a generation has found.
+// The result of a generation.
 struct Generation {
   std::vector<double> mean;       // values of the parameters
   std::vector<double> deviation;  // of the candidates
@@ -83,13 +83,14 @@ struct TuningResult {
 // Called after each generation.
 using TellGeneration = std::function<Result<void>(const std::vector<Generation>& course)>;
 
-// Returns the first error of `play` or `tell`. The same options and the same marks give the same
-// result, whether or not a former run was stopped: `play` may know marks already.
+// Returns the first error of `play` or `tell`. The same options and marks give the same result,
+// also after a former run was stopped: `play` may know marks already.
 Result<TuningResult> tune(const TuningOptions& options, const PlayFixtures& play,
                           const TellGeneration& tell);
 
-// Returns the mean of numbers and its 95 % interval by Student's distribution. Numbers that are all
-// the same say nothing about chance: the interval is that number, if it is 0, and else reaches 0.
+// Returns the mean of numbers and its 95 % interval by Student's distribution. If all numbers are
+// the same, they say nothing about chance: if that number is 0 the interval is 0, otherwise it
+// reaches from that number to 0.
 Gain mean_with_interval(const std::vector<double>& numbers);
 
 }  // namespace mirocup::league

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The folder of a search: tune.json remembers every candidate that has been played, so that a
-// search that was stopped goes on to the same end; course.svg shows how it got on.
+// The folder of a search: tune.json holds every candidate that has been played, so that a stopped
+// search continues to the same end; course.svg shows the course of the search.
 #pragma once
 
 #include "system/files.hpp"
@@ -18,7 +18,7 @@ namespace mirocup::league {
 class TuningFile {
  public:
   // Opens a folder, or makes it. The error is Errc::input if the folder holds another search:
-  // `identity` is all that the marks depend on.
+  // `identity` is everything on which the marks depend.
   static Result<TuningFile> open(system::Files& files, const std::string& folder,
                                  nlohmann::ordered_json identity);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A learned network that plays as a team: what it sees, what it does, and its layers. The file,
+// A learned network that plays as a team: its observation, its action, and its layers. The file,
 // "mirocup/policy/1", is an .npz as numpy.savez writes it; docs/training.md describes its arrays.
 //
 // The file may come from a stranger: it is read with limits, and nothing in it is run.
@@ -17,7 +17,7 @@ namespace mirocup::policy {
 
 enum class Activation { tanh, relu };
 
-// What an observation consists of, and what an action means: as in training.
+// The kind of observation and of action, as in training.
 enum class Sight { standard, relative, vss };
 enum class Steering { wheels, drive, vss };
 
@@ -42,19 +42,19 @@ struct Policy {
   Sight sight = Sight::standard;
   Steering steering = Steering::wheels;
   int ticks_per_step = 1;                // control periods for which an action holds
-  std::vector<std::vector<int>> actors;  // the network acts once for each, who steers these robots
+  std::vector<std::vector<int>> actors;  // the network acts once for each list of robots
   std::vector<Entry> observation;
   Activation activation = Activation::tanh;
   std::vector<Layer> layers;
 };
 
-// Reads the bytes of a policy. Errors: Errc::damaged for a file that is no .npz; Errc::input for
-// one that is no policy, with `path` and the array or key.
+// Reads the bytes of a policy. Errors: Errc::damaged if the file is not an .npz; Errc::input if it
+// is not a policy, with `path` and the array or key.
 Result<Policy> parse_policy(std::string_view bytes, const std::string& path);
 
 // Returns the source of a team in C++17 that needs strategy.h alone. `name` is that of the team.
-// What it computes depends on the observation only: it is in double precision, with a tanh of its
-// own, and rounds observations and actions to float where training does.
+// Its results depend on the observation only: it computes in double precision, with its own tanh,
+// and rounds observations and actions to float as training does.
 std::string source_of(const Policy& policy, const std::string& name);
 
 }  // namespace mirocup::policy

@@ -22,10 +22,10 @@ using TemplateFiles = std::string_view (*)(std::string_view name);
 //   {{key}}                 is the value as text, in which nothing is markup (system::html_escaped)
 //   {{{key}}}               is the value as markup, for pictures that the program draws
 //   {{#key}}…{{/key}}       stands for each element of a list, or once if there is a value
-//   {{^key}}…{{/key}}       stands where there is none: null, false, "", an empty list
+//   {{^key}}…{{/key}}       stands if there is no value: null, false, "", an empty list
 //   {{>name}}               is the text of another template, taken from `files`
-// Templates are part of the program: one with a mistake ends the program with its name and the
-// mistake. `name` is that of the template in `files`.
+// Templates are part of the program: a template with a mistake ends the program, with its name and
+// the mistake. `name` is that of the template in `files`.
 std::string filled(TemplateFiles files, std::string_view name,
                    const nlohmann::ordered_json& values);
 

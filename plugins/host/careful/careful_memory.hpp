@@ -3,10 +3,10 @@
 // A heap that notices mistakes. It takes the place of malloc() and free() in mirocup-careful-host,
 // also for the libraries that it loads.
 //
-// Each block lies between two zones of known bytes. A block that is freed is filled and kept for a
-// while. So a write beside a block, a write into a freed one, and a block that is freed twice are
-// noticed. A read beside a block, or of memory that was never written, is not, but the fill changes
-// what is read: the team answers differently than in a leg with another fill.
+// Each block lies between two zones of known bytes. A freed block is filled and kept for a while.
+// So the heap notices a write beside a block, a write into a freed block, and a block that is freed
+// twice. It does not notice a read beside a block, or of memory that was never written. But such a
+// read depends on the fill, so the team answers differently in a leg with another fill.
 //
 // Not for several threads: a team has one.
 #pragma once
@@ -25,9 +25,9 @@ void fill_as_freed(void* bytes, std::size_t size);
 // Fills the part of the stack that the next call will use.
 void fill_stack();
 
-// Looks at some hundred blocks: at those that were freed last, and in turn at all others. So a
-// mistake is found in the same call where a team has few blocks, and some calls later where it has
-// thousands. Returns a sentence about the first mistake since the start of the process, or null.
+// Looks at some hundred blocks: at those that were freed last, and in turn at all others. So if a
+// team has few blocks, a mistake is found in the same call; if it has thousands, some calls later.
+// Returns a sentence about the first mistake since the start of the process, or null.
 const char* find_memory_mistake();
 
 }  // namespace mirocup::plugins

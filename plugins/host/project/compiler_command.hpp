@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The fixed options with which a league compiles: plain 64-bit code that each host of the league
-// runs, with the C++ library inside, so that it does not depend on the one of another computer.
+// can run, with the C++ library linked in, so that it does not depend on the C++ library of another
+// computer.
 #pragma once
 
 namespace mirocup::plugins {
@@ -9,7 +10,7 @@ namespace mirocup::plugins {
 inline constexpr const char* c_compiler = "/usr/bin/gcc";
 inline constexpr const char* cpp_compiler = "/usr/bin/g++";
 
-// Where the sandbox has the headers of a strategy and the library of predict.hpp.
+// The folders of the strategy's headers and of the library of predict.hpp in the sandbox.
 #define MIROCUP_COMPILER_OPTIONS                                           \
   "-O2", "-DNDEBUG", "-fPIC", "-fvisibility=hidden", "-I/mirocup/include", \
       "-fno-diagnostics-color", "-fmax-errors=20"
@@ -17,7 +18,7 @@ inline constexpr const char* cpp_compiler = "/usr/bin/g++";
 #define MIROCUP_CPP_OPTIONS "-std=c++20", "-ftemplate-depth=900", MIROCUP_COMPILER_OPTIONS
 #define MIROCUP_LINK_OPTIONS "-shared", "-static-libgcc", "-L/mirocup/lib"
 
-// The exit code of the project's compiler for an archive that is refused; its last line says why.
+// The exit code of the project's compiler if it refuses the archive; its last line says why.
 inline constexpr int refused_archive = 3;
 
 }  // namespace mirocup::plugins

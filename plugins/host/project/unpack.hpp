@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Unpacks the archive of a team's project: tar, plain or compressed by gzip, or zip. It has regular
-// files and folders with plain names and nothing else; whatever else is in it refuses the archive.
+// Unpacks the archive of a team's project: tar, plain or compressed by gzip, or zip. It may have
+// only regular files and folders with plain names; any other entry makes the archive invalid.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -12,18 +12,18 @@
 namespace mirocup::plugins {
 
 struct UnpackLimits {
-  int files = 1000;                             // with those that are left out
+  int files = 1000;                             // also counts skipped files
   std::uint64_t file = std::uint64_t{8} << 20;  // bytes of each
-  std::uint64_t all = std::uint64_t{32} << 20;  // bytes of all that are kept
-  // Bytes of all, also of those that are left out: a small archive may become very large.
+  std::uint64_t all = std::uint64_t{32} << 20;  // bytes of all kept files
+  // Total bytes, including skipped files, because a small archive may become very large.
   std::uint64_t read = std::uint64_t{256} << 20;
   std::size_t path = 200;  // bytes
   int depth = 10;          // folders above a file
 };
 
-// Unpacks into a folder that exists and is empty. Left out: what is below folders whose names start
-// with '.' or are "build" or "__MACOSX", and files whose names start with '.'. Errors: Errc::input
-// with a sentence about the archive, Errc::host if a file cannot be written.
+// Unpacks into a folder that exists and is empty. Skips folders whose names start with '.' or are
+// "build" or "__MACOSX", and files whose names start with '.'. Errors: Errc::input with a sentence
+// about the archive, Errc::host if a file cannot be written.
 Result<void> unpack(const std::string& archive, const std::string& folder,
                     const UnpackLimits& limits = {});
 

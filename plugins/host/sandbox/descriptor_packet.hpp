@@ -9,7 +9,7 @@
 
 namespace mirocup::plugins {
 
-// Returns false on failure; errno says why. The sender keeps its own.
+// Returns false on failure; errno says why. The sender still owns its descriptor.
 bool send_descriptor(int socket, int descriptor);
 
 // Reads the next packet: up to `size` bytes into `text`, and the descriptor into `descriptor` if

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Limits a team's process with Landlock: it may read libraries while it loads, then no files at
-// all. Where the kernel's Landlock can forbid it, the process may also not use the network or send
+// all. If the kernel's Landlock can forbid it, the process may also not use the network or send
 // signals to other processes.
 #pragma once
 
@@ -13,9 +13,9 @@ enum class Folders { hidden, listed };
 // Returns the version of the kernel's Landlock; 0 or less if it has none.
 int landlock_version();
 
-// From here on this process may only read files below the library folders and, if it is not null,
-// `entry_path`; or no files at all. Neither can be undone; the second is applied on top of the
-// first. They return false on failure; errno says why.
+// allow_libraries_only(): from here on this process may only read files below the library folders
+// and, if it is not null, `entry_path`. allow_no_files(), on top of it: no files at all. Neither
+// can be undone. They return false on failure; errno says why.
 bool allow_libraries_only(const char* entry_path, Folders folders);
 bool allow_no_files();
 

@@ -18,18 +18,18 @@ namespace mirocup::plugins {
 bool filter_for_loading(Folders folders);
 bool filter_for_playing();
 
-// The calls that loading needs and playing does not (opening a file, asking for one, new code) wait
-// for a supervisor, the process that holds the descriptor returned here. Once it has closed the
-// descriptor, they return ENOSYS. So loading ends when the server says so, whatever the library
-// does. Returns -1 where the kernel gives no such descriptor, as within another supervisor's
-// sandbox.
+// Calls that only loading needs (opening a file, asking for a file, new code) wait for a
+// supervisor, the process that holds the descriptor returned here. Once it has closed the
+// descriptor, these calls return ENOSYS. So loading ends when the server says so, whatever the
+// library does. Returns -1 if the kernel gives no such descriptor, for example inside another
+// supervisor's sandbox.
 int ask_before_loading();
 
-// In the supervisor: waits at most that long for a call and lets it pass.
+// In the supervisor: waits at most `patience` for a call and lets it pass.
 enum class LoadingStep {
   none,  // no call has come
-  more,  // one that loads
-  last,  // the one that a process makes when it has loaded: readiness is near
+  more,  // a call that loads
+  last,  // the call that a process makes when it has loaded: readiness is near
 };
 LoadingStep allow_loading_step(int supervisor, std::chrono::milliseconds patience);
 

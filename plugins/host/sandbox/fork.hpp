@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Forks a team's process: as another user, and in tier T2 in namespaces of its own.
+// Forks a team's process: as another user, and in tier T2 in separate namespaces.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -12,8 +12,8 @@
 namespace mirocup::plugins {
 
 // Forks and calls `run` in the child, where it must not return, allocate or take locks. By then the
-// child is no longer root, if the server is, and it dies as soon as the calling thread dies.
-// Returns the child's process number. Errors: Errc::unavailable.
+// child is not root, even if the server is, and it dies as soon as the calling thread dies. Returns
+// the child's process number. Errors: Errc::unavailable.
 Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& run);
 
 }  // namespace mirocup::plugins

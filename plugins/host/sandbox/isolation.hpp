@@ -10,7 +10,7 @@ namespace mirocup::plugins {
 enum class Isolation {
   none,  // in the server's own process
   T1,    // limits, system-call filter, Landlock
-  T2,    // T1 in namespaces of its own, with an empty root
+  T2,    // T1 in separate namespaces, with an empty root
 };
 
 }  // namespace mirocup::plugins

@@ -11,25 +11,25 @@ inline constexpr int no_entry = -1;
 // The path of the team's library in that tree.
 inline constexpr const char* private_entry_path = "/entry/strategy.so";
 
-// The folders that the dynamic loader searches, and the one that holds the links of Debian's
-// alternatives. Missing ones are left out.
+// The folders that the dynamic loader searches, and the folder with the links of Debian's
+// alternatives. Missing folders are left out.
 inline constexpr const char* library_folders[] = {
     "/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/alternatives"};
 inline constexpr const char* loader_cache = "/etc/ld.so.cache";
 
-// Makes the tree, with a copy of the library that is open as `entry` (or no_entry), and makes it
-// the root. The process must be in a mount namespace of its own. Allocates nothing, so it may be
-// called after fork. Returns null on success, else the step that failed; errno says why.
+// Makes the tree, with a copy of the library that is open as `entry` (or no_entry), and makes the
+// tree the root. The process must be in a mount namespace of its own. Allocates nothing, so it may
+// be called after fork. Returns null on success, otherwise the step that failed; errno says why.
 const char* enter_private_root(int entry);
 
-// The parts of it that every such tree has. begin_root() makes an empty tree with these options of
-// tmpfs, and the working folder is its root until change_root(). Both return null on success, else
-// the step that failed.
+// The common steps of such trees. begin_root() makes an empty tree with these options of tmpfs, and
+// its root is the working folder until change_root(). Both return null on success, otherwise the
+// step that failed.
 const char* begin_root(const char* options);
 const char* change_root();
 
 // Shows a folder of the system in the tree, read-only. A symbolic link, as /lib is on most systems,
-// stays a link; what is missing is left out.
+// stays a link; a missing folder is left out.
 bool show_folder(const char* path);
 
 bool make_read_only(const char* path);

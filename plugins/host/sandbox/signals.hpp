@@ -3,24 +3,24 @@
 // Signals in a team's process.
 //
 // The kernel shields the first process of a namespace, which a team is in tier T2, from signals
-// without a handler. So that a team ends alike in both tiers, every signal that ends a process has
-// a handler (fault_report), which the team cannot take away (filter).
+// without a handler. So that a team ends in the same way in both tiers, every signal that ends a
+// process has a handler (fault_report), which the team cannot remove (filter).
 #pragma once
 
 #include <csignal>
 
 namespace mirocup::plugins {
 
-// Signals that end a process when it, or another one, sends them.
+// Signals that end a process, whether it or another process sends them.
 inline constexpr int ending_signals[] = {SIGHUP,  SIGINT,  SIGQUIT,   SIGABRT, SIGPIPE, SIGALRM,
                                          SIGTERM, SIGUSR1, SIGUSR2,   SIGXCPU, SIGXFSZ, SIGVTALRM,
                                          SIGPROF, SIGIO,   SIGSTKFLT, SIGPWR};
 
-// Signals that the processor raises. Run-time libraries of some languages handle them, and may. The
-// kernel shields nobody from them.
+// Signals that the processor raises. Run-time libraries of some languages handle them, which is
+// allowed. The kernel shields no process from them.
 inline constexpr int processor_signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP};
 
-// Signals that stop a process or end it in the way of the host. A team cannot send them.
+// Signals that stop a process, or end it as the host does. A team cannot send them.
 inline constexpr int signals_of_the_host[] = {SIGKILL, SIGSTOP, SIGTSTP, SIGTTIN, SIGTTOU};
 
 }  // namespace mirocup::plugins

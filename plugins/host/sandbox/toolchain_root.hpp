@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The file tree of the compiler in the tier `compile`: the system's compiler, headers and
-// libraries, read-only, the headers of a strategy, and one folder of its own in memory.
+// libraries, read-only, the headers of a strategy, and one folder in memory.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct TreeFile {
   bool is_folder = false;
 };
 
-// Makes the tree and makes it the root. Files below the work folder come into it, the others are
+// Makes the tree and makes it the root. Files below the work folder are in memory, the others are
 // read-only. The process must be in a mount namespace of its own. Allocates nothing, so it may be
 // called after fork. Returns null on success, else the step that failed; errno says why.
 const char* enter_toolchain_root(std::span<const TreeFile> files);

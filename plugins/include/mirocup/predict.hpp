@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Prediction: what the match's own simulator makes of a scene. Four questions, from cheap to dear:
+// Prediction with the match's own simulator. Four questions, from cheap to expensive:
 //
 //   the ball alone     rolled() in skills/ball_path.hpp: closed form, walls included, a header only
 //   a robot alone      robot_after(): closed form; knows neither walls nor other bodies
@@ -15,15 +15,15 @@
 //   }
 //
 // Scenes are plain structs: copy one to try several futures from it. An advance() allocates
-// nothing. A simulator has no referee: after a goal the ball lies in the goal, and play goes on.
+// nothing. A simulator has no referee: after a goal the ball lies in the goal, and play continues.
 //
 // How exact it is
 //   From a scene that a simulator made, or from robots and a ball that were just put down, it
 //   computes the next ticks of a match under `exact` conditions to the last bit, if it is given the
-//   commands of both teams. An observation lacks what bodies in contact remember of the last tick,
-//   which matters little, and the commands of the opponents, which matter most. Under `hall` each
-//   wheel turns up to 4 % faster or slower than it was told. Under `camera` an observation is late
-//   and its velocities are noisy: a prediction is as good as they are.
+//   commands of both teams. An observation lacks the contact memory of the last tick, which matters
+//   little, and the commands of the opponents, which matter most. Under `hall` each wheel turns up
+//   to 4 % faster or slower than commanded. Under `camera` an observation is late and its
+//   velocities are noisy: a prediction is only as good as the observation.
 //
 // Link mirocup::predict (CMake), or libmirocup_predict.a. Frames and units are those of strategy.h.
 #pragma once
@@ -39,8 +39,8 @@
 
 namespace mirocup::strategy {
 
-// A robot as the simulator has it. The heading is a unit vector, and the velocities are those in
-// the robot's own frame: `left` differs from 0 only while its wheels slide sideways.
+// A robot in the form of the simulator. The heading is a unit vector, and the velocities are in the
+// robot's own frame: `left` differs from 0 only while its wheels slide sideways.
 struct Body {
   Point at;                     // m
   double cos = 1.0, sin = 0.0;  // of the heading
@@ -49,12 +49,12 @@ struct Body {
   double turn = 0.0;            // rad/s
 };
 
-// Convert between a robot as it is observed and as the simulator has it. A speed to the left that
+// Convert a robot between the observed form and the form of the simulator. A speed to the left that
 // is only rounding becomes 0.
 Body body_of(const Robot& robot);
 Robot robot_of(const Body& body);
 
-// What bodies in contact remember from one tick to the next: opaque, and small while few touch.
+// The contact memory from one tick to the next: opaque, and small while few bodies touch.
 class ContactMemory {
  public:
   ContactMemory() = default;
@@ -72,7 +72,7 @@ class ContactMemory {
 };
 
 // All bodies at one instant, in your own frame. If you move bodies by hand, set `memory` to {}.
-// They must not overlap by more than a hair, or they will be pushed apart.
+// They must hardly overlap, or they will be pushed apart.
 struct Scene {
   int robots = 0;  // of each team
   MovingBall ball;
@@ -81,28 +81,28 @@ struct Scene {
   ContactMemory memory;
 };
 
-// Returns the scene that is observed.
+// Returns the observed scene.
 Scene scene_of(const Observation& now);
 
-// Write the scene into an observation as your team would see it, and as the opponents would in
-// their own frame: own and opponent are exchanged and everything is turned by 180 degrees. Scores,
-// clocks and counts of `now` stay as they are. So functions that decide from an observation can
-// decide in a predicted scene, for either team.
+// Write the scene into an observation, as your team would see it, and as the opponents would see it
+// in their own frame: own and opponent are exchanged, and everything is turned by 180 degrees.
+// Scores, clocks and counts of `now` stay as they are. So functions that decide from an observation
+// can also decide in a predicted scene, for either team.
 void show(const Scene& scene, Observation& now);
 void show_to_opponents(const Scene& scene, Observation& now);
 
-// Returns the wheel speeds as they are driven: rounded, and clamped to the limit.
+// Returns the wheel speeds that are driven: rounded, and clamped to the limit.
 Wheels sent_wheels(const Setup& setup, Wheels wheels);
 
-// Returns a robot after `seconds` under these wheel speeds if it meets nothing. Exact, at any
-// length of time; a robot whose wheels slide costs ten times as much as one that rolls.
+// Returns a robot after `seconds` under these wheel speeds if it meets nothing. The result is exact
+// for any time. A robot whose wheels slide costs ten times as much as a robot whose wheels roll.
 Body robot_after(const Setup& setup, const Body& robot, Wheels wheels, double seconds);
 
 // Returns the wheel speeds, rad/s, that took a robot from one observation to the next: the motors'
-// equation, solved for what they aimed at. Wrong if the robot hit something or slid in that tick.
+// equation, solved for their targets. Wrong if the robot hit something or slid in that tick.
 Wheels driven_wheels(const Setup& setup, const Robot& before, const Robot& after);
 
-// What has to be remembered from tick to tick to predict: call saw() at the start of decide() and
+// The memory from tick to tick that predictions need: call saw() at the start of decide() and
 // sent() at its end.
 class Tracker {
  public:
@@ -111,11 +111,11 @@ class Tracker {
   void saw(const Observation& now);
   void sent(const Command& command) { sent_ = command; }
 
-  // Returns your answer to the last observation. It is driven in the tick that begins with the one
-  // that was seen; your next answer only in the tick after that.
+  // Returns your answer to the observation before the present one. It is driven in the tick that
+  // begins with the present observation; your next answer is driven in the tick after that.
   const Command& in_flight() const { return sent_; }
 
-  // Returns what the opponents' wheels drove in the last tick: the best guess for this one. All
+  // Returns the wheel speeds of the opponents in the last tick: the best guess for this tick. All
   // zero after a restart.
   const Command& opponents() const { return opponents_; }
 
@@ -127,22 +127,22 @@ class Tracker {
   bool has_before_ = false;
 };
 
-// How closely contacts are followed. `match` is bit for bit. `coarse` costs half of it in play
-// at 3 a side and a quarter at 11; after ten ticks with a kick it has the ball 2 mm off in the
+// The precision of contacts. `match` is bit for bit as in a match. `coarse` costs half of that in
+// play at 3 a side, and a quarter at 11; after ten ticks with a kick its ball is 2 mm off in the
 // median, and 3 cm in one case of ten.
 enum class Precision { match, coarse };
 
-// What happened in a predicted tick. Bit i of a set is robot i.
+// The events of a predicted tick. Bit i of a set is robot i.
 struct PredictedTick {
   std::uint32_t own_touched_ball = 0;
   std::uint32_t opponent_touched_ball = 0;
   std::array<std::uint32_t, MIROCUP_MAX_ROBOTS> touched_opponent{};  // by own robot
   int last_touch = 0;  // of the ball: i + 1 own robot i, -i - 1 opponent i, 0 nobody
-  int events = 0;      // collisions and changes of motion: what a tick costs, without a clock
+  int events = 0;      // collisions and changes of motion: the cost of a tick, without a clock
 };
 
-// The physics of a match in the frame of your team. Making one allocates some hundred KiB; it
-// belongs to one thread.
+// The physics of a match in the frame of your team. Constructing a Simulator allocates some hundred
+// KiB; it belongs to one thread.
 class Simulator {
  public:
   explicit Simulator(const Setup& setup, Precision precision = Precision::match);
@@ -152,8 +152,8 @@ class Simulator {
 
   // Plays one tick of control_period from the scene, in place. Commands are rounded and clamped as
   // those of a match; `opponent` is in the order of the scene's opponents. With `ticks` above 1 the
-  // same commands hold for so many ticks, which are played as one: that costs less than
-  // single ticks, and is equal to them to rounding, not to the bit.
+  // same commands hold for so many ticks, which are played as one: that costs less than single
+  // ticks, and equals them up to rounding, not to the bit.
   PredictedTick advance(Scene& scene, const Command& own, const Command& opponent, int ticks = 1);
 
  private:

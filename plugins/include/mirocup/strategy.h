@@ -18,9 +18,9 @@
  *   the time constant motor_time_constant:
  *     forward speed aimed at    = wheel_radius * (right + left) / 2
  *     angular velocity aimed at = wheel_radius * (right - left) / wheel_distance
- *   On some pitches turning has a lag of its own, and wheels that are told 0, 0 brake faster: see
- *   turn_time_constant and brake_time_constant.
- *   Wheels slide sideways when |angular velocity * forward speed| exceeds grip * 9.81 m/s^2.
+ *   On some pitches turning has a separate lag, and wheels with the command 0, 0 brake faster: see
+ *   turn_time_constant and brake_time_constant. Wheels slide sideways when |angular velocity *
+ *   forward speed| exceeds grip * 9.81 m/s^2.
  *
  * Tick and delay
  *   One tick is control_period: 33 ms of simulated time, 1/60 s under SimuroSot rules, 16 ms under
@@ -37,8 +37,8 @@
  *   places, in the tick in which its `placing` is 1; place() is called before decide(). The team
  *   that chooses first is the taker at a kick-off and a goal kick, the opponents at a penalty kick
  *   and a free kick, and the defender of that half at a free ball. The other team chooses one tick
- *   later and sees where the first one stands. Bodies must be in the named areas as a whole, inside
- *   the walls, clear of the ball and 4 mm from other robots:
+ *   later and sees where the first team stands. Bodies must be completely in the named areas,
+ *   inside the walls, clear of the ball and 4 mm from other robots:
  *     kick-off     taker: own half and centre circle, the ball anywhere in the circle;
  *                  opponents: own half, outside the circle
  *     goal kick    taker: a robot in its goal area, the ball anywhere in that area, the other
@@ -51,44 +51,43 @@
  *     free ball    one robot of each team on its default place, all others outside that quarter;
  *                  robot 0 may also stand in its goal area
  *   In a shoot-out robot 1 takes the kick and robot 0, the keeper, may start anywhere in its goal
- *   area. If a robot may not stand where you want it, as few robots as possible are moved, each to
- *   the nearest place that is free, and the record says why. There is no other penalty.
+ *   area. If a robot may not stand where you want it, the referee moves as few robots as possible,
+ *   each to the nearest free place, and the record says why. There is no other penalty.
  *
  * Time
- *   A match is played as fast as both teams answer, and counts the processor time of your process,
+ *   A match is played as fast as both teams answer. It counts the processor time of your process,
  *   also between two calls. A leg gives you 2 s, 1 ms for each tick and 20 ms for each place(). One
  *   tick may take 1 s, place() 1 s more, loading and create() together 10 s. A leg allows 10 s of
- *   sleeping and waiting in all. A team that needs more loses the leg. `mirocup check` shows what
- *   you use. In a match in real time a team that is late drives on with its last command for a few
- *   ticks and then stands; at a restart its robots stay on their default places.
+ *   sleeping and waiting in all. A team that needs more loses the leg. `mirocup check` shows the
+ *   time that you use. In a match in real time a late team drives on with its last command for a
+ *   few ticks and then stands; at a restart its robots stay on their default places.
  *
  * Surroundings
- *   Your library runs in a sandboxed process of its own, with 1 GiB of memory, 8 MiB of stack and
- *   one thread. Use of files, network, processes and threads returns errors, or ends the leg as a
- *   loss. Put tables that you need into the library. Any language that can make a C library will
- *   do.
+ *   Your library runs in a separate sandboxed process, with 1 GiB of memory, 8 MiB of stack and one
+ *   thread. Use of files, network, processes and threads returns errors, or ends the leg as a loss.
+ *   Put tables that you need into the library. Any language that can make a C library will do.
  *
  * Log
- *   setup->log("text") and what you print to standard output or error go to the log of the leg,
- *   which keeps 64 KiB.
+ *   setup->log("text") and your standard output and error go to the log of the leg, which keeps 64
+ *   KiB.
  *
  * Thoughts
- *   What you draw in a tick is shown in the replay of `mirocup match --thoughts`, step by step with
- *   the play, and nowhere else: a target, a path, a number.
+ *   Draw a target, a path or a number in a tick. The replay of `mirocup match --thoughts` shows it,
+ *   step by step with the play, and nothing else does.
  *     setup->draw_line(setup->host, "plan", 0xff8000ff, x1, y1, x2, y2)
  *   Points are in your own frame; a colour is 0xRRGGBBAA; a layer is a name of at most 31 bytes,
- *   which the page switches on and off. A text of the form "name = 1.5" is shown as a curve, too. A
- *   tick has room for 200 shapes, 2000 numbers and 4 KiB of text, a leg for 32 MiB; what is more is
- *   counted and left out. Drawing has no effect on the leg but the time that it takes you; without
- *   `--thoughts` the calls return at once.
+ *   which the page switches on and off. A text of the form "name = 1.5" is also shown as a curve. A
+ *   tick has room for 200 shapes, 2000 numbers and 4 KiB of text, a leg for 32 MiB; further shapes
+ *   are dropped and counted. Drawing has no effect on the leg but the time that it takes you;
+ *   without `--thoughts` the calls return at once.
  *
  * Parameters
- *   A number that you would like to try out need not be a constant of your code:
+ *   A number that you want to vary need not be a constant of your code:
  *     setup->parameter(setup->host, "wait", 0.45)
- *   is 0.45, until `mirocup match --param wait=0.4`, `check` or `join` with the same option, or
- *   "parameters" of your team in league.json gives another value. A name has letters, digits, '_',
- *   '-' and '.', begins with a letter and has at most 31 bytes. A leg gives a team at most 32. The
- *   record keeps them, and `mirocup rerun` gives them again.
+ *   is 0.45, unless another value comes from `mirocup match --param wait=0.4`, from `check` or
+ *   `join` with the same option, or from "parameters" of your team in league.json. A name has
+ *   letters, digits, '_', '-' and '.', begins with a letter and has at most 31 bytes. A leg gives a
+ *   team at most 32. The record keeps them, and `mirocup rerun` gives them again.
  *
  * Clocks
  *   The time of day begins at 1 January 2000 in every leg. Differences between two readings are
@@ -97,13 +96,13 @@
  * Random numbers
  *   Derive them from `seed`; then a leg can be played again exactly. Clocks, addresses and
  *   std::random_device make a leg that cannot be repeated; `mirocup check` refuses such a library.
- *   It plays a leg twice, the second time on another day and with clocks that go as in real time.
+ *   It plays a leg twice, the second time on another day and with clocks that run as in real time.
  *
  * Versions
- *   Structures grow only at their end, and `size` tells how many bytes of one exist. The host reads
- *   at most `size` bytes of your mirocup_strategy; missing members count as null. Likewise a
- *   library that should also run on older hosts must read at most `size` bytes of each structure
- *   that it receives.
+ *   Structures grow only at their end, and `size` tells how many bytes of a structure exist. The
+ *   host reads at most `size` bytes of your mirocup_strategy; missing members count as null.
+ *   Likewise a library that should also run on older hosts must read at most `size` bytes of each
+ *   structure that it receives.
  *
  * This header is C11 and C++ and needs nothing else. strategy.hpp is a C++ layer on top of it.
  */
@@ -165,7 +164,7 @@ typedef struct mirocup_setup {
   int32_t league;        /* enum mirocup_league */
   int32_t team;          /* enum mirocup_team: your colour in this leg */
   int32_t robots;        /* of each team: 3, 5 or 11 */
-  uint64_t seed;         /* for your own random numbers; your opponent has another one */
+  uint64_t seed;         /* for your own random numbers; your opponent gets another seed */
   double control_period; /* s between two calls of decide() */
   double half_seconds;   /* length of a half */
 
@@ -203,17 +202,17 @@ typedef struct mirocup_setup {
   void (*draw_text)(void* host, const char* layer, uint32_t colour, double x, double y,
                     const char* text);
 
-  /* What else moves robots and ball on this pitch (`mirocup match --pitch`). */
+  /* Further numbers of this pitch (`mirocup match --pitch`). */
   double turn_time_constant;  /* lag of the angular velocity */
-  double brake_time_constant; /* lag of the forward speed while both wheels are told 0 */
+  double brake_time_constant; /* lag of the forward speed while both wheels are commanded 0 */
   double rolling_resistance;  /* the ball slows down by (rolling_resistance * 9.81 +        */
   double viscous_friction;    /* viscous_friction * speed / ball_mass) / 1.4, m/s^2         */
-  /* Part of the speed towards each other with which two things part; and Coulomb's friction. */
+  /* Speed of separation divided by speed of approach; and Coulomb's friction. */
   double ball_wall_restitution, ball_robot_restitution;
   double robot_wall_restitution, robot_robot_restitution;
   double ball_wall_friction, ball_robot_friction, robot_wall_friction, robot_robot_friction;
-  /* The outline of a robot that is no square, counter-clockwise in its own frame, m; 0: a square of
-     robot_side. */
+  /* The outline of a robot that is not a square, counter-clockwise in its own frame, m; 0 corners:
+     a square of robot_side. */
   int32_t corners;
   int32_t reserved_corners;
   double corner_x[8], corner_y[8];
@@ -285,8 +284,8 @@ typedef struct mirocup_strategy {
   uint32_t size;        /* of this structure, bytes */
   const char* name;     /* of the team, used in reports */
 
-  /* Returns a pointer to whatever you keep between calls; null refuses to play. `setup` stays valid
-   * and unchanged until destroy(). */
+  /* Returns a pointer to the data that you keep between calls; null refuses to play. `setup` stays
+   * valid and unchanged until destroy(). */
   void* (*create)(const mirocup_setup* setup);
 
   /* Answers one tick. `team` is what create() returned; the other pointers are valid only during

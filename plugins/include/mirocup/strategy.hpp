@@ -121,8 +121,8 @@ inline Wheels turn_to(const Setup& setup, const Robot& robot, double heading) {
   return wheels_for(setup, 0.0, 8.0 * wrapped(heading - robot.heading));
 }
 
-// Drives to a point, forwards or backwards, whichever needs the smaller turn, and passes the point
-// at `arrival` m/s (0: stops there). `fastest`: m/s.
+// Drives to a point and passes it at `arrival` m/s (0: stops there), forwards or backwards,
+// whichever needs the smaller turn. `fastest`: m/s.
 inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, double arrival = 0.0,
                        double fastest = 1.5) {
   const Point to = target - position(robot);
@@ -159,8 +159,8 @@ inline Wheels drive_to_pose(const Setup& setup, const Robot& robot, Point target
   return drive_to(setup, robot, target - run_up * forward, 0.2, fastest);
 }
 
-// Returns the place of the ball after some seconds, if no robot touches it and there were no walls.
-// The ball slows down a little.
+// Returns the place of the ball after some seconds without robots and walls. The ball slows down a
+// little.
 inline Point ball_after(const Observation& now, double seconds) {
   return ball(now) + (seconds * (1.0 - 0.1 * seconds)) * ball_velocity(now);
 }
@@ -185,8 +185,8 @@ inline Point meeting_point(const Setup& setup, const Observation& now, const Rob
   return inside(setup, p, setup.ball_radius);
 }
 
-// Returns a target of robot `i`, moved out of the areas that the laws forbid: the own goal area,
-// where only the keeper may be, and for robots 3 and higher also the penalty area. Not for the
+// Returns a target of robot `i`, moved out of the areas that the laws forbid: the own goal area, in
+// which only the keeper may be, and for robots 3 and higher also the penalty area. Not for the
 // keeper.
 inline Point keep_out(const Setup& setup, int i, Point p) {
   // For the arc in front of the area and half a robot, m.
@@ -201,8 +201,8 @@ inline Point keep_out(const Setup& setup, int i, Point p) {
   return p;
 }
 
-// Returns a place for a robot that waits, moved aside if it is before the own goal while the ball
-// is still nearer to that goal: a ball that the keeper clears would come back from the robot.
+// Returns a place for a waiting robot, moved aside if the place is before the own goal and the ball
+// is nearer to that goal: a ball that the keeper clears would rebound from the robot.
 inline Point make_way(const Setup& setup, const Observation& now, Point p) {
   const bool is_in_front = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.15 &&
                            p.x > now.ball_x + 0.02 && p.x < now.ball_x + 0.5;
@@ -212,15 +212,15 @@ inline Point make_way(const Setup& setup, const Observation& now, Point p) {
   return p;
 }
 
-// True if the ball has got nowhere for `patience` s and nearly stands: between two robots, at a
-// wall, in a corner.
+// True if the ball has made no progress for `patience` s and nearly stands: between two robots, at
+// a wall, in a corner.
 inline bool is_stuck(const Observation& now, double patience = 0.6) {
   return now.stalemate_s > patience && length(ball_velocity(now)) < 0.15;
 }
 
 // Returns the same wheel speeds, unless the robot would push an opponent without playing the ball.
 // Then it returns speeds at which the robot slows down before the opponent and backs off. A robot
-// at the ball plays the ball: if it backed off, and the opponent too, the ball would lie there.
+// at the ball plays the ball: if it and the opponent both backed off, the ball would stay there.
 inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
                               Wheels wheels) {
   const Point here = position(robot);
@@ -237,8 +237,8 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
     const Point to = position(now.opponent[j]) - here;
     if (dot(to, direction) <= 0.0 || std::abs(to.x * direction.y - to.y * direction.x) > 0.09)
       continue;
-    // The ball is between the robot and the opponent: pushing both is playing the ball. So is going
-    // for a ball that gets nowhere.
+    // The ball is between the robot and the opponent: pushing both is playing the ball. So is
+    // driving to a stuck ball.
     const double nearer = is_stuck(now, 1.0) && length(to_ball) < 0.2 ? 0.04 : 0.0;
     if (ball_ahead && dot(to_ball, direction) < dot(to, direction) + nearer) continue;
     const double gap = length(to) - 0.1;
@@ -248,9 +248,9 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
   return wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
 }
 
-// Returns the same wheel speeds, unless robot `i` is in an area that keep_out() forbids, or so fast
-// that it will be there soon. Then it returns speeds that take it out again on the shortest way.
-// Not for the keeper.
+// Returns the same wheel speeds, unless robot `i` is in an area that keep_out() forbids, or will
+// soon be there at its speed. Then returns speeds that take the robot out on the shortest way. Not
+// for the keeper.
 inline Wheels out_of_area(const Setup& setup, int i, const Robot& robot, Wheels wheels) {
   const double margin = 0.04;    // m: a robot counts if more than half of its body is inside
   const double braking_s = 0.1;  // the motors, and the delay of a tick
@@ -315,9 +315,9 @@ inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const
   return false;
 }
 
-// Helps those robots from which a ball in the own half would rebound into the own goal: a robot
-// that stands at a slant turns square to the field, and one that is square makes way. Not for the
-// keeper.
+// Changes the command of robots from which a ball in the own half would rebound into the own goal:
+// a robot that stands at a slant turns square to the field, and a square robot makes way. Not for
+// the keeper.
 inline void avoid_own_goals(const Setup& setup, const Observation& now, Command& command) {
   const Point velocity = ball_velocity(now);
   if (now.ball_x > 0.0 || length(velocity) < 0.25) return;
@@ -361,8 +361,8 @@ inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, 
 }
 
 // Drives to a point, around the ball or an opponent that is on the line to it: a robot that returns
-// home must not push the ball there, and no robot may push an opponent. A robot that waits there
-// stands square to the field, because a ball that hits a slanting face may go into the own goal.
+// home must not push the ball along, and no robot may push an opponent. At the point the robot
+// waits square to the field, because a ball that hits a slanting face may go into the own goal.
 inline Wheels drive_clear(const Setup& setup, const Observation& now, const Robot& robot,
                           Point target, double arrival = 0.0, double fastest = 1.5) {
   const Point here = position(robot);
@@ -411,8 +411,8 @@ inline Wheels kick_off(const Setup& setup, const Robot& robot) {
   return drive_to(setup, robot, -0.1 * unit(position(robot)), pace, pace);
 }
 
-// Returns the y at which the bisector of the angle in which a ball sees the own goal meets the goal
-// line, m: the middle of what there is to cover.
+// Returns the y, m, at which the bisector of the angle of the own goal, as seen from the ball,
+// meets the goal line: the middle of the goal to cover.
 inline double middle_of_goal_view(const Setup& setup, Point ball) {
   const double left = length(ball - Point{-setup.half_length, setup.goal_half_width});
   const double right = length(ball - Point{-setup.half_length, -setup.goal_half_width});
@@ -435,9 +435,9 @@ inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot&
 }
 
 // Drives along the goal line to a y, forwards or backwards, and looks along the line all the time:
-// a keeper that turns away from it throws the ball into its goal. It brakes for what it still rolls
-// on while its motors follow, because a keeper that runs past its place meets the ball with a side
-// that turns it into the goal.
+// a keeper that turns away from it throws the ball into its goal. It brakes early by the way that
+// it still rolls while its motors follow, because a keeper that runs past its place meets the ball
+// with a side that turns it into the goal.
 inline Wheels slide_to(const Setup& setup, const Robot& robot, double y, double fastest = 1.5) {
   const bool is_up = robot.heading > 0.0;
   const double error = wrapped((is_up ? pi / 2.0 : -pi / 2.0) - robot.heading);
@@ -463,9 +463,9 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
   if (is_slow && is_in_reach && is_outer) {
     return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
   }
-  // Where the ball will meet the face that looks into the field, if it comes; else where it sees
-  // the goal. A keeper that went on to where the ball would cross the goal line would meet a ball
-  // from the side with another face, and turn it in.
+  // If the ball comes, the y is where it will meet the face that looks into the field; otherwise
+  // the middle of the goal to cover. At the place where the ball would cross the goal line, the
+  // keeper would meet a ball from the side with another face, and turn it into the goal.
   const double face = line + setup.robot_side / 2.0 + setup.ball_radius;
   double y = middle_of_goal_view(setup, ball(now));
   if (now.ball_vx < -0.1) {
@@ -498,17 +498,18 @@ class Random {
   std::uint64_t state_;
 };
 
-// Returns the parameter of that name, or `fallback` if the leg gives the team none, or the host is
-// older than parameters. strategy.h says who gives it ("Parameters").
+// Returns the parameter of that name, or `fallback` if the leg gives the team no such parameter, or
+// the host is older than parameters. See "Parameters" in strategy.h.
 inline double parameter(const Setup& setup, const char* name, double fallback) {
   const bool is_there = setup.size >= offsetof(Setup, parameter) + sizeof setup.parameter;
   if (!is_there || setup.parameter == nullptr) return fallback;
   return setup.parameter(setup.host, name, fallback);
 }
 
-// Draw into the replay of `mirocup match --thoughts`; nothing on older hosts. `setup` is that of a
-// Team. See "Thoughts" in strategy.h: own frame, m; colours are 0xRRGGBBAA; a layer can be switched
-// off in the page. mirocup/skills/draw.hpp draws targets, roles and shots with them.
+// These functions draw into the replay of `mirocup match --thoughts`; on older hosts they do
+// nothing. `setup` is that of a Team. See "Thoughts" in strategy.h: own frame, m; colours are
+// 0xRRGGBBAA; a layer can be switched off in the page. mirocup/skills/draw.hpp draws targets, roles
+// and shots with them.
 inline void draw_line(const Setup& setup, const char* layer, std::uint32_t colour, Point from,
                       Point to) {
   if (setup.draw_line == nullptr) return;
@@ -551,7 +552,8 @@ class Team {
   virtual void decide(const Observation& now, Command& command) = 0;
 
   // Chooses the places of the robots at a restart, and of the ball at an own kick-off or goal kick.
-  // strategy.h says which places are allowed. A pose that is left as it is stays.
+  // strategy.h says which places are allowed. Bodies whose poses it does not change stay where they
+  // are.
   virtual void place(const Observation& now, Placement& placement) {
     (void)now;
     (void)placement;
@@ -567,9 +569,9 @@ class Team {
     return strategy::parameter(setup_, name, fallback);
   }
 
-  // Writes a line to the log of the leg. With values, the first argument is a format as that of
-  // printf(), log("ball at %.2f", now.ball_x), which the compiler checks, and the line is cut after
-  // 255 bytes. Without values the text is written as it is, percent signs included.
+  // Writes a line to the log of the leg. With values, the first argument is a format of printf(),
+  // log("ball at %.2f", now.ball_x), which the compiler checks, and the line is cut after 255
+  // bytes. Without values the text is written unchanged, percent signs included.
   void log(const char* text) const { setup_.log(text); }
   // This is a template only so that a call without values selects the overload above.
   template <int = 0>
@@ -583,7 +585,7 @@ class Team {
     setup_.log(line);
   }
 
-  // The functions above that draw, with the setup of this team.
+  // The drawing functions above, with the setup of this team.
   void draw_line(const char* layer, std::uint32_t colour, Point from, Point to) const {
     strategy::draw_line(setup_, layer, colour, from, to);
   }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * libmirocup_team: a team in a program of its own, in any language that can call C.
+ * libmirocup_team: a team in its own program, in any language that can call C.
  *
  *   mirocup_team_open    names the match and the team; returns at once
  *   mirocup_team_wait    waits for what happens next: a seat, a tick, the end
@@ -10,14 +10,14 @@
  *
  * Frames, units, the delay of a command and the meaning of every number are those of strategy.h.
  * The program can run on any computer that reaches the match server by UDP. It has no sandbox and
- * no budget of processor time; only its answers count, and when they arrive.
+ * no budget of processor time; only its answers and their arrival times count.
  *
  * The connection recovers by itself from lost packets and from a server that is started again. A
  * team that is started again in the middle of a match opens the same match in a new process, which
  * gets the seat once the old process has been silent for a moment.
  *
- * What a program draws with the functions of its setup (strategy.h, "Thoughts") before the answer
- * to a tick is in the replay of `mirocup match --thoughts`.
+ * The replay of `mirocup match --thoughts` shows the shapes that a program draws with the functions
+ * of its setup (strategy.h, "Thoughts") before the answer to a tick.
  *
  * A connection may be used by one thread at a time, and a process may have one connection at a
  * time. Texts and structures that it returns stay valid until the next call with the same
@@ -56,8 +56,8 @@ enum mirocup_team_news {
 };
 
 /* Opens a connection. Returns null on failure, writes a sentence into `why`, which has room for
- * `size` bytes and may be null, and sets errno: EINVAL if the call is wrong or the credentials are
- * missing or somebody else's, ENETDOWN if the network cannot be used. */
+ * `size` bytes and may be null, and sets errno: EINVAL if the call is wrong, or the credentials are
+ * missing or another team's; ENETDOWN if the network cannot be used. */
 mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, size_t size);
 
 /* Waits at most `seconds` of wall time. Returns an enum mirocup_team_news. Ticks come in order,
@@ -71,9 +71,9 @@ const mirocup_setup* mirocup_team_setup(const mirocup_connection* connection);
 const mirocup_observation* mirocup_team_observation(const mirocup_connection* connection);
 
 /* Requests places at a restart, while the last tick has `placing` 1. The following _send() sends
- * the request. The rules of place() in strategy.h hold, but `placement` must be filled
- * completely: robots that should stay, and the ball, with the values of the tick. Without a
- * request all robots stay. In any other tick the call has no effect. */
+ * the request. The rules of place() in strategy.h hold, but fill `placement` completely: give
+ * robots that should stay, and the ball, the values of the tick. Without a request all robots stay.
+ * In any other tick the call has no effect. */
 void mirocup_team_place(mirocup_connection* connection, const mirocup_placement* placement);
 
 /* Sends the answer to the last tick. Call it once for a tick. */

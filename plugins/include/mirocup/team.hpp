@@ -30,7 +30,7 @@
 
 namespace mirocup::team {
 
-// The match to join; an empty text stands for the default.
+// The match to join; an empty text means the default.
 struct Call {
   std::string match;
   int team = MIROCUP_BLUE;

@@ -18,8 +18,8 @@
  *   attacks +x.
  *
  * Same result
- *   What happens in a match depends on the configuration, its seeds and its actions only: not on
- *   the number of threads or of other matches. It is a leg that `mirocup verify` can prove.
+ *   A match depends only on the configuration, its seeds and its actions, not on the number of
+ *   threads or of other matches. It is a leg that `mirocup verify` can prove.
  *
  * Ends of episodes
  *   An episode is terminated by what happens in it, such as a goal, and truncated by its length.
@@ -61,8 +61,8 @@ typedef struct mirocup_training_sizes {
   int32_t threads;
 } mirocup_training_sizes;
 
-/* The caller's arrays, row after row, which live as long as they are bound. Null where nothing is
- * wanted; only `actions` is read. */
+/* The caller's arrays, row after row, which must live as long as they are bound. Null: the caller
+ * does not want this array. Only `actions` is read. */
 typedef struct mirocup_training_buffers {
   const float* actions;      /* rows * action */
   float* observations;       /* rows * observation */
@@ -113,8 +113,8 @@ int mirocup_training_record(mirocup_training* training, int match,
 
 /* Copies a match, so that it can be taken up again from here, in this or another match or process
  * with the same configuration. save() returns the size of the copy in bytes, and writes it if
- * `size` is large enough. The copy holds the commands of the episode, so to restore it costs as
- * much as to play it. A team that does not learn is asked again: it must be deterministic. */
+ * `size` is large enough. The copy holds the commands of the episode, so restoring costs as much as
+ * playing it. restore() asks teams that do not learn again, so they must be deterministic. */
 size_t mirocup_training_save(const mirocup_training* training, int match, void* copy, size_t size);
 int mirocup_training_restore(mirocup_training* training, int match, const void* copy, size_t size);
 

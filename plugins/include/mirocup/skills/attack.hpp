@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Attacking: which way the ball shall go, getting behind it, driving through it, and where the
-// others wait meanwhile.
+// Attacking: the direction of the shot, getting behind the ball, driving through it, and the places
+// where the other robots wait.
 //
 //                    3 to the open corner
 //                   o ----------------->
@@ -13,7 +13,7 @@
 //   shooting_aim    the open corner of the goal, or along a wall
 //   is_on_line      whether a robot is behind the ball, on the line of the shot
 //   attack_ball     1, 2 and 3
-//   attack_ball_at  the same, where the caller knows the place at which it meets the ball
+//   attack_ball_at the same, if the caller knows the place at which it meets the ball
 //   supporting_place   between the ball and the own goal, on alternate sides
 //
 // Frames and units are those of strategy.h.
@@ -42,7 +42,7 @@ inline Point shooting_aim(const Setup& setup, const Observation& now, Point from
 struct Shot {
   Point at;          // m
   Point along;       // of length 1
-  double aside = 0;  // m: how far the robot is to the left of the line of the shot
+  double aside = 0;  // m: distance of the robot to the left of the line of the shot
   bool is_on_line = false;
 };
 
@@ -56,8 +56,8 @@ inline Shot shot_of(const Robot& robot, Point at, Point aim) {
   return shot;
 }
 
-// Returns the point to drive to for a robot that is on the line: it comes back to the line where it
-// meets the ball, and goes on.
+// Returns the point to drive to for a robot on the line: the robot comes back to the line where it
+// meets the ball, and drives on.
 inline Point through(const Shot& shot) {
   return shot.at + 0.3 * shot.along - (2.0 * shot.aside) * Point{-shot.along.y, shot.along.x};
 }
@@ -72,11 +72,11 @@ inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
 struct Attack {
   double speed = 1.8;    // m/s
   double sight = 1e9;    // m: robots that are farther off are no obstacles
-  double lead_s = 0.08;  // s: the field is read where the robot will be then
+  double lead_s = 0.08;  // s: reads the field at the robot's place in this time
 };
 
-// Shoots the ball that robot `me` meets at `at` to `aim`: comes in along a field of directions
-// round all other robots, and drives through it.
+// Shoots the ball that robot `me` meets at `at` to `aim`: the robot comes in along a field of
+// directions round all other robots, and drives through the ball.
 inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me, Point at,
                              Point aim, const Attack& how = {}) {
   const Robot& robot = now.own[me];
@@ -100,8 +100,8 @@ inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me,
   return follow_field(setup, robot, target, how.speed, {obstacles.data(), count}, {}, how.lead_s);
 }
 
-// Shoots the ball of robot `me` to `aim`, where the robot meets it on its way. Draws both points
-// (draw.hpp).
+// Shoots the ball to `aim` from the point at which robot `me` meets it on its way. Draws both
+// points (draw.hpp).
 inline Wheels attack_ball(const Setup& setup, const Observation& now, int me, Point aim,
                           const Attack& how = {}) {
   const Point meet = intercept(setup, now, now.own[me]).ball.at;
@@ -115,8 +115,8 @@ inline Point supporting_place(const Setup& setup, const Observation& now, int me
   const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
   const int row = rank / 2;
   const double back = 0.3 + 0.25 * row;
-  // A robot nearer to the own goal turns in what the opponents play before it: with 0.75 twice as
-  // many own goals fell.
+  // A robot nearer to the own goal deflects balls that the opponents play before it into the goal:
+  // with 0.75 twice as many own goals fell.
   constexpr double deepest = -0.6;  // of half the length of the field
   const double x = std::max(deepest * setup.half_length, now.ball_x - back);
   const double part = (x + setup.half_length) / (now.ball_x + setup.half_length + 0.01);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the ball rolls if no robot touches it: it brakes along its path and rebounds from walls and
-// corners. The speed between two walls has a closed form, so a path costs some ten square roots.
+// The path of the ball if no robot touches it: the ball brakes along its path and rebounds from
+// walls and corners. The speed between two walls has a closed form, so a path costs some ten square
+// roots.
 //
-// It is for questions about the ball alone, asked often. What robots make of it is for the
-// Simulator of predict.hpp, which gives the same path to 1e-6 m where no robot is met.
+// It is for frequent questions about the ball alone. For a ball that meets robots use the Simulator
+// of predict.hpp, which gives the same path to 1e-6 m if the ball meets no robot.
 //
 //   rolled       the ball after some seconds
-//   BallPath     the same for a team that asks often: walls are looked for once
+//   BallPath the same for a team that asks often: it finds the walls once
 //   time_at_x    when and where it reaches a line across the field
 //
-// The goals are open: a ball that passes between the posts goes on to the wall behind them. Posts
+// The goals are open: a ball that passes between the posts rolls on to the wall behind them. Posts
 // count as points of the end wall. Frames and units are those of strategy.h.
 #pragma once
 
@@ -27,10 +28,11 @@ struct Rolling {
   double bounce = 0.8;                   // part of the speed towards a wall that comes back
 };
 
-// Returns the floor and the walls of this leg. Hosts that do not tell have those above.
+// Returns the floor and the walls of this leg. On hosts that do not tell them, returns the values
+// above.
 inline Rolling rolling_of(const Setup& setup) {
   if (setup.size < offsetof(Setup, corners)) return {};
-  // A ball that is slowed down by one of the two alone: the formulas below divide by both.
+  // If only one of the two slows the ball down: the formulas below divide by both.
   constexpr double least = 1e-5;
   return {std::max(setup.rolling_resistance * 9.81 / 1.4, least),
           std::max(setup.viscous_friction / (1.4 * setup.ball_mass), least),
@@ -84,7 +86,7 @@ inline WallAhead wall_ahead(const Setup& setup, Point at, Point along) {
   }
   const double k = std::sqrt(0.5);
   const double corner = -k * (setup.half_length + setup.half_width - setup.corner_leg);
-  // Behind the goal line the corners are no walls.
+  // Behind the goal line the corners are not walls.
   if (std::abs(at.x) < setup.half_length) {
     for (const Point normal : {Point{k, k}, Point{k, -k}, Point{-k, k}, Point{-k, -k}}) {
       meet(normal, corner, false);
@@ -193,9 +195,9 @@ class BallPath {
   int count_ = 0;
 };
 
-// Where the ball crosses a line across the field.
+// The point at which the ball crosses a line across the field.
 struct Crossing {
-  bool is_ahead = false;  // false: it does not within the time
+  bool is_ahead = false;  // false: it does not cross the line within the time
   double seconds = 0.0;
   double y = 0.0;  // m
 };

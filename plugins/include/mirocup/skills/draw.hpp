@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Drawing what a team plans, into the replay of `mirocup match --thoughts`. The skills and the
-// house teams use the same layers and colours, so that the page shows every team alike.
+// Drawing a team's plans into the replay of `mirocup match --thoughts`. The skills and the house
+// teams use the same layers and colours, so that the page shows every team alike.
 //
 //   draw_role     what a robot does, a word beside it        layer "roles"
 //   draw_target   where it drives to                         layer "targets"
 //   draw_shot     where the ball is met, where it shall go   layer "shots"
 //   draw_path     a path through some points                 layer of the caller
 //
-// They have no effect on the leg and return at once where thoughts are off. attack_ball(),
-// guard_goal() and hold_goal() draw by themselves; what is meant for predictions (attack_ball_at(),
-// rough_guard()) does not. Frames and units are those of strategy.h.
+// They have no effect on the leg and return at once if thoughts are off. attack_ball(),
+// guard_goal() and hold_goal() draw by themselves; functions for predictions (attack_ball_at(),
+// rough_guard()) do not. Frames and units are those of strategy.h.
 #pragma once
 
 #include "mirocup/strategy.hpp"

@@ -2,10 +2,10 @@
 //
 // Turning and driving in the shortest time that motors and wheels allow.
 //
-// A motor follows a wanted speed with the time constant T, so a robot that turns at w and is told
-// to stop still turns by w T. Over all, it turns by w T + c P if it is told c for one tick of
-// length P and 0 after that. Solved for c, that is the command which ends at the heading wanted: no
-// gain, no swing. Driving is the same with metres.
+// A motor follows a wanted speed with the time constant T, so a robot that turns at w still turns
+// by w T after the command to stop. With the command c for one tick of length P and 0 after that,
+// it turns by w T + c P in all. Solved for c, this gives the command that ends at the wanted
+// heading, without a gain and without overshoot. Driving is the same with metres.
 //
 //   when_commanded   where a robot will be when its next command begins
 //   turn_quickly     turns on the spot
@@ -13,8 +13,9 @@
 //   take_pose        drives to a point and turns to a heading there
 //   travel_time      how long that takes
 //
-// A command is driven one tick after it was asked for. A team that remembers its last command gives
-// the state of when_commanded() to these functions. Frames and units are those of strategy.h.
+// A command is driven one tick after the team gave it. A team that remembers its last command
+// passes the state of when_commanded() to these functions. Frames and units are those of
+// strategy.h.
 #pragma once
 
 #include "mirocup/strategy.hpp"
@@ -57,8 +58,8 @@ inline Robot when_commanded(const Setup& setup, const Robot& robot, Wheels comma
   return then;
 }
 
-// Returns the wheel speeds for a turn (rad/s) and what the motors have left for a forward speed
-// (m/s): a robot that must turn does so first.
+// Returns the wheel speeds for a turn (rad/s) and a forward speed (m/s). The turn comes first; the
+// forward speed gets the rest of the wheel speed.
 inline Wheels wheels_turning_first(const Setup& setup, double forward, double turn) {
   const double most = greatest_speed(setup);
   const double side = std::clamp(turn * setup.wheel_distance / 2.0, -most, most);
@@ -67,8 +68,8 @@ inline Wheels wheels_turning_first(const Setup& setup, double forward, double tu
   return {(mean - side) / setup.wheel_radius, (mean + side) / setup.wheel_radius};
 }
 
-// Returns the turn (rad/s) to ask for, so that a robot that turns at `turn` ends `error` rad
-// farther. Robots are not quite what they are told, so a part of the error is left to later ticks.
+// Returns the turn (rad/s) to command so that a robot that turns at `turn` ends `error` rad
+// farther. Robots do not follow commands exactly, so later ticks correct a part of the error.
 inline double turn_for(const Setup& setup, double turn, double error, double part = 0.9) {
   return (part * error - setup.motor_time_constant * turn) / setup.control_period;
 }
@@ -80,8 +81,8 @@ inline Wheels turn_quickly(const Setup& setup, const Robot& robot, double headin
 }
 
 // Drives at up to `speed` m/s in a direction, forwards or backwards, whichever needs the smaller
-// turn. `distance`: where to stop, m. A wheel that slides does not steer, so the robot is not
-// faster than its turn allows.
+// turn. `distance`: to the stop, m. A sliding wheel does not steer, so the robot is not faster than
+// its turn allows.
 inline Wheels head_for(const Setup& setup, const Robot& robot, double direction, double speed,
                        double distance = 1e9) {
   double error = wrapped(direction - robot.heading);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Where everything is, and will be, from what a camera shows. Under the conditions `camera` a team
-// sees positions with noise, a tick late, and now and then not at all; velocities are differences
-// of two such positions. A filter knows better, since it remembers what it saw before and what the
-// team commanded.
+// Estimates the present and the next places of all bodies from the pictures of a camera. Under the
+// conditions `camera` a team sees positions with noise, a tick late, and now and then not at all;
+// velocities are differences of two such positions. A filter knows them better, since it remembers
+// earlier pictures and the team's commands.
 //
 //   Filter::see    the observation as it will be when the answer to it is driven
 //   Filter::sent   tells the filter the answer
@@ -22,14 +22,14 @@
 // that is not seen (`..._age_ticks`) is predicted from its last picture.
 //
 // Kalman, A New Approach to Linear Filtering and Prediction Problems, 1960. Frames and units are
-// those of strategy.h. What is seen without delay is exact, and is taken as it is.
+// those of strategy.h. An observation without delay is exact, and is not filtered.
 #pragma once
 
 #include "mirocup/skills/ball_path.hpp"
 
 namespace mirocup::strategy {
 
-// How much a filter trusts its pictures and its predictions.
+// The filter's trust in its pictures and its predictions.
 struct FilterSettings {
   double see_m = 0.0015;         // standard deviation of a position along x and y
   double see_rad = 0.017;        // of a heading
@@ -38,10 +38,10 @@ struct FilterSettings {
   double opponent_push = 2.0;    // of an opponent
   double own_turn = 0.5;         // rad^2/s^3: the same for angular velocities
   double opponent_turn = 200.0;  // of an opponent
-  double surprise = 5.0;         // standard deviations from which a picture means a hit
+  double surprise = 5.0;         // standard deviations: a picture farther off means a hit
 };
 
-// What is known of a position and its velocity: the variances and the covariance of a Kalman
+// The uncertainty of a position and its velocity: the variances and the covariance of a Kalman
 // filter, the same along x and y.
 struct Uncertainty {
   double place = 0.0;  // m^2
@@ -108,8 +108,8 @@ class Filter {
   explicit Filter(const Setup& setup, const FilterSettings& settings = {})
       : setup_(copy_of(setup)), settings_(settings) {}
 
-  // Returns the same observation with bodies where they will be `ticks_ahead` ticks after it: 1 is
-  // when the answer to it begins to be driven, 0 is now. To be called once in every tick.
+  // Returns the observation with all bodies where they will be `ticks_ahead` ticks later: 1 is the
+  // start of the tick in which the answer is driven, 0 is now. To be called once in every tick.
   Observation see(const Observation& seen, int ticks_ahead = 1) {
     Observation now = seen;
     const bool has_ages = seen.size >= offsetof(Observation, reserved_age);
@@ -138,7 +138,7 @@ class Filter {
     return now;
   }
 
-  // Remembers the answer to the observation that see() had last.
+  // Remembers the answer to the last observation of see().
   void sent(const Command& command) { commands_[(tick_ + 1) % remembered] = {tick_ + 1, command}; }
 
  private:

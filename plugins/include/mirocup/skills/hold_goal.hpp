@@ -9,11 +9,11 @@
 //        |                +-----      and pushing outwards
 //        |                o  <- attacker
 //
-//   holding_y   where in the mouth the keeper has to be
+//   holding_y the y in the mouth at which the keeper has to be
 //   hold_goal   drives there, and clears a ball that lies before it
 //
-// Give it the robot where it will be at its next command (drive.hpp), and the path of the ball.
-// Frames and units are those of strategy.h.
+// Pass the robot's state at its next command (drive.hpp), and the path of the ball. Frames and
+// units are those of strategy.h.
 #pragma once
 
 #include "mirocup/skills/ball_path.hpp"
@@ -25,7 +25,7 @@ namespace mirocup::strategy {
 
 struct GoalHolding {
   double line = 0.027;          // m, from the goal line to the middle of the keeper
-  double inside_post = 0.0385;  // m: the keeper's middle stays so far inside the posts
+  double inside_post = 0.0385;  // m: distance of the keeper's middle inside the posts
   double slow = 0.2;            // m/s: a slower ball is cleared
   double patience = 1.0;        // s, until it spins at a ball that is stuck beside the goal
 };
@@ -41,8 +41,8 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
   // Beside the goal: nothing passes the near post.
   if (depth < how.line + 0.06 && std::abs(where.y) > reach) return side * reach;
 
-  // Where the ball's middle is when it meets the face that looks into the field. Farther on, a ball
-  // from the side would meet another face, which turns it in.
+  // The y of the ball's middle when it meets the face that looks into the field. Farther on, a ball
+  // from the side would meet another face, which turns it into the goal.
   if (now.ball_vx < -0.1) {
     const double step = 0.033;  // s
     Point before = where;
@@ -60,7 +60,7 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
     }
   }
   if (const auto y = y_of_coming_shot(now, front)) return std::clamp(*y, -reach, reach);
-  // The bisector of the angle in which the ball sees the goal.
+  // The bisector of the goal's angle, as seen from the ball.
   const double middle = middle_of_goal_view(setup, where);
   const double part = std::clamp(how.line / std::max(depth, 0.001), 0.0, 1.0);
   return std::clamp(middle + part * (where.y - middle), -reach, reach);
@@ -127,7 +127,7 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
   if (lies_in_area(setup, now, how.slow)) {
     const bool is_before = to_ball.x > 0.045;
     const bool is_outer = to_ball.x > -0.02 && outwards * to_ball.y > -0.02;
-    // Nobody is near: away with it, not inwards.
+    // Nobody is near: push it away, not inwards.
     if (nearest > 0.15 && length(to_ball) < 0.25 && (is_before || is_outer)) {
       return head_for(setup, robot, std::atan2(to_ball.y, std::max(0.0, to_ball.x)), 1.8);
     }
@@ -142,7 +142,7 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
                          std::abs(soon.y) < width + 0.22;
   const double gap = outwards * to_ball.y;
   if (is_beside && std::abs(here.x - post.x) < 0.02 && gap > 0.03 && gap < 0.075) {
-    // Pressed from both sides it would lie there: a spin throws it along the keeper's side.
+    // Pressed from both sides the ball would stay there: a spin throws it along the keeper's side.
     if (is_stuck(now, how.patience)) {
       return wheels_turning_first(setup, 0.0, -outwards * 25.0);
     }

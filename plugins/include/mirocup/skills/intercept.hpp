@@ -4,7 +4,7 @@
 // The path has walls (ball_path.hpp).
 //
 //   intercept       where and when a robot can meet the ball
-//   rough_meeting   about where, at a fraction of the cost
+//   rough_meeting the approximate place, at a fraction of the cost
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -15,13 +15,13 @@ namespace mirocup::strategy {
 
 struct Interception {
   MovingBall ball;       // when the robot is there
-  double seconds = 0.0;  // until then; the longest time asked for if it is not reached before
+  double seconds = 0.0;  // until then; `most_s` if the robot does not reach it before
   bool is_reached = false;
 };
 
-// Returns where a robot that drives at `pace` m/s in the mean meets the ball. Looks `most_s`
-// seconds ahead. Turning and starting are not counted: an attacker that aims farther ahead for them
-// runs past a ball that it is about to reach. `path`: of the ball; make it once a tick.
+// Returns where a robot that drives at a mean speed of `pace` m/s meets the ball. Looks `most_s`
+// seconds ahead. Turning and starting do not count: an attacker that aims farther ahead because of
+// them runs past a ball that it is about to reach. `path`: of the ball; make it once a tick.
 inline Interception intercept(const BallPath& path, const Robot& robot, double pace = 1.2,
                               double most_s = 1.5) {
   const double step = 1.0 / 30.0;                            // s
@@ -29,7 +29,7 @@ inline Interception intercept(const BallPath& path, const Robot& robot, double p
     return length(ball.at - position(robot)) / pace - t;
   };
   MovingBall ball = path.after(0.0);
-  // Even if the ball rolls straight to it, the robot is not there before.
+  // Even if the ball rolls straight to the robot, the robot does not reach it earlier.
   const double first = length(ball.at - position(robot)) / (pace + length(ball.velocity));
   double t = std::min(step * std::floor(first / step), most_s);
   ball = path.after(t);
@@ -48,14 +48,14 @@ inline Interception intercept(const BallPath& path, const Robot& robot, double p
   return {ball, most_s + gap, false};
 }
 
-// The same, for a team that asks once.
+// The same, for a team that asks once a tick.
 inline Interception intercept(const Setup& setup, const Observation& now, const Robot& robot,
                               double pace = 1.2, double most_s = 1.5) {
   return intercept(BallPath(setup, moving_ball(now)), robot, pace, most_s);
 }
 
-// Returns about where a robot that drives at `pace` m/s meets the ball, with at most one rebound
-// from a side wall; for teams that ask hundreds of times in a tick.
+// Returns the approximate place where a robot that drives at `pace` m/s meets the ball, with at
+// most one rebound from a side wall. For teams that ask hundreds of times in a tick.
 inline Point rough_meeting(const Setup& setup, const Observation& now, const Robot& robot,
                            double pace = 1.2) {
   const double width = setup.half_width - setup.ball_radius;

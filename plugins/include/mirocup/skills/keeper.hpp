@@ -3,7 +3,7 @@
 // Goalkeeping: the keeper stays on a line before its goal, where the ball will cross that line with
 // its rebounds from the walls, and clears a slow ball to the side, never across its own goal.
 //
-//   cover_point   where on its line the keeper has to be
+//   cover_point the place on its line at which the keeper has to be
 //   guard_goal    drives there, and clears
 //   rough_guard   a keeper for predictions: cheaper, and clears nothing
 //
@@ -20,7 +20,7 @@ namespace mirocup::strategy {
 
 struct KeeperHabits {
   double line = 0.05;        // m, from the goal line to the middle of the keeper
-  double inside_post = 0.0;  // m: the keeper's middle stays so far inside the posts
+  double inside_post = 0.0;  // m: distance of the keeper's middle inside the posts
   double clear_speed = 0.5;  // m/s: a slower ball in the goal area is cleared
   double spin = 25.0;        // rad/s, to throw a ball away that lies before the keeper
 };
@@ -30,8 +30,8 @@ inline double y_on_line(Point ball, Point direction, double x) {
   return ball.y + (x - ball.x) / direction.x * direction.y;
 }
 
-// Returns the y at which a ball that lies still will cross x, m, because an opponent runs at it; no
-// value if none does.
+// Returns the y at which a resting ball will cross x, m, because an opponent drives at it; no value
+// if no opponent does.
 inline std::optional<double> y_of_coming_shot(const Observation& now, double x) {
   if (length(ball_velocity(now)) >= 0.3) return std::nullopt;
   for (int j = 0; j < now.robots; ++j) {
@@ -84,15 +84,15 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
   const bool is_in_area = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.03 &&
                           std::abs(now.ball_y) < setup.goal_area_half_width + 0.03;
   if (is_slow && is_in_area) {
-    // Before the keeper: spin, so that the face throws it to the nearer side.
+    // The ball is before the keeper: spin, so that the face throws it to the nearer side.
     if (to_ball.x > 0.03 && length(to_ball) < 0.08) {
       return wheels_for(setup, 0.0, outwards * habits.spin);
     }
-    // Beside it at the end wall: along the wall with it.
+    // The ball is beside the keeper at the end wall: push it along the wall.
     if (std::abs(to_ball.x) < 0.05 && outwards * to_ball.y > 0.0 && length(to_ball) < 0.16) {
       return slide_to(setup, robot, now.ball_y + 0.1 * outwards, 1.2);
     }
-    // Farther off, and the keeper is on its inner side: push it out of the area.
+    // The ball is farther off, and the keeper on its inner side: push it out of the area.
     const bool is_outer = outwards * to_ball.y > -0.01;
     if (to_ball.x > -0.02 && is_outer && length(to_ball) < 0.3) {
       return drive_to(setup, robot, ball(now) + Point{0.1, 0.15 * outwards}, 1.2);

@@ -16,14 +16,14 @@ namespace mirocup::strategy {
 struct Distance {
   double gap = 0.11;        // m between the middles at which an attacker stands
   double speed = 0.3;       // m/s, at that gap
-  double rate = 3.5;        // 1/s: how much faster it may be for each metre more
-  double slant = 0.3;       // 1: cosine of the angle to the keeper from which on it counts
-  double with_ball = 0.45;  // m/s, that it may have with the ball between the two
-  double retreat = 0.0;     // m: a nearer keeper is fled from, also one that comes by itself
+  double rate = 3.5;        // 1/s: further speed for each further metre
+  double slant = 0.3;       // 1: least cosine of the angle to the keeper that counts
+  double with_ball = 0.45;  // m/s, allowed with the ball between the two
+  double retreat = 0.0;     // m: backs off from a nearer keeper, even if the keeper comes by itself
 };
 
-// Returns the distance to keep under the rules of a leg: SimuroSot rules call each touch of a
-// keeper, and the control period tells that they are played.
+// Returns the distance to keep under the rules of a leg. SimuroSot rules, which the control period
+// shows, call each touch of a keeper.
 inline Distance keeper_distance(const Setup& setup) {
   if (setup.control_period > 0.02) return {};
   return {.gap = 0.12, .speed = 0.0, .rate = 4.0, .slant = 0.0, .with_ball = 0.2, .retreat = 0.135};
@@ -35,8 +35,8 @@ inline bool has_ball(const Observation& now, const Robot& robot, Point to) {
   return length(to_ball) < 0.085 && dot(unit(to_ball), unit(to)) > 0.7;
 }
 
-// Slows down all robots but the keeper before the opponents' keeper, unless the ball is between.
-// Touching a keeper without playing the ball costs a goal kick.
+// Slows down all robots but the keeper before the opponents' keeper, unless the ball is between
+// them. Touching a keeper without playing the ball costs a goal kick.
 inline void spare_keeper(const Setup& setup, const Observation& now, Command& command,
                          const Distance& keep) {
   for (int j = 0; j < now.robots; ++j) {
@@ -75,9 +75,9 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
   spare_keeper(setup, now, command, keeper_distance(setup));
 }
 
-// True if a robot that does not attack is about to be in the opponents' goal area, where only one
-// may be. Only SimuroSot rules call that so often that it is worth the goals that keeping away
-// costs; the control period tells that they are played.
+// True if a robot that does not attack is about to be in the opponents' goal area, in which only
+// one robot may be. Keeping away costs goals, and only SimuroSot rules, which the control period
+// shows, call it so often that this is worth it.
 inline bool must_leave_area(const Setup& setup, const Robot& robot) {
   if (setup.control_period > 0.02) return false;
   return robot.x + 0.1 * robot.vx > setup.half_length - setup.goal_area_depth - 0.1 &&

@@ -2,7 +2,7 @@
 //
 // Penalties. A good keeper reads the run-up: it stands where a shot along the kicker's heading
 // would arrive. So the kicker runs up to one corner, looks where the keeper goes, and if the keeper
-// goes there, too, turns to the other corner just before the ball.
+// also goes there, turns to the other corner just before the ball.
 //
 //        keeper goes along ->  K
 //   post ----------------------+--- post
@@ -25,13 +25,13 @@ namespace mirocup::strategy {
 struct PenaltyHabits {
   double run_up = 0.35;     // m, from the middle of the kicker to that of the ball
   double turn_from = 0.18;  // m from the ball: there it chooses the corner
-  double reads_at = 0.025;  // m: a keeper that is so far on the side of the run-up reads it
-  double margin = 0.05;     // m, from the post to where the ball shall pass
+  double reads_at = 0.025;  // m: a keeper this far on the side of the run-up reads it
+  double margin = 0.05;     // m, from the post to the ball's path
   double speed = 1.8;       // m/s
 };
 
-// Takes the penalties of a team. Call stand() in place(), and drive() while must_take_kick() says
-// that the ball lies where it was put.
+// Takes the penalties of a team. Call stand() in place(), and drive() while must_take_kick() is
+// true: the ball lies where it was put.
 class PenaltyTaker {
  public:
   explicit PenaltyTaker(const PenaltyHabits& habits = {}) : habits_(habits) {}
@@ -58,7 +58,7 @@ class PenaltyTaker {
   }
 
  private:
-  // Where the keeper will be in a moment, m.
+  // The place of the keeper in a moment, m.
   static double keeper_y(const Observation& now) {
     int keeper = 0;
     for (int j = 1; j < now.robots; ++j) {

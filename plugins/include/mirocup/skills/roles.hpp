@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Roles: which robot does what. A role goes to the robot for which it costs least, and the robot
-// that had it in the last tick keeps it unless another one is clearly better: robots that change
-// places all the time do nothing at all.
+// Roles: the tasks of the robots. A role goes to the robot with the least cost. The robot that had
+// it in the last tick keeps it unless another robot is clearly better: robots that change places
+// all the time do nothing at all.
 //
-//   cheapest_robot   who takes one role
-//   time_behind      what it costs to attack: how soon a robot is behind the ball
-//   assign_places    who goes to which of several places
+//   cheapest_robot the robot that takes one role time_behind the cost of attacking: how soon a
+//   robot is behind the ball assign_places the robots for several places
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -18,8 +17,8 @@
 
 namespace mirocup::strategy {
 
-// Returns the robot from `first` on with the least cost, where `last` costs `bonus` less.
-// `cost(i)`: of robot i.
+// Returns the robot from `first` on with the least cost; `last` costs `bonus` less. `cost(i)`: of
+// robot i.
 template <class Cost>
 int cheapest_robot(const Observation& now, int first, int last, double bonus, const Cost& cost) {
   int best = first;
@@ -33,8 +32,8 @@ int cheapest_robot(const Observation& now, int first, int last, double bonus, co
   return best;
 }
 
-// Returns how soon a robot meets the ball on its path, s, and `round_s` more if it has to drive
-// round it.
+// Returns the time after which a robot meets the ball on its path, s, plus `round_s` if it has to
+// drive round the ball.
 inline double time_behind(const BallPath& path, const Robot& robot, double round_s = 0.35) {
   const Interception meet = intercept(path, robot);
   return meet.seconds + (robot.x > meet.ball.at.x - 0.03 ? round_s : 0.0);
@@ -47,9 +46,9 @@ inline double time_behind(const Setup& setup, const Observation& now, int i,
 // The robots of some places.
 using Assignment = std::array<int, MIROCUP_MAX_ROBOTS>;
 
-// Gives each place to a robot: the most important place first, to the nearest robot that is still
-// free. `free`: the robots to choose from, as many as places. `last`: the assignment of the last
-// tick, by place; its robot counts as `bonus` m nearer.
+// Gives each place, the most important first, to the nearest robot that is still free. `free`: the
+// robots to choose from, as many as places. `last`: the assignment of the last tick, by place; its
+// robot counts as `bonus` m nearer.
 inline Assignment assign_places(const Observation& now, std::span<const Point> places,
                                 std::span<const int> free, const Assignment& last,
                                 double bonus = 0.1) {

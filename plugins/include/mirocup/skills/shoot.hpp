@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Shooting. A robot is a square without a kicker: the ball leaves the face that hits it at a right
-// angle to that face, whichever part of the face it was. So a shot is straight if the heading is
-// right when the robot touches the ball, and hard if the robot is fast then.
+// Shooting. A robot is a square without a kicker: the ball leaves at a right angle to the face that
+// hits it, from any part of the face. So a shot is straight if the heading is right at the touch,
+// and hard if the robot is fast then.
 //
-//   follow_line   drives along a line, from beside it, too
+//   follow_line drives along a line, also from beside it
 //   shoot         drives along the line through the ball to a point
-//   open_corner   where in the opponents' goal to aim
-//   run_up        where to stand before a shot at a ball that lies still
+//   open_corner the point in the opponents' goal to aim at run_up the pose before a shot at a
+//   resting ball
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -18,9 +18,9 @@ namespace mirocup::strategy {
 
 // How a robot comes back to a line.
 struct LineFollowing {
-  double aim_ahead = 0.2;  // m: it steers at the point of the line so far before it
+  double aim_ahead = 0.2;  // m: it steers at the point of the line this far ahead
   double gain = 10.0;      // 1/s: rad/s of turn for each rad of error
-  double lead_s = 0.08;    // s: the turn that goes on while the motors follow a new command
+  double lead_s = 0.08;    // s: the turn continues so long while the motors follow a command
 };
 
 // Drives along the line through `point` with direction `heading` (rad) at `speed` m/s, forwards or
@@ -44,8 +44,8 @@ inline Wheels follow_line(const Setup& setup, const Robot& robot, Point point, d
   return wheels_for(setup, direction * forward, turn);
 }
 
-// Drives through a ball so that it goes to `aim`. The robot stands behind the ball already, seen
-// from `aim`. `speed`: m/s.
+// Drives through a ball so that it goes to `aim`. Precondition: seen from `aim`, the robot is
+// behind the ball. `speed`: m/s.
 inline Wheels shoot(const Setup& setup, const Robot& robot, Point ball, Point aim,
                     double speed = 1.8) {
   const Point to = aim - ball;
@@ -53,9 +53,8 @@ inline Wheels shoot(const Setup& setup, const Robot& robot, Point ball, Point ai
 }
 
 // Returns the point on the opponents' goal line to aim at: near the post that their robot nearest
-// to the line leaves open. `margin`: how far inside the post the ball shall pass, m; `y_bias`: how
-// far that robot is taken to stand to the left of where it is, m, which decides if it stands in
-// the middle.
+// to the line leaves open. `margin`: distance of the ball inside the post, m. `y_bias`: added to
+// that robot's y, m; it decides if the robot stands in the middle.
 inline Point open_corner(const Setup& setup, const Observation& now, double margin = 0.05,
                          double y_bias = 0.0) {
   double farthest = -2.0 * setup.half_length;
@@ -69,8 +68,8 @@ inline Point open_corner(const Setup& setup, const Observation& now, double marg
   return {setup.half_length, keeper_y + y_bias > 0.0 ? -corner : corner};
 }
 
-// Returns the pose from which a robot shoots a ball that lies still at `ball` to `aim`: on the line
-// of the shot, `distance` (m) behind the ball, so that it is fast when it hits the ball.
+// Returns the pose from which a robot shoots a ball that rests at `ball` to `aim`: on the line of
+// the shot, `distance` (m) behind the ball, so that it is fast when it hits the ball.
 inline mirocup_pose run_up(Point ball, Point aim, double distance = 0.2) {
   const Point along = unit(aim - ball);
   const Point place = ball - distance * along;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A field of directions that leads to a pose: at each place it says in which direction to drive. A
-// robot that follows it from anywhere reaches the target with the heading wanted, since it comes in
+// A field of directions that leads to a pose: at each place it gives the direction to drive in. A
+// robot that follows it from anywhere reaches the target with the wanted heading, since it arrives
 // along one of two spirals, one on each side. Obstacles turn the field aside.
 //
 //   field_heading    the direction at a place
@@ -23,7 +23,7 @@ namespace mirocup::strategy {
 
 struct UnivectorField {
   double radius = 0.075;  // m, of the circles beside the target
-  double smooth = 0.07;   // m: the greater, the wider the way round from far off
+  double smooth = 0.07;   // m: a greater value makes a wider way round from far off
 };
 
 // A place and the heading to have there.
@@ -63,9 +63,9 @@ struct Obstacle {
 };
 
 struct Avoidance {
-  double nearest = 0.085;  // m between the middles: nearer, the robot only avoids
-  double width = 0.045;    // m: how softly that begins
-  double lead_s = 0.15;    // s: an obstacle counts where it will be then, seen from the robot
+  double nearest = 0.085;  // m between the middles: if nearer, the robot only avoids
+  double width = 0.045;    // m: greater: the avoiding begins more softly
+  double lead_s = 0.15;    // s: obstacles count at their place, relative to the robot, in this time
 };
 
 // Returns `heading`, turned aside by an obstacle on the way. `velocity`: of the robot, m/s.
@@ -79,7 +79,7 @@ inline double around(double heading, Point here, Point velocity, const Obstacle&
   const double bearing = std::atan2(to.y, to.x);
   const double side = wrapped(heading - bearing);
   if (std::abs(side) > pi / 2.0) return heading;  // it drives away from the obstacle
-  // Past the obstacle on the side on which the way is, and a little away from it.
+  // Past the obstacle on the side of the way, and a little away from it.
   const double past = bearing + (side >= 0.0 ? 1.0 : -1.0) * 0.6 * pi;
   const double far = std::max(0.0, gap - how.nearest) / how.width;
   const double weight = std::exp(-0.5 * far * far);
@@ -107,7 +107,7 @@ inline double round_others(const Observation& now, int me, const Robot& robot, P
 // moves keeps its direction of motion if it can. `turn`: rad/s that the direction itself turns.
 inline Wheels follow_heading(const Setup& setup, const Robot& robot, double heading, double speed,
                              double turn = 0.0) {
-  const double lead_s = 0.06;  // the turn that goes on while the motors follow, s
+  const double lead_s = 0.06;  // s: the turn continues so long while the motors follow
   double error = wrapped(heading - robot.heading - lead_s * robot.turn);
   const double moving = robot.vx * std::cos(robot.heading) + robot.vy * std::sin(robot.heading);
   double direction = 1.0;
@@ -123,8 +123,8 @@ inline Wheels follow_heading(const Setup& setup, const Robot& robot, double head
 }
 
 // Drives along the field to a target at up to `speed` m/s and round the obstacles. Reads the field
-// where the robot will be in `lead_s` seconds, because motors follow late. A robot on the axis
-// before the target may choose either side.
+// at the robot's place in `lead_s` seconds, because motors follow late. A robot on the axis before
+// the target may choose either side.
 inline Wheels follow_field(const Setup& setup, const Robot& robot, const Target& target,
                            double speed, std::span<const Obstacle> obstacles = {},
                            const UnivectorField& field = {}, double lead_s = 0.08) {

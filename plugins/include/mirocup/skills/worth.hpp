@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What a scene is worth to a team that tries moves before it makes them: where the ball is and
-// where it goes, and who is first behind it. About 1 is a goal, -1 a goal against.
+// The worth of a scene for a team that tries moves before it makes them: from the place and the
+// motion of the ball, and the robot that is first behind it. About 1 is a goal, -1 a goal against.
 //
 //   worth_of             of a scene in play
-//   time_to_get_behind   how soon a robot is behind the ball, about
+//   time_to_get_behind about how soon a robot is behind the ball
 //   out_of_reach         whether a ball that goes in passes all robots of a team
 //
 // Frames and units are those of strategy.h.
@@ -14,7 +14,8 @@
 
 namespace mirocup::strategy {
 
-// Returns how far from all robots of a team the ball goes in: 0 at one, 1 out of reach.
+// Returns how far from the robots of a team a ball passes that goes in: 0 at a robot, 1 out of
+// reach of all.
 inline double out_of_reach(const Robot* robots, int count, Point ball) {
   double nearest = 1.0;
   for (int i = 0; i < count; ++i) {
