@@ -28,7 +28,7 @@ enum class TeamKind { plugin, house, dds, firasim };
 struct TeamInfo {
   std::string name;
   TeamKind kind = TeamKind::plugin;
-  std::optional<std::string> sha256;  // of the library; empty for a DDS team
+  std::optional<std::string> sha256;  // of the library; empty for a team on the network
   match::TeamParameters parameters = {};
 };
 

@@ -18,8 +18,8 @@ constexpr double answer_share = 0.9;
 constexpr double ticks_to_notice = 9.0;
 constexpr double min_notice = 0.1;  // s
 
-// How long a team on the network may be absent, and one that a match in lock-step waits for, s: the
-// machine may be slow, and no viewer waits.
+// How long a team on the network may be absent, s. A firasim team in lock-step has longer, because
+// the machine may be slow and no viewer waits.
 constexpr double away_limit = 10.0;
 constexpr double lockstep_away_limit = 30.0;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The subcommands of a program. Each declares its options in the source that runs it; the program
-// lists the subcommands. Programs do not see the library that parses command lines (CLI11).
+// lists the subcommands. Only this room knows the library that parses command lines (CLI11).
 #pragma once
 
 #include "core/base/error.hpp"

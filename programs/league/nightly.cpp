@@ -2,6 +2,7 @@
 //
 // The subcommand nightly: what is accepted now plays, every team hears what has changed.
 #include "programs/league/commands.hpp"
+#include "programs/league/playing.hpp"
 #include "programs/league/progress_bar.hpp"
 #include "programs/league/publishing.hpp"
 #include "record/json_reader.hpp"

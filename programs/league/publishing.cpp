@@ -5,9 +5,6 @@
 #include "record/match_record.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/roster.hpp"
-#include "tournaments/play/program.hpp"
-#include "tournaments/play/runner.hpp"
-#include "tournaments/play/slurm_runner.hpp"
 #include "tournaments/publish/former_pages.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/night_pages.hpp"
@@ -121,47 +118,6 @@ Result<void> print_roster(system::Files& files, const LeagueStore& store, bool i
   if (!last.empty())
     std::cout << "the last leg was played at " << shown_time(state.file, last) << '\n';
   return {};
-}
-
-Result<LeagueState> play_league(system::Files& files, LeagueStore store, ProgressReporter& progress,
-                                const PlayTerms& terms) {
-  const auto state_of = [](auto& runner, const Result<int>& left) -> Result<LeagueState> {
-    if (!left) return tl::unexpected(left.error());
-    return runner.state();
-  };
-  const record::Software program = record::this_software();
-  MIROCUP_TRY_VOID(expect_program(files, store, program, terms.accepts_other_program));
-  MIROCUP_TRY_VOID(keep_program(files, store.folder(), program));
-  if (terms.engine == "slurm") {
-    SlurmRunner runner(files, std::move(store), progress);
-    return state_of(runner, runner.run(terms.jobs));
-  }
-  Runner runner(files, std::move(store), progress);
-  return state_of(
-      runner,
-      runner.run({.jobs = terms.jobs, .watched = terms.watched, .dds_domain = terms.dds_domain}));
-}
-
-void add_other_program(const system::Command& command, bool& accepts_other_program) {
-  command.flag("--other-program", accepts_other_program,
-               "go on with this program, although another one has played until now");
-}
-
-void say_what_is_left(const LeagueState& state) {
-  std::cerr << "mirocup: " << state.legs() - state.played() << " legs are not decided\n";
-  for (std::size_t i = 0; i < state.teams.size(); ++i) {
-    if (state.teams[i].status != TeamStatus::paused) continue;
-    std::cerr << "mirocup: " << state.file.teams[i].name
-              << " is paused: " << system::printable(state.teams[i].why)
-              << "; league resume or league withdraw decides\n";
-  }
-  for (const FixtureState& f : state.fixtures) {
-    for (int leg = 0; leg < f.needed(); ++leg) {
-      if (f.legs[leg].played || f.legs[leg].host_faults < max_attempts) continue;
-      std::cerr << "mirocup: " << f.fixture.id() << " leg " << leg + 1 << ": the host failed "
-                << f.legs[leg].host_faults << " times; see the journal, then start again\n";
-    }
-  }
 }
 
 }  // namespace mirocup::league

@@ -2,6 +2,7 @@
 //
 // mirocup league start: plays a league, or resumes it.
 #include "programs/league/commands.hpp"
+#include "programs/league/playing.hpp"
 #include "programs/league/progress_bar.hpp"
 #include "programs/league/publishing.hpp"
 #include "system/file_lock.hpp"

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// Parts of the subcommands that play a league: `start` and `nightly`.
+#pragma once
+
+#include "system/commands.hpp"
+#include "tournaments/league/league_store.hpp"
+#include "tournaments/play/progress_reporter.hpp"
+
+#include <string>
+
+namespace mirocup::league {
+
+// How a league is played.
+struct PlayTerms {
+  std::string engine = "local";        // or "slurm"
+  int jobs = 0;                        // legs at once; 0: one for each processor
+  bool watched = false;                // league serve shows the legs of this host
+  int dds_domain = 0;                  // of the legs in which a team plays over DDS
+  bool accepts_other_program = false;  // than the one that has played until now
+};
+
+// Plays until no leg can be played, and returns the state. Errors are also those of
+// expect_program().
+Result<LeagueState> play_league(system::Files& files, LeagueStore store, ProgressReporter& progress,
+                                const PlayTerms& terms);
+
+// The option --other-program of those that play.
+void add_other_program(const system::Command& command, bool& accepts_other_program);
+
+// Prints to standard error what keeps the league from its end.
+void say_what_is_left(const LeagueState& state);
+
+}  // namespace mirocup::league
