@@ -8,6 +8,7 @@
 #include "system/command_help.hpp"
 #include "system/command_line.hpp"
 #include "system/locations.hpp"
+#include "system/users.hpp"
 #include "tournaments/app/commands.hpp"
 #include "tournaments/format/format.hpp"
 
@@ -19,14 +20,39 @@ namespace mirocup::league {
 
 namespace {
 
+// The subcommands that write into the league's folder. `serve` does if it takes entries.
+constexpr std::string_view writers =
+    " submit owner start nightly publish plan team token credentials award rule void withdraw "
+    "pause resume freeze release close undo ";
+
+// Refuses to write to a league of another user (Errc::unavailable), who could then not write to what
+// this user makes.
+Result<void> expect_owner(const std::string& folder) {
+  const auto owner = system::owner_of(Folder{folder}.config());
+  if (!owner || *owner == system::this_user()) return {};
+  const std::string name = system::name_of_user(*owner);
+  return fail(Errc::unavailable,
+              folder + " belongs to " + name +
+                  ", who must be able to write to all files in it: run this as " + name +
+                  " (sudo -u), or give the folder to " + system::name_of_user(system::this_user()) +
+                  " (chown -R)");
+}
+
 // A subcommand, the object that its options are written to, and the function that runs with it.
 template <class Options>
 struct Subcommand {
   Subcommand(CLI::App& app, Action& action, const char* name, const char* description,
              Result<int> (*command)(const Options&))
       : sub(app.add_subcommand(name, description)), options(std::make_shared<Options>()) {
-    sub->callback([options = options, command, &action] {
-      action = [options, command] { return command(*options); };
+    sub->callback([options = options, command, &action, words = std::string(name)] {
+      action = [options, command, words]() -> Result<int> {
+        if constexpr (requires { options->folder; }) {
+          bool writes = writers.find(" " + words + " ") != std::string_view::npos;
+          if constexpr (requires { options->hand_in; }) writes = options->hand_in;
+          if (writes) MIROCUP_TRY_VOID(expect_owner(options->folder));
+        }
+        return command(*options);
+      };
     });
   }
   CLI::App* operator->() const { return sub; }

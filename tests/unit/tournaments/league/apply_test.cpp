@@ -175,8 +175,8 @@ std::vector<std::array<int, 5>> ties_of(const LeagueState& state) {
   return ties;
 }
 
-// A tie that teams did not play because they had left used to be decided anew when others left: ties
-// and places of a knockout that was over changed.
+// A tie that teams did not play because they had left used to be decided anew when others left:
+// ties and places of a knockout that was over changed.
 TEST(Apply, AWalkoverIsDecidedOnce) {
   for (const std::string first : {"ab", "ac", "bd", "cd", "a", "d"}) {
     LeagueState state = started({.kind = FormatKind::knockout}, 5);
