@@ -25,8 +25,8 @@ constexpr std::string_view writers =
     " submit owner start nightly publish plan team token credentials award rule void withdraw "
     "pause resume freeze release close undo ";
 
-// Refuses to write to a league of another user (Errc::unavailable), who could then not write to what
-// this user makes.
+// Refuses to write to a league of another user (Errc::unavailable), who could then not write to
+// what this user makes.
 Result<void> expect_owner(const std::string& folder) {
   const auto owner = system::owner_of(Folder{folder}.config());
   if (!owner || *owner == system::this_user()) return {};
