@@ -190,6 +190,17 @@ std::int64_t TimeZone::from_local(std::int64_t shown) const {
   return shown - at(shown + day_s).seconds;
 }
 
+std::optional<std::pair<std::int64_t, std::int64_t>> TimeZone::gap_at(std::int64_t shown) const {
+  std::int64_t before = from_local(shown);
+  if (before + at(before).seconds == shown) return std::nullopt;
+  std::int64_t after = shown - at(shown - day_s).seconds;
+  while (after - before > 1) {
+    const std::int64_t middle = before + (after - before) / 2;
+    (at(middle).seconds == at(after).seconds ? after : before) = middle;
+  }
+  return std::pair(before + at(before).seconds, after + at(after).seconds);
+}
+
 std::string in_zone(const TimeZone& zone, const std::string& utc) {
   const auto time = parse_time(utc);
   return time ? zone.text(time->at) : utc;

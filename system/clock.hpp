@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace mirocup::system {
 
@@ -53,6 +54,10 @@ class TimeZone {
   // Returns the time at which clocks in the zone show `shown`. If there are two, returns the first;
   // in a gap, the time after the gap.
   std::int64_t from_local(std::int64_t shown) const;
+
+  // If no clock in the zone shows that, because clocks are put forward over it, returns what they
+  // show one second before and then.
+  std::optional<std::pair<std::int64_t, std::int64_t>> gap_at(std::int64_t shown) const;
 
  private:
   struct Table;

@@ -24,6 +24,7 @@ struct ActOptions {
 };
 
 Result<int> run_act(const ActOptions& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
   MIROCUP_TRY(const auto lines, perform(disk, store, options.act, system::now_s()));

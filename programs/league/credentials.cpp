@@ -75,6 +75,7 @@ Result<void> run_script(std::vector<std::string> arguments) {
 }
 
 Result<int> run_credentials(const CredentialsOptions& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   MIROCUP_TRY_VOID(check_names(options));
   MIROCUP_TRY(const auto teams, teams_of(options));
   system::Disk disk;

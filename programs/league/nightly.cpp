@@ -77,10 +77,24 @@ bool goes_on(const LeagueState& state, std::int64_t now) {
   return now - began->at < longest_night_s && has_legs_to_play(state);
 }
 
+// Says so if the clock of this computer cannot be right: a night has its date.
+void doubt_clock(const LeagueStore& store, std::int64_t now) {
+  constexpr std::int64_t ahead_s = 90 * 24 * 3600;
+  const auto& lines = store.journal().lines();
+  const auto last =
+      lines.empty() ? std::nullopt : system::parse_time(lines.back().value("at", std::string()));
+  if (!last || (now >= last->at && now - last->at < ahead_s)) return;
+  std::cerr << "mirocup: the clock of this computer says " << utc_text(now)
+            << (now < last->at ? ", which is before the last line of the journal, "
+                               : ", which is long after the last line of the journal, ")
+            << utc_text(last->at) << ": look at it, since nights and entries get its time\n";
+}
+
 // Begins a night, or goes on with the one that was interrupted.
 Result<void> begin_night(system::Files& files, LeagueStore& store, const NightlyOptions& options,
                          std::int64_t now) {
   if (store.state().is_closed) return fail(Errc::input, "the league is closed: no night follows");
+  doubt_clock(store, now);
   if (auto started = start_league(files, store); !started) return started;
   if (!options.another && goes_on(store.state(), now)) {
     std::cerr << "mirocup: night " << store.state().nights.size()
@@ -179,6 +193,7 @@ Result<void> tell_program(system::Files& files, const std::string& program, cons
 }
 
 Result<int> run_nightly(const NightlyOptions& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   const Folder folder{options.folder};
   std::string notice;

@@ -28,6 +28,7 @@ struct OwnerOptions {
 };
 
 Result<int> run_owner(const OwnerOptions& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   const Folder folder{options.folder};
   if (!is_good_name(options.team))

@@ -19,6 +19,7 @@ struct PlanOptions {
 
 // The records of shards are booked first, because they may open the next round.
 Result<int> run_plan(const PlanOptions& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
   const record::Software software = record::this_software();

@@ -21,6 +21,7 @@ struct PublishOptions {
 };
 
 Result<int> run_publish(const PublishOptions& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
   // site/ has what is released, so the pages of other rounds go to another folder.

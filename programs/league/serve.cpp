@@ -81,6 +81,9 @@ Result<int> run_serve(const ServeOptions& options) {
   if (!options.team_header.empty() && options.proxies.empty())
     return fail(Errc::input, "--team-header needs --trust-proxy: anybody can send a header");
   MIROCUP_TRY(auto limits, limits_of(options));
+  if (options.hand_in) {
+    MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
+  }
   system::Disk disk;
   MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
   system::ProcessSet processes;  // must exist before the first thread starts

@@ -21,6 +21,7 @@ struct StartOptions {
 };
 
 Result<int> run_start(const StartOptions& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   const Folder folder{options.folder};
   std::string notice;

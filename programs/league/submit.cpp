@@ -95,6 +95,7 @@ Result<int> enter_program(system::Files& files, const SubmitOptions& options) {
 }
 
 Result<int> run_submit(const SubmitOptions& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   if (options.inbox.empty() && options.file.empty())
     return fail(Errc::input, "TEAM and FILE are expected, or --inbox DIR");

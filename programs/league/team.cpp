@@ -105,6 +105,7 @@ Result<int> remove_team(system::Files& files, LeagueStore& store, const std::str
 }
 
 Result<int> run_team(const TeamOptions& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   const Folder folder{options.folder};
   MIROCUP_TRY_VOID(expect_league(disk, folder));

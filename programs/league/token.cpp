@@ -86,6 +86,7 @@ void print(const TokenOptions& options, const PeopleOfTeams& people, const std::
 }
 
 Result<int> run_token(const TokenOptions& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   const Role role = options.staff ? Role::staff : options.tutor ? Role::tutor : Role::team;
   if (int{options.all} + int{options.staff} + int{options.tutor} + int{!options.team.empty()} != 1)
     return fail(Errc::input, "one of TEAM, --all, --staff and --tutor is expected");

@@ -160,6 +160,9 @@ std::string read_time(const JsonReader& json, const LeagueFile& file) {
   const std::string text = json.text();
   if (text.empty()) return text;
   const auto time = utc_of(text, file);
+  // Leagues of before took such a time, and must be read as they were.
+  const auto local = file.has_former_rules() ? system::parse_time(text) : std::nullopt;
+  if (!time && local && local->is_local) return utc_text(file.time_zone.from_local(local->at));
   if (!time) json.complain(time.error().what);
   return time.value_or("");
 }
@@ -236,12 +239,23 @@ std::string utc_text(std::int64_t at) {
 }
 
 Result<std::string> utc_of(const std::string& text, const LeagueFile& file) {
+  const auto in_words = [](std::int64_t shown) {
+    std::string words = utc_text(shown);
+    words.pop_back();  // the Z
+    return words;
+  };
   const auto time = system::parse_time(text);
   if (!time) {
     return fail(Errc::input,
                 "a time like \"2026-11-30T18:00:00Z\", "
                 "\"2026-11-30T19:00:00+01:00\" or, in the league's zone, "
                 "\"2026-11-30T19:00:00\" is expected");
+  }
+  const auto gap = time->is_local ? file.time_zone.gap_at(time->at) : std::nullopt;
+  if (gap) {
+    return fail(Errc::input, "\"" + text + "\" does not exist in " + file.zone +
+                                 ": clocks go from \"" + in_words(gap->first) + "\" to \"" +
+                                 in_words(gap->second) + "\"; choose one of the two");
   }
   return utc_text(time->is_local ? file.time_zone.from_local(time->at) : time->at);
 }

@@ -14,6 +14,10 @@ namespace {
 // Precedes the hash of a line, which is its last key and covers the text before this.
 constexpr std::string_view before_hash = ",\"hash\":\"";
 
+constexpr const char* cure =
+    "; put back journal.jsonl from the last copy that league backup made: legs that were played "
+    "since are booked again from records/";
+
 // A line of ours has some twenty values and a few sentences.
 constexpr record::JsonLimits line_limits{.bytes = 8u << 20, .values = 10'000};
 
@@ -61,7 +65,11 @@ Result<void> Journal::read_line(std::string_view line) {
   if (hashed == std::string_view::npos ||
       line.substr(hashed) !=
           std::string(before_hash) + system::sha256(line.substr(0, hashed)) + "\"}") {
-    return fail(Errc::damaged, where + " is not as it was written");
+    const bool has_other_ends = !line.empty() && line.back() == '\r';
+    return fail(Errc::damaged,
+                where + " is not as it was written" +
+                    (has_other_ends ? ": its line ends were changed, as git's autocrlf does" : "") +
+                    cure);
   }
   record::ParsedJson parsed = record::parse_json(line, line_limits);
   std::optional<record::JsonProblem> problem = std::move(parsed.problem);
@@ -70,7 +78,7 @@ Result<void> Journal::read_line(std::string_view line) {
     const std::size_t n = json.at("n").as<std::size_t>();
     const std::string prev = json.at("prev").text();
     if (!problem && (n != lines_.size() + 1 || prev != last_hash_)) {
-      return fail(Errc::damaged, where + " does not follow from the line before it");
+      return fail(Errc::damaged, where + " does not follow from the line before it" + cure);
     }
   }
   if (problem) return tl::unexpected(record::error_of(*problem, where, Errc::damaged));

@@ -5,6 +5,7 @@
 #include "system/digest.hpp"
 #include "system/file_lock.hpp"
 #include "system/locations.hpp"
+#include "system/users.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -39,6 +40,17 @@ Result<void> expect_league(system::Files& files, const Folder& folder) {
   // A folder that is closed to this user hides its league.json.
   MIROCUP_TRY_VOID(files.names_if_there(folder.path));
   return fail(Errc::input, folder.path + " is not a league: there is no league.json in it");
+}
+
+Result<void> expect_owner(const Folder& folder) {
+  const auto owner = system::owner_of(folder.config());
+  if (!owner || *owner == system::this_user()) return {};
+  const std::string name = system::name_of_user(*owner);
+  return fail(Errc::unavailable,
+              folder.path + " belongs to " + name +
+                  ", who must be able to write to all files in it: run this as " + name +
+                  " (sudo -u), or give the folder to " + system::name_of_user(system::this_user()) +
+                  " (chown -R)");
 }
 
 Result<std::string> library_of(system::Files& files, const TeamConfig& team,

@@ -154,6 +154,9 @@ std::string digest_html(const Overview& o, const Night& night, const TeamDigest&
 
 std::string digest_text(const Overview& o, const Night& night, const TeamDigest& d,
                         const std::string& address) {
+  const auto link = [&address](const std::string& page) {
+    return address.empty() ? "" : "  " + address + page;
+  };
   std::string text = o.state.file.title + ", " + title_of(night);
   if (const std::string at = when(o.state, night.at); !at.empty()) text += ", " + at;
   text += "\n\n" + o.state.shown_name(d.team) + "\nRank:     " + rank_in_words(d) +
@@ -165,14 +168,14 @@ std::string digest_text(const Overview& o, const Night& night, const TeamDigest&
   text += "\nLost to:\n";
   if (d.losses.empty()) text += "  nobody\n";
   for (const LostLeg& leg : d.losses) {
-    text += "  " + o.state.shown_name(leg.opponent) + " " + leg.score + "  " + address +
-            replay_page_of(leg.record) + "\n";
+    text += "  " + o.state.shown_name(leg.opponent) + " " + leg.score +
+            link(replay_page_of(leg.record)) + "\n";
   }
   text += "\nWorst moments:\n";
   if (d.moments.empty()) text += "  none\n";
   for (const WorstMoment& moment : d.moments) {
-    text += "  " + (moment.at >= 0.0 ? time_text(moment.at) + " " : "") + moment.what + "  " +
-            address + page_of_moment(moment) + "\n";
+    text += "  " + (moment.at >= 0.0 ? time_text(moment.at) + " " : "") + moment.what +
+            link(page_of_moment(moment)) + "\n";
   }
   return text;
 }

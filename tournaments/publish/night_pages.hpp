@@ -21,7 +21,8 @@ FileMakers night_pages(const Overview& overview, const Night& night);
 std::string digest_html(const Overview& overview, const Night& night, const TeamDigest& digest,
                         const std::string& root);
 
-// Returns the digest of a team as lines for a mail. Links begin with `address` ("": as paths).
+// Returns the digest of a team as lines for a mail. Links begin with `address`; if it is
+// empty, there are none.
 std::string digest_text(const Overview& overview, const Night& night, const TeamDigest& digest,
                         const std::string& address = "");
 

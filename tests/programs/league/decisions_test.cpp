@@ -144,7 +144,7 @@ TEST(Rulings, ArePublishedAndCount) {
   ASSERT_EQ(run(league("publish", folder)).exit_code, 0);
   const auto later = read_json(folder + "/site/decisions.json")["decisions"];
   ASSERT_EQ(later.size(), 5u);
-  EXPECT_EQ(later[3]["kind"], "withdraw");
+  EXPECT_EQ(later[4]["kind"], "withdraw");
   const auto site = test_support::site_of(folder);
   ASSERT_EQ(run(league("publish", folder)).exit_code, 0);
   EXPECT_TRUE(site == test_support::site_of(folder)) << "the same journal, the same bytes";

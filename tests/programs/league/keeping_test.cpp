@@ -300,6 +300,34 @@ TEST(Teams, OfASwissTournamentCanPlayItsRounds) {
   EXPECT_FALSE(fs::exists(temporary / "l"));
 }
 
+// After root had written once, the owner could not go on.
+TEST(Leagues, AreWrittenByTheirOwnerOnly) {
+  if (geteuid() != 0) GTEST_SKIP() << "only the superuser makes files of two users";
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:idle", "b=house:idle"}, "0.1");
+  constexpr uid_t other = 4711;
+  ASSERT_EQ(lchown((folder + "/league.json").c_str(), other, other), 0);
+  for (const auto& words :
+       {league("start", folder), league("team", folder, {"a", "--display", "A"}),
+        league("token", folder, {"a"}), league("submit", folder, {"c", "house:idle"}),
+        league("withdraw", folder, {"a", "--reason", "x"})}) {
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 3) << words[2] << outcome.err;
+    EXPECT_NE(outcome.err.find(folder + " belongs to user 4711"), std::string::npos) << outcome.err;
+  }
+  EXPECT_FALSE(fs::exists(folder + "/journal.jsonl"));
+  EXPECT_EQ(run(league("status", folder)).exit_code, 1) << "whoever may read may look";
+  ASSERT_EQ(lchown((folder + "/league.json").c_str(), 0, 0), 0);
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  std::string journal = read_file(folder + "/journal.jsonl");
+  write_file(folder + "/journal.jsonl", journal.insert(journal.find('\n'), "\r"));
+  const Outcome damaged = run(league("status", folder));
+  EXPECT_EQ(damaged.exit_code, 4);
+  EXPECT_NE(damaged.err.find("its line ends were changed"), std::string::npos) << damaged.err;
+  EXPECT_NE(damaged.err.find("put back journal.jsonl from the last copy"), std::string::npos);
+}
+
 TEST(Teams, MayBeAddedAfterInit) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";

@@ -322,6 +322,17 @@ void expect_grades(const std::string& folder, const std::string& csv) {
   EXPECT_EQ(rows, static_cast<int>(tally.entries.size()));
 }
 
+TEST_F(Term, DoubtsAClockThatWentBack) {
+  go_to_day(7);
+  init();
+  ask("submit", {"alpha", house("chaser")});
+  ask("nightly");
+  go_to_day(0);
+  EXPECT_TRUE(contains(ask("nightly").err, "before the last line of the journal"));
+  go_to_day(200);
+  EXPECT_TRUE(contains(ask("nightly").err, "long after the last line of the journal"));
+}
+
 TEST_F(Term, OfThreeWeeks) {
   // Day 0: hand-ins. One of them copied, one is broken, one is not there.
   go_to_day(0);
@@ -369,7 +380,9 @@ TEST_F(Term, OfThreeWeeks) {
   ask("submit", {"zeta", house("tactician")});
   ask("submit", {"alpha", house("navigator")});
   EXPECT_EQ(count_kind(folder_, "night"), 1) << "an entry plays from the next night on";
-  ask("nightly");
+  EXPECT_FALSE(contains(read_file(folder_ + "/nights/1/beta.txt"), "replays/"))
+      << "a link in a mail is whole, or there is none";
+  EXPECT_FALSE(contains(ask("nightly").err, "the clock of this computer"));
   expect_digests(folder_);
   EXPECT_EQ(read_json(folder_ + "/nights/2/alpha.json")["new_entry"], true);
   EXPECT_EQ(count_kind(folder_, "join"), 1);

@@ -47,6 +47,26 @@ TEST(Zone, KnowsSummerAndWinter) {
   EXPECT_EQ(in_zone(*berlin, "yesterday"), "yesterday");
 }
 
+// 02:30 of such a day used to become 01:30, an hour before any reading of it.
+TEST(Zone, KnowsHoursThatDoNotExist) {
+  const auto berlin = TimeZone::find("Europe/Berlin");
+  ASSERT_TRUE(berlin);
+  for (const char* shown : {"2027-03-28T02:00:00", "2027-03-28T02:30:00", "2027-03-28T02:59:59"}) {
+    const auto gap = berlin->gap_at(utc(shown));
+    ASSERT_TRUE(gap) << shown;
+    EXPECT_EQ(gap->first, utc("2027-03-28T01:59:59")) << shown;
+    EXPECT_EQ(gap->second, utc("2027-03-28T03:00:00")) << shown;
+  }
+  for (const char* shown : {"2027-03-28T01:59:59", "2027-03-28T03:00:00", "2026-10-25T02:30:00"})
+    EXPECT_FALSE(berlin->gap_at(utc(shown))) << shown;
+  EXPECT_FALSE(TimeZone().gap_at(0));
+  const auto apia = TimeZone::find("Pacific/Apia");
+  ASSERT_TRUE(apia);
+  const auto day = apia->gap_at(utc("2011-12-30T12:00:00"));
+  ASSERT_TRUE(day);
+  EXPECT_EQ(day->second, utc("2011-12-31T00:00:00"));
+}
+
 TEST(Zone, IsNoPath) {
   for (const char* bad : {"", "../../../etc/passwd", "/etc/localtime", "Europe", "Nowhere/Land"})
     EXPECT_FALSE(TimeZone::find(bad)) << bad;

@@ -95,6 +95,18 @@ TEST(LeagueFile, KeepsHowAProgramForFirasimPlays) {
   EXPECT_NE(refusal(R"("entry": "firasim:")").find("/teams/0/entry"), std::string::npos);
 }
 
+TEST(LeagueFile, FreezesAtATimeThatExists) {
+  const std::string text = R"({"schema": "mirocup/league/1", "zone": "Europe/Berlin",
+                              "freeze": "2027-03-28T02:30:00"})";
+  const auto refused = parse_league_file(text, "l", current_rules);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().what.find("does not exist in Europe/Berlin: clocks go from "
+                                      "\"2027-03-28T01:59:59\" to \"2027-03-28T03:00:00\""),
+            std::string::npos)
+      << refused.error().what;
+  EXPECT_TRUE(parse_league_file(text, "l")) << "leagues of before are read";
+}
+
 // What was published must not change by an upgrade: a file of before has the rules of before.
 TEST(LeagueFile, KeepsTheRulesWithWhichItWasMade) {
   const std::string of_before = R"({"schema": "mirocup/league/1"})";
