@@ -98,8 +98,8 @@ struct Folder {
 // look into it.
 Result<void> expect_league(system::Files& files, const Folder& folder);
 
-// For what writes into the folder: Errc::unavailable if the league belongs to another user, who could
-// then not write to what this user makes. A folder without a league belongs to nobody.
+// For commands that write into the folder: Errc::unavailable if the league belongs to another user,
+// who could then not write to what this user makes. A folder without a league belongs to nobody.
 Result<void> expect_owner(const Folder& folder);
 
 // Creates the folder with this league.json and with every team's library as its entry 1. A folder
