@@ -225,10 +225,13 @@ Bars zeno_bounces(Size size) {
     speed = std::max(speed, velocity_of(*world, 0).norm());
     if (!s.ball.empty()) speed = std::max(speed, world->ball().velocity.norm());
   }
+  // At restitution 0.95 about 160 bounces lead from 1 m/s to one of series_height, and the ball has
+  // two sides.
+  constexpr double most_bounces = 250.0;
   const std::string scene = "Zeno bounces at a wall";
   return {{scene, "speed after 3 s, m/s", speed, 1e-7},
           {scene, "overlap, m", deepest, 1e-9},
-          {scene, "most events in a tick", static_cast<double>(most_events), most_events_of_one},
+          {scene, "most events in a tick", static_cast<double>(most_events), most_bounces},
           {scene, "ticks with small steps", static_cast<double>(stepped), 0.0}};
 }
 

@@ -154,10 +154,9 @@ inline constexpr struct RestThresholdsSettings {
   double times_between_impacts = 2.0;
   double forced_growth = 8.0;      // [1] of min_duration() where it forced the end of a curve
   double max_min_duration = 2e-3;  // [s]
-  // [1] Growth of slip_threshold() per event, once it has reached Tolerances::slow_slip. The slides
-  // of a large crowd may be a little above any fixed limit, each time again.
-  double late_slip_growth = 1.05;
-  int max_counted = 40;  // [1] impacts of a body in a tick; more count as this many
+  double contact_memory = 0.02;    // [s] then a contact that was left is forgotten
+  // [1] An approach of at most e + this * (1 - e) times the last one may belong to a series.
+  double series_margin = 0.5;
 } rest_thresholds;
 
 // ---- resting_contact/
@@ -229,6 +228,8 @@ inline constexpr struct WorldSettings {
   double forced_end_round_off = 1e-3;  // [1] of min_duration(): an end this near to it is forced
   // [1] of Tolerances::contact_gap: a deeper overlap is projected away at an event.
   double projected_overlap = 2.0;
+  double first_contact_gap = 1e-10;  // [m] bodies that did not touch before: no wider one is closed
+  double resting_speed = 1e-6;       // [m/s] an island that is slower leaves time stepping
 } world;
 
 inline constexpr struct SceneSettings {
