@@ -101,7 +101,12 @@ double RestThresholds::restitution_threshold(const collision::Contact& contact, 
   const double flight = t - known.time;
   const bool is_low = of_series * flight < 4.0 * height;
   return std::max(tolerances_.first_restitution_threshold,
-                  is_low ? of_series : 4.0 * height / std::max(flight, 1e-300));
+                  is_low ? std::min(of_series, settings::rest_thresholds.max_acceleration * flight)
+                         : 4.0 * height / std::max(flight, 1e-300));
+}
+
+int RestThresholds::small_budget() const {
+  return tolerances_.event_budget / settings::rest_thresholds.budget_divisor;
 }
 
 // A body that has met many will have many more events.
@@ -116,7 +121,8 @@ void RestThresholds::note_event(const BodySet& involved, bool was_forced) {
   const int cost = cost_of_event(involved, met);
   for_each_body(involved & ~memory_.over_budget, [&](int i) {
     event_cost_[i] += cost;
-    memory_.over_budget[i] = event_cost_[i] >= tolerances_.event_budget;
+    memory_.over_budget[i] =
+        event_cost_[i] >= (were_over_budget_[i] ? small_budget() : tolerances_.event_budget);
   });
   if (!was_forced) return;
   min_duration_ = std::min(min_duration_ * settings::rest_thresholds.forced_growth,
@@ -124,8 +130,8 @@ void RestThresholds::note_event(const BodySet& involved, bool was_forced) {
 }
 
 void RestThresholds::note_island(const BodySet& island) {
-  if ((island & were_over_budget_).none()) return;
-  if (cost_of_event(island, island) >= tolerances_.event_budget) memory_.over_budget |= island;
+  const BodySet known = island & were_over_budget_;
+  if (known.any() && cost_of_event(island, island) >= small_budget()) memory_.over_budget |= island;
 }
 
 double RestThresholds::preferred_duration(double t) const {

@@ -99,6 +99,7 @@ class RestThresholds {
   double preferred_duration(double t) const;
 
  private:
+  int small_budget() const;
   static int cost_of_event(const BodySet& involved, const BodySet& met);
   // Returns the index of the contact, or the count if it is not remembered.
   int find(const collision::Contact& contact) const;

@@ -144,7 +144,10 @@ inline constexpr struct TimeOfImpactSettings {
 
 inline constexpr struct ImpactSettings {
   double min_approach = 1e-13;  // [m/s] slower approaches are rounding
-  int max_rounds = 64;          // [1] then all contacts that still approach are stopped for good
+  // [m/s] The rate of a contact that presses is off by less. So it is not thrown back with others
+  // whose approach is a hit: rounding would decide what it takes of their impulses.
+  double resting_approach = 1e-9;
+  int max_rounds = 64;  // [1] then all contacts that still approach are stopped for good
   double energy_round_off = 1e-14;  // [1] a round adds energy if it adds more than this share
 } impact;
 
@@ -152,11 +155,16 @@ inline constexpr struct RestThresholdsSettings {
   // [1] A curve is long enough if it holds for this multiple of the mean time between the impacts
   // of the tick, or of the time since the last impact, whichever is longer.
   double times_between_impacts = 2.0;
+  // [1] The budget of a body that went over it in the last tick is divided by this.
+  int budget_divisor = 16;
   double forced_growth = 8.0;      // [1] of min_duration() where it forced the end of a curve
   double max_min_duration = 2e-3;  // [s]
   double contact_memory = 0.02;    // [s] then a contact that was left is forgotten
   // [1] An approach of at most e + this * (1 - e) times the last one may belong to a series.
   double series_margin = 0.5;
+  // [m/s^2] A contact that was thrown open returns with less, unless another body hit one of its
+  // bodies: then its approach belongs to no series.
+  double max_acceleration = 5e3;
 } rest_thresholds;
 
 // ---- resting_contact/
