@@ -28,7 +28,7 @@ void renew(trajectory::MotorDecay& decay, double time_constant, double span) {
 World::World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
              int robots, bool has_ball)
     : static_world_(collision::make_static_world(field, parameters, tolerances, robots, has_ball)),
-      thresholds_(tolerances),
+      thresholds_(tolerances, static_world_.bodies()),
       qp_(std::make_unique<solver::BoxQp>()),
       regularized_qp_(std::make_unique<solver::RegularizedQp>()),
       forces_(std::make_unique<resting_contact::ContactForces>(static_world_)),
@@ -239,7 +239,7 @@ World::Event World::next_event(double tick_end) {
 void World::play_event(const Event& event, double tick_end) {
   const double t = event.time;
   ++events_.events;
-  if (event.is_touch) thresholds_.note_impact(event.pair, t);
+  if (event.is_touch) thresholds_.note_impact(t);
 
   BodySet involved = event.involved;
   grow_island(t, involved);

@@ -22,13 +22,15 @@ RestThresholds::Touched touched_of(const collision::Contact& c) {
 
 }  // namespace
 
-RestThresholds::RestThresholds(const Tolerances& tolerances) : tolerances_(tolerances) {}
+RestThresholds::RestThresholds(const Tolerances& tolerances, int bodies)
+    : tolerances_(tolerances),
+      budget_(tolerances.event_budget *
+              std::max(bodies, settings::rest_thresholds.bodies_of_least_budget)) {}
 
 void RestThresholds::begin_tick() {
-  met_ = {};
-  event_cost_ = {};
+  spent_ = 0;
   were_over_budget_ = memory_.over_budget;
-  memory_.over_budget = tolerances_.event_budget > 0 ? BodySet{} : ~BodySet{};
+  memory_.over_budget = budget_ > 0 ? BodySet{} : ~BodySet{};
   all_impacts_ = 0;
   last_impact_ = 0.0;
   min_duration_ = tolerances_.min_contact_duration;
@@ -46,9 +48,7 @@ void RestThresholds::drop_touched_before(double t) {
   memory_.count = static_cast<int>(end - begin);
 }
 
-void RestThresholds::note_impact(const Pair& pair, double t) {
-  const BodySet both = bodies_of(pair);
-  for_each_body(both, [&](int i) { met_[i] |= both; });
+void RestThresholds::note_impact(double t) {
   ++all_impacts_;
   last_impact_ = t;
 }
@@ -105,33 +105,22 @@ double RestThresholds::restitution_threshold(const collision::Contact& contact, 
                          : 4.0 * height / std::max(flight, 1e-300));
 }
 
-int RestThresholds::small_budget() const {
-  return tolerances_.event_budget / settings::rest_thresholds.budget_divisor;
-}
-
-// A body that has met many will have many more events.
-int RestThresholds::cost_of_event(const BodySet& involved, const BodySet& met) {
-  const int product = static_cast<int>(involved.count() * met.count());
-  return product * product;
-}
-
 void RestThresholds::note_event(const BodySet& involved, bool was_forced) {
-  BodySet met = involved;
-  for_each_body(involved, [&](int i) { met |= met_[i]; });
-  const int cost = cost_of_event(involved, met);
-  for_each_body(involved & ~memory_.over_budget, [&](int i) {
-    event_cost_[i] += cost;
-    memory_.over_budget[i] =
-        event_cost_[i] >= (were_over_budget_[i] ? small_budget() : tolerances_.event_budget);
-  });
+  const int bodies = static_cast<int>(involved.count());
+  spent_ += bodies <= 2 ? bodies : bodies * bodies;
+  if (spent_ >= budget_) {
+    memory_.over_budget |= involved;
+  } else if (spent_ >= budget_ / settings::rest_thresholds.budget_divisor) {
+    memory_.over_budget |= involved & were_over_budget_;
+  }
   if (!was_forced) return;
   min_duration_ = std::min(min_duration_ * settings::rest_thresholds.forced_growth,
                            settings::rest_thresholds.max_min_duration);
 }
 
 void RestThresholds::note_island(const BodySet& island) {
-  const BodySet known = island & were_over_budget_;
-  if (known.any() && cost_of_event(island, island) >= small_budget()) memory_.over_budget |= island;
+  const bool is_large = static_cast<int>(island.count()) >= settings::rest_thresholds.large_island;
+  if (is_large && (island & were_over_budget_).any()) memory_.over_budget |= island;
 }
 
 double RestThresholds::preferred_duration(double t) const {

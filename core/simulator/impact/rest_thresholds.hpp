@@ -21,8 +21,8 @@
 // to max_min_duration, 2e-3 s.
 //
 // The numbers are those of Tolerances at the level `standard` and of settings::rest_thresholds.
-// The event budget (Tolerances::event_budget) is the last resort: a body that has used it up is
-// time-stepped. Uses collision, model and trajectory.
+// The event budget (Tolerances::event_budget) is the last resort: bodies with events beyond it
+// are time-stepped. Uses collision, model and trajectory.
 #pragma once
 
 #include "core/simulator/collision/contact_constraint.hpp"
@@ -34,11 +34,12 @@
 
 namespace mirocup::simulator::impact {
 
-// The rest thresholds and event budgets of one world. Times are s of the tick. Belongs to the
+// The rest thresholds and the event budget of one world. Times are s of the tick. Belongs to the
 // world's thread.
 class RestThresholds {
  public:
-  explicit RestThresholds(const Tolerances& tolerances);
+  // Of a world of this many bodies.
+  RestThresholds(const Tolerances& tolerances, int bodies);
 
   // Starts a tick: its limits and budgets are those of its start.
   void begin_tick();
@@ -59,15 +60,15 @@ class RestThresholds {
   };
   // What a tick leaves to the next one.
   struct Memory {
-    BodySet over_budget;  // bodies that used up their event budget in it
+    BodySet over_budget;  // bodies that went over budget in it
     int count = 0;        // in use of the array below
     std::array<Touched, collision::max_contacts> touched;
   };
   const Memory& memory() const { return memory_; }
   void recall(const Memory& memory) { memory_ = memory; }
 
-  // Counts an impact of both bodies of a pair at time t.
-  void note_impact(const Pair& pair, double t);
+  // Counts an impact of two bodies at time t.
+  void note_impact(double t);
 
   // True if the contact was closed not long ago.
   bool remembers(const collision::Contact& contact) const { return find(contact) != memory_.count; }
@@ -76,17 +77,17 @@ class RestThresholds {
   void note_contact(const collision::Contact& contact, std::span<const solver::InverseMass> mass,
                     double t);
 
-  // Counts an event. Each involved body pays (n m)^2 of its budget. Here n is the number of bodies
-  // involved, and m is the number of bodies that these have met in this tick, themselves included.
-  // `was_forced` is true if the event ended a curve as soon as min_duration() allowed.
+  // Counts an event. It costs the square of the number of bodies involved, if these are more than
+  // two, else their number: so grows what it takes to decide their forces. If the world has spent its budget of the tick, the bodies involved are over
+  // budget; those that were in the last tick are so from a share of it on. `was_forced` is true if
+  // the event ended a curve as soon as min_duration() allowed.
   void note_event(const BodySet& involved, bool was_forced);
 
-  // Puts all bodies of an island over budget from the start of the tick if both hold: one of them
-  // went over budget in the last tick, and a single event of the whole island would cost the whole
-  // budget. To be called at the start of a tick for each island.
+  // Puts all bodies of a large island over budget from the start of the tick if one of them went over
+  // budget in the last tick. To be called at the start of a tick for each island.
   void note_island(const BodySet& island);
 
-  // Returns the bodies that have used up their event budget.
+  // Returns the bodies that are over budget.
   const BodySet& over_budget() const { return memory_.over_budget; }
 
   // Returns the approach speed, m/s, up to which the contact does not bounce at time t.
@@ -99,19 +100,17 @@ class RestThresholds {
   double preferred_duration(double t) const;
 
  private:
-  int small_budget() const;
-  static int cost_of_event(const BodySet& involved, const BodySet& met);
   // Returns the index of the contact, or the count if it is not remembered.
   int find(const collision::Contact& contact) const;
   void drop_touched_before(double t);
 
   Tolerances tolerances_;
   Memory memory_;
-  std::array<BodySet, max_bodies> met_{};     // by body: itself and those it had an impact with
-  std::array<int, max_bodies> event_cost_{};  // by body, summed
-  BodySet were_over_budget_;                  // in the last tick
-  int all_impacts_ = 0;                       // of pairs, now
-  double last_impact_ = 0.0;                  // of any pair, s
+  int budget_;                // of the tick
+  int spent_ = 0;             // of it, now
+  BodySet were_over_budget_;  // in the last tick
+  int all_impacts_ = 0;       // of pairs, now
+  double last_impact_ = 0.0;  // of any pair, s
   double min_duration_ = 0.0;
 };
 

@@ -155,9 +155,10 @@ inline constexpr struct RestThresholdsSettings {
   // [1] A curve is long enough if it holds for this multiple of the mean time between the impacts
   // of the tick, or of the time since the last impact, whichever is longer.
   double times_between_impacts = 2.0;
-  // [1] The budget of a body that went over it in the last tick is divided by this.
-  int budget_divisor = 16;
-  double forced_growth = 8.0;      // [1] of min_duration() where it forced the end of a curve
+  int bodies_of_least_budget = 7;  // a smaller world has as large a budget
+  int budget_divisor = 32;     // [1] of the budget, for bodies that went over it in the last tick
+  int large_island = 5;        // [bodies] then stepped from the start of the tick
+  double forced_growth = 8.0;  // [1] of min_duration() where it forced the end of a curve
   double max_min_duration = 2e-3;  // [s]
   double contact_memory = 0.02;    // [s] then a contact that was left is forgotten
   // [1] An approach of at most e + this * (1 - e) times the last one may belong to a series.

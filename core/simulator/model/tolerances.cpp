@@ -25,7 +25,7 @@ Tolerances tolerances_of(Accuracy accuracy) {
       t.restitution_threshold = 2e-5;
       t.series_height = 1e-12;
       t.slow_motion = 1e-9;
-      t.event_budget = 20'000'000;
+      t.event_budget = 10'000'000;
       t.max_step = 2e-5;
       break;
   }

@@ -32,19 +32,20 @@ struct Tolerances {
   double restitution_threshold = 5e-4;
   // m: a series of impacts ends in one if the bounces that are left are not higher than this. The
   // wheels of a robot in a series lose slip at once that would take them no further.
-  double series_height = 1e-7;
+  double series_height = 3e-7;
 
   // ---- events of contact clusters
   double min_contact_duration = 1e-8;  // s: shortest time for which a contact or a grip holds
   double slow_motion =
       1e-7;  // m/s: slower wheels and a slower ball in contact do not slide or roll
-  // Event budget of a body per tick. An event with n bodies that have met m bodies in this tick
-  // costs (n m)^2. The default allows 32 events of four bodies, 99 of three or 500 of two. A body
-  // over budget is time-stepped for the rest of the tick, together with the bodies that it touches.
-  // In the next tick it has a sixteenth of it, and an island of five or more moving bodies is
+  // Event budget of a tick, for each body of the world and at least for seven. An event with n bodies
+  // costs n^2, or n for one or two: seven bodies have 224 events of two, 28 of four or 10 of all. The
+  // bodies that are involved in an event beyond it are time-stepped for the rest of the tick, together
+  // with those that they touch.
+  // In the next tick they have a thirty-second of it, and an island of five or more moving bodies is
   // time-stepped from the start: a lasting scrum costs steps, a single crowded tick costs events.
   // With a budget of 0 every body in contact is always time-stepped.
-  int event_budget = 8000;
+  int event_budget = 64;
 
   // ---- time stepping
   double max_step = 3e-3;              // s: longest step
