@@ -143,8 +143,8 @@ Bars corner_on_corner(Size size) {
   }
   const std::string scene = "corner on corner";
   // Off by rounding they may pass by; with a gap of a rounding they must not overlap. At a small e
-  // their corners may press, and turn around each other: such a curve is cut where its last terms are
-  // 4e-10 m, which is up to 2e-9 m/s in its speeds, and some robots have 0.1 m/s.
+  // their corners may press, and turn around each other: such a curve is cut where its last terms
+  // are 4e-10 m, which is up to 2e-9 m/s in its speeds, and some robots have 0.1 m/s.
   return {{scene, "overlap, m", overlap_of, 1e-9},
           {scene, "momentum, relative", momentum, 5e-8},
           {scene, "energy gained, relative", energy, 1e-12},

@@ -14,8 +14,8 @@ using test_support::Outline;
 
 namespace {
 
-// A tick in which a heap comes together follows each bounce; the median tick is one of time steps or
-// of hardly any event.
+// A tick in which a heap comes together follows each bounce; the median tick is one of time steps
+// or of hardly any event.
 constexpr double most_worst_over_median = 50.0;
 constexpr double most_events_a_tick = 400.0;
 

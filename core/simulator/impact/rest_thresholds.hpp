@@ -77,14 +77,15 @@ class RestThresholds {
   void note_contact(const collision::Contact& contact, std::span<const solver::InverseMass> mass,
                     double t);
 
-  // Counts an event. It costs the square of the number of bodies involved, if these are more than
-  // two, else their number: so grows what it takes to decide their forces. If the world has spent its budget of the tick, the bodies involved are over
-  // budget; those that were in the last tick are so from a share of it on. `was_forced` is true if
-  // the event ended a curve as soon as min_duration() allowed.
+  // Counts an event. It costs the square of the number of bodies involved, or their number if these
+  // are one or two: so grows what it takes to decide their forces. If the world has spent its
+  // budget of the tick, the bodies involved are over budget. Bodies that were over budget in the
+  // last tick are so again from a share of it on. `was_forced` is true if the event ended a curve
+  // as soon as min_duration() allowed.
   void note_event(const BodySet& involved, bool was_forced);
 
-  // Puts all bodies of a large island over budget from the start of the tick if one of them went over
-  // budget in the last tick. To be called at the start of a tick for each island.
+  // Puts all bodies of a large island over budget from the start of the tick if one of them went
+  // over budget in the last tick. To be called at the start of a tick for each island.
   void note_island(const BodySet& island);
 
   // Returns the bodies that are over budget.

@@ -79,8 +79,8 @@ TEST(Impact, TwoBodiesSeparateWithRestitutionTimesTheirApproach) {
   }
 }
 
-// A row of which the first is hit while the others press: the rate of a contact that presses is zero
-// up to rounding. Catches an impact whose impulses depend on the sign of that rounding.
+// A row of which the first is hit while the others press: the rate of a contact that presses is
+// zero up to rounding. Catches an impact whose impulses depend on the sign of that rounding.
 TEST(Impact, RoundingOfAContactThatPressesDoesNotMatter) {
   const auto last_of = [](double rate) {
     Row row(3, 0.3);
