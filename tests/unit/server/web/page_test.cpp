@@ -82,7 +82,7 @@ TEST(ReplayPage, IsTheSameOnEveryMachineWithoutTimes) {
 TEST(ReplayPage, StaysSmall) {
   const auto page = replay_page(played(20.0, League::large));
   ASSERT_TRUE(page);
-  EXPECT_LT(page->html.size(), 270'000u);
+  EXPECT_LT(page->html.size(), 260'000u);
 }
 
 TEST(Assets, AreAllThere) {
