@@ -18,10 +18,10 @@ void place(const Scene& scene, World& world) {
   if (scene.ball) world.set_ball(*scene.ball);
 }
 
-// Returns the times at which a tick ends: samples, commands, the end of the scene, and times
-// between them so that no tick is longer than the control period.
+// Returns the times at which a tick ends: commands, the end of the scene, and times between them so
+// that no tick is longer than the control period.
 std::vector<double> tick_ends(const Scene& scene) {
-  std::vector<double> times = scene.sample_at;
+  std::vector<double> times;
   for (const SceneRobot& robot : scene.robots) {
     for (const WheelsFrom& w : robot.wheels) times.push_back(w.time);
   }
@@ -61,8 +61,9 @@ Sample sample_of(const Scene& scene, const World& world, double t) {
 
 SceneResult run_scene(const Scene& scene, const Tolerances& tolerances) {
   const field::Field field = field::make_field(scene.league);
-  World world(scene.has_walls ? &field : nullptr, scene.parameters, tolerances,
-              static_cast<int>(scene.robots.size()), scene.ball.has_value());
+  const field::Field* walls = scene.has_walls ? &field : nullptr;
+  World world(walls, scene.parameters, tolerances, static_cast<int>(scene.robots.size()),
+              scene.ball.has_value());
   SceneResult result;
   world.set_statistics(&result.statistics);
   place(scene, world);
@@ -73,26 +74,33 @@ SceneResult run_scene(const Scene& scene, const Tolerances& tolerances) {
   std::sort(samples.begin(), samples.end());
   samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
   std::size_t next_sample = 0;
-  const auto take_sample = [&](double t) {
-    if (next_sample == samples.size() || samples[next_sample] != t) return;
-    ++next_sample;
-    world.advance(commands_at(scene, t), 0.0);  // resolves impacts at this very time
-    result.samples.push_back(sample_of(scene, world, t));
+  // Looking changes nothing: a sample is taken of a copy.
+  World copy(walls, scene.parameters, tolerances, world.robots(), scene.ball.has_value());
+  World::State now;
+  const auto take_samples = [&](double t, double end, bool is_last) {
+    world.save(now);
+    for (; next_sample < samples.size(); ++next_sample) {
+      const double at = samples[next_sample];
+      if (is_last ? at > end : at >= end) return;
+      copy.load(now);
+      copy.advance(commands_at(scene, t), at - t);
+      if (at > t) copy.advance(commands_at(scene, at), 0.0);  // resolves impacts at this very time
+      result.samples.push_back(sample_of(scene, copy, at));
+    }
   };
 
   double t = 0.0;
-  take_sample(t);
   for (const double end : tick_ends(scene)) {
     result.statistics.origin = t;
+    take_samples(t, end, false);
     world.advance(commands_at(scene, t), end - t);
     t = end;
-    result.statistics.origin = t;
-    take_sample(t);
     if (result.statistics.impacts.size() > max_scene_impacts) {
       result.stopped_at = t;
-      break;
+      return result;
     }
   }
+  take_samples(t, t, true);
   return result;
 }
 

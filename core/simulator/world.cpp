@@ -28,7 +28,7 @@ void renew(trajectory::MotorDecay& decay, double time_constant, double span) {
 World::World(const field::Field* field, const Parameters& parameters, const Tolerances& tolerances,
              int robots, bool has_ball)
     : static_world_(collision::make_static_world(field, parameters, tolerances, robots, has_ball)),
-      thresholds_(tolerances),
+      thresholds_(tolerances, static_world_.bodies()),
       qp_(std::make_unique<solver::BoxQp>()),
       regularized_qp_(std::make_unique<solver::RegularizedQp>()),
       forces_(std::make_unique<resting_contact::ContactForces>(static_world_)),
@@ -136,6 +136,7 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   advance_to(duration, all);  // 5
   step_islands_ = {};
   collect_contacts(all, duration);
+  thresholds_.end_tick(duration);
   if (statistics_ != nullptr) {
     statistics_->deepest_overlap = std::max(statistics_->deepest_overlap, events_.deepest_overlap);
   }
@@ -157,14 +158,25 @@ void World::start_tick(std::span<const WheelCommand> commands, double duration) 
     steps_->forget_forces();
   }
   steps_->begin_tick();
-  thresholds_.begin_tick(bodies_of(contacts_.contacts()));
+  thresholds_.begin_tick();
   islands_.for_each(contacts_, [this](std::span<const collision::Contact> island) {
-    thresholds_.note_island(bodies_of(island));
+    if (!is_at_rest(bodies_of(island))) thresholds_.note_island(bodies_of(island));
   });
   // Islands that are over budget from the start step before impacts: take_steps() drops their
   // contacts, so these do not bounce.
   if (!were_set)
     take_steps(impact::islands_of(thresholds_.over_budget(), contacts_.contacts()), 0.0, duration);
+}
+
+bool World::is_at_rest(const BodySet& bodies) const {
+  bool rests = true;
+  for_each_body(bodies, [&](int i) {
+    const Twist& v = bodies_[i].twist;
+    rests = rests && std::abs(v.forward) + std::abs(v.left) +
+                             std::abs(v.omega) * static_world_.shape(i).radius <=
+                         settings::world.resting_speed;
+  });
+  return rests;
 }
 
 void World::set_drives(std::span<const WheelCommand> commands) {
@@ -185,9 +197,8 @@ const collision::CandidatePair* World::earliest_contact(double& t) {
     collision::CandidatePair* first = pairs_.earliest(t);
     if (first == nullptr || !first->is_estimate) return first;
     if (refine_estimate(*first)) continue;
-    const double penetration = thresholds_.penetration(first->pair);
-    first->contact_time =
-        contact_time(static_world_, first->pair, segments_, first->estimated, penetration);
+    first->contact_time = contact_time(static_world_, first->pair, segments_, first->estimated,
+                                       static_world_.tolerances.penetration);
     first->is_estimate = false;
   }
 }
@@ -228,7 +239,7 @@ World::Event World::next_event(double tick_end) {
 void World::play_event(const Event& event, double tick_end) {
   const double t = event.time;
   ++events_.events;
-  if (event.is_touch) thresholds_.note_impact(event.pair, t);
+  if (event.is_touch) thresholds_.note_impact(t);
 
   BodySet involved = event.involved;
   grow_island(t, involved);
@@ -275,14 +286,20 @@ void World::resolve_collisions(double t) {
 void World::continue_motion(const BodySet& involved, const BodySet& were_stepping, double t,
                             double tick_end) {
   // Stepped are the bodies that were in a step, those that are to be stepped, and what touches
-  // either.
-  const BodySet stepped = were_stepping | to_be_stepped(involved);
+  // either. Without any budget, bodies that only bounce are not stepped.
+  BodySet lasting;
+  for (const collision::Contact& c : contacts_.contacts()) {
+    if (static_world_.tolerances.event_budget > 0 ||
+        collision::row_rate(c.row, bodies_) <= c.impact.restitution_threshold)
+      lasting |= bodies_of(c.pair);
+  }
+  const BodySet stepped = were_stepping | (to_be_stepped(involved) & lasting);
   take_steps(were_stepping | impact::islands_of(stepped, contacts_.contacts()), t, tick_end);
 
   islands_.for_each(contacts_, [this](std::span<collision::Contact> island) {
-    forces_->decide(drives_, thresholds_.slip_threshold(), thresholds_.roll_threshold(), bodies_,
-                    island);
+    forces_->decide(drives_, bodies_, island);
   });
+  for (const collision::Contact& c : contacts_.contacts()) thresholds_.note_contact(c, mass_, t);
   const BodySet on_segments = involved & ~step_islands_.stepping();
   if (statistics_ != nullptr) add_pressing(contacts_.contacts(), on_segments, *statistics_);
   start_segments(on_segments, t, tick_end);
@@ -360,7 +377,7 @@ void World::update_pairs(const BodySet& involved, double t, double tick_end) {
   for (collision::CandidatePair& n : found) {
     if (step_islands_.share_step(n.pair)) continue;
     const auto touch = next_contact_time(static_world_, n.pair, contacts_.contacts(), segments_,
-                                         thresholds_.penetration(n.pair));
+                                         static_world_.tolerances.penetration);
     n.is_estimate = !touch;
     n.estimated = t;
     n.contact_time = touch ? *touch : earliest_contact_of(n.pair, t);
@@ -466,7 +483,17 @@ void World::collect_contacts(const BodySet& involved, double t) {
     if (n.is_apart_at(t) || step_islands_.share_step(n.pair)) continue;
     add_contacts(static_world_, n.pair, bodies_, static_world_.tolerances.contact_gap, contacts_);
   }
+  keep_first_contacts_exact();
   islands_.sort(contacts_);
+}
+
+// Contacts count as closed within contact_gap, but not before they have touched.
+void World::keep_first_contacts_exact() {
+  const double exact = settings::world.first_contact_gap;
+  if (static_world_.tolerances.contact_gap <= exact) return;
+  contacts_.keep_if([&](const collision::Contact& c) {
+    return c.point.gap <= exact || thresholds_.remembers(c);
+  });
 }
 
 // Sets contacts_ to those of all bodies, without the pair list: bodies were set.
@@ -498,7 +525,7 @@ void World::separate_overlaps() {
 // Resolves the impacts of one island, then its friction, then removes slow slip of wheels.
 void World::collide(std::span<collision::Contact> contacts, double t) {
   for (collision::Contact& c : contacts)
-    c.impact.restitution_threshold = thresholds_.restitution_threshold(c.pair);
+    c.impact.restitution_threshold = thresholds_.restitution_threshold(c, t);
   impact::resolve_impacts(contacts, mass_, bodies_, *qp_);
   if (impact::has_friction(static_world_.parameters))
     impact::resolve_friction(contacts, mass_, bodies_, *qp_);
@@ -506,9 +533,14 @@ void World::collide(std::span<collision::Contact> contacts, double t) {
     if (c.impact.impulse == 0.0 || c.impact.approach <= c.impact.restitution_threshold) continue;
     ++events_.impacts;
     if (statistics_ != nullptr) add_impact(c, t, *statistics_);
-    thresholds_.note_bounce(c.pair, t);
   }
-  arrest_slow_slip(static_world_, thresholds_, drives_, contacts, mass_, bodies_, *qp_);
+  impact::arrest_slow_slip(static_world_, drives_, contacts, mass_, bodies_, *qp_);
+  for (collision::Contact& c : contacts) {
+    thresholds_.note_contact(c, mass_, t);
+    // From here on it is the speed at which the contact opens.
+    c.impact.restitution_threshold =
+        std::min(c.impact.restitution_threshold, static_world_.tolerances.restitution_threshold);
+  }
 }
 
 // Starts a segment of each of the bodies: a cluster's motion, a rolling ball, a closed form or a

@@ -115,6 +115,7 @@ class World {
     BodySet involved;  // that touch, or whose segments end
   };
   void start_tick(std::span<const WheelCommand> commands, double duration);
+  bool is_at_rest(const BodySet& bodies) const;
   void set_drives(std::span<const WheelCommand> commands);
   Event next_event(double tick_end);
   const collision::CandidatePair* earliest_contact(double& t);
@@ -137,6 +138,7 @@ class World {
   Pose pose_of(int body, double t) const;
   void advance_to(double t, const BodySet& involved);
   void collect_contacts(const BodySet& involved, double t);
+  void keep_first_contacts_exact();
   void collect_contacts_anywhere();
   void drop_contacts_of(const BodySet& bodies);
   void separate_overlaps();

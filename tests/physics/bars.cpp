@@ -23,6 +23,9 @@ const std::vector<Kind>& kinds() {
       {"corner_on_corner", corner_on_corner},
       {"wheel_spin_at_wall", wheel_spin_at_wall},
       {"zeno_bounces", zeno_bounces},
+      {"tick_lengths", tick_lengths},
+      {"elastic_energy", elastic_energy},
+      {"heap_at_rest", heap_at_rest},
   };
   return all;
 }

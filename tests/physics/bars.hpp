@@ -44,6 +44,9 @@ Bars symmetric_hits(Size size);
 Bars corner_on_corner(Size size);
 Bars wheel_spin_at_wall(Size size);
 Bars zeno_bounces(Size size);
+Bars tick_lengths(Size size);
+Bars elastic_energy(Size size);
+Bars heap_at_rest(Size size);
 
 // All of them, in the order of the table.
 struct Kind {

@@ -142,9 +142,11 @@ Bars corner_on_corner(Size size) {
     energy = std::max(energy, kinetic_energy(*world) / before - 1.0);
   }
   const std::string scene = "corner on corner";
-  // Off by rounding they may pass by; with a gap of a rounding they must not overlap.
+  // Off by rounding they may pass by; with a gap of a rounding they must not overlap. At a small e
+  // their corners may press, and turn around each other: such a curve is cut where its last terms
+  // are 4e-10 m, which is up to 2e-9 m/s in its speeds, and some robots have 0.1 m/s.
   return {{scene, "overlap, m", overlap_of, 1e-9},
-          {scene, "momentum, relative", momentum, 1e-9},
+          {scene, "momentum, relative", momentum, 5e-8},
           {scene, "energy gained, relative", energy, 1e-12},
           {scene, "did not touch", static_cast<double>(untouched), 0.0},
           {scene, "ticks with small steps", static_cast<double>(stepped), 0.0}};
@@ -225,10 +227,13 @@ Bars zeno_bounces(Size size) {
     speed = std::max(speed, velocity_of(*world, 0).norm());
     if (!s.ball.empty()) speed = std::max(speed, world->ball().velocity.norm());
   }
+  // At restitution 0.95 about 160 bounces lead from 1 m/s to one of series_height, and the ball has
+  // two sides.
+  constexpr double most_bounces = 250.0;
   const std::string scene = "Zeno bounces at a wall";
   return {{scene, "speed after 3 s, m/s", speed, 1e-7},
           {scene, "overlap, m", deepest, 1e-9},
-          {scene, "most events in a tick", static_cast<double>(most_events), most_events_of_one},
+          {scene, "most events in a tick", static_cast<double>(most_events), most_bounces},
           {scene, "ticks with small steps", static_cast<double>(stepped), 0.0}};
 }
 

@@ -127,13 +127,16 @@ void resolve_impacts(std::span<collision::Contact> contacts,
   std::array<int, collision::max_contacts> indices;
   for (int round = 0; round < settings::impact.max_rounds; ++round) {
     std::size_t count = 0;
+    bool some_approach = false;
     bool some_bounce = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const double approach = -collision::row_rate(contacts[i].row, bodies);
-      if (approach > settings::impact.min_approach) indices[count++] = static_cast<int>(i);
+      some_approach = some_approach || approach > settings::impact.min_approach;
+      if (approach <= settings::impact.resting_approach) continue;
+      indices[count++] = static_cast<int>(i);
       some_bounce = some_bounce || approach > contacts[i].impact.restitution_threshold;
     }
-    if (count == 0) return;
+    if (!some_approach) return;
     if (!some_bounce) break;
     reflect(contacts, {indices.data(), count}, mass, bodies, problem);
   }

@@ -5,141 +5,122 @@
 #include "core/simulator/trajectory/rolling_ball.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mirocup::simulator::impact {
 
-// Returns first for up to `free` impacts, then that grown by each further impact up to a limit.
-RestThresholds::GrowthTable RestThresholds::growing(double first, double growth, double limit,
-                                                    int free) {
-  GrowthTable values;
-  for (int i = 0; i <= max_counted; ++i) {
-    values[i] = first;
-    if (i >= free) first = std::min(first * growth, limit);
-  }
-  return values;
+namespace {
+
+// A corner keeps its contact from edge to edge, the ball has one with each body.
+RestThresholds::Touched touched_of(const collision::Contact& c) {
+  const bool is_corner = c.point.kind == collision::Touching::corner_on_edge;
+  return {.a = static_cast<std::uint8_t>(c.pair.a),
+          .partner = static_cast<std::uint8_t>(c.pair.partner),
+          .corner = static_cast<std::uint8_t>(is_corner ? c.point.corner : 0),
+          .point_on_a = c.point.point_on_a};
 }
 
-RestThresholds::RestThresholds(const Tolerances& t)
-    : tolerances_(t),
-      restitution_after_impacts_(
-          growing(t.restitution_threshold, t.restitution_growth_per_impact, trajectory::never)),
-      penetration_after_impacts_(
-          growing(t.penetration, t.penetration_growth_per_impact, t.contact_gap, t.free_impacts)),
-      slip_after_impacts_(
-          growing(t.min_slip_speed, t.min_slip_growth_per_impact, trajectory::never)) {
-  // A body's first impact in a tick bounces however slow it is.
-  restitution_after_impacts_[0] = restitution_after_impacts_[1] = t.first_restitution_threshold;
-}
+}  // namespace
 
-void RestThresholds::forget() {
-  touching_.reset();
-  hit_.reset();
-  impacts_ = {};
-  over_budget_.reset();
-}
+RestThresholds::RestThresholds(const Tolerances& tolerances, int bodies)
+    : tolerances_(tolerances),
+      budget_(tolerances.event_budget *
+              std::max(bodies, settings::rest_thresholds.bodies_of_least_budget)) {}
 
-void RestThresholds::recall(const Memory& memory) {
-  touching_ = memory.touching;
-  hit_ = memory.hit;
-  over_budget_ = memory.over_budget;
-}
-
-void RestThresholds::begin_tick(const BodySet& touching) {
-  in_contact_before_ = touching_ | hit_;
-  touching_ = touching;
-  hit_.reset();
-  last_impact_of_ = {};
-  impacts_ = {};
-  met_ = {};
-  event_cost_ = {};
-  were_over_budget_ = over_budget_;
-  over_budget_ = tolerances_.event_budget > 0 ? BodySet{} : ~BodySet{};
+void RestThresholds::begin_tick() {
+  spent_ = 0;
+  were_over_budget_ = memory_.over_budget;
+  memory_.over_budget = budget_ > 0 ? BodySet{} : ~BodySet{};
   all_impacts_ = 0;
   last_impact_ = 0.0;
-  slip_threshold_ = settings::differential_drive.slip_round_off;
-  roll_threshold_ = settings::rolling_ball.roll_round_off;
   min_duration_ = tolerances_.min_contact_duration;
 }
 
-// Impacts that come now and then are forgotten, one for each impact_memory since the last one; but
-// once there are remembered_impacts, bouncing has to end, and none is forgotten.
-void RestThresholds::count(int body, double t) {
-  if (impacts_[body] < tolerances_.remembered_impacts) {
-    const double forgotten = (t - last_impact_of_[body]) / tolerances_.impact_memory;
-    impacts_[body] = forgotten < impacts_[body] ? impacts_[body] - static_cast<int>(forgotten) : 0;
-  }
-  impacts_[body] = std::min(impacts_[body] + 1, max_counted);
-  hit_.set(body);
-  last_impact_of_[body] = t;
+void RestThresholds::end_tick(double duration) {
+  drop_touched_before(duration - settings::rest_thresholds.contact_memory);
+  for (int i = 0; i < memory_.count; ++i) memory_.touched[i].time -= duration;
 }
 
-void RestThresholds::note_impact(const Pair& pair, double t) {
-  const BodySet both = bodies_of(pair);
-  for_each_body(both, [&](int i) {
-    count(i, t);
-    met_[i] |= both;
-  });
+void RestThresholds::drop_touched_before(double t) {
+  const auto begin = memory_.touched.begin();
+  const auto end = std::remove_if(begin, begin + memory_.count,
+                                  [t](const Touched& known) { return known.time < t; });
+  memory_.count = static_cast<int>(end - begin);
+}
+
+void RestThresholds::note_impact(double t) {
   ++all_impacts_;
   last_impact_ = t;
 }
 
-void RestThresholds::note_bounce(const Pair& pair, double t) {
-  const auto count_once = [this, t](int body) {
-    if (impacts_[body] == 0 || last_impact_of_[body] != t) count(body, t);
-  };
-  count_once(pair.a);
-  if (!pair.with_obstacle()) count_once(pair.partner);
+int RestThresholds::find(const collision::Contact& contact) const {
+  const Touched key = touched_of(contact);
+  const auto end = memory_.touched.begin() + memory_.count;
+  const auto known = std::find_if(memory_.touched.begin(), end, [&](const Touched& other) {
+    return other.a == key.a && other.partner == key.partner && other.corner == key.corner &&
+           other.point_on_a == key.point_on_a;
+  });
+  return static_cast<int>(known - memory_.touched.begin());
 }
 
-// A body that has met many will have many more events.
-int RestThresholds::cost_of_event(const BodySet& involved, const BodySet& met) {
-  const int product = static_cast<int>(involved.count() * met.count());
-  return product * product;
+// If the list is full, the contact stays unknown: its next approach bounces.
+void RestThresholds::note_contact(const collision::Contact& contact,
+                                  std::span<const solver::InverseMass> mass, double t) {
+  const int most = static_cast<int>(memory_.touched.size());
+  int i = find(contact);
+  if (i == most) {
+    drop_touched_before(t - settings::rest_thresholds.contact_memory);
+    i = memory_.count;
+    if (i == most) return;
+  }
+  Touched& known = memory_.touched[i];
+  if (i == memory_.count) {
+    known = touched_of(contact);
+    ++memory_.count;
+  }
+  known.pressing =
+      contact.resting.is_active
+          ? contact.resting.force * collision::inverse_effective_mass(contact.row, mass)
+          : 0.0;
+  known.time = t;
+  if (contact.impact.impulse != 0.0 && contact.impact.approach > 0.0)
+    known.approach = contact.impact.approach;
+}
+
+double RestThresholds::restitution_threshold(const collision::Contact& contact, double t) const {
+  const int i = find(contact);
+  const Touched& known = memory_.touched[i < memory_.count ? i : 0];
+  if (i == memory_.count || t - known.time > settings::rest_thresholds.contact_memory)
+    return tolerances_.first_restitution_threshold;
+  const double e = contact.material.restitution;
+  const double height = (1.0 - e) / (e * e) * tolerances_.series_height;
+  if (known.pressing > 0.0)
+    return std::max(tolerances_.restitution_threshold, std::sqrt(2.0 * known.pressing * height));
+  const double of_series =
+      (e + settings::rest_thresholds.series_margin * (1.0 - e)) * known.approach;
+  const double flight = t - known.time;
+  const bool is_low = of_series * flight < 4.0 * height;
+  return std::max(tolerances_.first_restitution_threshold,
+                  is_low ? std::min(of_series, settings::rest_thresholds.max_acceleration * flight)
+                         : 4.0 * height / std::max(flight, 1e-300));
 }
 
 void RestThresholds::note_event(const BodySet& involved, bool was_forced) {
-  BodySet met = involved;
-  for_each_body(involved, [&](int i) { met |= met_[i]; });
-  const int cost = cost_of_event(involved, met);
-  for_each_body(involved & ~over_budget_, [&](int i) {
-    event_cost_[i] += cost;
-    over_budget_[i] = event_cost_[i] >= tolerances_.event_budget;
-  });
-  const Tolerances& t = tolerances_;
-  min_duration_ = std::min(
-      min_duration_ * (was_forced ? settings::rest_thresholds.forced_growth : t.growth_per_event),
-      settings::rest_thresholds.max_min_duration);
-  roll_threshold_ = std::min(roll_threshold_ * t.growth_per_event, t.restitution_threshold);
-  slip_threshold_ = slip_threshold_ < t.slow_slip
-                        ? std::min(slip_threshold_ * t.slip_growth_per_event, t.slow_slip)
-                        : std::min(slip_threshold_ * settings::rest_thresholds.late_slip_growth,
-                                   t.restitution_threshold);
+  const int bodies = static_cast<int>(involved.count());
+  spent_ += bodies <= 2 ? bodies : bodies * bodies;
+  if (spent_ >= budget_) {
+    memory_.over_budget |= involved;
+  } else if (spent_ >= budget_ / settings::rest_thresholds.budget_divisor) {
+    memory_.over_budget |= involved & were_over_budget_;
+  }
+  if (!was_forced) return;
+  min_duration_ = std::min(min_duration_ * settings::rest_thresholds.forced_growth,
+                           settings::rest_thresholds.max_min_duration);
 }
 
 void RestThresholds::note_island(const BodySet& island) {
-  if ((island & were_over_budget_).none()) return;
-  if (cost_of_event(island, island) >= tolerances_.event_budget) over_budget_ |= island;
-}
-
-int RestThresholds::impacts_of(const Pair& pair) const {
-  return pair.with_obstacle() ? impacts_[pair.a]
-                              : std::max(impacts_[pair.a], impacts_[pair.partner]);
-}
-
-double RestThresholds::restitution_threshold(const Pair& pair) const {
-  if (is_lasting(pair.a) && (pair.with_obstacle() || is_lasting(pair.partner)))
-    return tolerances_.restitution_threshold;
-  return restitution_after_impacts_[impacts_of(pair)];
-}
-
-double RestThresholds::penetration(const Pair& pair) const {
-  return penetration_after_impacts_[impacts_of(pair)];
-}
-
-double RestThresholds::min_slip_speed(int robot) const {
-  if (is_lasting(robot)) return tolerances_.min_slip_speed;
-  return std::min(slip_after_impacts_[impacts_[robot]],
-                  restitution_after_impacts_[impacts_[robot]]);
+  const bool is_large = static_cast<int>(island.count()) >= settings::rest_thresholds.large_island;
+  if (is_large && (island & were_over_budget_).any()) memory_.over_budget |= island;
 }
 
 double RestThresholds::preferred_duration(double t) const {

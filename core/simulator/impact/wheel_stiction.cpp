@@ -56,23 +56,31 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
   for (int i = 0; i < first_wheels; ++i) contacts[i].impact.impulse += problem.x[i];
 }
 
-void arrest_slow_slip(const collision::StaticWorld& world, const RestThresholds& thresholds,
+void arrest_slow_slip(const collision::StaticWorld& world,
                       std::span<const trajectory::DriveReference> drives,
                       std::span<collision::Contact> contacts,
                       std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
                       solver::BoxQp& problem) {
   if (contacts.empty() || world.parameters.grip == infinite_grip) return;
+  const double first = world.tolerances.first_restitution_threshold;
+  const double braking = world.parameters.grip * gravity;
+  const double slip_of_series = std::sqrt(2.0 * braking * world.tolerances.series_height);
   BodySet touching;
   BodySet hit;
+  BodySet in_series;
   for (const collision::Contact& c : contacts) {
     touching |= bodies_of(c.pair);
-    if (c.impact.impulse != 0.0) hit |= bodies_of(c.pair);
+    if (c.impact.impulse == 0.0) continue;
+    hit |= bodies_of(c.pair);
+    if (c.impact.restitution_threshold > first) in_series |= bodies_of(c.pair);
   }
   std::array<int, max_robots> slow;
   std::size_t count = 0;
   double max_limit = 0.0;  // m/s
   for (int i = 0; i < world.robots; ++i) {
-    const double limit = hit[i] ? thresholds.min_slip_speed(i) : thresholds.slip_threshold();
+    const double limit = !hit[i]        ? world.tolerances.slow_motion
+                         : in_series[i] ? slip_of_series
+                                        : first;
     const double slip = std::abs(bodies[i].twist.left);
     if (!touching[i] || !drives[i].wheels_on_ground || slip > limit) continue;
     slow[count++] = i;

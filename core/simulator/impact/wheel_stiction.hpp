@@ -6,7 +6,6 @@
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"
-#include "core/simulator/impact/rest_thresholds.hpp"
 #include "core/simulator/solver/box_qp.hpp"
 #include "core/simulator/trajectory/differential_drive.hpp"
 
@@ -24,10 +23,11 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
                  std::span<BodyState> bodies, solver::BoxQp& problem);
 
 // Removes lateral slip too slow to simulate: slip caused by an impact, or alternating slip in a
-// wedge. Applies to every robot in contact with its wheels on the ground. The limit is
-// RestThresholds::min_slip_speed() for a robot that the impact hit, and slip_threshold() for the
-// others. To be called after the impact of these contacts was resolved.
-void arrest_slow_slip(const collision::StaticWorld& world, const RestThresholds& thresholds,
+// wedge. Applies to every robot in contact with its wheels on the ground. The limits are of
+// Tolerances: the slip over series_height for a robot in a series of impacts,
+// first_restitution_threshold for another robot that the impact hit, and slow_motion for the
+// rest. To be called after the impact of these contacts was resolved.
+void arrest_slow_slip(const collision::StaticWorld& world,
                       std::span<const trajectory::DriveReference> drives,
                       std::span<collision::Contact> contacts,
                       std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,

@@ -144,7 +144,10 @@ inline constexpr struct TimeOfImpactSettings {
 
 inline constexpr struct ImpactSettings {
   double min_approach = 1e-13;  // [m/s] slower approaches are rounding
-  int max_rounds = 64;          // [1] then all contacts that still approach are stopped for good
+  // [m/s] The rate of a contact that presses is off by less. So it is not thrown back with others
+  // whose approach is a hit: rounding would decide what it takes of their impulses.
+  double resting_approach = 1e-9;
+  int max_rounds = 64;  // [1] then all contacts that still approach are stopped for good
   double energy_round_off = 1e-14;  // [1] a round adds energy if it adds more than this share
 } impact;
 
@@ -152,12 +155,17 @@ inline constexpr struct RestThresholdsSettings {
   // [1] A curve is long enough if it holds for this multiple of the mean time between the impacts
   // of the tick, or of the time since the last impact, whichever is longer.
   double times_between_impacts = 2.0;
-  double forced_growth = 8.0;      // [1] of min_duration() where it forced the end of a curve
+  int bodies_of_least_budget = 7;  // a smaller world has as large a budget
+  int budget_divisor = 32;     // [1] of the budget, for bodies that went over it in the last tick
+  int large_island = 5;        // [bodies] then stepped from the start of the tick
+  double forced_growth = 8.0;  // [1] of min_duration() where it forced the end of a curve
   double max_min_duration = 2e-3;  // [s]
-  // [1] Growth of slip_threshold() per event, once it has reached Tolerances::slow_slip. The slides
-  // of a large crowd may be a little above any fixed limit, each time again.
-  double late_slip_growth = 1.05;
-  int max_counted = 40;  // [1] impacts of a body in a tick; more count as this many
+  double contact_memory = 0.02;    // [s] then a contact that was left is forgotten
+  // [1] An approach of at most e + this * (1 - e) times the last one may belong to a series.
+  double series_margin = 0.5;
+  // [m/s^2] A contact that was thrown open returns with less, unless another body hit one of its
+  // bodies: then its approach belongs to no series.
+  double max_acceleration = 5e3;
 } rest_thresholds;
 
 // ---- resting_contact/
@@ -229,6 +237,8 @@ inline constexpr struct WorldSettings {
   double forced_end_round_off = 1e-3;  // [1] of min_duration(): an end this near to it is forced
   // [1] of Tolerances::contact_gap: a deeper overlap is projected away at an event.
   double projected_overlap = 2.0;
+  double first_contact_gap = 1e-10;  // [m] bodies that did not touch before: no wider one is closed
+  double resting_speed = 1e-6;       // [m/s] an island that is slower leaves time stepping
 } world;
 
 inline constexpr struct SceneSettings {

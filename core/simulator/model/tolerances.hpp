@@ -17,55 +17,34 @@ inline namespace model {
 // contact in time; `reference` follows every event and is the yardstick of the other two.
 enum class Accuracy { coarse, standard, reference };
 
-// The thresholds of one level; the values here are those of `standard`. The impacts of a body
-// are counted per tick, and thresholds that grow with that count make sure that a tick ends (see
-// "Zeno behaviour" in docs/algorithm.md).
+// The thresholds of one level; the values here are those of `standard`. "Zeno behaviour" in
+// docs/algorithm.md says how they make sure that a tick ends.
 struct Tolerances {
   // ---- gaps
   double contact_gap = 1e-10;  // m: bodies with a smaller gap are in contact
   double penetration = 1e-12;  // m: bodies in contact that overlap more than this collide again
 
-  // ---- restitution: an approach slower than the threshold does not bounce, it comes to rest
-  // m/s: the threshold for a body's first impact in a tick, so that this impact always bounces.
+  // ---- restitution: an approach slower than a threshold does not bounce, it comes to rest
+  // m/s: the threshold of a contact that did not press before.
   double first_restitution_threshold = 1e-10;
-  // m/s: the threshold for bodies that were in contact before the tick and had no impact in it. It
-  // ends the bouncing of bodies that motors press together: over the distance `penetration`
-  // motors give them less speed than this.
-  double restitution_threshold = 2e-4;
-  // At the n-th impact of a body in the tick, n >= 2, the threshold is `restitution_threshold`
-  // times this to the power n.
-  double restitution_growth_per_impact = 3.0;
-
-  // ---- the count of impacts within a tick
-  // s: one counted impact of a body is forgotten each time that this long passed without one.
-  double impact_memory = 2e-3;
-  // Once a body has counted this many impacts, none is forgotten any more, so that bouncing ends.
-  int remembered_impacts = 4;
-  // Growth factor of `penetration` with each impact beyond `free_impacts`, up to `contact_gap`.
-  double penetration_growth_per_impact = 4.0;
-  int free_impacts = 8;
-
-  // ---- wheels
-  // m/s: slip that an impact causes and that is at most this fast is removed at once. The wheels
-  // would grip again within v / (grip g).
-  double min_slip_speed = 1e-6;
-  // Growth factor of `min_slip_speed` with each impact of a body in the tick.
-  double min_slip_growth_per_impact = 8.0;
+  // m/s: the threshold of a contact that presses. Over the distance `penetration`, motors give
+  // bodies less speed than this.
+  double restitution_threshold = 5e-4;
+  // m: a series of impacts ends in one if the bounces that are left are not higher than this. The
+  // wheels of a robot in a series lose slip at once that would take them no further.
+  double series_height = 3e-7;
 
   // ---- events of contact clusters
   double min_contact_duration = 1e-8;  // s: shortest time for which a contact or a grip holds
-  // Growth factor per event of `min_contact_duration` and of the rolling speed that counts as rest.
-  double growth_per_event = 1.3;
-  // Growth factor per event of the slip that counts as rest, until it reaches `slow_slip`. Above
-  // that it grows by 5 % per event.
-  double slip_growth_per_event = 2.0;
-  double slow_slip = 1e-7;  // m/s
-  // Event budget of a body per tick. An event with n bodies that have met m bodies in this tick
-  // costs (n m)^2. The default allows 3 events of four bodies, 7 of three or 34 of two. A body over
-  // budget is time-stepped for the rest of the tick, together with the bodies that it touches. An
-  // island of five or more bodies that went over budget is time-stepped from the start of the next
-  // tick. With a budget of 0 every body in contact is always time-stepped.
-  int event_budget = 540;
+  double slow_motion =
+      1e-7;  // m/s: slower wheels and a slower ball in contact do not slide or roll
+  // Event budget of a tick, for each body of the world and at least for seven. An event with n
+  // bodies costs n^2, or n for one or two: seven bodies have 224 events of two, 28 of four or 10 of
+  // all. The bodies of an event beyond it are time-stepped for the rest of the tick, together with
+  // those that they touch. In the next tick they have a thirty-second of it, and an island of five
+  // or more moving bodies is time-stepped from the start: a lasting scrum costs steps, a single
+  // crowded tick costs events. With a budget of 0 every body in contact is always time-stepped.
+  int event_budget = 64;
 
   // ---- time stepping
   double max_step = 3e-3;              // s: longest step

@@ -25,10 +25,7 @@ const solver::InverseMass& ContactForces::mass(
 }
 
 void ContactForces::decide(std::span<const trajectory::DriveReference> drives,
-                           double slip_threshold, double roll_threshold,
                            std::span<BodyState> bodies, std::span<collision::Contact> contacts) {
-  slip_threshold_ = slip_threshold;
-  roll_threshold_ = roll_threshold;
   // Candidates: the contacts whose gaps do not open. Members: the bodies that have one.
   candidate_count_ = 0;
   BodySet in_contact;
@@ -159,10 +156,10 @@ void ContactForces::classify_ground(std::span<const trajectory::DriveReference> 
     Twist& v = bodies[i].twist;
     if (world_.is_ball(i)) {
       grounding_[i] = {.ground = Ground::ball};
-      if (std::abs(v.forward) + std::abs(v.left) <= roll_threshold_) v = {};
+      if (std::abs(v.forward) + std::abs(v.left) <= world_.tolerances.slow_motion) v = {};
     } else if (!drives[i].wheels_on_ground) {
       grounding_[i] = {.ground = Ground::lifted};
-    } else if (std::abs(v.left) > slip_threshold_) {
+    } else if (std::abs(v.left) > world_.tolerances.slow_motion) {
       grounding_[i] = {.ground = Ground::slides, .slip_sign = v.left > 0.0 ? 1.0 : -1.0};
     } else {
       v.left = 0.0;

@@ -50,16 +50,13 @@ class ContactForces {
   // they fit the decision; the change never adds energy.
   //
   // A gap opens if it does so faster than the contact's restitution threshold. Wheels that slide
-  // no faster than `slip_threshold` and a ball that rolls no faster than `roll_threshold` (m/s)
-  // are stopped first. `drives` has one entry per robot, `bodies` one per body.
-  void decide(std::span<const trajectory::DriveReference> drives, double slip_threshold,
-              double roll_threshold, std::span<BodyState> bodies,
+  // and a ball that rolls no faster than Tolerances::slow_motion are stopped first. `drives` has
+  // one entry per robot, `bodies` one per body.
+  void decide(std::span<const trajectory::DriveReference> drives, std::span<BodyState> bodies,
               std::span<collision::Contact> contacts);
 
   // Returns what the ground does to a body, by the latest decision about it.
   const Grounding& grounding(int body) const { return grounding_[body]; }
-  // Returns the slip threshold of the latest decision, m/s.
-  double slip_threshold() const { return slip_threshold_; }
 
   // Returns the inverse masses with which forces act on a body. Wheels of infinite grip are part of
   // them; wheels of finite grip hold by a force instead.
@@ -90,8 +87,6 @@ class ContactForces {
 
   const collision::StaticWorld& world_;
   solver::BoxQp qp_;
-  double slip_threshold_ = 0.0;
-  double roll_threshold_ = 0.0;
   std::array<Grounding, max_bodies> grounding_;
 
   // The decision that is being made: valid during decide() only.

@@ -139,7 +139,6 @@ bool ContactMotion::is_at_rest(std::span<const trajectory::Segment> segments) co
 }
 
 void ContactMotion::set_members(const BodySet& cluster, const ContactForces& forces) {
-  slip_threshold_ = forces.slip_threshold();
   member_count_ = 0;
   for (int i = 0; i < world_.bodies(); ++i) {
     if (!cluster[i]) continue;
@@ -260,7 +259,7 @@ void ContactMotion::project_velocities(std::span<BodyState> bodies) {
     double& left = bodies[i].twist.left;
     slip_sign_[i] = grounding_[i].slip_sign;
     if (slip_sign_[i] == 0.0) continue;
-    if (std::abs(left) <= slip_threshold_) {
+    if (std::abs(left) <= world_.tolerances.slow_motion) {
       left = 0.0;
     } else {
       slip_sign_[i] = left > 0.0 ? 1.0 : -1.0;

@@ -97,7 +97,6 @@ class ContactMotion {
   const collision::StaticWorld& world_;
 
   // The cluster that is being moved: everything below is valid during move() only.
-  double slip_threshold_ = 0.0;  // m/s
   std::span<const trajectory::DriveReference> drives_;
 
   std::array<int, max_bodies> members_;  // bodies of the cluster

@@ -68,7 +68,7 @@ class ContactMemory {
  private:
   friend class Simulator;
   std::size_t used_ = 0;  // 0: nothing is remembered
-  alignas(8) std::byte bytes_[9216];
+  alignas(8) std::byte bytes_[14336];
 };
 
 // All bodies at one instant, in your own frame. If you move bodies by hand, set `memory` to {}.

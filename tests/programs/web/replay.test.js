@@ -13,7 +13,7 @@ let leg;
 let goal;
 
 before(() => {
-  run(...match('--half', '40', '--seed', '2', '--record', record));
+  run(...match('--half', '40', '--seed', '3', '--record', record));
   run('replay', record, '-o', join(folder, 'leg.html'));
   leg = readJson(record);
   goal = leg.decisions.find((call) => call.decision === 'GOAL');

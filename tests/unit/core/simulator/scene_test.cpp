@@ -176,5 +176,33 @@ TEST(Scene, OverlapStaysBelowTheBoundOfEachAccuracy) {
   EXPECT_LT(overlap(Accuracy::reference), 1e-9);
 }
 
+// Catches a sample that ends the run's tick: at every level, also in the middle of contacts.
+TEST(Scene, LookingChangesNoBit) {
+  Scene scene = ball_scene({0.0, 0.01}, {0.0, 0.0}, 0.3);
+  for (int i = 0; i < 4; ++i) {
+    const double angle = 1.5 * i + 0.1;
+    scene.robots.push_back(
+        robot_at(-0.09 * std::cos(angle), -0.09 * std::sin(angle), angle, 50.0 + 5.0 * i));
+  }
+  for (const Accuracy level : {Accuracy::coarse, Accuracy::standard, Accuracy::reference}) {
+    scene.sample_at.clear();
+    const SceneResult blind = run_scene(scene, tolerances_of(level));
+    for (int i = 1; i < 90; ++i) scene.sample_at.push_back(0.0033 * i);
+    const SceneResult watched = run_scene(scene, tolerances_of(level));
+    ASSERT_EQ(watched.samples.size(), scene.sample_at.size() + 2);
+    EXPECT_EQ(watched.statistics.impacts.size(), blind.statistics.impacts.size());
+    EXPECT_GT(blind.statistics.impacts.size(), 3U);
+    for (int i = 0; i < 4; ++i) {
+      const BodyState& a = blind.samples.back().robots[i];
+      const BodyState& b = watched.samples.back().robots[i];
+      EXPECT_EQ(a.position, b.position);
+      EXPECT_EQ(a.heading.cos, b.heading.cos);
+      EXPECT_EQ(a.twist.forward, b.twist.forward);
+      EXPECT_EQ(a.twist.omega, b.twist.omega);
+    }
+    EXPECT_EQ(blind.samples.back().ball->position, watched.samples.back().ball->position);
+  }
+}
+
 }  // namespace
 }  // namespace mirocup::simulator

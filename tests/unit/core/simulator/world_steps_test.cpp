@@ -129,7 +129,7 @@ TEST(World, BodiesThatAreSetPlayAsInANewWorld) {
 TEST(World, RobotThatLeavesItsStepIslandStaysInsideTheWalls) {
   const field::Field field = field::make_field(League::small);
   Tolerances tolerances;
-  tolerances.event_budget = 6;
+  tolerances.event_budget = 1;
   World world(&field, Parameters{}, tolerances, 3, true);
   for (int i = 0; i < 3; ++i) {
     const Heading heading = Heading::from_angle(0.4 * (i - 1));

@@ -10,9 +10,6 @@
 namespace mirocup::simulator::resting_contact {
 namespace {
 
-constexpr double slip_threshold = 1e-10;
-constexpr double roll_threshold = 1e-10;
-
 // Two robots at rest, side on side, the first behind the second; both contacts of the pair.
 struct TwoInARow {
   Parameters p;
@@ -29,7 +26,7 @@ struct TwoInARow {
     const std::array drives{trajectory::drive_reference(p, WheelSpeeds{first, first}),
                             trajectory::drive_reference(p, WheelSpeeds{second, second})};
     ContactForces forces(world);
-    forces.decide(drives, slip_threshold, roll_threshold, bodies, list.contacts());
+    forces.decide(drives, bodies, list.contacts());
     double sum = 0.0;
     for (const collision::Contact& c : list.contacts()) sum += c.resting.force;
     return sum;
@@ -84,7 +81,7 @@ TEST(ContactForces, BallAtRestHoldsAgainstAPushBelowItsRollingResistance) {
         share * resistance * (p.robot_mass + ball_mass) / (p.robot_mass * ball_mass);
     const double wheels = acceleration * p.motor_time_constant / p.speed_reference(1.0, 1.0);
     const std::array drives{trajectory::drive_reference(p, WheelSpeeds{wheels, wheels})};
-    forces.decide(drives, slip_threshold, roll_threshold, bodies, list.contacts());
+    forces.decide(drives, bodies, list.contacts());
     EXPECT_EQ(forces.grounding(1).push.norm() > 0.0, share > 1.0) << share;
   }
 }

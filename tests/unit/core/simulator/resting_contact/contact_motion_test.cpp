@@ -28,7 +28,7 @@ struct Row {
     const std::array drives{trajectory::drive_reference(p, WheelSpeeds{first, first}),
                             trajectory::drive_reference(p, WheelSpeeds{second, second})};
     ContactForces forces(world);
-    forces.decide(drives, 1e-10, 1e-10, bodies, list.contacts());
+    forces.decide(drives, bodies, list.contacts());
     ContactMotion motion(world);
     motion.move(BodySet(3), forces, list.contacts(), drives, {0.0, tick, tick, 1e-8}, bodies,
                 segments);

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+//
+// Cases that are hard for a simulator of events: very short and very long ticks, energy over many
+// hits, and a heap that rests.
+#include "tests/physics/bars.hpp"
+#include "tests/physics/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::scenes {
+
+namespace {
+
+using simulator::Accuracy;
+
+// Six robots close to each other and to the ball, each with a command of its own.
+struct Crowd {
+  Start start;
+  std::vector<WheelCommand> commands;
+};
+
+Crowd random_crowd(const field::Field& field, Random& random) {
+  Crowd crowd;
+  Start& s = crowd.start;
+  s.field = &field;
+  for (int i = 0; i < 6; ++i) {
+    s.robots.emplace_back();
+    do {
+      s.robots.back() = {random_in(random, 0.2, 0.16), random_heading(random), {}};
+    } while (overlap(s));
+    crowd.commands.push_back(random_wheels(random, 70.0));
+  }
+  s.ball.emplace_back();
+  do {
+    const Vec2 way = random_heading(random).forward();
+    s.ball.back() = {random_in(random, 0.2, 0.16), random.uniform(0.0, 1.0) * way};
+  } while (overlap(s));
+  return crowd;
+}
+
+}  // namespace
+
+// Catches limits that count impacts within a tick, or begin anew with each: then the tick's length
+// decides which bounces are dropped. A crowd in a hundred may be time-stepped in ticks of 33 ms.
+Bars tick_lengths(Size size) {
+  const field::Field field = field::make_field(League::small);
+  Random random(21);
+  std::vector<double> differences;
+  for (int i = 0; i < cases(size, 200, 1000); ++i) {
+    const Crowd crowd = random_crowd(field, random);
+    const auto play = [&](double step, int steps) {
+      auto world = world_of(crowd.start);
+      for (int k = 0; k < steps; ++k) world->advance(crowd.commands, step);
+      return world;
+    };
+    const auto whole = play(tick, 7);
+    const auto fine = play(tick / 330.0, 7 * 330);
+    double worst = 0.0;
+    for (int k = 0; k < 6; ++k)
+      worst = std::max(worst, (whole->robot(k).position - fine->robot(k).position).norm());
+    differences.push_back(worst);
+  }
+  std::sort(differences.begin(), differences.end());
+  const auto at = [&](double share) {
+    return differences[static_cast<std::size_t>(share * static_cast<double>(differences.size()))];
+  };
+  const std::string scene = "crowds, ticks of 0.1 ms and of 33 ms";
+  return {{scene, "p90 of the distance after 0.231 s, m", at(0.9), 1e-6},
+          {scene, "p99 of the distance after 0.231 s, m", at(0.99), 1e-4}};
+}
+
+// Catches a level that drops bounces or steps free bodies, and thresholds that grow in a long tick.
+Bars elastic_energy(Size size) {
+  const field::Field field = field::make_field(League::small);
+  Start s;
+  s.field = &field;
+  s.parameters = without_rolling_friction();
+  s.parameters.restitution = {1.0, 1.0, 1.0, 1.0};
+  Random random(22);
+  for (int i = 0; i < 5; ++i) {
+    const simulator::Twist twist{random.uniform(-1.5, 1.5), random.uniform(-1.0, 1.0),
+                                 random.uniform(-8.0, 8.0)};
+    const Vec2 place{-0.5 + 0.25 * i, 0.2 * (i % 3 - 1) + 0.01};
+    s.robots.push_back({place, random_heading(random), twist});
+  }
+  s.ball.push_back({{0.05, -0.4}, {2.0, 1.3}});
+  const std::vector<WheelCommand> lifted(5);
+  double worst = 0.0;
+  int too_few = 0;
+  for (const Accuracy level : {Accuracy::coarse, Accuracy::standard, Accuracy::reference}) {
+    for (const double step : {1e-3, tick, 1.0}) {
+      World world(&field, s.parameters, simulator::tolerances_of(level), 5, true);
+      for (int i = 0; i < 5; ++i) world.set_robot(i, s.robots[i]);
+      world.set_ball(s.ball[0]);
+      const double before = kinetic_energy(world);
+      const int wanted = cases(size, 300, 10000);
+      int hits = 0;
+      const int longest = static_cast<int>(wanted / step);  // ticks: about ten hits come a second
+      for (int k = 0; k < longest && hits < wanted; ++k)
+        hits += world.advance(lifted, step).impacts;
+      too_few += hits < wanted;
+      worst = std::max(worst, std::abs(kinetic_energy(world) / before - 1.0));
+    }
+  }
+  const std::string scene = "elastic hits, each level, ticks of 1 ms to 1 s";
+  return {{scene, "change of energy, relative", worst, 1e-6},
+          {scene, "plays with too few hits", static_cast<double>(too_few), 0.0}};
+}
+
+// A row of robots that pushes at a wall. Catches an island that is time-stepped for ever because
+// it was once over its budget.
+Bars heap_at_rest(Size /*size*/) {
+  const field::Field field = field::make_field(League::small);
+  int stepped = 0;
+  int events = 0;
+  double fastest = 0.0;
+  for (int count = 2; count <= 10; ++count) {
+    Start s;
+    s.field = &field;
+    const double side = s.parameters.robot_side;
+    for (int i = 0; i < count; ++i) {
+      s.robots.push_back({{field.half_length - (i + 0.5) * (side + 0.002), 0.3}, Heading{}, {}});
+    }
+    const auto world = world_of(s);
+    const std::vector<WheelCommand> commands(count, WheelSpeeds{30.0, 30.0});
+    for (int k = 0; k < 40; ++k) {
+      const simulator::TickEvents& now = world->advance(commands, tick);
+      if (k < 20) continue;
+      stepped += now.stepped;
+      events = std::max(events, now.events);
+    }
+    for (int i = 0; i < count; ++i) {
+      const simulator::Twist v = world->robot(i).twist;
+      fastest = std::max({fastest, std::abs(v.forward), std::abs(v.left), std::abs(v.omega)});
+    }
+  }
+  const std::string scene = "row of two to ten robots that push at a wall";
+  return {{scene, "ticks with small steps, from the 20th on", static_cast<double>(stepped), 0.0},
+          {scene, "most events in such a tick", static_cast<double>(events), 0.0},
+          {scene, "fastest of them at the end, m/s and rad/s", fastest, 1e-9}};
+}
+
+}  // namespace mirocup::scenes
