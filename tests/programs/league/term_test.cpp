@@ -102,9 +102,13 @@ class Term : public testing::Test {
     fs::create_directory(home);
     for (const char* name : {"mirocup", "mirocup-league", "mirocup-plugin-host"}) {
       std::string bytes = read_file(program(name));
-      for (std::size_t at = bytes.find(game); at != std::string::npos;
-           at = bytes.find(game, at + 1))
-        bytes.replace(at, game.size(), other);
+      // A compiler may hold such a text as two numbers of eight bytes.
+      for (const std::size_t half : {0, 8}) {
+        const std::string from = game.substr(half, 8);
+        for (std::size_t at = bytes.find(from); at != std::string::npos;
+             at = bytes.find(from, at + 1))
+          bytes.replace(at, 8, other, half, 8);
+      }
       const std::string path = home + "/" + name;
       write_file(path, bytes);
       // The processes of teams run as another user.
