@@ -14,7 +14,7 @@ install(TARGETS mirocup-plugin-host mirocup-careful-host mirocup-project-compile
 install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup COMPONENT mirocup)
 install(FILES record/record.schema.json DESTINATION share/mirocup COMPONENT mirocup)
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team COMPONENT mirocup USE_SOURCE_PERMISSIONS)
-install(DIRECTORY plugins/drills DESTINATION share/mirocup COMPONENT mirocup)
+install(DIRECTORY plugins/drills DESTINATION share/mirocup COMPONENT mirocup PATTERN teams EXCLUDE)
 install(DIRECTORY plugins/simurosot DESTINATION share/mirocup COMPONENT mirocup USE_SOURCE_PERMISSIONS)
 # The manual and what shells complete: made by the programs themselves, from their options.
 install(DIRECTORY ${PROJECT_BINARY_DIR}/share/man/man1 DESTINATION share/man COMPONENT mirocup OPTIONAL)

@@ -88,8 +88,12 @@ std::vector<std::string> house_teams() {
 
 std::string house_team(const std::string& name, const std::string& folder) {
   if (name.empty() || name.find('/') != std::string::npos) return "";
+  constexpr std::string_view of_drills = "drill:";
+  const bool is_of_drills = name.starts_with(of_drills);
+  const fs::path file =
+      is_of_drills ? fs::path("drill") / name.substr(of_drills.size()) : fs::path(name);
   for (const fs::path& teams : house_folders(folder)) {
-    const fs::path library = teams / (name + ".so");
+    const fs::path library = teams / (file.string() + ".so");
     if (is_there(library)) return library.string();
   }
   return "";

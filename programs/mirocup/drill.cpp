@@ -87,6 +87,7 @@ void print_list(const std::vector<drills::Drill>& drills, bool as_json) {
       list.push_back({{"name", drill.name},
                       {"title", drill.title},
                       {"teaches", drill.teaches},
+                      {"version", drill.version},
                       {"league", to_string(drill.league)},
                       {"opponent", drill.opponent},
                       {"seconds", drill.seconds},
@@ -94,7 +95,7 @@ void print_list(const std::vector<drills::Drill>& drills, bool as_json) {
       continue;
     }
     std::cout << drill.name << std::string(drill.name.size() < 26 ? 26 - drill.name.size() : 1, ' ')
-              << system::printable(drill.title) << '\n';
+              << 'v' << drill.version << "  " << system::printable(drill.title) << '\n';
   }
   if (as_json) std::cout << record::json_text({{"drills", list}}) << '\n';
 }

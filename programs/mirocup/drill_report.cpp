@@ -43,6 +43,7 @@ Json json_of(const DrillReport& report) {
   for (std::size_t i = 0; i < report.drills.size(); ++i) {
     const Score score = score_of(report.tries[i]);
     drills.push_back({{"name", report.drills[i]->name},
+                      {"version", report.drills[i]->version},
                       {"score", to_a_tenth(score.value)},
                       {"low", to_a_tenth(score.low)},
                       {"high", to_a_tenth(score.high)},
@@ -100,8 +101,8 @@ std::string text_of(const DrillReport& report) {
   for (std::size_t i = 0; i < report.drills.size(); ++i) {
     const Score score = score_of(report.tries[i]);
     const auto failed = failed_seeds(report.tries[i]);
-    text += formatted("  %-28s %5.1f  (%.0f to %.0f)", report.drills[i]->name.c_str(), score.value,
-                      score.low, score.high);
+    text += formatted("  %-25s v%-2d %5.1f  (%.0f to %.0f)", report.drills[i]->name.c_str(),
+                      report.drills[i]->version, score.value, score.low, score.high);
     if (!failed.empty()) {
       text += formatted("  failed %zu of %zu", failed.size(), report.tries[i].size());
       text += ", first with seed " + std::to_string(failed.front());
@@ -120,7 +121,7 @@ Json json_of(const std::vector<DrillReport>& reports) {
 }
 
 std::string csv_of(const std::vector<DrillReport>& reports) {
-  std::string text = "team,drill,score,low,high,tries,failed_seeds\n";
+  std::string text = "team,drill,score,low,high,tries,failed_seeds,version\n";
   for (const DrillReport& report : reports) {
     std::size_t tries = 0;
     for (std::size_t i = 0; i < report.drills.size(); ++i) {
@@ -133,9 +134,9 @@ std::string csv_of(const std::vector<DrillReport>& reports) {
       for (const std::uint64_t seed : failed_seeds(report.tries[i])) {
         seeds += (seeds.empty() ? "" : " ") + std::to_string(seed);
       }
-      text += seeds + "\n";
+      text += seeds + "," + std::to_string(report.drills[i]->version) + "\n";
     }
-    text += csv_field(report.team) + formatted(",all,%.1f,,,%zu,\n", report.score(), tries);
+    text += csv_field(report.team) + formatted(",all,%.1f,,,%zu,,\n", report.score(), tries);
   }
   return text;
 }

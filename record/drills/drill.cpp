@@ -107,14 +107,15 @@ Deductions read_deductions(const JsonReader& json) {
 
 Drill read_drill(const JsonReader& json) {
   Drill drill;
-  if (!json.expect_object({"schema", "title", "teaches", "league", "rules", "situation", "opponent",
-                           "mates", "robots", "parameters", "seconds", "tries", "conditions",
-                           "plays_on", "success", "score"})) {
+  if (!json.expect_object({"schema", "title", "teaches", "version", "league", "rules", "situation",
+                           "opponent", "mates", "robots", "parameters", "seconds", "tries",
+                           "conditions", "plays_on", "success", "score"})) {
     return drill;
   }
   json.expect_schema(schema);
   drill.title = json.at("title").text();
   json.read_if_present("teaches", drill.teaches);
+  if (json.has("version")) drill.version = json.at("version").integer<int>(1, 1000000);
   json.read_if_present("league", drill.league);
   drill.rules = referee::make_rules(referee::Preset::mirosot, drill.league);
   if (json.has("rules")) drill.rules = record::read_rules(json.at("rules"), drill.league);

@@ -63,6 +63,7 @@ struct Drill {
   std::string name;  // of the file, without its suffix
   std::string title;
   std::string teaches;
+  int version = 1;  // scores of one version can be compared
   League league = League::small;
   referee::Rules rules;
   match::Conditions conditions;

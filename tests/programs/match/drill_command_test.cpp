@@ -26,7 +26,7 @@ Outcome drill(const std::vector<std::string>& more) {
 }
 
 constexpr const char* own_drill =
-    R"({"schema": "mirocup/drill/1", "title": "Mine", "opponent": "idle",
+    R"({"schema": "mirocup/drill/1", "title": "Mine", "version": 5, "opponent": "idle",
   "situation": {"ball": {"position": [{"from": 0.1, "to": 0.3}, 0]},
                 "blue": [null, {"pose": [0, 0, 0]}],
                 "yellow": [{"broken": true, "pose": [-0.3, 0.5, 0]},
@@ -72,6 +72,7 @@ TEST(DrillCommand, WritesAReplayOfEachFailedTry) {
   ASSERT_EQ(tried.exit_code, 0) << tried.err;
   const Json report = Json::parse(tried.out);
   EXPECT_EQ(report["drills"][0]["name"], "mine");
+  EXPECT_EQ(report["drills"][0]["version"], 5);
   EXPECT_EQ(report["drills"][0]["failed_seeds"], (Json{1, 2, 3}));
   EXPECT_EQ(report["score"], 0.0);
   for (const char* seed : {"1", "2", "3"}) {
@@ -94,8 +95,9 @@ TEST(DrillCommand, GradesSeveralTeamsIntoOneCsvEvenIfOneDies) {
   std::vector<std::string> rows;
   for (std::string line; std::getline(lines, line);) rows.push_back(line);
   ASSERT_EQ(rows.size(), 5u) << tried.out;
-  EXPECT_EQ(rows[0], "team,drill,score,low,high,tries,failed_seeds");
+  EXPECT_EQ(rows[0], "team,drill,score,low,high,tries,failed_seeds,version");
   EXPECT_EQ(rows[1].rfind("class,mine,", 0), 0u);
+  EXPECT_TRUE(rows[1].ends_with(",5")) << "the drill's version: " << rows[1];
   EXPECT_EQ(rows[2].rfind("class,all,", 0), 0u);
   EXPECT_EQ(rows[3].rfind("gives_up,mine,0.0,", 0), 0u) << rows[3];
 }

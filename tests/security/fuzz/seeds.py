@@ -291,7 +291,7 @@ seed("thoughts", "grows", b"\x28\xb5\x2f\xfd\x00\x58" + (struct.pack("<I", (1 <<
 
 # --- Drills, situations and pitches.
 drills = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "plugins", "drills")
-for drill in sorted(os.listdir(drills)):
+for drill in sorted(name for name in os.listdir(drills) if name.endswith(".json")):
     with open(os.path.join(drills, drill), "rb") as whole:
         text = whole.read()
     seed("drill", drill, text)

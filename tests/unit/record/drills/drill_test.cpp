@@ -12,7 +12,8 @@ using Json = nlohmann::ordered_json;
 
 Json good_drill() {
   return Json::parse(R"({
-    "schema": "mirocup/drill/1", "title": "T", "teaches": "t", "opponent": "keeper", "seconds": 6,
+    "schema": "mirocup/drill/1", "title": "T", "teaches": "t", "version": 3, "opponent": "keeper",
+    "seconds": 6,
     "situation": {"ball": {"position": [{"from": 0.1, "to": 0.3}, 0]}, "clock": 4,
                   "blue": [{}, {"pose": [{"from": -0.4, "to": 0.3}, 0, 0]}]},
     "success": [{"event": "goal", "by": 5}, {"event": "no_foul", "most": 1}],
@@ -31,6 +32,7 @@ TEST(Drill, ReadsEverything) {
   const auto drill = parse_drill(good_drill().dump(), "d/my.json");
   ASSERT_TRUE(test_support::is_ok(drill));
   EXPECT_EQ(drill->name, "my");
+  EXPECT_EQ(drill->version, 3);
   EXPECT_EQ(drill->opponent, "keeper");
   EXPECT_EQ(drill->seconds, 6.0);
   EXPECT_EQ(drill->tries, 60);
