@@ -26,6 +26,7 @@ void add_nightly(system::Commands& commands);
 void add_start(system::Commands& commands);
 void add_stop(system::Commands& commands);
 void add_status(system::Commands& commands);
+void add_health(system::Commands& commands);
 void add_stats(system::Commands& commands);
 void add_publish(system::Commands& commands);
 void add_serve(system::Commands& commands);

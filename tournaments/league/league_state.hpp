@@ -23,6 +23,10 @@
 namespace mirocup::league {
 
 // A leg that is decided.
+// After this number of attempts that failed because of the host, a leg is not tried again until the
+// next start of the program, so that a person can repair the host first.
+inline constexpr int max_attempts = 3;
+
 struct PlayedLeg {
   LegResult result;
   int winner = no_team;  // of goals or of a shoot-out; no_team after a draw
