@@ -54,6 +54,7 @@ std::variant<system::Run, int> read_command_line(int argc, char** argv) {
   add_health(commands);
   add_stats(commands);
   add_publish(commands);
+  add_prune(commands);
   add_serve(commands);
   add_show(commands);
   add_export(commands);

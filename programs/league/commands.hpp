@@ -29,6 +29,7 @@ void add_status(system::Commands& commands);
 void add_health(system::Commands& commands);
 void add_stats(system::Commands& commands);
 void add_publish(system::Commands& commands);
+void add_prune(system::Commands& commands);
 void add_serve(system::Commands& commands);
 void add_show(system::Commands& commands);
 void add_export(system::Commands& commands);

@@ -16,13 +16,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 namespace mirocup::league {
 
-// A leg that is decided.
 // After this number of attempts that failed because of the host, a leg is not tried again until the
 // next start of the program, so that a person can repair the host first.
 inline constexpr int max_attempts = 3;
@@ -117,6 +117,9 @@ struct LeagueState {
   std::map<std::string, std::string> shown_colours;
 
   // Numbers of the legs that the league needs by present results, and of those that are decided.
+  // The nights whose legs have no replay pages any more. Their records stay.
+  std::set<int> pruned_nights;
+
   int legs() const { return needed_; }
   int played() const { return decided_; }
   bool is_over() const;

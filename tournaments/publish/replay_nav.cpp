@@ -17,16 +17,8 @@ constexpr std::string_view end_mark = "<!--/league-->";
 
 Json link_to(const Overview& o, const LegView* leg) {
   if (leg == nullptr) return false;
-  return {{"page", "../" + replay_page_of(leg->played->record)},
+  return {{"page", leg->page("../")},
           {"pair", o.state.shown_name(leg->home) + " – " + o.state.shown_name(leg->away)}};
-}
-
-// The fixture of a record, "records/r1-f2-1-1.json" of "r1-f2", also of an attempt that is void.
-const FixtureState* fixture_of_record(const LeagueState& state, const std::string& record) {
-  std::string id = std::filesystem::path(record).stem();
-  for (int part = 0; part < 2; ++part) id = id.substr(0, id.rfind('-'));
-  const auto index = state.find_fixture(id);
-  return index ? &state.fixtures[static_cast<std::size_t>(*index)] : nullptr;
 }
 
 std::string nav(const Overview& o, const std::string& record) {
@@ -36,7 +28,7 @@ std::string nav(const Overview& o, const std::string& record) {
   const LegView* before = nullptr;
   const LegView* after = nullptr;
   for (const LegView& leg : o.legs) {
-    if (!leg.has_replay()) continue;
+    if (!leg.has_replay() || (leg.is_pruned && leg.played->record != record)) continue;
     if (own != nullptr) {
       after = &leg;
       break;
