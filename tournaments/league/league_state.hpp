@@ -27,6 +27,7 @@ namespace mirocup::league {
 // next start of the program, so that a person can repair the host first.
 inline constexpr int max_attempts = 3;
 
+// A leg that is decided.
 struct PlayedLeg {
   LegResult result;
   int winner = no_team;  // of goals or of a shoot-out; no_team after a draw
@@ -116,10 +117,10 @@ struct LeagueState {
   // without one has no mark.
   std::map<std::string, std::string> shown_colours;
 
-  // Numbers of the legs that the league needs by present results, and of those that are decided.
   // The nights whose legs have no replay pages any more. Their records stay.
   std::set<int> pruned_nights;
 
+  // Numbers of the legs that the league needs by present results, and of those that are decided.
   int legs() const { return needed_; }
   int played() const { return decided_; }
   bool is_over() const;
@@ -136,6 +137,9 @@ struct LeagueState {
   const std::string& shown_name(int team) const {
     return shown_names.empty() ? name(team) : shown_names[team];
   }
+
+  // The same for the name of a team in league.json; a text that is none stays as it is.
+  std::string shown_name_of(const std::string& team) const;
 
   // All fixtures before this index are decided.
   int first_open() const { return first_open_; }

@@ -184,7 +184,7 @@ void goals_against(Html& html, const LeagueState& state, const LegReports& repor
       if (!colour || goal.team == *colour) continue;
       html.open("tr");
       html.cell("td", leg.leg);
-      html.cell("td", leg.names[index_of(goal.team)]);
+      html.cell("td", state.shown_name_of(leg.names[index_of(goal.team)]));
       html.cell("td", in_words(goal.origin));
       html.cell("td", in_words(goal.restart) + ": " + in_words(goal.restart_law));
       html.cell_of("number", fixed(goal.since_restart, 1) + " s");
@@ -289,7 +289,7 @@ std::string statistics_html(const Overview& o, const LegReports& reports) {
     const auto found = of(row.team);
     if (found == totals.end()) continue;
     html.open("tr");
-    html.link_cell(team_page_of(found->name), found->name);
+    html.link_cell(team_page_of(found->name), o.state.shown_name(row.team));
     number_cells(html, *found);
     html.close("tr");
   }
@@ -301,7 +301,7 @@ std::string statistics_html(const Overview& o, const LegReports& reports) {
     const auto found = of(row.team);
     if (found == totals.end()) continue;
     html.open("tr");
-    html.cell("td", found->name);
+    html.cell("td", o.state.shown_name(row.team));
     kinds_cells(html, found->own);
     html.close("tr");
   }

@@ -155,7 +155,11 @@ std::string end_in_words(const LeagueState& state, const PlayedLeg& leg) {
   if (leg.end == LegEnd::shoot_out && leg.winner >= 0) {
     words += ", won by " + state.shown_name(leg.winner);
   }
-  if (leg.fault) words += ": " + leg.fault->summary();
+  if (leg.fault) {
+    LegFault fault = *leg.fault;
+    fault.team = state.shown_name_of(fault.team);
+    words += ": " + fault.summary();
+  }
   if (!leg.ruling.empty()) words += "; ruling: " + leg.ruling;
   return words;
 }

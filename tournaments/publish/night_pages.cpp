@@ -248,12 +248,13 @@ Result<std::string> feed_xml(const LeagueState& shown, const Journal& journal) {
     state.shown_names = shown.shown_names;
     const auto table = state.table();
     const std::string leader = table.empty() ? "" : state.shown_name(table.front().team);
-    entries += "<entry>\n<id>" + tag_of(shown) + ":night:" + std::to_string(night.number) +
-               "</id>\n<title>Night " + std::to_string(night.number) + ": " +
-               system::html_escaped(leader) + " leads</title>\n<updated>" + night.at +
-               "</updated>\n<link href=\"night.html\"/>\n<content type=\"html\">" +
-               system::html_escaped("<pre>" + system::html_escaped(table_text(state)) + "</pre>") +
-               "</content>\n</entry>\n";
+    entries +=
+        "<entry>\n<id>" + tag_of(shown) + ":night:" + std::to_string(night.number) +
+        "</id>\n<title>Night " + std::to_string(night.number) + ": " +
+        system::html_escaped(leader) + " leads</title>\n<updated>" + night.at +
+        "</updated>\n<link href=\"night.html\"/>\n<content type=\"html\">" +
+        system::html_escaped("<pre>" + system::html_escaped(table_text(state, true)) + "</pre>") +
+        "</content>\n</entry>\n";
   }
   return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<feed "
          "xmlns=\"http://www.w3.org/2005/Atom\">\n"
