@@ -51,8 +51,10 @@ std::variant<system::Run, int> read_command_line(int argc, char** argv) {
   add_start(commands);
   add_stop(commands);
   add_status(commands);
+  add_health(commands);
   add_stats(commands);
   add_publish(commands);
+  add_prune(commands);
   add_serve(commands);
   add_show(commands);
   add_export(commands);

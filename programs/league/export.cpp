@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup league export: table, legs and bracket as files.
+// mirocup league export: table, legs and bracket as files, or the sources of the teams.
 #include "programs/league/commands.hpp"
+#include "programs/league/sources.hpp"
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/exports.hpp"
@@ -18,6 +19,7 @@ struct ExportOptions {
   std::string folder;
   std::string output = "export";
   std::string drills;  // the output of mirocup drill --csv; "": none
+  bool sources = false;
 };
 
 Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const ExportOptions& options,
@@ -37,6 +39,10 @@ Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const ExportO
 Result<int> run_export(const ExportOptions& options) {
   system::Disk disk;
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  if (options.sources) {
+    MIROCUP_TRY_VOID(export_sources(disk, store, options.output));
+    return exit_yes;
+  }
   MIROCUP_TRY(const auto files, files_to_export(disk, options, store));
   MIROCUP_TRY_VOID(disk.make_folder(options.output));
   for (const SiteFile& file : files) {
@@ -54,15 +60,20 @@ void add_export(system::Commands& commands) {
       commands.add<ExportOptions>({"export",
                                    to_show,
                                    "Write table, legs and bracket as files",
-                                   {"mirocup league export spring -o tables"}},
+                                   {"mirocup league export spring -o tables",
+                                    "mirocup league export spring --sources -o sources"}},
                                   run_export);
   add_folder(command, o.folder);
   command.option("-o,--output", o.output, "the folder for them")
       .shows_default()
       .checked("DIR", problem_with_folder);
+  const system::Option sources =
+      command.flag("--sources", o.sources,
+                   "what the teams have handed in and what they were given, as JPlag compares it");
   command
       .option("--drills", o.drills, "marks of the teams, from mirocup drill --csv: adds grades.csv")
-      .named("FILE");
+      .named("FILE")
+      .excludes(sources);
 }
 
 }  // namespace mirocup::league

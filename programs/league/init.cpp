@@ -5,7 +5,9 @@
 #include "record/rules_json.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/league/league_store.hpp"
+#include "tournaments/league/people.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -20,6 +22,8 @@ struct InitOptions {
   std::string format;
   double half_s = 0.0;  // duration of a half, seconds; 0: that of the rules
   std::uint64_t seed = 1;
+  std::string from;  // a league whose table gives the teams; "": none
+  int top = 0;       // number of them
 };
 
 // Returns the last part of the path of a folder, which may be written as "." or end in a slash.
@@ -28,7 +32,52 @@ std::string name_of_folder(const std::string& path) {
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
-Result<LeagueFile> file_from(system::Files& files, const InitOptions& options) {
+// Returns a team of another league with the entry with which it plays there.
+Result<TeamConfig> finalist(system::Files& files, const LeagueStore& store, int team) {
+  namespace fs = std::filesystem;
+  TeamConfig config = store.state().file.teams[team];
+  config.has_joined = false;
+  const fs::path base = fs::absolute(store.folder().path).lexically_normal();
+  if (config.is_firasim()) {
+    config.program.folder = (base / config.program.folder).lexically_normal().string();
+  } else if (!config.is_house() && !config.over_dds) {
+    int entry = store.state().teams[team].entry;
+    if (entry == 0) {
+      MIROCUP_TRY(entry, last_accepted_entry(files, store.folder(), config.name));
+    }
+    if (entry == 0) return fail(Errc::input, config.name + " has no accepted entry");
+    config.source = Folder{base.string()}.library(config.name, entry);
+  }
+  return config;
+}
+
+// Returns the league of the first teams of another league's table, the first as the best seed. It
+// plays as that one does, except for its format.
+Result<LeagueFile> finals(system::Files& files, const LeagueStore& store,
+                          const InitOptions& options) {
+  const LeagueState& season = store.state();
+  LeagueFile file = season.file;
+  file.rules_version = current_rules;
+  file.title = name_of_folder(options.folder);
+  file.freeze.clear();
+  file.format = {.kind = FormatKind::knockout};
+  file.teams.clear();
+  for (const TableRow& row : season.table()) {
+    if (season.teams[row.team].status == TeamStatus::withdrawn || row.played == 0) continue;
+    if (static_cast<int>(file.teams.size()) == options.top) break;
+    MIROCUP_TRY(auto team, finalist(files, store, row.team));
+    file.teams.push_back(std::move(team));
+  }
+  if (static_cast<int>(file.teams.size()) < options.top)
+    return fail(Errc::input, "--top " + std::to_string(options.top) + ": only " +
+                                 std::to_string(file.teams.size()) + " teams of " + options.from +
+                                 " have played and not left");
+  return file;
+}
+
+// `season` is the league of --from, or null.
+Result<LeagueFile> file_from(system::Files& files, const InitOptions& options,
+                             const LeagueStore* season) {
   if (!options.config.empty()) {
     MIROCUP_TRY(const auto text,
                 files.read(options.config, {.max_size = system::size_limit::league_file,
@@ -49,13 +98,16 @@ Result<LeagueFile> file_from(system::Files& files, const InitOptions& options) {
     return file;
   }
   LeagueFile file;
-  file.seed = options.seed;
   file.title = name_of_folder(options.folder);
+  if (season != nullptr) {
+    MIROCUP_TRY(file, finals(files, *season, options));
+  }
+  file.seed = options.seed;
   if (!options.format.empty()) file.format.kind = *from_string<FormatKind>(options.format);
   if (file.format.kind == FormatKind::swiss)
     file.tie_breaks.insert(file.tie_breaks.begin(), TieBreak::opponents_points);
   if (options.half_s > 0.0) file.rules.half_s = options.half_s;
-  file.conditions = default_conditions();
+  if (!file.conditions) file.conditions = default_conditions();
   for (const std::string& text : options.teams) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) {
@@ -73,7 +125,11 @@ Result<LeagueFile> file_from(system::Files& files, const InitOptions& options) {
 
 Result<int> run_init(const InitOptions& options) {
   system::Disk disk;
-  MIROCUP_TRY(const auto file, file_from(disk, options));
+  std::optional<LeagueStore> season;
+  if (!options.from.empty()) {
+    MIROCUP_TRY(season, LeagueStore::open(disk, Folder{options.from}));
+  }
+  MIROCUP_TRY(const auto file, file_from(disk, options, season ? &*season : nullptr));
   const int teams = static_cast<int>(file.teams.size());
   // Of a league whose teams come later, only its start can say more.
   if (file.format.kind == FormatKind::swiss && teams > 1) {
@@ -82,6 +138,16 @@ Result<int> run_init(const InitOptions& options) {
   }
   const Folder folder{options.folder};
   MIROCUP_TRY_VOID(init_folder(disk, folder, file));
+  if (season) {
+    MIROCUP_TRY(auto people, read_people(disk, season->folder()));
+    std::erase_if(people, [&](const auto& one) {
+      return std::none_of(file.teams.begin(), file.teams.end(),
+                          [&](const TeamConfig& team) { return team.name == one.first; });
+    });
+    if (!people.empty()) {
+      MIROCUP_TRY_VOID(write_people(disk, folder, people));
+    }
+  }
   const LeagueState state = new_league(file);
   std::cout << folder.path << ": " << file.teams.size()
             << (file.teams.size() == 1 ? " team, " : " teams, ") << state.legs() << " legs\n";
@@ -96,6 +162,7 @@ void add_init(system::Commands& commands) {
        to_make,
        "Make a league",
        {"mirocup league init spring --team alpha=alpha.so --team house=house:striker --half 120",
+        "mirocup league init finals --from spring --top 8",
         "mirocup league init spring --config league.json"}},
       run_init);
   add_folder(command, o.folder);
@@ -107,6 +174,18 @@ void add_init(system::Commands& commands) {
               "later; once for each team")
       .named("NAME=TEAM")
       .excludes(config);
+  const system::Option from =
+      command
+          .option("--from", o.from,
+                  "a league whose table gives teams, entries and seeding: a knockout, if --format "
+                  "says nothing else")
+          .named("LEAGUE")
+          .excludes(config);
+  const system::Option top = command.option("--top", o.top, "how many teams of --from")
+                                 .named("NUMBER")
+                                 .between(2, static_cast<int>(max_teams))
+                                 .needs(from);
+  from.needs(top);
   command.option("--format", o.format, "the format of the schedule (default: double_round_robin)")
       .one_of(system::names_of<FormatKind>())
       .excludes(config);

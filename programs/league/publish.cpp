@@ -18,12 +18,24 @@ struct PublishOptions {
   std::string folder;
   std::string output;
   std::string through;  // the last round shown; "": all rounds
+  int pages = 0;        // the night whose pages were removed and are made again; 0: none
 };
+
+// Has the next pages of the league include those of a night again.
+Result<void> restore_night(system::Files& files, const LeagueStore& store, int night) {
+  std::set<int> nights = store.state().pruned_nights;
+  if (nights.erase(night) == 0)
+    return fail(Errc::input, "the pages of night " + std::to_string(night) + " were not removed");
+  return write_pruned_nights(files, store.folder(), nights);
+}
 
 Result<int> run_publish(const PublishOptions& options) {
   MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  if (options.pages > 0) {
+    MIROCUP_TRY_VOID(restore_night(disk, store, options.pages));
+  }
   // site/ has what is released, so the pages of other rounds go to another folder.
   const Folder folder{options.through.empty() ? options.folder : options.output};
   if (!options.through.empty() && disk.exists(folder.config()))
@@ -59,6 +71,10 @@ void add_publish(system::Commands& commands) {
                   "leave out all rounds after this one: r3, or k1 of a knockout")
           .needs(output);
   output.needs(through);
+  command.option("--pages", o.pages, "also those of this night, which mirocup league prune removed")
+      .named("NIGHT")
+      .between(1, max_count)
+      .excludes(through);
 }
 
 }  // namespace mirocup::league

@@ -54,6 +54,7 @@ Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOpt
     return league.own_replay(name, whose);
   };
   portal.statistics = [&league](const std::string& team) { return league.statistics_of(team); };
+  portal.shown_name = [&league](const std::string& team) { return league.shown_name_of(team); };
   portal.time_in_words = [&league](const std::string& utc) { return league.time_in_words(utc); };
   portal.friendlies = {
       .teams = [&league] { return league.entries_that_play(); },

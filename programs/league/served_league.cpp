@@ -143,8 +143,8 @@ std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
                          {{"name", stem_of(leg)},
                           {"fixture", leg.fixture.id()},
                           {"leg", number},
-                          {"blue", state.name(blue)},
-                          {"yellow", state.name(yellow)}},
+                          {"blue", state.shown_name(blue)},
+                          {"yellow", state.shown_name(yellow)}},
                          port});
     }
   }
@@ -331,6 +331,12 @@ std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {
     if (row != own) names.push_back(state.name(row->team));
   }
   return names;
+}
+
+std::string ServedLeague::shown_name_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  return store_.state().shown_name_of(team);
 }
 
 std::string ServedLeague::time_in_words(const std::string& utc) {

@@ -55,6 +55,9 @@ class ServedLeague {
   // Returns the teams next to a team in the table, above before below; none before the start.
   std::vector<std::string> neighbours_of(const std::string& team);
 
+  // Returns the name by which people know a team.
+  std::string shown_name_of(const std::string& team);
+
   // Returns a time of the journal as people of the league read it: shown_time().
   std::string time_in_words(const std::string& utc);
 

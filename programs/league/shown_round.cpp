@@ -47,7 +47,7 @@ std::string standing_html(const Overview& o, const std::string& heading) {
     const std::int64_t difference = row.difference();
     rows.push_back(
         {{"rank", rows.size() + 1},
-         {"name", o.state.name(row.team)},
+         {"name", o.state.shown_name(row.team)},
          {"points", row.points},
          {"played", row.played},
          {"goals", std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against)},
@@ -101,8 +101,8 @@ Result<void> ShownRound::read(const LeagueStore& store, const std::string& key) 
     for (const LegView* leg : f.legs) {
       if (!leg->has_replay()) continue;
       const bool is_home_blue = blue_team(f.state->fixture, leg->leg) == leg->home;
-      legs_.push_back({{{"blue", state.name(is_home_blue ? leg->home : leg->away)},
-                        {"yellow", state.name(is_home_blue ? leg->away : leg->home)},
+      legs_.push_back({{{"blue", state.shown_name(is_home_blue ? leg->home : leg->away)},
+                        {"yellow", state.shown_name(is_home_blue ? leg->away : leg->home)},
                         {"where", leg->round + ", leg " + std::to_string(leg->leg)},
                         {"data", "/legs/" + std::to_string(legs_.size()) + ".json"}},
                        store.folder().path + "/" + leg->played->record,
@@ -116,8 +116,8 @@ Result<void> ShownRound::read(const LeagueStore& store, const std::string& key) 
   for (const RoundView& after : rounds) {
     if (&after <= round) continue;
     for (const FixtureView& f : after.fixtures)
-      next_.push_back(state.name(f.state->fixture.home) + " – " +
-                      state.name(f.state->fixture.away));
+      next_.push_back(state.shown_name(f.state->fixture.home) + " – " +
+                      state.shown_name(f.state->fixture.away));
     break;
   }
   return {};
@@ -178,6 +178,8 @@ std::optional<web::Page> ShownRound::leg(const Leg& leg) {
                  " the program make its page that has played it\n";
     return std::nullopt;
   }
+  for (const char* colour : {"blue", "yellow"})
+    (*data)["teams"][colour]["name"] = leg.about.at(colour);
   (*data)["picture"] = web::first_picture(*loaded);
   return text_page("application/json", record::json_text(*data));
 }

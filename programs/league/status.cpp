@@ -5,6 +5,7 @@
 #include "programs/league/publishing.hpp"
 #include "record/json_reader.hpp"
 #include "system/printable.hpp"
+#include "tournaments/league/health.hpp"
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/exports.hpp"
@@ -31,7 +32,9 @@ Result<int> run_status(const StatusOptions& options) {
   if (options.entries) {
     MIROCUP_TRY_VOID(print_roster(disk, store, options.json));
   } else if (options.json) {
-    std::cout << record::json_text(table_json(overview(state))) << '\n';
+    Json json = table_json(overview(state));
+    json["disk"] = disk_json(disk_use(store.folder()));
+    std::cout << record::json_text(json) << '\n';
   } else {
     std::cout << system::printable(state.file.title) << ": " << state.played() << " of "
               << state.legs() << " legs played\n"
@@ -45,6 +48,7 @@ Result<int> run_status(const StatusOptions& options) {
     }
     if (const std::string at = last_leg_at(store.journal()); !at.empty())
       std::cout << "the last leg was played at " << shown_time(state.file, at) << '\n';
+    std::cout << "disk: " << in_words(disk_use(store.folder())) << '\n';
   }
   return state.played() == state.legs() ? exit_yes : exit_no;
 }

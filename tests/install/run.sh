@@ -82,7 +82,8 @@ step "a league by its units"
 as_student "mirocup league init spring --team alpha=c/build/team.so --team snake=python/team.py --team rock=house:idle --half 5"
 as_student "mirocup league start spring && mirocup league publish spring"
 as_student 'for record in spring/records/*.json; do mirocup verify "$record"; done'
-for unit in mirocup-league@spring.service mirocup-night@spring.service mirocup-night@spring.timer; do
+for unit in mirocup-league@spring.service mirocup-night@spring.service mirocup-night@spring.timer \
+  mirocup-health@spring.service mirocup-health@spring.timer; do
   inside systemd-analyze verify "$unit"
 done
 tests/build/units/check.sh "$folder/debian/usr/lib/systemd/system"

@@ -240,6 +240,7 @@ web::Reply Portal::team_page(const std::string& team) {
   desk.is_pinned = known->pinned > 0 && known->pinned == desk.playing;
   desk.statistics = options_.statistics(team);
   desk.time_in_words = options_.time_in_words;
+  desk.shown_name = options_.shown_name;
   if (options_.digest) desk.digest = options_.digest(team);
   return page_reply(200, team_desk_page(desk));
 }

@@ -41,6 +41,10 @@ struct PortalOptions {
       replay = {};
   // Returns the part of a page with the football statistics of a team, HTML; "" if there are none.
   std::function<std::string(const std::string& team)> statistics;
+  // Returns the name by which people know a team.
+  std::function<std::string(const std::string& team)> shown_name = [](const std::string& team) {
+    return team;
+  };
   TimeInWords time_in_words = [](const std::string& utc) { return utc; };
   FriendlyOptions friendlies;
   std::function<std::int64_t()> now;  // s since 1970

@@ -6,6 +6,7 @@
 #include "tournaments/handin/desk_html.hpp"
 #include "tournaments/handin/form.hpp"
 #include "tournaments/league/acts.hpp"
+#include "tournaments/league/health.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/grades.hpp"
@@ -238,7 +239,7 @@ void teams_table(Html& html, const LeagueFile& file, const std::vector<RosterRow
   html.close_table();
 }
 
-void attention(Html& html, const std::vector<RosterRow>& rows) {
+void attention(Html& html, const std::vector<RosterRow>& rows, const Health& health) {
   std::vector<std::string> missing;
   std::vector<std::string> refused;
   std::vector<std::string> same;
@@ -251,6 +252,7 @@ void attention(Html& html, const std::vector<RosterRow>& rows) {
     }
   }
   html.open("ul");
+  for (const std::string& problem : health.problems) html.cell("li", problem);
   html.cell("li", "Not handed in: " + (missing.empty() ? "nobody" : joined_with(missing, ", ")));
   html.cell("li",
             "Last hand-in refused: " + (refused.empty() ? "nobody" : joined_with(refused, ", ")));
@@ -326,6 +328,8 @@ web::Reply StaffDesk::page(Role reader, int done, const std::string& said, int s
   if (!store) return broken(store.error());
   const auto rows = roster(files_, *store);
   if (!rows) return broken(rows.error());
+  const auto health = league::health(files_, *store, now_());
+  if (!health) return broken(health.error());
   const LeagueState& state = store->state();
   Html html;
   log_out_button(html);
@@ -344,7 +348,7 @@ web::Reply StaffDesk::page(Role reader, int done, const std::string& said, int s
   if (state.is_closed) html.cell("li", "The league is closed");
   html.close("ul");
   next_card(html, "To look at");
-  attention(html, *rows);
+  attention(html, *rows, *health);
   next_card(html, "Teams");
   teams_table(html, state.file, *rows);
   html.raw("<p><a href=\"/hand-in/grades.csv\">Grades (CSV)</a></p>\n");

@@ -156,7 +156,7 @@ void link_cells(Html& html, const Json& leg) {
   }
 }
 
-void legs_table(Html& html, const Json& legs) {
+void legs_table(Html& html, const TeamDesk& desk, const Json& legs) {
   const bool shows_thoughts = std::any_of(legs.begin(), legs.end(),
                                           [](const Json& leg) { return leg.contains("thoughts"); });
   if (shows_thoughts) {
@@ -178,7 +178,7 @@ void legs_table(Html& html, const Json& legs) {
     const std::string result = text_in(leg, "result");
     html.open("tr");
     html.cell_of("mid", text_in(leg, "fixture") + ", leg " + number_text(leg, "leg", "%.0f"));
-    html.cell("td", text_in(leg, "opponent"));
+    html.cell("td", desk.shown_name(text_in(leg, "opponent")));
     html.cell("td", score_of(leg));
     html.cell_of(result, result);
     cost_cells(html, leg);
@@ -190,28 +190,30 @@ void legs_table(Html& html, const Json& legs) {
 }
 
 // Shows the first legs, which are the latest, and folds the others.
-void latest_first(Html& html, const Json& legs, std::ptrdiff_t shown,
-                  void (*table)(Html&, const Json&)) {
+void latest_first(Html& html, const TeamDesk& desk, const Json& legs, std::ptrdiff_t shown,
+                  void (*table)(Html&, const TeamDesk&, const Json&)) {
   const auto older = legs.begin() + std::min<std::ptrdiff_t>(shown, legs.end() - legs.begin());
-  if (legs.begin() != older) table(html, Json(legs.begin(), older));
+  if (legs.begin() != older) table(html, desk, Json(legs.begin(), older));
   if (older == legs.end()) return;
   html.raw("<details>\n");
   html.cell("summary", "Older ones");
-  table(html, Json(older, legs.end()));
+  table(html, desk, Json(older, legs.end()));
   html.raw("</details>\n");
 }
 
-void friendly_form(Html& html, const std::vector<std::string>& opponents) {
+void friendly_form(Html& html, const TeamDesk& desk) {
   html.raw(
       "<form id=\"friendly\" class=\"desk\" hidden>\n<p><label for=\"opponent\">A leg that "
       "counts for nothing, against</label> <select id=\"opponent\">\n");
-  for (const std::string& name : opponents) html.cell("option", name);
+  for (const std::string& name : desk.opponents)
+    html.raw("<option value=\"" + system::html_escaped(name) + "\">" +
+             system::html_escaped(desk.shown_name(name)) + "</option>\n");
   html.raw(
       "</select> <button>Play</button></p>\n</form>\n<p id=\"friendly-answer\" "
       "role=\"status\" aria-live=\"polite\"></p>\n");
 }
 
-void friendlies_table(Html& html, const Json& friendlies) {
+void friendlies_table(Html& html, const TeamDesk& desk, const Json& friendlies) {
   html.open_table();
   head(html, {{"Entry", "mid"},
               {"Opponent"},
@@ -228,7 +230,7 @@ void friendlies_table(Html& html, const Json& friendlies) {
     const int difference = is_played ? leg.value("goals", 0) - leg.value("against", 0) : 0;
     html.open("tr");
     html.cell_of("number mid", number_text(leg, "entry", "%.0f"));
-    html.cell("td", text_in(leg, "opponent"));
+    html.cell("td", desk.shown_name(text_in(leg, "opponent")));
     html.cell("td", is_played ? score_of(leg) : state);
     const char* const letter = !is_played ? "" : difference > 0 ? "W" : difference < 0 ? "L" : "D";
     html.cell_of(letter, letter);
@@ -247,9 +249,9 @@ void friendlies_card(Html& html, const TeamDesk& desk) {
       "<p class=\"small\">Each accepted entry plays one leg against each house team, and "
       "against its neighbours once there is a table. Ten more an hour are yours to choose; "
       "the other team sees result and replay of those.</p>\n");
-  if (desk.playing > 0) friendly_form(html, desk.opponents);
+  if (desk.playing > 0) friendly_form(html, desk);
   html.raw("<div id=\"friendlies\">\n");
-  latest_first(html, desk.friendlies, shown_friendlies, friendlies_table);
+  latest_first(html, desk, desk.friendlies, shown_friendlies, friendlies_table);
   html.raw("</div>\n");
 }
 
@@ -287,10 +289,10 @@ std::string team_desk_page(const TeamDesk& desk) {
   Json all = desk.legs;
   all.insert(all.end(), desk.friendlies.begin(), desk.friendlies.end());
   processor_time(html, all);
-  latest_first(html, desk.legs, shown_legs, legs_table);
+  latest_first(html, desk, desk.legs, shown_legs, legs_table);
   html.raw(desk.statistics);
   html.raw(script);
-  return desk_page(desk.team, html);
+  return desk_page(desk.shown_name(desk.team), html);
 }
 
 }  // namespace mirocup::league

@@ -30,6 +30,7 @@ struct TeamDesk {
   std::string statistics;              // HTML
   std::string digest;                  // HTML: the digest of the last night; "": none
   TimeInWords time_in_words;
+  std::function<std::string(const std::string& team)> shown_name;
 };
 
 // `why` is a sentence that says what was wrong with the last token; "" if nothing was.

@@ -17,6 +17,16 @@ namespace mirocup::league {
 namespace {
 
 constexpr std::string_view house_prefix = "house:";
+constexpr std::string_view pruned_schema = "mirocup/pruned/1";
+
+std::set<int> nights_in(const record::JsonReader& json) {
+  json.expect_object({"schema", "nights"});
+  json.expect_schema(pruned_schema);
+  std::set<int> nights;
+  for (const record::JsonReader& night : json.at("nights").elements(0, max_count))
+    nights.insert(night.integer(1, max_count));
+  return nights;
+}
 
 // Returns the numbers of all folders of the team's entries, in their order.
 Result<std::vector<int>> numbers_in(system::Files& files, const Folder& folder,
@@ -168,6 +178,20 @@ Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Fol
     adopted.push_back(team.name);
   }
   return adopted;
+}
+
+Result<std::set<int>> read_pruned_nights(system::Files& files, const Folder& folder) {
+  MIROCUP_TRY(const auto text,
+              files.read_if_there(folder.pruned(), {.max_size = system::size_limit::note}));
+  if (!text) return std::set<int>();
+  return record::read_json<std::set<int>>(*text, folder.pruned(), Errc::damaged, nights_in);
+}
+
+Result<void> write_pruned_nights(system::Files& files, const Folder& folder,
+                                 const std::set<int>& nights) {
+  if (nights.empty()) return files.remove(folder.pruned());
+  const Json json{{"schema", pruned_schema}, {"nights", nights}};
+  return files.write(folder.pruned(), record::json_text(json) + "\n");
 }
 
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file) {

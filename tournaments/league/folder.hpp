@@ -7,6 +7,7 @@
 #include "system/files.hpp"
 #include "tournaments/league/league_state.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Folder {
   std::string lock() const { return path + "/.lock"; }  // held while an event is written
 
   std::string people() const { return path + "/teams.json"; }  // people.hpp
+  std::string pruned() const { return path + "/pruned.json"; }
 
   // The programs that have played the league, one folder for each (play/program.hpp).
   std::string programs() const { return path + "/programs"; }
@@ -101,6 +103,12 @@ Result<void> expect_league(system::Files& files, const Folder& folder);
 // For commands that write into the folder: Errc::unavailable if the league belongs to another user,
 // who could then not write to what this user makes. A folder without a league belongs to nobody.
 Result<void> expect_owner(const Folder& folder);
+
+// The nights whose legs have no pages, since the host has removed these to save room
+// (league_state.hpp). Nothing is noted for a league that has all its pages.
+Result<std::set<int>> read_pruned_nights(system::Files& files, const Folder& folder);
+Result<void> write_pruned_nights(system::Files& files, const Folder& folder,
+                                 const std::set<int>& nights);
 
 // Creates the folder with this league.json and with every team's library as its entry 1. A folder
 // that holds a league already is refused (Errc::input).

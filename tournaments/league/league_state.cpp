@@ -92,6 +92,11 @@ std::optional<int> LeagueState::find_fixture(const std::string& id) const {
   return found->second;
 }
 
+std::string LeagueState::shown_name_of(const std::string& team) const {
+  const auto index = find_team(team);
+  return index ? shown_name(*index) : team;
+}
+
 std::optional<int> LeagueState::find_team(const std::string& name) const {
   const auto found = index_of_team_.find(name);
   if (found == index_of_team_.end()) return std::nullopt;

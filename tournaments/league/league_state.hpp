@@ -16,11 +16,16 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 namespace mirocup::league {
+
+// After this number of attempts that failed because of the host, a leg is not tried again until the
+// next start of the program, so that a person can repair the host first.
+inline constexpr int max_attempts = 3;
 
 // A leg that is decided.
 struct PlayedLeg {
@@ -112,6 +117,9 @@ struct LeagueState {
   // without one has no mark.
   std::map<std::string, std::string> shown_colours;
 
+  // The nights whose legs have no replay pages any more. Their records stay.
+  std::set<int> pruned_nights;
+
   // Numbers of the legs that the league needs by present results, and of those that are decided.
   int legs() const { return needed_; }
   int played() const { return decided_; }
@@ -129,6 +137,9 @@ struct LeagueState {
   const std::string& shown_name(int team) const {
     return shown_names.empty() ? name(team) : shown_names[team];
   }
+
+  // The same for the name of a team in league.json; a text that is none stays as it is.
+  std::string shown_name_of(const std::string& team) const;
 
   // All fixtures before this index are decided.
   int first_open() const { return first_open_; }

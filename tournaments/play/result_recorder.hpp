@@ -14,10 +14,6 @@
 
 namespace mirocup::league {
 
-// After this number of attempts that failed because of the host, a leg is not tried again until the
-// next start of the program, so that a person can repair the host first.
-inline constexpr int max_attempts = 3;
-
 class ResultRecorder {
  public:
   ResultRecorder(system::Files& files, LeagueStore store, ProgressReporter& progress);

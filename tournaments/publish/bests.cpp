@@ -32,9 +32,8 @@ std::string place_of(const LegView& leg) {
 }
 
 std::string page_of(const LegView& leg, double at = -1.0) {
-  if (!leg.has_replay()) return "";
-  std::string page = replay_page_of(leg.played->record);
-  if (at >= 0.0) page += "#t=" + one_digit(std::max(0.0, at - run_up));
+  std::string page = leg.page();
+  if (at >= 0.0 && !page.empty()) page += "#t=" + one_digit(std::max(0.0, at - run_up));
   return page;
 }
 
@@ -283,7 +282,7 @@ std::vector<WorthWatching> worth_watching(const Overview& o, int team, std::size
   };
   std::vector<Candidate> legs;
   for (const LegView& leg : o.legs) {
-    if (!leg.has_replay() || leg.is_annulled || (team >= 0 && !leg.is_of(team))) continue;
+    if (leg.page().empty() || leg.is_annulled || (team >= 0 && !leg.is_of(team))) continue;
     legs.push_back({&leg, excitement(o, leg)});
   }
   std::stable_sort(legs.begin(), legs.end(), [](const Candidate& a, const Candidate& b) {

@@ -112,11 +112,10 @@ class BracketPicture {
       if (leg.played == nullptr) continue;
       const auto& shoot_out = leg.facts == nullptr ? no_shoot_out_ : leg.facts->shoot_out;
       const int leg_room = shoot_out ? shoot_out_width : leg_width;
-      const bool has_page = leg.has_replay();
+      const bool has_page = !leg.page().empty();
       if (has_page) {
-        boxes_ += "<a class=\"leg\" href=\"" + replay_page_of(leg.played->record) +
-                  "\" aria-label=\"Leg " + std::to_string(leg.leg) + ": " +
-                  std::to_string(leg.goals(leg.home)) + " to " +
+        boxes_ += "<a class=\"leg\" href=\"" + leg.page() + "\" aria-label=\"Leg " +
+                  std::to_string(leg.leg) + ": " + std::to_string(leg.goals(leg.home)) + " to " +
                   std::to_string(leg.goals(leg.away)) + "\"><rect class=\"hit\" x=\"" +
                   std::to_string(x + 4 - leg_room) + "\" y=\"" + std::to_string(at.y + 2) +
                   "\" width=\"" + std::to_string(leg_room) + "\" height=\"" +

@@ -90,7 +90,7 @@ Json legs_json(const Overview& o) {
       json["fault"] = or_null(fault_text(p));
       json["ruling"] = or_null(p.ruling);
       json["record"] = or_null(p.record);
-      json["replay"] = p.record.empty() ? Json() : Json(replay_page_of(p.record));
+      json["replay"] = or_null(leg.page());
       json["state_hash"] = or_null(p.state_hash);
     }
     legs.push_back(json);

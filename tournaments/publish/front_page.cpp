@@ -185,9 +185,7 @@ Json cell_values(const std::vector<const LegView*>& legs, int team, const std::s
   for (const LegView* leg : legs) {
     if (leg->played == nullptr) continue;
     ahead += leg->goals(team) - leg->goals_against(team);
-    scores.push_back(
-        {{"score", score_text(*leg, team)},
-         {"page", leg->has_replay() ? root + replay_page_of(leg->played->record) : ""}});
+    scores.push_back({{"score", score_text(*leg, team)}, {"page", leg->page(root)}});
   }
   const bool is_summed = scores.size() > most_scores_in_cell;
   return {{"scores", is_summed ? sums_of(legs, team) : scores},

@@ -26,11 +26,16 @@ void Html::cell_of(std::string_view style_class, std::string_view text) {
 }
 
 void Html::link(std::string_view target, std::string_view text) {
+  if (target.empty()) {
+    text_ += html_escaped(text);
+    return;
+  }
   text_.append("<a href=\"").append(html_escaped(target)).append("\">").append(html_escaped(text));
   text_ += "</a>\n";
 }
 
 void Html::link_cell(std::string_view target, std::string_view text) {
+  if (target.empty()) return cell("td", text);
   text_.append("<td><a href=\"")
       .append(html_escaped(target))
       .append("\">")

@@ -21,7 +21,7 @@ class Html {
   // A table cell with a style class.
   void cell_of(std::string_view style, std::string_view text);
 
-  // A link, and a table cell with a link.
+  // A link, and a table cell with a link. Without a target it is the text alone.
   void link(std::string_view target, std::string_view text);
   void link_cell(std::string_view target, std::string_view text);
 

@@ -159,7 +159,8 @@ std::string loss_in_words(const std::optional<statistics::Loss>& loss, const sta
   return in_words(loss->kind) + ", " + third + ", " + fixed(before, 1) + " s before";
 }
 
-void goals_against(Html& html, const LegReports& reports, const std::string& name) {
+void goals_against(Html& html, const LeagueState& state, const LegReports& reports,
+                   const std::string& name) {
   std::size_t count = 0;
   for (const LegReport& leg : reports) {
     const auto colour = colour_of(leg, name);
@@ -183,13 +184,14 @@ void goals_against(Html& html, const LegReports& reports, const std::string& nam
       if (!colour || goal.team == *colour) continue;
       html.open("tr");
       html.cell("td", leg.leg);
-      html.cell("td", leg.names[index_of(goal.team)]);
+      html.cell("td", state.shown_name_of(leg.names[index_of(goal.team)]));
       html.cell("td", in_words(goal.origin));
       html.cell("td", in_words(goal.restart) + ": " + in_words(goal.restart_law));
       html.cell_of("number", fixed(goal.since_restart, 1) + " s");
       html.cell_of("small", loss_in_words(goal.loss, goal, leg.control_period));
       const double at = std::max(0.0, goal.tick * leg.control_period - lead_in_s);
-      html.link_cell("../" + replay_page_of(leg.record) + "#t=" + fixed(at, 2),
+      const std::string page = page_of_record(state, "../", leg.record);
+      html.link_cell(page.empty() ? "" : page + "#t=" + fixed(at, 2),
                      "tick " + std::to_string(goal.tick));
       html.close("tr");
     }
@@ -287,7 +289,7 @@ std::string statistics_html(const Overview& o, const LegReports& reports) {
     const auto found = of(row.team);
     if (found == totals.end()) continue;
     html.open("tr");
-    html.link_cell(team_page_of(found->name), found->name);
+    html.link_cell(team_page_of(found->name), o.state.shown_name(row.team));
     number_cells(html, *found);
     html.close("tr");
   }
@@ -299,7 +301,7 @@ std::string statistics_html(const Overview& o, const LegReports& reports) {
     const auto found = of(row.team);
     if (found == totals.end()) continue;
     html.open("tr");
-    html.cell("td", found->name);
+    html.cell("td", o.state.shown_name(row.team));
     kinds_cells(html, found->own);
     html.close("tr");
   }
@@ -354,7 +356,7 @@ std::string team_statistics_html(const Overview& o, const LegReports& reports, i
                      std::to_string(all.own.losses[0]) + " in its own third of the field, " +
                      std::to_string(all.own.losses[1]) + " in the middle, " +
                      std::to_string(all.own.losses[2]) + " in that of its opponents.");
-  goals_against(html, reports, name);
+  goals_against(html, o.state, reports, name);
   return html.text();
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/assert.hpp"
 #include "core/match/controller.hpp"
+#include "tournaments/publish/replay_pages.hpp"
 
 #include <algorithm>
 #include <array>
@@ -58,6 +59,10 @@ static_assert(fault_words.size() == enum_names<match::FaultCode>.size());
 int LegView::goals(int team) const {
   MIROCUP_ASSERT(played != nullptr && is_of(team));
   return team == home ? played->result.home_goals : played->result.away_goals;
+}
+
+std::string LegView::page(const std::string& root) const {
+  return has_replay() && !is_pruned ? root + replay_page_of(played->record) : "";
 }
 
 char LegView::letter(int team) const {
@@ -116,7 +121,8 @@ Overview overview(const LeagueState& state, const FactsOfLegs& facts) {
                         .away = f.fixture.away,
                         .played = played,
                         .facts = known == facts.end() ? nullptr : &known->second,
-                        .is_annulled = f.is_annulled});
+                        .is_annulled = f.is_annulled,
+                        .is_pruned = state.pruned_nights.contains(f.fixture.round)});
       if (played != nullptr) {
         for (const int team : {f.fixture.home, f.fixture.away})
           o.decided_legs[team].push_back(o.legs.size() - 1);
@@ -149,7 +155,11 @@ std::string end_in_words(const LeagueState& state, const PlayedLeg& leg) {
   if (leg.end == LegEnd::shoot_out && leg.winner >= 0) {
     words += ", won by " + state.shown_name(leg.winner);
   }
-  if (leg.fault) words += ": " + leg.fault->summary();
+  if (leg.fault) {
+    LegFault fault = *leg.fault;
+    fault.team = state.shown_name_of(fault.team);
+    words += ": " + fault.summary();
+  }
   if (!leg.ruling.empty()) words += "; ruling: " + leg.ruling;
   return words;
 }

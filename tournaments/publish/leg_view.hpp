@@ -23,6 +23,10 @@ struct LegView {
   const PlayedLeg* played = nullptr;  // null: not decided
   const LegFacts* facts = nullptr;    // null: not known
   bool is_annulled = false;           // counts for nothing, because a team has left
+  bool is_pruned = false;             // its page was removed to save room
+
+  // The path of its replay page from the top of the site after `root`; "" if it has none.
+  std::string page(const std::string& root = "") const;
 
   bool has_replay() const { return played != nullptr && !played->record.empty(); }
   bool is_of(int team) const { return home == team || away == team; }

@@ -23,9 +23,9 @@ namespace {
 constexpr std::size_t nights_in_feed = 10;
 constexpr double run_up_s = 3.0;  // a moment is shown from a little before
 
-std::string page_of_moment(const WorstMoment& moment) {
-  std::string page = replay_page_of(moment.record);
-  if (moment.at < 0.0) return page;
+std::string page_of_moment(const Overview& o, const std::string& root, const WorstMoment& moment) {
+  const std::string page = page_of_record(o.state, root, moment.record);
+  if (moment.at < 0.0 || page.empty()) return page;
   char time[32];
   std::snprintf(time, sizeof time, "#t=%.1f", std::max(0.0, moment.at - run_up_s));
   return page + time;
@@ -133,7 +133,7 @@ std::string digest_html(const Overview& o, const Night& night, const TeamDigest&
   html.open("ul");
   for (const LostLeg& leg : d.losses) {
     html.open("li");
-    html.link(root + replay_page_of(leg.record),
+    html.link(page_of_record(o.state, root, leg.record),
               o.state.shown_name(leg.opponent) + " " + leg.score);
     html.cell("small", " " + leg.fixture + " leg " + std::to_string(leg.leg));
     html.close("li");
@@ -144,7 +144,7 @@ std::string digest_html(const Overview& o, const Night& night, const TeamDigest&
   html.open("ol");
   for (const WorstMoment& moment : d.moments) {
     html.open("li");
-    html.link(root + page_of_moment(moment),
+    html.link(page_of_moment(o, root, moment),
               (moment.at >= 0.0 ? time_text(moment.at) + " " : "") + moment.what);
     html.close("li");
   }
@@ -155,7 +155,7 @@ std::string digest_html(const Overview& o, const Night& night, const TeamDigest&
 std::string digest_text(const Overview& o, const Night& night, const TeamDigest& d,
                         const std::string& address) {
   const auto link = [&address](const std::string& page) {
-    return address.empty() ? "" : "  " + address + page;
+    return address.empty() || page.empty() ? "" : "  " + address + page;
   };
   std::string text = o.state.file.title + ", " + title_of(night);
   if (const std::string at = when(o.state, night.at); !at.empty()) text += ", " + at;
@@ -169,13 +169,13 @@ std::string digest_text(const Overview& o, const Night& night, const TeamDigest&
   if (d.losses.empty()) text += "  nobody\n";
   for (const LostLeg& leg : d.losses) {
     text += "  " + o.state.shown_name(leg.opponent) + " " + leg.score +
-            link(replay_page_of(leg.record)) + "\n";
+            link(page_of_record(o.state, "", leg.record)) + "\n";
   }
   text += "\nWorst moments:\n";
   if (d.moments.empty()) text += "  none\n";
   for (const WorstMoment& moment : d.moments) {
     text += "  " + (moment.at >= 0.0 ? time_text(moment.at) + " " : "") + moment.what +
-            link(page_of_moment(moment)) + "\n";
+            link(page_of_moment(o, "", moment)) + "\n";
   }
   return text;
 }
@@ -187,13 +187,13 @@ Json digest_json(const Overview& o, const TeamDigest& d) {
                       {"score", leg.score},
                       {"fixture", leg.fixture},
                       {"leg", leg.leg},
-                      {"replay", replay_page_of(leg.record)}});
+                      {"replay", page_of_record(o.state, "", leg.record)}});
   }
   Json moments = Json::array();
   for (const WorstMoment& moment : d.moments) {
     moments.push_back({{"what", moment.what},
                        {"at", moment.at >= 0.0 ? Json(moment.at) : Json()},
-                       {"replay", page_of_moment(moment)}});
+                       {"replay", page_of_moment(o, "", moment)}});
   }
   return {
       {"team", o.state.name(d.team)},
@@ -248,12 +248,13 @@ Result<std::string> feed_xml(const LeagueState& shown, const Journal& journal) {
     state.shown_names = shown.shown_names;
     const auto table = state.table();
     const std::string leader = table.empty() ? "" : state.shown_name(table.front().team);
-    entries += "<entry>\n<id>" + tag_of(shown) + ":night:" + std::to_string(night.number) +
-               "</id>\n<title>Night " + std::to_string(night.number) + ": " +
-               system::html_escaped(leader) + " leads</title>\n<updated>" + night.at +
-               "</updated>\n<link href=\"night.html\"/>\n<content type=\"html\">" +
-               system::html_escaped("<pre>" + system::html_escaped(table_text(state)) + "</pre>") +
-               "</content>\n</entry>\n";
+    entries +=
+        "<entry>\n<id>" + tag_of(shown) + ":night:" + std::to_string(night.number) +
+        "</id>\n<title>Night " + std::to_string(night.number) + ": " +
+        system::html_escaped(leader) + " leads</title>\n<updated>" + night.at +
+        "</updated>\n<link href=\"night.html\"/>\n<content type=\"html\">" +
+        system::html_escaped("<pre>" + system::html_escaped(table_text(state, true)) + "</pre>") +
+        "</content>\n</entry>\n";
   }
   return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<feed "
          "xmlns=\"http://www.w3.org/2005/Atom\">\n"

@@ -125,7 +125,7 @@ Json fixture_values(const Overview& o, const FixtureView& fixture, const std::st
     const bool has = leg->has_replay();
     legs.push_back({{"score", score_text(*leg, f.home)},
                     {"number", leg->leg},
-                    {"page", has ? root + replay_page_of(leg->played->record) : ""},
+                    {"page", leg->page(root)},
                     {"record", has ? root + "../" + leg->played->record : ""}});
     if (const std::string note = note_of(o, *leg, fixture.legs.size() > 1); !note.empty())
       notes.push_back(note);
@@ -158,7 +158,7 @@ Json fixtures_values(const Overview& o, const RoundView& round, const std::strin
 Json leg_values(const Overview& o, const LegView& leg, const std::string& root,
                 const std::string& why) {
   return {{"score", score_text(leg, leg.home)},
-          {"page", leg.has_replay() ? root + replay_page_of(leg.played->record) : ""},
+          {"page", leg.page(root)},
           {"home", o.state.shown_name(leg.home)},
           {"away", o.state.shown_name(leg.away)},
           {"where", leg.round + ", leg " + std::to_string(leg.leg)},
@@ -171,9 +171,8 @@ Json form_values(const Overview& o, int team, std::size_t most, const std::strin
   for (std::size_t i = legs.size() - std::min(most, legs.size()); i < legs.size(); ++i) {
     const LegView& leg = o.legs[legs[i]];
     const char letter = leg.letter(team);
-    form.push_back({{"letter", std::string(1, letter)},
-                    {"word", word_of(letter)},
-                    {"page", leg.has_replay() ? root + replay_page_of(leg.played->record) : ""}});
+    form.push_back(
+        {{"letter", std::string(1, letter)}, {"word", word_of(letter)}, {"page", leg.page(root)}});
   }
   return form;
 }

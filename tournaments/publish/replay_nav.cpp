@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/replay_nav.hpp"
 
+#include "record/json_reader.hpp"
+#include "system/markup.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 
@@ -17,16 +19,8 @@ constexpr std::string_view end_mark = "<!--/league-->";
 
 Json link_to(const Overview& o, const LegView* leg) {
   if (leg == nullptr) return false;
-  return {{"page", "../" + replay_page_of(leg->played->record)},
+  return {{"page", leg->page("../")},
           {"pair", o.state.shown_name(leg->home) + " – " + o.state.shown_name(leg->away)}};
-}
-
-// The fixture of a record, "records/r1-f2-1-1.json" of "r1-f2", also of an attempt that is void.
-const FixtureState* fixture_of_record(const LeagueState& state, const std::string& record) {
-  std::string id = std::filesystem::path(record).stem();
-  for (int part = 0; part < 2; ++part) id = id.substr(0, id.rfind('-'));
-  const auto index = state.find_fixture(id);
-  return index ? &state.fixtures[static_cast<std::size_t>(*index)] : nullptr;
 }
 
 std::string nav(const Overview& o, const std::string& record) {
@@ -36,7 +30,7 @@ std::string nav(const Overview& o, const std::string& record) {
   const LegView* before = nullptr;
   const LegView* after = nullptr;
   for (const LegView& leg : o.legs) {
-    if (!leg.has_replay()) continue;
+    if (!leg.has_replay() || (leg.is_pruned && leg.played->record != record)) continue;
     if (own != nullptr) {
       after = &leg;
       break;
@@ -65,6 +59,41 @@ std::string nav(const Overview& o, const std::string& record) {
                                          {"note", note}});
 }
 
+// Puts a text in place of what stands between two others, after `from`. Returns where it ends, or
+// npos if there is no such place.
+std::size_t put_between(std::string& page, std::size_t from, std::string_view before,
+                        std::string_view after, const std::string& text) {
+  const std::size_t at = from == std::string::npos ? from : page.find(before, from);
+  if (at == std::string::npos) return at;
+  const std::size_t first = at + before.size();
+  const std::size_t end = page.find(after, first);
+  if (end == std::string::npos) return end;
+  page.replace(first, end - first, text);
+  return first + text.size();
+}
+
+// The program that makes a page knows the names of the record. Puts those that people know into
+// title, scoreboard and data of the page, which may have others from before.
+void put_shown_names(std::string& page, const LeagueState& state, const FixtureState& f, int leg) {
+  const int blue = blue_team(f.fixture, leg);
+  const int yellow = blue == f.fixture.home ? f.fixture.away : f.fixture.home;
+  const std::string names[] = {state.shown_name(blue), state.shown_name(yellow)};
+  const std::string title = system::html_escaped(names[0] + " – " + names[1]);
+  put_between(page, 0, "<title>", "</title>", title);
+  std::size_t at = put_between(page, 0, "<h1 class=\"visually-hidden\">", "</h1>", title);
+  for (const std::string& name : names)
+    at = put_between(page, at, "<span class=\"name\">", "</span>", system::html_escaped(name));
+  at = page.find("<script type=\"application/json\" id=\"leg\">");
+  if (at != std::string::npos) at = page.find("\"teams\":", at);
+  // The name is the first key of a team, and in a text of JSON each quote is escaped.
+  for (const std::string colour : {"blue", "yellow"}) {
+    std::string text = record::json_text(Json(names[colour == "blue" ? 0 : 1]));
+    for (std::size_t less = text.find('<'); less != std::string::npos; less = text.find('<'))
+      text.replace(less, 1, "\\u003c");
+    at = put_between(page, at, "\"" + colour + "\":{\"name\":", ",\"kind\":", text);
+  }
+}
+
 }  // namespace
 
 std::string with_league_links(std::string page, const Overview& o, const std::string& record) {
@@ -73,7 +102,12 @@ std::string with_league_links(std::string page, const Overview& o, const std::st
   const std::size_t inside = begin + begin_mark.size();
   const std::size_t end = page.find(end_mark, inside);
   if (end == std::string::npos) return page;
-  return page.replace(inside, end - inside, nav(o, record));
+  page.replace(inside, end - inside, nav(o, record));
+  const FixtureState* f = fixture_of_record(o.state, record);
+  const std::size_t version = record.rfind('-');
+  if (f == nullptr || !f->fixture.has_both() || version == std::string::npos) return page;
+  put_shown_names(page, o.state, *f, record[version - 1] - '0');
+  return page;
 }
 
 }  // namespace mirocup::league

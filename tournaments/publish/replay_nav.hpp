@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The links of a replay page to the league that it belongs to. A page is made once, but its links
-// change while the league is played. They stand between two marker comments; this function replaces
-// them.
+// The links of a replay page to the league that it belongs to, and the names of its teams. A page
+// is made once, but its links change while the league is played, and display names at any time. The
+// links stand between two marker comments.
 #pragma once
 
 #include "tournaments/publish/leg_view.hpp"
@@ -12,8 +12,9 @@
 namespace mirocup::league {
 
 // Returns the replay page of a record with links to the front page, the round, both teams and the
-// legs before and after, and a note if the leg does not count. `record` is the path inside the
-// league folder. A page without the comments is returned unchanged.
+// legs before and after, and a note if the leg does not count; title, scoreboard and calls have the
+// names by which people know the teams. `record` is the path inside the league folder. A page
+// without the comments is returned unchanged.
 std::string with_league_links(std::string page, const Overview& overview,
                               const std::string& record);
 

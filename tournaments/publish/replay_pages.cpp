@@ -31,11 +31,16 @@ std::vector<std::string> records_of(system::Files& files, const Folder& folder,
   return records;
 }
 
+bool is_pruned(const LeagueState& state, const FixtureState& f) {
+  return state.pruned_nights.contains(f.fixture.round);
+}
+
 // True if the page of a record is there with statistics that can be read. Statistics of an earlier
-// version that cannot be read any more are not made again by the same program.
+// version that cannot be read any more are not made again by the same program. Of a pruned leg the
+// statistics are enough.
 bool has_page(system::Files& files, const Folder& folder, MatchServers& servers,
-              const std::string& record) {
-  if (!files.exists(folder.site() + "/" + replay_page_of(record))) return false;
+              const std::string& record, bool is_pruned) {
+  if (!is_pruned && !files.exists(folder.site() + "/" + replay_page_of(record))) return false;
   if (has_statistics(files, folder, record)) return true;
   return files.exists(folder.site() + "/" + statistics_file_of(record)) &&
          servers.of_record(record).words != servers.own().words;
@@ -63,7 +68,7 @@ std::vector<MissingPage> missing_pages(system::Files& files, const Folder& folde
   std::vector<MissingPage> missing;
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
-      if (has_page(files, folder, servers, record)) continue;
+      if (has_page(files, folder, servers, record, is_pruned(state, f))) continue;
       const MatchServer& server = servers.of_record(record);
       MissingPage page{
           .record = record, .programs = {server.words}, .why_not_kept = server.why_not_kept};
@@ -127,13 +132,16 @@ Result<void> link_pages(system::Files& files, const Folder& folder, const Overvi
   return {};
 }
 
-// Removes what was made of other legs: those of rounds that are not shown any more.
+// Removes what was made of other legs: those of rounds that are not shown any more, and of nights
+// that are pruned.
 Result<void> remove_other_pages(system::Files& files, const Folder& folder,
                                 const LeagueState& state) {
   std::set<std::string> shown;
   for (const FixtureState& f : state.fixtures) {
-    for (const std::string& record : records_of(files, folder, f))
-      shown.insert({replay_page_of(record), statistics_file_of(record)});
+    for (const std::string& record : records_of(files, folder, f)) {
+      shown.insert(statistics_file_of(record));
+      if (!is_pruned(state, f)) shown.insert(replay_page_of(record));
+    }
   }
   for (const std::string part : {"replays/", "statistics/"}) {
     if (auto removed = remove_former_pages(files, folder.site(), part, shown); !removed)
@@ -144,6 +152,19 @@ Result<void> remove_other_pages(system::Files& files, const Folder& folder,
 
 }  // namespace
 
+const FixtureState* fixture_of_record(const LeagueState& state, const std::string& record) {
+  std::string id = std::filesystem::path(record).stem();
+  for (int part = 0; part < 2; ++part) id = id.substr(0, id.rfind('-'));
+  const auto index = state.find_fixture(id);
+  return index ? &state.fixtures[static_cast<std::size_t>(*index)] : nullptr;
+}
+
+std::string page_of_record(const LeagueState& state, const std::string& root,
+                           const std::string& record) {
+  const FixtureState* f = fixture_of_record(state, record);
+  return f != nullptr && is_pruned(state, *f) ? "" : root + replay_page_of(record);
+}
+
 std::string replay_page_of(const std::string& record) {
   return "replays/" + std::filesystem::path(record).stem().string() + ".html";
 }
@@ -153,6 +174,10 @@ Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder
   MIROCUP_TRY_VOID(remove_other_pages(files, folder, overview.state));
   const auto failed = make_missing_pages(files, folder, overview.state, jobs);
   if (!failed) return failed;
+  // Statistics that were missing came with their pages.
+  if (!overview.state.pruned_nights.empty()) {
+    MIROCUP_TRY_VOID(remove_other_pages(files, folder, overview.state));
+  }
   MIROCUP_TRY_VOID(link_pages(files, folder, overview));
   return failed;
 }

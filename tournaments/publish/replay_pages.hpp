@@ -18,6 +18,13 @@ namespace mirocup::league {
 // Returns the path inside site/ of the page of a record ("records/x.json").
 std::string replay_page_of(const std::string& record);
 
+// The fixture of a record, "records/r1-f2-1-1.json" of "r1-f2", also of an attempt that is void.
+const FixtureState* fixture_of_record(const LeagueState& state, const std::string& record);
+
+// Returns the path of the page of a record after `root`; "" if it was removed to save room.
+std::string page_of_record(const LeagueState& state, const std::string& root,
+                           const std::string& record);
+
 // The pages that could not be made. The league is published without them.
 struct FailedPages {
   int count = 0;
@@ -25,7 +32,7 @@ struct FailedPages {
 };
 
 // Makes the missing pages, `jobs` at once (0: one for each processor), and removes those of legs
-// that this state does not hold.
+// that this state does not hold, and of nights that are pruned, whose statistics stay.
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
                                       const Overview& overview, int jobs);
 

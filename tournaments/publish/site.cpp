@@ -7,19 +7,24 @@
 #include "tournaments/publish/team_page.hpp"
 #include "web/design/template.hpp"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
 namespace mirocup::league {
 
-std::string table_text(const LeagueState& state) {
+std::string table_text(const LeagueState& state, bool is_for_public) {
   std::ostringstream out;
   const auto line = [&out](const std::string& rank, const std::string& team,
                            const std::string& numbers, const std::string& goals,
                            const std::string& points, const std::string& by) {
-    out << std::setw(3) << rank << "  " << std::left << std::setw(20) << team << std::right
-        << std::setw(20) << numbers << std::setw(12) << goals << std::setw(8) << points
-        << (by.empty() ? "" : "   ") << by << '\n';
+    // As wide as it is read: no byte that goes on a letter of UTF-8 counts.
+    const auto width =
+        std::count_if(team.begin(), team.end(), [](char c) { return (c & 0xc0) != 0x80; });
+    out << std::setw(3) << rank << "  " << team
+        << std::string(std::max<std::ptrdiff_t>(20 - width, 0), ' ') << std::setw(20) << numbers
+        << std::setw(12) << goals << std::setw(8) << points << (by.empty() ? "" : "   ") << by
+        << '\n';
   };
   line("", "Team", "legs  won drawn lost", "goals", "points", "ahead of the next by");
   const std::vector<TableRow> table = state.table();
@@ -29,7 +34,9 @@ std::string table_text(const LeagueState& state) {
     numbers << std::setw(4) << row.played << std::setw(5) << row.won << std::setw(6) << row.drawn
             << std::setw(5) << row.lost;
     const bool is_out = state.teams[row.team].status == TeamStatus::withdrawn;
-    line(std::to_string(i + 1), state.name(row.team) + (is_out ? " (withdrawn)" : ""),
+    line(std::to_string(i + 1),
+         (is_for_public ? state.shown_name(row.team) : state.name(row.team)) +
+             (is_out ? " (withdrawn)" : ""),
          numbers.str(), std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against),
          std::to_string(row.points),
          reason_in_words(row, i + 1 < table.size() ? &table[i + 1] : nullptr));

@@ -58,6 +58,6 @@ class Site {
 };
 
 // Returns the table as lines of text for a terminal.
-std::string table_text(const LeagueState& state);
+std::string table_text(const LeagueState& state, bool is_for_public = false);
 
 }  // namespace mirocup::league

@@ -337,6 +337,169 @@ TEST_F(Term, DoubtsAClockThatWentBack) {
   EXPECT_TRUE(contains(ask("nightly").err, "long after the last line of the journal"));
 }
 
+// Catches a timer that stands still, or a night that was killed, of which nobody is told.
+TEST_F(Term, HealthCallsTheHostOnlyWhenSomethingIsWrong) {
+  go_to_day(0);
+  init();
+  ask("submit", {"alpha", house("chaser")});
+  ask("nightly");
+  EXPECT_TRUE(contains(ask("health").out, "MiB left"));
+  EXPECT_TRUE(contains(ask("status").out, "MiB used (records "));
+  go_to_day(3);
+  const Json late = Json::parse(ask("health", {"--json"}, 1).out);
+  EXPECT_EQ(late["needs_person"], true);
+  EXPECT_EQ(late["night"]["number"], 1);
+  EXPECT_TRUE(contains(late["problems"].dump(), "no night has begun")) << late;
+  fs::remove(folder_ + "/nights/1/report.txt");
+  EXPECT_TRUE(contains(ask("health", {}, 1).out, "night 1 did not come to its end"));
+}
+
+// Catches pages that come back by themselves or that are linked although they are gone, records or
+// numbers that go with them, and pages that cannot be made again.
+TEST_F(Term, PrunedNightsKeepTheirRecordsAndNumbers) {
+  go_to_day(0);
+  init();
+  ask("submit", {"alpha", house("chaser")});
+  ask("nightly");
+  ask("prune", {"--before", "2"}, 2);
+  go_to_day(1);
+  ask("nightly");
+  const auto whole = test_support::site_of(folder_);
+  const auto expect_pruned = [&] {
+    for (const auto& [name, bytes] : test_support::site_of(folder_)) {
+      EXPECT_FALSE(name.starts_with("replays/r1-")) << name;
+      EXPECT_FALSE(contains(bytes, "replays/r1-") || contains(bytes, "\"r1-f1-1-1.html")) << name;
+    }
+    EXPECT_EQ(page("table.csv"), whole.at("table.csv"));
+    EXPECT_EQ(page("statistics.csv"), whole.at("statistics.csv"));
+    EXPECT_TRUE(fs::exists(folder_ + "/site/replays/r2-f1-1-1.html"));
+  };
+  EXPECT_TRUE(contains(ask("prune", {"--before", "2"}).out, "pages of 1 night are removed"));
+  expect_pruned();
+  const auto pruned = test_support::site_of(folder_);
+  fs::remove_all(folder_ + "/site");
+  ask("publish");
+  expect_pruned();
+  EXPECT_EQ(test_support::site_of(folder_), pruned);
+  go_to_day(2);
+  ask("nightly");
+  EXPECT_FALSE(fs::exists(folder_ + "/site/replays/r1-f1-1-1.html"));
+  ask("verify");
+  ask("publish", {"--pages", "2"}, 2);
+  ask("publish", {"--pages", "1"});
+  EXPECT_TRUE(fs::exists(folder_ + "/site/replays/r1-f1-1-1.html"));
+  EXPECT_TRUE(contains(page("rounds/r1.html"), "replays/r1-f1-1-1.html"));
+  EXPECT_FALSE(fs::exists(folder_ + "/pruned.json"));
+}
+
+// Catches finals with other entries than those of the table, in another order, with a team that has
+// left, and without the names that people know.
+TEST_F(Term, FinalsTakeTheFirstOfTheTable) {
+  go_to_day(0);
+  init();
+  for (const char* team : {"alpha", "beta", "gamma", "delta"}) {
+    ask("submit", {team, house(team == std::string("alpha") ? "navigator" : "chaser")});
+    ask("team", {team, "--display", std::string("The ") + team});
+  }
+  ask("nightly");
+  ask("submit", {"alpha", house("keeper")});  // plays from the next night on
+  const Json before = read_json(folder_ + "/site/table.json")["table"];
+  const std::string gone = before[0]["team"].get<std::string>();
+  ask("withdraw", {gone, "--reason", "left", "--results", "keep"});
+  ask("publish");
+  const std::string finals = temporary_ / "finals";
+  const auto init_finals = [&](const std::string& top) {
+    return run(league("init", finals, {"--from", folder_, "--top", top, "--half", "2"}));
+  };
+  EXPECT_EQ(init_finals("7").exit_code, 2);
+  const Outcome made = init_finals("4");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Json config = read_json(finals + "/league.json");
+  EXPECT_EQ(config["format"], "knockout");
+  EXPECT_EQ(config["rules"]["half_s"], 2.0);
+  std::vector<std::string> expected;
+  for (const auto& row : before) {
+    if (row["team"] != gone && expected.size() < 4)
+      expected.push_back(row["team"].get<std::string>());
+  }
+  std::vector<std::string> found;
+  for (const auto& team : config["teams"]) found.push_back(team["name"].get<std::string>());
+  EXPECT_EQ(found, expected) << before;
+  for (const std::string& team : found) {
+    const std::string entry = "/entries/" + team + "/1/strategy.so";
+    EXPECT_EQ(read_file(finals + entry), read_file(folder_ + entry)) << team;
+  }
+  const Outcome started = run(league("start", finals));
+  ASSERT_EQ(started.exit_code, 0) << started.err;
+  const std::string home = read_file(finals + "/site/index.html");
+  for (const std::string& team : found) {
+    const bool is_house = team == "striker" || team == "idle";
+    EXPECT_TRUE(is_house || contains(home, "The " + team)) << team;
+  }
+}
+
+// Catches sources in another layout than JPlag's, a library that is taken for a source, a team that
+// is not named, and what the class was given as somebody's own.
+TEST_F(Term, SourcesAreExportedAsJPlagReadsThem) {
+  init();
+  for (const char* team : {"alpha", "beta", "gamma"}) ask("submit", {team, house("chaser")});
+  const auto of = [&](const std::string& team) { return folder_ + "/entries/" + team + "/1/"; };
+  const auto was_called = [&](const std::string& team, const std::string& name) {
+    Json verdict = read_json(of(team) + "verdict.json");
+    verdict["file"] = name;
+    write_file(of(team) + "verdict.json", verdict.dump());
+  };
+  write_file(of("alpha") + "source", "int alpha;\n");
+  was_called("alpha", "../mine.cpp");
+  const std::string project = temporary_ / "project";
+  fs::create_directories(project + "/src");
+  write_file(project + "/src/one.cpp", "int beta;\n");
+  const Outcome packed =
+      run({"/usr/bin/tar", "-czf", of("beta") + "source", "-C", project, "src/one.cpp"});
+  ASSERT_EQ(packed.exit_code, 0) << packed.err;
+  was_called("beta", "project.tar.gz");
+  const std::string to = temporary_ / "sources";
+  const std::string said = ask("export", {"--sources", "-o", to}).out;
+  EXPECT_EQ(read_file(to + "/submissions/alpha/team.cpp"), "int alpha;\n") << said;
+  EXPECT_EQ(read_file(to + "/submissions/beta/src/one.cpp"), "int beta;\n") << said;
+  EXPECT_TRUE(contains(said, "gamma: a library without its source")) << said;
+  EXPECT_TRUE(contains(said, "zeta: no accepted entry")) << said;
+  EXPECT_FALSE(fs::exists(to + "/submissions/gamma"));
+  EXPECT_TRUE(contains(read_file(to + "/base/readme/mine.cpp"), "MIROCUP_EXPORT_TEAM(Mine"));
+  for (const char* start : {"/base/c++/team.cpp", "/base/c/team.c", "/base/python/team.py"})
+    EXPECT_TRUE(fs::exists(to + start)) << start;
+  ask("export", {"--sources", "-o", to}, 2);
+}
+
+// Catches the name of a team's files where people look for their own name, a page that keeps the
+// name of before, and a name that becomes markup or ends the data of a page.
+TEST_F(Term, PeopleSeeDisplayNames) {
+  go_to_day(0);
+  init();
+  ask("submit", {"alpha", house("navigator")});
+  ask("team", {"alpha", "--display", "Zoë \"<&, Co"});
+  ask("nightly");
+  std::string replay;
+  for (const auto& line : journal_of(folder_)) {
+    if (line["kind"] == "leg" && (line["home"] == "alpha" || line["away"] == "alpha"))
+      replay = "replays/" + fs::path(line["record"].get<std::string>()).stem().string() + ".html";
+  }
+  const std::string first = page(replay);
+  EXPECT_TRUE(contains(first, "<span class=\"name\">Zoë &quot;&lt;&amp;, Co</span>")) << replay;
+  EXPECT_TRUE(contains(first, R"("name":"Zoë \"\u003c&, Co","kind":)")) << replay;
+  EXPECT_FALSE(contains(first, "\"name\":\"alpha\"") || contains(first, ">alpha<"));
+  for (const char* name : {"feed.xml", "index.html", "teams/alpha.html", "night.html"}) {
+    EXPECT_TRUE(contains(page(name), "Zoë &quot;&lt;&amp;, Co") ||
+                contains(page(name), "Zoë &amp;quot;&amp;lt;&amp;amp;, Co"))
+        << name;
+    EXPECT_FALSE(contains(page(name), ">alpha<") || contains(page(name), "  alpha  ")) << name;
+  }
+  ask("team", {"alpha", "--display", "Löwen"});
+  ask("publish");
+  EXPECT_TRUE(contains(page(replay), "\"name\":\"Löwen\",\"kind\":"));
+  EXPECT_FALSE(contains(page(replay), "Zoë"));
+}
+
 TEST_F(Term, OfThreeWeeks) {
   // Day 0: hand-ins. One of them copied, one is broken, one is not there.
   go_to_day(0);

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/league/health.hpp"
+
+#include "system/clock.hpp"
+#include "system/file_lock.hpp"
+#include "system/memory.hpp"
+#include "system/printable.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+namespace mirocup::league {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t day_s = 24 * 3600;
+constexpr std::int64_t late_s = day_s / 2;          // a night may begin so much later than expected
+constexpr std::int64_t longest_check_s = 15 * 60;   // the server gives up a check before
+constexpr std::uintmax_t least_left = 1024u << 20;  // bytes: some nights of a class
+
+// The lock tells; a holder that this computer does not know plays all the same.
+bool is_being_played(const Folder& folder) {
+  return system::FileLock::signal_holder(folder.running(), {}).value_or(true);
+}
+
+std::int64_t seconds_of(const std::string& utc) {
+  const auto time = system::parse_time(utc);
+  return time ? time->at : 0;
+}
+
+// A night is expected as long after the last one as that one was after the night before.
+void look_at_nights(system::Files& files, const LeagueStore& store, std::int64_t now, Health& h) {
+  const LeagueState& state = store.state();
+  if (state.nights.empty()) return;
+  h.night = state.nights.back().number;
+  h.night_at = state.nights.back().at;
+  if (h.is_playing) return;
+  const std::string name = "night " + std::to_string(h.night);
+  if (!files.exists(store.folder().nights() + "/" + std::to_string(h.night) + "/report.txt"))
+    h.problems.push_back(name + " did not come to its end: " + std::to_string(h.open_legs) +
+                         " legs are open; mirocup league nightly goes on with it");
+  if (state.is_closed || state.file.format.kind != FormatKind::nightly) return;
+  const std::int64_t last = seconds_of(h.night_at);
+  const std::int64_t gap =
+      state.nights.size() < 2 ? day_s : last - seconds_of(state.nights[state.nights.size() - 2].at);
+  if (now - last > std::max(gap, day_s) + late_s)
+    h.problems.push_back("no night has begun since " + name + " at " +
+                         shown_time(state.file, h.night_at) +
+                         ": look at the timer that starts mirocup league nightly");
+}
+
+// A person who has paused a team knows of it.
+void look_at_teams(const LeagueState& state, Health& h) {
+  for (std::size_t i = 0; i < state.teams.size(); ++i) {
+    if (state.teams[i].status != TeamStatus::paused) continue;
+    const std::string& team = state.file.teams[i].name;
+    const auto by_person = [&team](const Decision& d) {
+      const auto* paused = std::get_if<Paused>(&d.event);
+      return paused != nullptr && paused->team == team && !d.undone_by;
+    };
+    if (std::any_of(state.decisions.begin(), state.decisions.end(), by_person)) continue;
+    h.problems.push_back(team + " is paused: " + state.teams[i].why +
+                         "; league resume or league withdraw decides");
+  }
+}
+
+void look_at_legs(const LeagueState& state, Health& h) {
+  h.open_legs = state.legs() - state.played();
+  for (const FixtureState& f : state.fixtures) {
+    for (int leg = 0; leg < f.needed() && !h.is_playing; ++leg) {
+      if (f.legs[leg].played || f.legs[leg].host_faults < max_attempts) continue;
+      h.problems.push_back(f.fixture.id() + " leg " + std::to_string(leg + 1) +
+                           ": this computer has spoiled it " +
+                           std::to_string(f.legs[leg].host_faults) +
+                           " times; the journal says why; mend that and play again");
+    }
+  }
+}
+
+// The answer of a check stands in the book, and that a check has begun does not.
+Result<void> look_at_hand_ins(system::Files& files, const Folder& folder, std::int64_t now,
+                              Health& h) {
+  MIROCUP_TRY(const auto book, Journal::open(files, folder.hand_in_book()));
+  std::map<std::pair<std::string, int>, std::int64_t> waiting;  // when they came
+  for (const Json& line : book.lines()) {
+    const std::pair entry{line.value("team", std::string()), line.value("entry", 0)};
+    const std::string kind = line.value("kind", std::string());
+    if (kind == "hand_in") waiting[entry] = line.value("at", now);
+    if (kind == "answer") waiting.erase(entry);
+  }
+  h.waiting = static_cast<int>(waiting.size());
+  for (const auto& [entry, at] : waiting) h.waits_s = std::max(h.waits_s, now - at);
+  if (h.waits_s > longest_check_s)
+    h.problems.push_back("hand-ins wait for their checks (" + std::to_string(h.waiting) +
+                         "), the oldest for " + std::to_string(h.waits_s / 60) +
+                         " min: see that mirocup league serve --hand-in runs and what it prints");
+  return {};
+}
+
+void add_size(std::uintmax_t& sum, const fs::directory_entry& file) {
+  std::error_code gone;
+  if (!file.is_regular_file(gone) || file.is_symlink(gone)) return;
+  if (const std::uintmax_t size = file.file_size(gone); !gone) sum += size;
+}
+
+std::uintmax_t left_on_disk(const Folder& folder) {
+  std::error_code unknown;
+  const fs::space_info space = fs::space(folder.path, unknown);
+  return unknown ? 0 : space.available;
+}
+
+}  // namespace
+
+DiskUse disk_use(const Folder& folder) {
+  DiskUse use{.left = left_on_disk(folder)};
+  std::error_code gone;
+  for (const auto& part : fs::directory_iterator(folder.path, gone)) {
+    std::uintmax_t sum = 0;
+    add_size(sum, part);
+    fs::recursive_directory_iterator file(part.path(),
+                                          fs::directory_options::skip_permission_denied, gone);
+    for (; !gone && file != fs::recursive_directory_iterator(); file.increment(gone))
+      add_size(sum, *file);
+    use.all += sum;
+    const std::string name = part.path().filename();
+    if (name == "records") use.records = sum;
+    if (name == "site") use.pages = sum;
+    if (name == "entries") use.entries = sum;
+  }
+  return use;
+}
+
+std::string in_words(const DiskUse& disk) {
+  return system::mebibytes(disk.all) + " used (records " + std::to_string(disk.records >> 20) +
+         ", pages " + std::to_string(disk.pages >> 20) + ", entries " +
+         std::to_string(disk.entries >> 20) + "), " + system::mebibytes(disk.left) + " left";
+}
+
+Json disk_json(const DiskUse& disk) {
+  return {{"used", disk.all},
+          {"records", disk.records},
+          {"pages", disk.pages},
+          {"entries", disk.entries},
+          {"left", disk.left}};
+}
+
+Result<Health> health(system::Files& files, const LeagueStore& store, std::int64_t now) {
+  Health h;
+  h.is_playing = is_being_played(store.folder());
+  look_at_legs(store.state(), h);
+  look_at_nights(files, store, now, h);
+  look_at_teams(store.state(), h);
+  MIROCUP_TRY_VOID(look_at_hand_ins(files, store.folder(), now, h));
+  if (const std::uintmax_t left = left_on_disk(store.folder()); left < least_left)
+    h.problems.push_back(system::mebibytes(left) +
+                         " are left on the disk: make room, as by mirocup league prune");
+  return h;
+}
+
+}  // namespace mirocup::league

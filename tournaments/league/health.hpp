@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// Whether a league runs by itself or a person has to look at it: its last night, the hand-ins that
+// wait, the disk.
+#pragma once
+
+#include "tournaments/league/league_store.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mirocup::league {
+
+// What the files of a league take of the disk, bytes.
+struct DiskUse {
+  std::uintmax_t all = 0;
+  std::uintmax_t records = 0;  // with replay files and thoughts
+  std::uintmax_t pages = 0;    // site/
+  std::uintmax_t entries = 0;
+  std::uintmax_t left = 0;  // free for this user
+};
+
+// Looks at each file of the league. Files that vanish meanwhile, or that this user cannot see,
+// count nothing.
+DiskUse disk_use(const Folder& folder);
+
+// "142 MiB used (records 37, pages 71, entries 29), 12000 MiB left".
+std::string in_words(const DiskUse& disk);
+Json disk_json(const DiskUse& disk);
+
+struct Health {
+  int night = 0;                      // number of the last one; 0: there was none
+  std::string night_at;               // when it began, UTC
+  int open_legs = 0;                  // of the whole league
+  bool is_playing = false;            // the league is being played now
+  int waiting = 0;                    // hand-ins over the network without an answer
+  std::int64_t waits_s = 0;           // how long the oldest of them has waited, s
+  std::vector<std::string> problems;  // sentences, each with what to do
+};
+
+// `now` is in s since 1970. Errors: those of reading the book of hand-ins.
+Result<Health> health(system::Files& files, const LeagueStore& store, std::int64_t now);
+
+}  // namespace mirocup::league
