@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "programs/league/sources.hpp"
 
-#include "plugins/host/project/unpack.hpp"
 #include "record/json_reader.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
@@ -44,14 +43,14 @@ Result<std::string> write_sources(system::Files& files, const Folder& folder,
     name = "team.py";
   }
   MIROCUP_TRY_VOID(files.make_folder(to, Readers::owner));
-  if (source_kind_of(name) == SourceKind::project) {
-    if (const auto unpacked = plugins::unpack(folder.source(team, entry), to); !unpacked)
-      return "not unpacked: " + unpacked.error().what;
-    return "its project";
-  }
-  const std::string file = "team" + fs::path(name).extension().string();
+  // A stranger's archive is unpacked in a sandbox or by a person, and not by this process.
+  const bool is_packed = source_kind_of(name) == SourceKind::project;
+  const std::string file =
+      (is_packed ? "project" : "team") + (is_packed && name.ends_with(".tar.gz")
+                                              ? std::string(".tar.gz")
+                                              : fs::path(name).extension().string());
   MIROCUP_TRY_VOID(files.write(to + "/" + file, *source, Readers::owner));
-  return file;
+  return is_packed ? file + ", to be unpacked" : file;
 }
 
 // README's first block of C++ is a team with which many begin.
