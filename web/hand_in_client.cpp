@@ -37,10 +37,29 @@ std::string percent_coded(const std::string& text) {
   return coded;
 }
 
+// The library's names of errors are no words for users.
+std::string words_of(httplib::Error error) {
+  switch (error) {
+    case httplib::Error::Connection:
+      return "the connection was refused, or there is no such computer";
+    case httplib::Error::ConnectionTimeout:
+      return "it cannot be reached within the time";
+    case httplib::Error::SSLConnection:
+      return "it does not speak https; try http://, or another port";
+    case httplib::Error::SSLServerVerification:
+      return "its certificate is not one that this computer trusts; --ca names another";
+    case httplib::Error::Read:
+    case httplib::Error::Write:
+      return "the connection broke, or it speaks https; try https://";
+    default:
+      return httplib::to_string(error);
+  }
+}
+
 DeskReply reply_of(const httplib::Result& result, const std::string& body) {
   DeskReply reply;
   if (!result) {
-    reply.error = "the server does not answer: " + httplib::to_string(result.error());
+    reply.error = "the server does not answer: " + words_of(result.error());
     return reply;
   }
   reply.status = result->status;

@@ -25,6 +25,9 @@ const char* after_call();
 // Returns the observation, or a copy of it, which the team may read during the call.
 const mirocup_observation& lend(const mirocup_observation& observation);
 
+// Returns the place for the command of the next call of decide(), all zeros.
+mirocup_command& lend_command();
+
 // Writes the team's requests to the system until now into `text`, one a line ("file map.txt"),
 // ended with a zero.
 void write_requests(char* text, std::size_t size);

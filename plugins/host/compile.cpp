@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/compile.hpp"
 
+#include "plugins/host/file_advice.hpp"
 #include "plugins/host/project/compiler_command.hpp"
 #include "plugins/host/sandbox/fork.hpp"
 #include "plugins/host/sandbox/probe.hpp"
@@ -302,6 +303,8 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
     return fail(Errc::unavailable,
                 "sources are not compiled here: there is no " + std::string(compiler));
   }
+  if (std::string why_not = objection_to_source(source); !why_not.empty())
+    return Compiled{.library = {}, .why_not = std::move(why_not), .output = {}};
   Work work;
   work.limits = limits;
   work.command = is_c ? c_command : cpp_command;

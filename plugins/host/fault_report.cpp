@@ -19,6 +19,9 @@ namespace {
 // A global variable, because a signal handler gets no pointer of its own.
 CommandPage* faulted_page = nullptr;
 
+// A write to it is told as such.
+const ObservationPage* lent_page = nullptr;
+
 // The file that the team's library is loaded from.
 const char* traced_path = "";
 
@@ -56,6 +59,8 @@ AddressKind kind_of_address(int signal, const siginfo_t& info, const void* conte
   const auto address = reinterpret_cast<std::uintptr_t>(info.si_addr);
   // The processor tells no address if it is none of the 48 bits that it knows.
   if (address < max_null) return info.si_code == SI_KERNEL ? AddressKind::other : AddressKind::null;
+  const auto lent = reinterpret_cast<std::uintptr_t>(lent_page);
+  if (address >= lent && address - lent < sizeof(ObservationPage)) return AddressKind::observation;
   const std::uintptr_t top = stack_pointer(context);
   const std::uintptr_t distance = address > top ? address - top : top - address;
   return distance < max_frame ? AddressKind::end_of_stack : AddressKind::other;
@@ -81,8 +86,9 @@ void report(int signal, siginfo_t* info, void* context) {
 
 }  // namespace
 
-bool report_faults_to(CommandPage& page, const char* library) {
+bool report_faults_to(CommandPage& page, const char* library, const ObservationPage* lent) {
   faulted_page = &page;
+  lent_page = lent;
   traced_path = library;
   own_number = getpid();
   stack_t alternative{};

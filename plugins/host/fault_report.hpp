@@ -12,8 +12,8 @@ namespace mirocup::plugins {
 // is ignored, because it is not a fault of the team. The handlers run on a separate stack, so that
 // they can also report a stack overflow. After the signal they write the trace of the calls in the
 // library that was loaded from `library`, if they can. Then unblocks all signals, which the server
-// blocked when it started the process. `page` and `library` must stay until the process ends.
-// Returns false on failure; errno says why.
-bool report_faults_to(CommandPage& page, const char* library);
+// blocked when it started the process. `page`, `library` and `lent`, which the team can only read,
+// must stay until the process ends. Returns false on failure; errno says why.
+bool report_faults_to(CommandPage& page, const char* library, const ObservationPage* lent);
 
 }  // namespace mirocup::plugins

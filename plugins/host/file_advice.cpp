@@ -3,47 +3,129 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace mirocup::plugins {
 
 namespace {
 
+using namespace std::literals;
+
 constexpr const char* no_team_in_python =
     "it is Python, but no team: write \"from mirocup.team import Team\" and derive a class from "
     "Team";
 
-bool starts_with(std::string_view bytes, std::string_view text) {
-  return bytes.substr(0, text.size()) == text;
+struct Kind {
+  std::string_view begin;  // of the file, or of one of its lines
+  const char* name;
+};
+
+constexpr std::array archives_not_taken{
+    Kind{"Rar!\x1a\x07"sv, "a RAR archive"},        Kind{"7z\xbc\xaf\x27\x1c"sv, "a 7z archive"},
+    Kind{"\xfd\x37zXZ\0"sv, "packed with xz"},      Kind{"BZh"sv, "packed with bzip2"},
+    Kind{"\x28\xb5\x2f\xfd"sv, "packed with zstd"}, Kind{"LZIP"sv, "packed with lzip"},
+    Kind{"\x04\x22\x4d\x18"sv, "packed with lz4"},  Kind{"\x5d\0\0"sv, "packed with lzma"},
+    Kind{"\x1f\x9d"sv, "packed with compress"},     Kind{"MSCF"sv, "a cabinet of Windows"}};
+
+constexpr std::array other_files{
+    Kind{"!<arch>"sv, "it is a static library (.a): link its objects with -shared"},
+    Kind{"MZ"sv, "it is a library or program of Windows (DLL): build it on Linux, as a .so"},
+    Kind{"PK\x03\x04"sv,
+         "it is a zip archive: hand in the library that is in it, or make one of a project's "
+         "sources with mirocup compile"},
+    Kind{"\x1f\x8b"sv,
+         "it is a compressed archive: hand in the library that is in it, or make one of a "
+         "project's sources with mirocup compile"},
+    Kind{"\xcf\xfa\xed\xfe"sv, "it is a library of macOS: build it on Linux, as a .so"},
+    Kind{"\xca\xfe\xba\xbe"sv,
+         "it is a class of Java or a library of macOS: a team is written in C, C++ or Python"},
+    Kind{"\0asm"sv, "it is WebAssembly: build the team on Linux, as a .so"},
+    Kind{"%PDF"sv, "it is a PDF: hand in the library, or the file of Python"}};
+
+constexpr const char* a_page = "it is a page of the web: download the file itself";
+constexpr const char* another_language =
+    "it is of another language: a team is written in C, C++ or Python";
+constexpr const char* source_of_a_library =
+    "it is a source: make the library with mirocup compile SOURCE -o team.so, or with g++ "
+    "-std=c++20 -O2 -shared -fPIC";
+constexpr const char* what_is_taken =
+    "hand in a library (.so), a source (.cpp, .c), a file of Python (.py), or a project as "
+    ".tar.gz, .tar or .zip";
+
+// Beginnings of lines of texts, and what such a text is, in the order in which they are looked for.
+constexpr std::array other_texts{
+    Kind{"<!doctype"sv, a_page},
+    Kind{"<!DOCTYPE"sv, a_page},
+    Kind{"<html"sv, a_page},
+    Kind{"version https://git-lfs"sv, "it is a pointer of Git LFS: fetch it with git lfs pull"},
+    Kind{"#!/usr/bin/env python"sv, no_team_in_python},
+    Kind{"#!/usr/bin/python"sv, no_team_in_python},
+    Kind{"#!"sv, "it is a script: a team is a shared library, or a file of Python"},
+    Kind{"#include"sv, source_of_a_library},
+    Kind{"#pragma"sv, source_of_a_library},
+    Kind{"<?php"sv, another_language},
+    Kind{"import \""sv, another_language},
+    Kind{"import java"sv, another_language},
+    Kind{"public class"sv, another_language},
+    Kind{"using System"sv, another_language},
+    Kind{"import "sv, no_team_in_python},
+    Kind{"from "sv, no_team_in_python},
+    Kind{"class "sv, no_team_in_python},
+    Kind{"def "sv, no_team_in_python},
+    Kind{"\"\"\""sv, no_team_in_python},
+    Kind{"# "sv, no_team_in_python},
+    Kind{"package "sv, another_language},
+    Kind{"fn "sv, another_language},
+    Kind{"use "sv, another_language},
+    Kind{"function"sv, another_language},
+    Kind{"const "sv, another_language},
+    Kind{"let "sv, another_language},
+    Kind{"local "sv, another_language},
+    Kind{"//"sv, source_of_a_library},
+    Kind{"/*"sv, source_of_a_library}};
+
+// Returns what the first kind of other_texts says that begins a line; null if none does.
+const char* kind_of_text(std::string_view text) {
+  for (const Kind& kind : other_texts) {
+    if (text.starts_with(kind.begin)) return kind.name;
+    for (std::size_t at = text.find(kind.begin); at != std::string_view::npos;
+         at = text.find(kind.begin, at + 1)) {
+      if (text[at - 1] == '\n') return kind.name;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace
 
+std::string objection_to_source(std::string_view bytes) {
+  for (const Kind& kind : archives_not_taken) {
+    if (bytes.starts_with(kind.begin))
+      return std::string("it is ") + kind.name + ", which is not taken: " + what_is_taken;
+  }
+  const bool is_utf16 = bytes.starts_with("\xff\xfe"sv) || bytes.starts_with("\xfe\xff"sv);
+  return is_utf16 ? "it is a text in UTF-16: save it as UTF-8" : "";
+}
+
 std::string advice_on_file(std::string_view bytes) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 15> kinds{{
-      {"!<arch>", "it is a static library (.a): link its objects with -shared"},
-      {"MZ", "it is a library or program of Windows (DLL): build it on Linux, as a .so"},
-      {"PK\x03\x04", "it is a zip archive: hand in the library that is in it"},
-      {"\x1f\x8b", "it is a compressed archive: hand in the library that is in it"},
-      {"\xcf\xfa\xed\xfe", "it is a library of macOS: build it on Linux, as a .so"},
-      {"#include", "it is a source: compile it, g++ -std=c++20 -O2 -shared -fPIC"},
-      {"//", "it is a source: compile it, g++ -std=c++20 -O2 -shared -fPIC"},
-      {"import ", no_team_in_python},
-      {"from ", no_team_in_python},
-      {"\"\"\"", no_team_in_python},
-      {"# ", no_team_in_python},
-      {"class ", no_team_in_python},
-      {"#!/usr/bin/env python", no_team_in_python},
-      {"#!/usr/bin/python", no_team_in_python},
-      {"#!", "it is a script: a team is a shared library, or a file of Python"},
-  }};
-  const auto* found = std::find_if(
-      kinds.begin(), kinds.end(), [&](const auto& kind) { return starts_with(bytes, kind.first); });
-  if (found != kinds.end()) return found->second;
-  const bool is_text = bytes.find('\0') == std::string_view::npos;
-  return is_text ? "it is not an ELF file but a text: hand in the shared library (.so) that the "
-                   "build made, or a file of Python with \"from mirocup.team import Team\""
-                 : "";
+  if (bytes.starts_with("\x7f"
+                        "ELF"sv))
+    return "";
+  if (std::string known = objection_to_source(bytes); !known.empty()) return known;
+  for (const Kind& kind : other_files) {
+    if (bytes.starts_with(kind.begin)) return kind.name;
+  }
+  constexpr std::size_t tar_mark = 257;
+  if (bytes.size() > tar_mark && bytes.substr(tar_mark).starts_with("ustar"))
+    return "it is a tar archive: make a library of a project's sources with mirocup compile";
+  if (bytes.find('\0') != std::string_view::npos) return "";
+  constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+  if (bytes.starts_with(utf8_mark)) bytes.remove_prefix(utf8_mark.size());
+  bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
+  if (bytes.starts_with('{') && bytes.find("\"cells\"") != std::string_view::npos)
+    return "it is a notebook: save it as a file of Python (.py)";
+  if (const char* known = kind_of_text(bytes)) return known;
+  return "it is not an ELF file but a text: hand in the shared library (.so) that the build made, "
+         "or a file of Python with \"from mirocup.team import Team\"";
 }
 
 std::string advice_on_missing_entry(std::string_view bytes) {

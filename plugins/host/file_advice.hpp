@@ -12,6 +12,10 @@ namespace mirocup::plugins {
 // source; "" if its kind is not known.
 std::string advice_on_file(std::string_view bytes);
 
+// Returns why these bytes are neither a source nor an archive of a project that is taken, and what
+// to do; "" if they may be.
+std::string objection_to_source(std::string_view bytes);
+
 // Returns advice about a library that exports no mirocup_entry(). It may export the function under
 // a C++ name.
 std::string advice_on_missing_entry(std::string_view bytes);

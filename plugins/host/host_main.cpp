@@ -99,13 +99,13 @@ void let_the_server_end_loading() {
 }
 
 // Builds the first part of the sandbox. Returns the path to load the library from.
-const char* enter_sandbox(Isolation isolation, CommandPage& page) {
+const char* enter_sandbox(Isolation isolation, CommandPage& page, const ObservationPage* lent) {
   const bool has_namespaces = isolation == Isolation::T2;
   // In tier T1 the library has no path of its own; Landlock does not restrict sealed memory.
   static_assert(entry_descriptor == 6);
   const char* library = has_namespaces ? private_entry_path : "/proc/self/fd/6";
   if (!limit_this_process()) give_up("limits");
-  if (!report_faults_to(page, library)) give_up("fault handlers");
+  if (!report_faults_to(page, library, lent)) give_up("fault handlers");
   if (!allow_libraries_only(has_namespaces ? private_entry_path : nullptr, folders_of_guest()))
     give_up("Landlock");
   let_the_server_end_loading();
@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
   auto* out = map<CommandPage>(command_descriptor, PROT_READ | PROT_WRITE);
   if (in == nullptr || out == nullptr) give_up("the mailbox");
   keep_memory();
-  const char* library = enter_sandbox(*isolation, *out);
+  const char* library = enter_sandbox(*isolation, *out, in);
 
   start_clocks(in->surroundings.clocks);
   begin_care(in->surroundings);
@@ -154,8 +154,9 @@ int main(int argc, char** argv) {
       out->placement =
           *with_care(*out, TeamCall::place, [&] { return plugin->place(lend(in->observation)); });
     }
-    out->command =
-        *with_care(*out, TeamCall::decide, [&] { return plugin->decide(lend(in->observation)); });
+    out->command = *with_care(*out, TeamCall::decide, [&] {
+      return plugin->decide(lend(in->observation), lend_command());
+    });
     answered = request;
     // Sequentially consistent, as the server's side is: the server sets is_awaited and then reads
     // the answer once more, so that no wake-up is lost.

@@ -47,7 +47,7 @@ inline constexpr int no_call = -1;
 enum class TeamCall : std::uint32_t { none, create, decide, place };
 
 // The kind of address whose access killed a process.
-enum class AddressKind : std::uint32_t { unknown, null, end_of_stack, other };
+enum class AddressKind : std::uint32_t { unknown, null, end_of_stack, other, observation };
 
 struct CommandPage {
   std::atomic<std::uint32_t> answer;  // the last request that was answered

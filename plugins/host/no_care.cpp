@@ -15,6 +15,12 @@ const mirocup_observation& lend(const mirocup_observation& observation) {
   return observation;
 }
 
+mirocup_command& lend_command() {
+  static mirocup_command command;
+  command = {};
+  return command;
+}
+
 void write_requests(char*, std::size_t) {}
 
 }  // namespace mirocup::plugins

@@ -32,6 +32,14 @@ tl::expected<void, Fault> guarded(const char* function, Call call) {
     return {};
   } catch (const std::exception& e) {
     return fault(FaultCode::crash, std::string(function) + "() threw: " + e.what());
+  } catch (const char* text) {
+    return fault(FaultCode::crash,
+                 std::string(function) + "() threw: " + (text == nullptr ? "a null text" : text));
+  } catch (const std::string& text) {
+    return fault(FaultCode::crash, std::string(function) + "() threw: " + text);
+  } catch (int number) {
+    return fault(FaultCode::crash,
+                 std::string(function) + "() threw the number " + std::to_string(number));
   } catch (...) {
     return fault(FaultCode::crash,
                  std::string(function) + "() threw something that is not a std::exception");
@@ -113,6 +121,11 @@ std::string Plugin::name() const {
 
 tl::expected<mirocup_command, Fault> Plugin::decide(const mirocup_observation& observation) {
   mirocup_command command{};
+  return decide(observation, command);
+}
+
+tl::expected<mirocup_command, Fault> Plugin::decide(const mirocup_observation& observation,
+                                                    mirocup_command& command) {
   tl::expected<void, Fault> called;
   {
     const FloatingPointGuard guard;

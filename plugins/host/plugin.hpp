@@ -44,6 +44,9 @@ class Plugin {
   // Calls decide(). An exception that leaves it is a crash. The caller's floating-point mode is
   // restored after the call.
   tl::expected<mirocup_command, match::Fault> decide(const mirocup_observation& observation);
+  // The same with a place for the command, all zeros.
+  tl::expected<mirocup_command, match::Fault> decide(const mirocup_observation& observation,
+                                                     mirocup_command& command);
 
   // Calls place() at a restart. A team without place() leaves everything where it is.
   tl::expected<mirocup_placement, match::Fault> place(const mirocup_observation& observation);

@@ -286,11 +286,12 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
     if (!delay_at_slice_) delay_at_slice_ = child_.processor_delay();
     const bool is_busy = cpu_ - cpu_at_post_ > limit.cpu;
     if (is_busy || seconds_without_delay(asked_at_, delay_at_slice_) > limit.wall) {
+      const TeamCall call = out_->team_call.load(std::memory_order_relaxed);
       child_.kill();
       return Fault{limit.late, "the team used more than " +
                                    (is_busy ? seconds_text(limit.cpu) + " of processor time "
                                             : seconds_text(limit.wall) + " ") +
-                                   limit.doing};
+                                   limit.doing + (moment_ ? text_of(call, *moment_) : "")};
     }
     if (until && WallClock::now() >= *until) {
       in_->is_awaited.store(0, std::memory_order_relaxed);

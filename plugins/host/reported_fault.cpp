@@ -61,11 +61,19 @@ const char* text_of(AddressKind address) {
       return " at the end of its stack";
     case AddressKind::other:
       return " at an address that is not valid";
+    case AddressKind::observation:
+      return " where it wrote to the observation";
   }
   return "";
 }
 
 }  // namespace
+
+std::string text_of(TeamCall called, const AskedMoment& moment) {
+  const std::string call = text_of(called);
+  return (call.empty() ? ", in tick " : ", in " + call + " of tick ") +
+         std::to_string(moment.tick) + " (" + std::string(to_string(moment.state)) + ")";
+}
 
 Fault fault_of(const ExitStatus& status, const LastWords& words, bool has_played,
                const std::optional<AskedMoment>& moment) {
@@ -76,11 +84,7 @@ Fault fault_of(const ExitStatus& status, const LastWords& words, bool has_played
                                         : "the team's process ended itself with exit code " +
                                               std::to_string(status.exit_code)});
   if (status.exit_code == exit_faulted && status.signal == 0) fault.text += text_of(words.address);
-  if (has_played && moment) {
-    const std::string call = text_of(words.team_call);
-    fault.text += (call.empty() ? ", in tick " : ", in " + call + " of tick ") +
-                  std::to_string(moment->tick) + " (" + std::string(to_string(moment->state)) + ")";
-  }
+  if (has_played && moment) fault.text += text_of(words.team_call, *moment);
   if (!has_played && fault.code != FaultCode::no_load && fault.code != FaultCode::bad_abi)
     fault.text += ", while its library was loaded";
   return fault;

@@ -33,6 +33,9 @@ struct AskedMoment {
   match::State state = match::State::READY;
 };
 
+// Returns ", in decide() of tick 601 (PLAY)".
+std::string text_of(TeamCall called, const AskedMoment& moment);
+
 // Returns the fault of a team whose process ended with `status`. `has_played`: the server had seen
 // it ready; before that, the library can be at fault. If `moment` is given, the sentence names it.
 match::Fault fault_of(const ExitStatus& status, const LastWords& words, bool has_played,

@@ -4,9 +4,13 @@
 // need an object file of core.
 #include "plugins/host/team_host.hpp"
 
+#include "plugins/host/plugin.hpp"
+
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace mirocup::plugins {
@@ -18,6 +22,36 @@ using match::ThoughtKind;
 // Returns the page of the host; null if it keeps nothing of what is drawn.
 ThoughtsPage* page_of(void* host) {
   return host == nullptr ? nullptr : static_cast<const TeamHost*>(host)->thoughts;
+}
+
+// As match::problem_with(), which this program does not have.
+bool is_name(std::string_view name) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return !name.empty() && name.size() <= match::max_parameter_name && is_letter(name[0]) &&
+         std::all_of(name.begin(), name.end(), [&](char c) {
+           return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+         });
+}
+
+// Tells what the team's author would wonder about: a parameter that nobody can set.
+void note_name(TeamHost& host, std::string_view name) {
+  if (!is_name(name) && !host.has_told_name) {
+    host.has_told_name = true;
+    write_line((line_of_host + ("the team asks for the parameter \"" + std::string(name)) +
+                "\", which is no name: letters, digits, '_', '-' and '.', a letter first, at most "
+                "31")
+                   .c_str());
+  }
+  const std::size_t hash = std::hash<std::string_view>()(name);
+  const auto end = host.names.begin() + static_cast<std::ptrdiff_t>(host.different_names);
+  if (end == host.names.end() || std::find(host.names.begin(), end, hash) != end) return;
+  *end = hash;
+  if (++host.different_names == host.names.size()) {
+    write_line((line_of_host +
+                ("the team asks for more than " + std::to_string(match::max_team_parameters) +
+                 " parameters, and a leg gives at most as many"))
+                   .c_str());
+  }
 }
 
 // Puts a shape on the page of the host, if there is one.
@@ -59,7 +93,8 @@ void give_host(mirocup_setup& setup, TeamHost& host) {
 
 double parameter_of(void* host, const char* name, double fallback) {
   if (host == nullptr || name == nullptr) return fallback;
-  const auto& own = *static_cast<const TeamHost*>(host);
+  auto& own = *static_cast<TeamHost*>(host);
+  note_name(own, name);
   for (std::uint32_t i = 0; i < own.table->count; ++i) {
     if (std::strcmp(own.table->rows[i].name, name) != 0) continue;
     own.asked->fetch_or(1U << i, std::memory_order_relaxed);

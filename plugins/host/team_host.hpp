@@ -8,6 +8,8 @@
 #include "plugins/host/parameter_table.hpp"
 #include "plugins/host/thoughts_page.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace mirocup::plugins {
@@ -17,13 +19,21 @@ struct TeamHost {
   const ParameterTable* table = nullptr;
   AskedRows* asked = nullptr;
   ThoughtsPage* thoughts = nullptr;  // null: the team's shapes are not kept
+  // What parameter_of() was asked for beside the table: so many names at most are kept.
+  std::array<std::size_t, match::max_team_parameters + 1> names{};  // hashes
+  std::size_t different_names = 0;
+  bool has_told_name = false;
 };
+
+// The team's log marks lines of the host with it; mirocup check shows them as warnings.
+inline constexpr const char* line_of_host = "mirocup: ";
 
 // Gives the setup the host and its functions.
 void give_host(mirocup_setup& setup, TeamHost& host);
 
 // The function `setup.parameter`: returns the value of that name in the table of the TeamHost at
-// `host` and marks it as asked for; `fallback` if the table or the name is missing.
+// `host` and marks it as asked for; `fallback` if the table or the name is missing. Writes a line
+// to the log, once, about a name that no parameter can have, and once about too many names.
 double parameter_of(void* host, const char* name, double fallback);
 
 // The functions `setup.draw_line` and so on put a shape on the page of the TeamHost at `host`. A

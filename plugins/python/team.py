@@ -482,6 +482,15 @@ class _Runner:
         self._team = team
         self._robots = robots
         self._places = type(team).place is not Team.place
+        self._warned = set()
+
+    def _warn(self, text):
+        """Writes a line to the log, once. `mirocup check` shows it as a warning."""
+        import sys
+        kind = text.split("[")[0]
+        if kind not in self._warned:
+            self._warned.add(kind)
+            sys.stderr.write(f"mirocup: {text}\n")
 
     def decide(self, data):
         answer = self._team.decide(_observation_of(data))
@@ -490,6 +499,9 @@ class _Runner:
         except TypeError:
             raise TypeError(f"decide() returned {_short(answer)}; a list with (left, right) for each "
                             "robot is expected") from None
+        if len(wheels) == 2 * self._robots and not any(isinstance(w, (tuple, list)) for w in wheels):
+            raise ValueError(f"decide() returned {len(wheels)} numbers; {self._robots} pairs (left, "
+                             "right) are expected")
         if len(wheels) > self._robots:
             raise ValueError(f"decide() returned {len(wheels)} pairs of speeds for {self._robots} "
                              "robots")
@@ -509,10 +521,15 @@ class _Runner:
         now = _observation_of(data)
         placement = Placement(now)
         if self._places:
-            self._team.place(now, placement)
+            returned = self._team.place(now, placement)
+            if returned is not None and returned is not placement:
+                self._warn(f"place() returned {_short(returned)}, which is not used: change "
+                           "placement.robots and placement.ball")
+            if len(placement.robots) > self._robots:
+                self._warn(f"place() left {len(placement.robots)} poses for {self._robots} robots")
         values = _ZEROS[:]
         try:
-            for i, (x, y, heading) in enumerate(placement.robots):
+            for i, (x, y, heading) in enumerate(placement.robots[:MAX_ROBOTS]):
                 values[3 * i:3 * i + 3] = float(x), float(y), float(heading)
             ball_x, ball_y = placement.ball
             return _PLACEMENT.pack(float(ball_x), float(ball_y), *values)
@@ -540,8 +557,10 @@ def _begin(in_sandbox):
 def _load(source, name):
     """Runs the file of a team and returns its class."""
     import linecache
+    import random
     import sys
     import types
+    random.seed(0)  # for what the file draws before it has a setup
     text = source.decode("utf-8-sig")  # with or without the mark that editors on Windows put first
     linecache.cache[name] = (len(text), None, text.splitlines(True), name)
     module = types.ModuleType("__team__")
@@ -597,7 +616,9 @@ def _describe(error, name):
     except Exception:  # the team's own __str__ may fail
         pass
     if isinstance(error, SyntaxError) and error.filename == name:
-        return f"line {error.lineno}: {type(error).__name__}: {error.msg}"
+        version = f"{sys.version_info.major}.{sys.version_info.minor}"
+        return (f"line {error.lineno}: {type(error).__name__}: {error.msg} (this host has Python "
+                f"{version})")
     try:
         text = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
     except Exception:

@@ -51,10 +51,11 @@ std::string short_text(double number) {
   return text;
 }
 
+// Without the sign of a zero.
 std::string rounded(double number) {
   char text[40];
   std::snprintf(text, sizeof text, "%.2f", number);
-  return text;
+  return std::string(text) == "-0.00" ? "0.00" : text;
 }
 
 // KEY=LOW:HIGH

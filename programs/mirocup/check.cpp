@@ -37,19 +37,46 @@ struct CheckOptions {
 record::Json to_json(const CheckOptions& options, const EntryReport& report) {
   record::Json checks = record::Json::array();
   for (const Check& check : report.checks) {
-    checks.push_back({{"name", check.name},
-                      {"passed", check.passed ? record::Json(*check.passed) : record::Json()},
-                      {"text", check.text}});
+    record::Json one{{"name", check.name},
+                     {"passed", check.passed ? record::Json(*check.passed) : record::Json()},
+                     {"text", check.text}};
+    if (check.passed == false) {
+      one["what"] = check.what;
+      one["where"] = check.where;
+      one["cure"] = check.cure;
+    }
+    checks.push_back(std::move(one));
   }
   record::Json warnings = record::Json::array();
-  for (const std::string& warning : report.warnings) warnings.push_back(warning);
+  record::Json notes = record::Json::array();
+  for (const Note& note : report.notes) {
+    warnings.push_back(note.text);
+    notes.push_back({{"code", note.code}, {"text", note.text}});
+  }
+  record::Json legs = record::Json::array();
+  for (const LegStory& leg : report.legs) {
+    legs.push_back({{"colour", to_string(leg.team)},
+                    {"opponent", leg.opponent},
+                    {"score", leg.score},
+                    {"own_goals", leg.own_goals},
+                    {"standing", leg.standing},
+                    {"turning", leg.turning},
+                    {"backwards", leg.backwards}});
+  }
   const Check* failure = report.failure();
+  const auto of_failure = [failure](std::string Check::*part) {
+    return failure == nullptr ? record::Json() : record::Json(failure->*part);
+  };
   return {{"file", options.path},
           {"sha256", report.sha256.empty() ? record::Json() : record::Json(report.sha256)},
           {"accepted", failure == nullptr},
           {"reason", failure == nullptr ? record::Json()
                                         : record::Json(failure->name + ": " + failure->text)},
+          {"where", of_failure(&Check::where)},
+          {"cure", of_failure(&Check::cure)},
           {"checks", checks},
+          {"legs", legs},
+          {"notes", notes},
           {"isolation", to_string(report.isolation)},
           {"timing",
            {{"check_seconds", report.used_seconds},
@@ -98,13 +125,18 @@ void print(const CheckOptions& options, const EntryReport& report) {
                   std::string(to_string(report.isolation)).c_str());
     std::cout << text;
   }
-  for (const std::string& warning : report.warnings)
-    std::cout << "    warning: " << warning << '\n';
+  for (const Note& note : report.notes) std::cout << "    warning: " << note.text << '\n';
   for (const auto& parameter : report.unknown_parameters) {
     std::cout << "    warning: the team did not ask for the parameter " << parameter.first << '\n';
   }
   if (!report.log.empty()) print_log(report.log);
   const Check* failure = report.failure();
+  if (failure != nullptr) {
+    std::cout << "what:  " << system::printable(failure->what)
+              << "\nwhere: " << system::printable(failure->where)
+              << "\ndo:    " << system::printable(failure->cure)
+              << "\nplays: what played before; a refused entry changes nothing\n";
+  }
   std::cout << system::printable(options.path)
             << (failure == nullptr ? ": accepted" : ": not accepted, see " + failure->name) << '\n';
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/entry_advice.hpp"
 
+#include "plugins/host/function_names.hpp"
+
+#include <algorithm>
 #include <csignal>
 
 namespace mirocup::app {
@@ -16,6 +19,29 @@ constexpr const char* in_a_debugger =
 
 bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
+}
+
+// Versions of strategy.h are small numbers; others are what lay in memory.
+bool claims_no_version(const std::string& text) {
+  constexpr std::string_view before = "built for version ";
+  constexpr std::size_t most_digits = 3;
+  const std::size_t at = text.find(before);
+  if (at == std::string::npos) return false;
+  const std::size_t end = text.find_first_not_of("0123456789", at + before.size());
+  return end != std::string::npos && end - (at + before.size()) > most_digits;
+}
+
+// Returns the name of the function that the loader misses, as it stands in the source; "" if it
+// misses none of C++.
+std::string missing_function(const std::string& text) {
+  constexpr std::string_view before = "undefined symbol: ";
+  const std::size_t at = text.find(before);
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + before.size();
+  const std::size_t end = std::min(text.find_first_of(" ,\"", begin), text.size());
+  const std::string symbol = text.substr(begin, end - begin);
+  const std::string name = plugins::readable_name(symbol);
+  return name == symbol ? "" : name + "()";
 }
 
 std::string advice_on_signal(const LastWords& words) {
@@ -36,6 +62,8 @@ std::string advice_on_signal(const LastWords& words) {
     case AddressKind::end_of_stack:
       return "the stack of 8 MiB was full: look for a recursion without end, and keep large arrays "
              "as members of the team";
+    case AddressKind::observation:
+      return "the observation is for reading: copy what you change";
     default:
       return std::string("an index or a pointer was out of bounds: ") + in_a_debugger;
   }
@@ -62,6 +90,8 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
   if (has(text, "threw"))
     return std::string("catch it, or mend what throws it; gdb stops there with catch throw: ") +
            in_a_debugger;
+  if (has(text, "of its command"))
+    return "look at the index of wheels[]: it goes from 0 to the number of robots less 1";
   if (has(text, "freed") || has(text, " a block of "))
     return "build a test of yours with -g -fsanitize=address, which names the line";
   if (words.signal != 0) return advice_on_signal(words);
@@ -78,8 +108,15 @@ std::string advice_on_python(const FaultEvidence& evidence) {
         return "use Python's library, or a module that the host has installed";
       if (has(text, "FileNotFoundError") || has(text, "PermissionError"))
         return "a team opens no file: put its data into the source";
+      if (has(text, "UnicodeDecodeError")) return "save the file as UTF-8";
+      if (has(text, "f-string") || has(text, "SyntaxError"))
+        return "mend that line; the log shows it, and the version of Python of this host";
       return "mend that line; the log shows it";
     case FaultCode::crash:
+      if (has(text, "Too many open files"))
+        return "a team starts no processes and opens no files: compute in decide()";
+      if (has(text, "lost sys.stdin"))
+        return "a team has no standard input: use a parameter, or put its data into the source";
       if (has(text, "start new thread")) return "a team has one thread: compute in decide()";
       if (has(text, "No module named") || has(text, "ModuleNotFoundError"))
         return "import it at the top of the file: no file can be opened while the team plays";
@@ -109,11 +146,23 @@ std::string advice_on(const FaultEvidence& evidence) {
     case FaultCode::no_load:
       if (has(text, "undefined symbol: __ubsan_"))
         return "it was built with -fsanitize=undefined by clang++: hand it in without";
+      if (const std::string name = missing_function(text); !name.empty()) {
+        return "it declares " + name +
+               " and does not define it: write it, or link the source or the library that has it";
+      }
       if (has(text, "undefined symbol"))
         return "a function of its own is missing: link the source or the library that defines it";
       if (has(text, "returned null")) return "create() has to return the team";
+      if (has(text, "failed to map segment") || has(text, "cannot allocate memory"))
+        return "its tables need more than the 1 GiB of memory that a team has: make them smaller";
       return "link everything that it uses into the library, or use what the system has";
     case FaultCode::bad_abi:
+      if (has(text, "for version 0 of"))
+        return "set abi_version to MIROCUP_ABI_VERSION, and size to sizeof(mirocup_strategy)";
+      if (claims_no_version(text)) {
+        return "no strategy.h has that version: mirocup_entry() may return a variable of its own; "
+               "make it static";
+      }
       if (has(text, "returned null"))
         return "mirocup_entry() has to return a pointer to a static mirocup_strategy";
       if (has(text, "incomplete"))
@@ -125,7 +174,7 @@ std::string advice_on(const FaultEvidence& evidence) {
       return advice_on_crash(evidence);
     case FaultCode::hang:
       if (has(text, "slept")) return "do not sleep or wait in decide()";
-      return "look for a loop that does not end";
+      return "look for a loop that does not end, or a recursion";
     case FaultCode::budget:
       return advice_on_time;
     case FaultCode::illegal_call:

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/entry_check.hpp"
 
+#include "core/field/field.hpp"
 #include "plugins/host/sandbox/probe.hpp"
+#include "plugins/host/team_host.hpp"
 #include "programs/mirocup/examination.hpp"
 #include "system/locations.hpp"
 #include "system/memory.hpp"
 #include "system/printable.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -19,6 +22,16 @@ namespace {
 // A larger log, bytes, and a larger share of a leg's time are told.
 constexpr std::size_t told_log = 60u << 10;
 constexpr double told_leg_share = 0.6;
+
+// Play that is told: own goals in a leg; the share of the speed that its touches gave the ball
+// towards its own end, and the least such speed, m/s; the fastest wheel, rad/s; shares of play.
+constexpr int told_own_goals = 3;
+constexpr double told_own_share = 0.75;
+constexpr double told_given_speed = 10.0;
+constexpr double told_wheel = 5.0;
+constexpr double told_standing = 0.9;
+constexpr double told_turning = 0.6;
+constexpr double told_backwards = 0.8;
 
 // A team that takes this much more memory in a leg than at its start is told, bytes.
 constexpr std::size_t told_growth = 256u << 20;
@@ -34,25 +47,78 @@ Result<bool> examine_play(Examination& e) {
   return true;
 }
 
+// Tells what the whole legs show of a team that means to play well.
+void note_play(Examination& e) {
+  const auto note = [&](const char* code, std::string text) {
+    e.report.notes.push_back({code, std::move(text)});
+  };
+  unsigned told = 0;
+  double fastest = 0.0;
+  LegStory worst;  // of each share, the larger one
+  std::string colours;
+  for (const LegStory& leg : e.report.legs) {
+    told |= leg.told_robots;
+    fastest = std::max(fastest, leg.fastest_wheel);
+    worst.standing = std::max(worst.standing, leg.standing);
+    worst.turning = std::max(worst.turning, leg.turning);
+    worst.backwards = std::max(worst.backwards, leg.backwards);
+    const bool scores_for_them = leg.own_goals >= told_own_goals &&
+                                 leg.own_goals > 2 * leg.score[0] &&
+                                 3 * leg.own_goals >= leg.score[1];
+    const bool plays_for_them =
+        leg.given_speed > told_given_speed && leg.towards_own_end > told_own_share;
+    if (leg.standing > told_standing || (!scores_for_them && !plays_for_them)) continue;
+    colours += (colours.empty() ? "" : " and ") + std::string(to_string(leg.team));
+  }
+  if (!colours.empty()) {
+    note("own_goals", "as " + colours +
+                          " it plays the ball towards its own goal: you attack +x in both colours "
+                          "and in both halves, and your own goal is at -x");
+  }
+  if (fastest == 0.0) return;
+  const auto percent = [](double share) { return std::to_string(std::lround(100.0 * share)); };
+  if (fastest < told_wheel) {
+    note("slow_wheels", "no wheel was told to turn faster than " +
+                            std::to_string(fastest).substr(0, 4) +
+                            " rad/s: speeds of wheels are in rad/s, and not in m/s");
+  } else if (worst.standing > told_standing) {
+    note("stands", "its robots stood in " + percent(worst.standing) + " % of play");
+  }
+  if (worst.turning > told_turning) {
+    note("turns",
+         "its robots turned in place in " + percent(worst.turning) +
+             " % of play: look at angles, which are in radians and have to be wrapped to -pi..pi");
+  }
+  if (worst.backwards > told_backwards) {
+    note("backwards", "its robots drove backwards in " + percent(worst.backwards) +
+                          " % of play: look at the order of the wheels, left and then right, and "
+                          "at signs");
+  }
+  for (int i = 0; i < field::make_field(e.setup.league).robots_per_team; ++i) {
+    if ((told & (1U << static_cast<unsigned>(i))) == 0)
+      note("silent_robot", "robot " + std::to_string(i) + " was never told to turn a wheel");
+  }
+}
+
 // Tells what is allowed but hardly meant.
 void warn(Examination& e) {
-  const auto warn_if = [&](bool holds, std::string text) {
-    if (holds) e.report.warnings.push_back(std::move(text));
+  const auto warn_if = [&](bool holds, const char* code, std::string text) {
+    if (holds) e.report.notes.push_back({code, std::move(text)});
   };
   const bool has_played = e.blue.ticks() > 0;
-  warn_if(has_played && !e.report.has_moved, "it never turned a wheel");
-  warn_if(e.report.bad_values > 0,
+  warn_if(has_played && !e.report.has_moved, "never_moved", "it never turned a wheel");
+  warn_if(e.report.bad_values > 0, "bad_values",
           std::to_string(e.report.bad_values) +
               " values of its commands were not finite or too large, and were zeroed or clamped");
-  warn_if(e.report.moved_placements > 0,
+  warn_if(e.report.moved_placements > 0, "moved_placements",
           std::to_string(e.report.moved_placements) +
               " of its placements were not legal: robots were moved; the decisions of a record say "
               "which and why");
-  warn_if(e.report.log.size() > told_log,
+  warn_if(e.report.log.size() > told_log, "long_log",
           "it logs so much that the middle of the log is left out: 64 KiB of a leg are kept");
-  warn_if(e.report.leg_share > told_leg_share,
+  warn_if(e.report.leg_share > told_leg_share, "slow",
           "it takes most of the time that a leg has; leave room for slower machines");
-  warn_if(e.grown > told_growth,
+  warn_if(e.grown > told_growth, "memory",
           "it took " + system::mebibytes(e.grown) +
               " of memory while a leg was played, and may take 1 GiB in all: free what it does not "
               "need any more");
@@ -62,8 +128,16 @@ void warn(Examination& e) {
     // Run-time libraries ask for variables of their own.
     if (line.rfind("variable OMP_", 0) == 0 || line.rfind("variable GOMP_", 0) == 0) continue;
     if (told.insert(line).second)
-      warn_if(true, "it asked for a " + system::printable(line) + ", which no team gets");
+      warn_if(true, "request",
+              "it asked for a " + system::printable(line) + ", which no team gets");
   }
+  std::istringstream log(e.report.log);
+  constexpr std::string_view mark = plugins::line_of_host;
+  for (std::string line; std::getline(log, line);) {
+    if (line.starts_with(mark) && told.insert(line).second)
+      warn_if(true, "told", system::printable(line.substr(mark.size())));
+  }
+  note_play(e);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "core/referee/rules.hpp"
 #include "core/replay/recording.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
+#include "programs/mirocup/leg_story.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -21,9 +22,19 @@ namespace mirocup::app {
 
 // One check and its result.
 struct Check {
-  std::string name;            // for scripts: "file", "complete", ...
-  std::optional<bool> passed;  // nothing: not run, because an earlier one failed
-  std::string text;            // the finding; after a failure, a sentence that says what to do
+  std::string name = {};            // for scripts: "file", "complete", ...
+  std::optional<bool> passed = {};  // nothing: not run, because an earlier one failed
+  std::string text = {};            // the finding; after a failure, a sentence that says what to do
+  // After a failure, the parts of the text, and where in the file or the leg it happened.
+  std::string what = {};
+  std::string where = {};
+  std::string cure = {};
+};
+
+// Something that is allowed but hardly meant.
+struct Note {
+  std::string code;  // for scripts: "own_goals", "bad_values", ...
+  std::string text;  // a sentence
 };
 
 struct EntryReport {
@@ -42,7 +53,8 @@ struct EntryReport {
   int bad_values = 0;                        // of its commands, zeroed or clamped
   int moved_placements = 0;                  // that it asked for and were not legal
   bool has_moved = false;                    // it turned a wheel
-  std::vector<std::string> warnings;         // sentences about what is allowed but hardly meant
+  std::vector<LegStory> legs;                // the whole legs against striker, as far as played
+  std::vector<Note> notes;
   std::string log;
 
   // The leg as blue against striker, or the one as yellow in which it failed; nothing if it was

@@ -14,11 +14,27 @@ namespace {
 constexpr double knockout_half = 0.5;
 constexpr double knockout_golden_goal = 1.0;
 
-bool add(Examination& e, bool passed, std::string text) {
-  e.report.checks.push_back({check_names[e.report.checks.size()], passed, std::move(text)});
-  if (e.on_check) e.on_check(e.report.checks.back());
-  if (passed) tell_next(e);
-  return passed;
+bool add(Examination& e, Check check) {
+  e.report.checks.push_back(std::move(check));
+  const Check& added = e.report.checks.back();
+  if (e.on_check) e.on_check(added);
+  if (*added.passed) tell_next(e);
+  return *added.passed;
+}
+
+// Returns the line of the entry's own file that the text of a fault begins with, and the tick.
+std::string place_of(const TrialLeg& leg, const TrialTerms& terms) {
+  constexpr std::string_view line = "line ";
+  const std::string& text = leg.fault->fault.text;
+  std::string place;
+  if (const std::size_t at = text.find(line); at != std::string::npos && at > 0) {
+    const std::size_t end = text.find_first_not_of("0123456789", at + line.size());
+    if (end != at + line.size()) place = text.substr(at, end - at) + " of the file, ";
+  }
+  if (leg.ticks() == 0 && text.find(" of tick ") == std::string::npos)
+    return place + "before the first tick";
+  return place + "tick " + std::to_string(leg.ticks()) + " of a leg as " +
+         std::string(to_string(terms.team));
 }
 
 // Plays a leg that ended in a crash again where the team's memory is watched. Returns what was
@@ -46,11 +62,24 @@ void tell_next(const Examination& e) {
 }
 
 bool pass(Examination& e, std::string text) {
-  return add(e, true, std::move(text));
+  return add(
+      e, {.name = check_names[e.report.checks.size()], .passed = true, .text = std::move(text)});
 }
 
-bool fail_with(Examination& e, std::string text) {
-  return add(e, false, std::move(text));
+bool fail_with(Examination& e, const std::string& text) {
+  const std::size_t colon = text.rfind(": ");
+  const bool has_cure = colon != std::string::npos;
+  return fail_with(e, {.what = text.substr(0, colon),
+                       .where = {},
+                       .cure = has_cure ? text.substr(colon + 2) : std::string()});
+}
+
+bool fail_with(Examination& e, Check failed) {
+  failed.name = check_names[e.report.checks.size()];
+  failed.passed = false;
+  failed.text = failed.what + (failed.cure.empty() ? "" : ": " + failed.cure);
+  failed.where = failed.where.empty() ? failed.name : failed.name + ", " + failed.where;
+  return add(e, std::move(failed));
 }
 
 Result<bool> judge(Examination& e, const TrialLeg& leg, const TrialTerms& terms, std::string text) {
@@ -62,8 +91,10 @@ Result<bool> judge(Examination& e, const TrialLeg& leg, const TrialTerms& terms,
   if (evidence.fault.code == match::FaultCode::crash && !terms.is_careful && !evidence.is_python) {
     MIROCUP_TRY(mistake, mistake_in_memory(e, terms, evidence));
   }
-  return fail_with(e, evidence.fault.text + " (" + std::string(to_string(evidence.fault.code)) +
-                          "): " + advice_on(evidence) + mistake);
+  return fail_with(
+      e, {.what = evidence.fault.text + " (" + std::string(to_string(evidence.fault.code)) + ")",
+          .where = place_of(leg, terms),
+          .cure = advice_on(evidence) + mistake});
 }
 
 TrialTerms trial(const Examination& e, Team team, const plugins::SealedEntry& opponent) {

@@ -56,7 +56,9 @@ void tell_next(const Examination& e);
 
 // Each adds the result of the next check and returns true if it passed.
 bool pass(Examination& e, std::string text);
-bool fail_with(Examination& e, std::string text);
+// The text says what was found and, after its last ": ", what to do.
+bool fail_with(Examination& e, const std::string& text);
+bool fail_with(Examination& e, Check failed);  // text and name follow from its parts
 // Passes with the text, or fails with the fault of the leg and advice.
 Result<bool> judge(Examination& e, const TrialLeg& leg, const TrialTerms& terms, std::string text);
 

@@ -115,9 +115,31 @@ Result<Json> wait_for_answer(web::HandInClient& client, int entry) {
   }
 }
 
+// Returns the check that failed, with its parts; null if none did, or its server does not tell.
+const Json* failed_check(const Json& report) {
+  const auto checks = report.find("checks");
+  if (checks == report.end() || !checks->is_array()) return nullptr;
+  const auto failed = std::find_if(checks->begin(), checks->end(), [](const Json& check) {
+    return !text_in(check, "what").empty();
+  });
+  return failed == checks->end() ? nullptr : &*failed;
+}
+
 void print_answer(const Json& report) {
-  const std::string message = text_in(report, "message");
-  std::cout << system::printable(message.empty() ? text_in(report, "reason") : message) << '\n';
+  std::string message = text_in(report, "message");
+  if (message.empty()) message = text_in(report, "reason");
+  if (const Json* failed = failed_check(report)) {
+    // "...; entry 10 plays on"
+    const std::size_t last = message.rfind("; ");
+    const std::string plays =
+        last == std::string::npos ? "nothing changes" : message.substr(last + 2);
+    for (const auto& [name, part] :
+         {std::pair{"what:  ", "what"}, {"where: ", "where"}, {"do:    ", "cure"}})
+      std::cout << name << system::printable(text_in(*failed, part)) << '\n';
+    std::cout << "plays: " << system::printable(plays) << '\n';
+  } else {
+    std::cout << system::printable(message) << '\n';
+  }
   const std::string log = text_in(report, "log");
   if (!log.empty()) {
     std::cout << "--- log\n"

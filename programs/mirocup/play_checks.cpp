@@ -161,10 +161,11 @@ Result<bool> play_whole_legs(Examination& e) {
       e.report.gate_leg = std::move(leg.recording);
       e.report.gate_colour = team;
     }
-    const auto passed =
-        judge(e, leg, terms,
-              "plays " + seconds(leg.ticks() * e.setup.control_period) + " s of a leg as " +
-                  std::string(to_string(team)) + " against striker");
+    leg.story.opponent = "striker";
+    const auto passed = judge(e, leg, terms,
+                              "plays " + seconds(leg.ticks() * e.setup.control_period) +
+                                  " s of a leg: " + text_of(leg.story));
+    if (leg.ticks() > 0) e.report.legs.push_back(leg.story);
     if (!passed || !*passed) return passed;
     note_time(e, leg);
     e.grown = std::max(e.grown, leg.peak_memory - std::min(leg.peak_memory, leg.memory_at_start));

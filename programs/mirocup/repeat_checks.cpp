@@ -117,16 +117,20 @@ Result<bool> repeat_leg(Examination& e, const TrialTerms& terms_of_first, const 
     terms.max_ticks = again.ticks() + ticks_after_difference;
     MIROCUP_TRY(const auto cause, cause_of_difference(e, terms, first));
     note_use(e, again, terms);
-    return fail_with(e, again.fault->fault.text + " (" +
-                            std::string(to_string(again.fault->fault.code)) +
-                            "), and not when the leg was played before: " + cause);
+    return fail_with(e, {.what = again.fault->fault.text + " (" +
+                                 std::string(to_string(again.fault->fault.code)) +
+                                 "), and not when the leg was played before",
+                         .where = "tick " + std::to_string(again.ticks()),
+                         .cure = cause});
   }
   if (!tick) return true;
   terms.max_ticks = static_cast<std::uint32_t>(*tick) + ticks_after_difference;
   MIROCUP_TRY(const auto cause, cause_of_difference(e, terms, first));
   pass(e, "writes only to memory of its own");
-  return fail_with(e, "to the same observations it answers differently in tick " +
-                          std::to_string(*tick) + ": " + cause);
+  const std::string number = std::to_string(*tick);
+  return fail_with(e, {.what = "to the same observations it answers differently in tick " + number,
+                       .where = "tick " + number,
+                       .cure = cause});
 }
 
 }  // namespace

@@ -145,8 +145,11 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
     return used > terms.max_seconds ||
            (clock.now() - start > terms.max_seconds && used + meter.slept(own) > terms.max_seconds);
   };
-  while (!fault && !leg.is_over() && leg.tick() < terms.max_ticks && !is_over_time())
+  LegWatch watch(leg, terms.team);
+  while (!fault && !leg.is_over() && leg.tick() < terms.max_ticks && !is_over_time()) {
     leg.advance(*seats[0], *seats[1]);
+    watch.look();
+  }
   if (leg.is_over()) {
     if (leg.outcome().kind == match::OutcomeKind::void_)
       return fail(Errc::host, leg.outcome().why_void);
@@ -161,6 +164,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   if (fault) played.fault = FaultEvidence{*fault, own.exit_report(), played.requests};
   played.log = leg.log();
   if (leg.is_over() && terms.is_recorded) played.recording = replay::record(leg);
+  played.story = watch.story();
   played.bad_values = leg.bad_values()[index_of(terms.team)];
   played.moved_placements = moved_placements(leg, terms.team);
   played.has_moved =

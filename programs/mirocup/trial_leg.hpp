@@ -8,6 +8,7 @@
 #include "plugins/host/process_controller.hpp"
 #include "programs/mirocup/check_plan.hpp"
 #include "programs/mirocup/entry_advice.hpp"
+#include "programs/mirocup/leg_story.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -54,6 +55,7 @@ struct TrialLeg {
   std::size_t peak_memory = 0;                 // bytes
   std::set<MetRestart> restarts;               // for which it was asked to place
   std::optional<replay::Recording> recording;  // of a leg that came to its end
+  LegStory story;                              // without the opponent's name
   std::string output;
   std::string requests;  // lines of ProcessController::requests()
   std::uint32_t asked_parameters = 0;

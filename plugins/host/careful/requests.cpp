@@ -42,6 +42,10 @@ void note(const char* kind, const char* name) {
   requests.length += length;
 }
 
+void note_input(const std::FILE* stream) {
+  if (stream == stdin) note("line of standard input", "");
+}
+
 template <class Function>
 Function* real(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
@@ -70,6 +74,7 @@ void copy_requests(char* text, std::size_t size) {
 extern "C" {
 
 using mirocup::plugins::note;
+using mirocup::plugins::note_input;
 using mirocup::plugins::real;
 using mirocup::plugins::requests;
 
@@ -126,6 +131,31 @@ int system(const char* command) {
 FILE* popen(const char* command, const char* mode) {
   note("program", command);
   return real<FILE*(const char*, const char*)>("popen")(command, mode);
+}
+
+// std::cin reads by getc().
+int getc(FILE* stream) {
+  note_input(stream);
+  return real<int(FILE*)>("getc")(stream);
+}
+
+int getchar() {
+  note_input(stdin);
+  return real<int()>("getchar")();
+}
+
+char* fgets(char* text, int size, FILE* stream) {
+  note_input(stream);
+  return real<char*(char*, int, FILE*)>("fgets")(text, size, stream);
+}
+
+int __isoc99_scanf(const char* format, ...) {
+  note_input(stdin);
+  std::va_list rest;
+  va_start(rest, format);
+  const int read = vfscanf(stdin, format, rest);
+  va_end(rest);
+  return read;
 }
 
 pid_t fork() noexcept {

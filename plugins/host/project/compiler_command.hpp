@@ -15,7 +15,8 @@ inline constexpr const char* cpp_compiler = "/usr/bin/g++";
   "-O2", "-DNDEBUG", "-fPIC", "-fvisibility=hidden", "-I/mirocup/include", \
       "-fno-diagnostics-color", "-fmax-errors=20"
 #define MIROCUP_C_OPTIONS "-std=c17", MIROCUP_COMPILER_OPTIONS
-#define MIROCUP_CPP_OPTIONS "-std=c++20", "-ftemplate-depth=900", MIROCUP_COMPILER_OPTIONS
+#define MIROCUP_CPP_OPTIONS \
+  "-std=c++20", "-ftemplate-depth=900", "-Woverloaded-virtual", MIROCUP_COMPILER_OPTIONS
 #define MIROCUP_LINK_OPTIONS "-shared", "-static-libgcc", "-L/mirocup/lib"
 
 // The exit code of the project's compiler if it refuses the archive; its last line says why.

@@ -109,6 +109,64 @@ TEST(Check, NamesTheFirstCheckThatFails) {
   expect_rejected(hostile("clock_random"), "repeatable", "tick 25");
 }
 
+// Catches an archive, a text or a source that is told to be something else, or not what to do.
+TEST(Check, TellsFilesThatAreNoTeamsApart) {
+  using namespace std::literals;
+  const struct {
+    std::string bytes;
+    const char* told;
+  } files[] = {{"Rar!\x1a\x07\0"s, "RAR archive, which is not taken"},
+               {"7z\xbc\xaf\x27\x1c\0"s, "7z archive"},
+               {"\xfd\x37zXZ\0"s, "packed with xz"},
+               {"BZh91AY"s, "packed with bzip2"},
+               {"\x28\xb5\x2f\xfd\x04"s, "packed with zstd"},
+               {"\xff\xfe#\0i\0"s, "save it as UTF-8"},
+               {"\xef\xbb\xbf#include <cmath>\n"s, "mirocup compile"},
+               {"/* mine */\n#include <math.h>\n"s, "mirocup compile"},
+               {"class A:\n    pass\n"s, "from mirocup.team import Team"},
+               {"package main\n\nimport \"fmt\"\n"s, "another language"},
+               {"fn main() {}\n"s, "another language"},
+               {"<!DOCTYPE html>\n"s, "a page of the web"},
+               {"{\"cells\": []}"s, "a notebook"}};
+  const TemporaryFolder folder;
+  for (const auto& file : files) {
+    write_file(folder / "team.rar", file.bytes);
+    expect_rejected(folder / "team.rar", "complete", file.told);
+  }
+  write_file(folder / "team.zip", files[0].bytes);
+  const Outcome compiled =
+      run({program("mirocup"), "compile", folder / "team.zip", "-o", folder / "team.so"});
+  if (!test_support::why_no_t2().empty()) return;
+  EXPECT_EQ(compiled.exit_code, 1);
+  EXPECT_NE(compiled.out.find("RAR archive"), std::string::npos) << compiled.out;
+}
+
+// Catches an answer without its four parts, and a check that does not tell the score.
+TEST(Check, TellsTheScoreAndTheFourPartsOfAnAnswer) {
+  const Examined played = check(program("house/striker.so"));
+  ASSERT_EQ(played.report["legs"].size(), 2u) << played.report.dump(1);
+  for (const Json& leg : played.report["legs"]) {
+    EXPECT_EQ(leg["opponent"], "striker");
+    EXPECT_EQ(leg["score"].size(), 2u);
+    for (const char* share : {"standing", "turning", "backwards"}) {
+      EXPECT_GE(leg[share], 0.0);
+      EXPECT_LE(leg[share], 1.0);
+    }
+  }
+  EXPECT_TRUE(played.report["where"].is_null());
+  EXPECT_TRUE(played.report["cure"].is_null());
+  EXPECT_EQ(played.report["notes"].dump(), "[]");
+  const Outcome text =
+      run({program("mirocup"), "check", program("house/striker.so"), "--half", "2"});
+  EXPECT_NE(text.out.find(" against striker as yellow"), std::string::npos) << text.out;
+  const Examined crashed = check(hostile("crash_segv"));
+  EXPECT_NE(crashed.report["where"].get<std::string>().find("ticks, tick "), std::string::npos);
+  EXPECT_NE(crashed.report["cure"].get<std::string>().find("gdb"), std::string::npos);
+  const Outcome refused = run({program("mirocup"), "check", hostile("crash_segv")});
+  for (const char* part : {"\nwhat:  ", "\nwhere: ticks", "\ndo:    ", "\nplays: "})
+    EXPECT_NE(refused.out.find(part), std::string::npos) << refused.out;
+}
+
 // Each time, although both legs are played in the same second, minute or day.
 TEST(Check, RefusesMovesThatDependOnTheTimeOfDay) {
   for (const char* kind : {"clock_seed", "clock_seed_day", "clock_seed_uptime", "clock_seed_chrono",

@@ -125,6 +125,12 @@ TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
       {team_that("return [(time.time() % 7, 1)]", "import time\n"),
        "repeatable",
        {"depends on a clock", "now.time"}},
+      {team_that("return [1, 1, 1, 1, 1, 1]"), "ticks", {"6 numbers; 3 pairs"}},
+      {import + std::string("x = '\xe9'\n"), "loads", {"save the file as UTF-8"}},
+      {team_that("return [(1, 1)] if now.tick < 30 else loop()",
+                 "def loop():\n    while True:\n        pass\n"),
+       "ticks",
+       {"in decide() of tick 30", "loop that does not end"}},
       {"print('hello')\n# no team\n", "complete", {}},
       {"import os\n", "complete", {"from mirocup.team import Team"}},
   };
@@ -136,6 +142,39 @@ TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
       EXPECT_NE(reason.find(part), std::string::npos) << part << " in: " << reason;
     EXPECT_EQ(reason.find("gdb"), std::string::npos) << reason;
   }
+}
+
+// Allowed, and hardly meant.
+TEST_F(PythonTeams, AreWarned) {
+  const PythonJson report =
+      check(import + std::string("import random\n"
+                                 "chance = random.random()\n"
+                                 "class A(Team):\n"
+                                 "    def decide(self, now):\n"
+                                 "        self.parameter('wait time', 1.0)\n"
+                                 "        for i in range(40):\n"
+                                 "            self.parameter(f'p{i}', 1.0)\n"
+                                 "        return [(chance, 0.5), (0.4, 0.5)]\n"
+                                 "    def place(self, now, placement):\n"
+                                 "        return [(0.0, 0.0, 0.0)]\n"),
+            0);
+  const std::string notes = report["notes"].dump();
+  for (const char* part : {"which is no name", "more than 32 parameters", "change placement.robots",
+                           "robot 2 was never told", "rad/s"})
+    EXPECT_NE(notes.find(part), std::string::npos) << part << " in " << notes;
+}
+
+// Both colours and both halves attack +x in the team's own frame.
+TEST_F(PythonTeams, AreToldThatTheyAttackTheirOwnGoal) {
+  const Outcome outcome =
+      run({program("mirocup"), "check",
+           file(team_that("return [kick_to(self.setup, now, r, (-self.setup.half_length, 0.0)) "
+                          "for r in now.own]")),
+           "--half", "30", "--json"});
+  const PythonJson report = PythonJson::parse(outcome.out, nullptr, false);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+  EXPECT_NE(report["notes"].dump().find("you attack +x in both colours"), std::string::npos)
+      << report["legs"].dump() << report["notes"].dump();
 }
 
 // Catches a league that keeps or starts a team in Python as a library.

@@ -224,6 +224,11 @@ void Mistakes::make_mistake(const Observation& now, Command& command) {
     case Mistake::division_by_zero:
       command.wheels[0].left = 100 / zero;
       return;
+    case Mistake::writes_behind_command:
+      reinterpret_cast<volatile char*>(&command)[sizeof command + 8] = 1;
+      return;
+    case Mistake::throws_a_text:
+      throw "ball lost";
     case Mistake::throws_in_noexcept:
       throws_in_noexcept();
       return;

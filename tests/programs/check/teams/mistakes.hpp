@@ -53,6 +53,8 @@ enum class Mistake {
   grown_vector,
   dangling_capture,
   text_too_long,
+  writes_behind_command,
+  throws_a_text,
   number_as_text,
   // Lives by a clock.
   derivative_by_the_clock,

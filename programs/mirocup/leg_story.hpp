@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// What happened in a trial leg, for the author of the entry: the score, and what the robots did.
+#pragma once
+
+#include "core/match/leg.hpp"
+
+#include <array>
+#include <string>
+
+namespace mirocup::app {
+
+// Shares are of the time in which the ball was in play, in the mean of the entry's robots.
+struct LegStory {
+  Team team = Team::blue;        // the colour of the entry
+  std::string opponent;          // a house team
+  std::array<int, 2> score{};    // goals for the entry, and against it
+  int own_goals = 0;             // of the entry
+  double standing = 0.0;         // share
+  double turning = 0.0;          // share: turned in place
+  double backwards = 0.0;        // share: drove backwards
+  double fastest_wheel = 0.0;    // that the entry asked for, rad/s
+  double towards_own_end = 0.0;  // share of the speed that its touches gave the ball
+  double given_speed = 0.0;      // all of that speed, m/s
+  unsigned told_robots = 0;      // bit i: robot i was told to turn a wheel
+};
+
+// Watches the leg of an entry tick by tick.
+class LegWatch {
+ public:
+  LegWatch(const match::Leg& leg, Team team) : leg_(leg), team_(team) {}
+
+  // To be called after each tick.
+  void look();
+
+  LegStory story() const;
+
+ private:
+  void look_at_robots();
+  void look_at_ball();
+
+  const match::Leg& leg_;
+  Team team_;
+  simulator::BallState ball_before_;
+  LegStory sums_;
+  double towards_opponent_ = 0.0;  // speed that touches gave the ball, m/s
+  double towards_own_ = 0.0;
+  std::size_t robot_ticks_ = 0;
+};
+
+// Returns "3 : 5 against striker as blue, 1 own goal; its robots stood in 10 % of play, ...".
+std::string text_of(const LegStory& story);
+
+}  // namespace mirocup::app
