@@ -41,7 +41,7 @@ inline const std::vector<Kind> kinds{
     {"exit_slowly", burns_tick, ""},
     {"longjmp_out", "crash: signal 11", ""},
     {"throw_std", "crash: thrown on purpose", ""},
-    {"throw_int", "crash: not a std::exception", ""},
+    {"throw_int", "crash: decide() threw the number 42", ""},
     {"throw_escapes", "crash: \\x1b[2J\\xff\\xe2\\x80\\xaered", ""},
     {"throw_while_throwing", "crash: signal 6", ""},
     {"sig_raise", "crash: signal 1", ""},
