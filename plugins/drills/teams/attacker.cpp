@@ -79,7 +79,8 @@ class Attacker : public DrillTeam {
   // Waits between the ball and the own goal, fanned out.
   Wheels support(const Robot& robot, int rank) const {
     const double side = ball.y > 0.0 ? -1.0 : 1.0;
-    const double x = std::max(-0.7 * setup.half_length, ball.x - 0.3 - 0.2 * (rank / 2));
+    const int row = rank / 2;
+    const double x = std::max(-0.7 * setup.half_length, ball.x - 0.3 - 0.2 * row);
     const double y = 0.4 * ball.y + side * (rank % 2 == 0 ? 0.12 : -0.25);
     return drive_clear(robot, make_way(keep_out(inside({x, y}))));
   }

@@ -22,7 +22,8 @@ class Crowd : public DrillTeam {
 
   Wheels steer(int i, const Robot& robot) override {
     if (i != nearest_) {
-      const double y = 0.2 * (i % 2 == 0 ? 1.0 : -1.0) * ((i + 1) / 2);
+      const int row = (i + 1) / 2;
+      const double y = 0.2 * (i % 2 == 0 ? 1.0 : -1.0) * row;
       return drive_clear(robot, make_way(keep_out({-0.4 * setup.half_length, y})));
     }
     if (must_kick_off()) return kick_off(robot);

@@ -23,8 +23,10 @@ class Keeper : public DrillTeam {
     }
     if (i == 1 && is_near && is_stuck()) return free_ball(robot);
     // The others form a screen across the line from the ball to the goal.
-    const double aside = 0.09 * (i % 2 == 0 ? 1.0 : -1.0) * (i / 2);
-    const Point post = goal + (distance_ + 0.07 * (i / 3)) * out;
+    const int column = i / 2;
+    const int row = i / 3;
+    const double aside = 0.09 * (i % 2 == 0 ? 1.0 : -1.0) * column;
+    const Point post = goal + (distance_ + 0.07 * row) * out;
     return drive_clear(robot, make_way(keep_out({post.x, post.y + aside})));
   }
 
