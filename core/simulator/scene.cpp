@@ -78,10 +78,10 @@ SceneResult run_scene(const Scene& scene, const Tolerances& tolerances) {
   World copy(walls, scene.parameters, tolerances, world.robots(), scene.ball.has_value());
   World::State now;
   const auto take_samples = [&](double t, double end, bool is_last) {
-    world.save(now);
     for (; next_sample < samples.size(); ++next_sample) {
       const double at = samples[next_sample];
       if (is_last ? at > end : at >= end) return;
+      world.save(now);
       copy.load(now);
       copy.advance(commands_at(scene, t), at - t);
       if (at > t) copy.advance(commands_at(scene, at), 0.0);  // resolves impacts at this very time

@@ -6,6 +6,7 @@
 #include "programs/league/scratch_folder.hpp"
 #include "record/json_reader.hpp"
 #include "record/rules_json.hpp"
+#include "system/csv.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/event.hpp"
 #include "tournaments/play/comparison_run.hpp"
@@ -173,40 +174,33 @@ Json pair_json(const PairComparison& pair, const ComparisonRun& run) {
           {"results", results}};
 }
 
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return cell + "\"";
-}
-
 std::string csv_elo(double elo) {
   return std::isinf(elo) ? std::string() : std::to_string(std::lround(elo));
 }
 
 std::string pairs_csv(const std::vector<PairComparison>& pairs, const ComparisonRun& run) {
-  std::string text =
-      "A,B,verdict,copies,fixtures,distinct_legs,elo,elo_low,elo_high,won,level,lost,goals_A,goals_"
-      "B";
+  std::vector<std::string> cells{
+      "A",       "B",        "verdict", "copies", "fixtures", "distinct_legs", "elo",
+      "elo_low", "elo_high", "won",     "level",  "lost",     "goals_A",       "goals_B"};
   for (const char* team : {"A", "B"}) {
     for (const auto kind : enum_names<match::GoalKind>)
-      text += "," + std::string(kind) + "_" + team;
+      cells.push_back(std::string(kind) + "_" + team);
   }
-  text += "\r\n";
+  std::string text = system::csv_line(cells);
   for (const PairComparison& pair : pairs) {
     const PairReport r = report_of(pair, run);
-    text += csv_cell(r.names[0]) + "," + csv_cell(r.names[1]) + "," +
-            std::string(to_string(pair.verdict)) + "," + (pair.is_of_copies ? "yes" : "no");
+    cells = {r.names[0], r.names[1], std::string(to_string(pair.verdict)),
+             pair.is_of_copies ? "yes" : "no"};
     for (const int number : {static_cast<int>(pair.fixtures.size()), pair.distinct_legs()})
-      text += "," + std::to_string(number);
+      cells.push_back(std::to_string(number));
     for (const double elo : {r.difference.value, r.difference.low, r.difference.high})
-      text += "," + csv_elo(elo);
+      cells.push_back(csv_elo(elo));
     for (const int number : {r.won, r.level, r.lost, r.goals[0], r.goals[1]})
-      text += "," + std::to_string(number);
+      cells.push_back(std::to_string(number));
     for (const auto& kinds : r.kinds) {
-      for (const int goals : kinds) text += "," + std::to_string(goals);
+      for (const int goals : kinds) cells.push_back(std::to_string(goals));
     }
-    text += "\r\n";
+    text += system::csv_line(cells);
   }
   return text;
 }
@@ -287,16 +281,17 @@ Json table_json(const std::vector<RatedTeam>& table, const ComparisonRun& run) {
 
 std::string table_csv(const std::vector<RatedTeam>& table, const ComparisonRun& run) {
   std::string text =
-      "rank,team,strength,strength_low,strength_high,won,level,lost,goals,goals_against,"
-      "legs_to_tell\r\n";
+      system::csv_line({"rank", "team", "strength", "strength_low", "strength_high", "won", "level",
+                        "lost", "goals", "goals_against", "legs_to_tell"});
   for (std::size_t i = 0; i < table.size(); ++i) {
     const RatedTeam& row = table[i];
-    text += std::to_string(i + 1) + "," + csv_cell(system::printable(run.teams[row.team]));
+    std::vector<std::string> cells{std::to_string(i + 1), run.teams[row.team]};
     for (const double elo : {row.strength.value, row.strength.low, row.strength.high})
-      text += "," + csv_elo(elo);
+      cells.push_back(csv_elo(elo));
     for (const int number : {row.won, row.level, row.lost, row.goals, row.goals_against})
-      text += "," + std::to_string(number);
-    text += "," + (row.legs_to_tell ? std::to_string(*row.legs_to_tell) : std::string()) + "\r\n";
+      cells.push_back(std::to_string(number));
+    cells.push_back(row.legs_to_tell ? std::to_string(*row.legs_to_tell) : "");
+    text += system::csv_line(cells);
   }
   return text;
 }

@@ -8,7 +8,6 @@
 #include "record/json_reader.hpp"
 #include "system/child_process.hpp"
 #include "system/clock.hpp"
-#include "system/file_lock.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/roster.hpp"
@@ -193,25 +192,15 @@ Result<void> tell_program(system::Files& files, const std::string& program, cons
 }
 
 Result<int> run_nightly(const NightlyOptions& options) {
-  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   const Folder folder{options.folder};
-  std::string notice;
-  MIROCUP_TRY(auto store, LeagueStore::open(disk, folder, &notice));
-  if (!notice.empty()) std::cerr << "mirocup: " << notice << '\n';
-  MIROCUP_TRY(const auto mine, system::FileLock::try_acquire(folder.running()));
-  if (!mine)
-    return fail(Errc::unavailable,
-                folder.path + " is being played already: this night is left out");
-  const std::int64_t now = system::now_s();
-  if (auto same =
-          expect_program(disk, store, record::this_software(), options.play.accepts_other_program);
-      !same)
-    return tl::unexpected(same.error());
-  MIROCUP_TRY_VOID(begin_night(disk, store, options, now));
+  MIROCUP_TRY(auto held, hold_league(disk, folder, ": this night is left out"));
+  MIROCUP_TRY_VOID(expect_program(disk, held.store, record::this_software(),
+                                  options.play.accepts_other_program));
+  MIROCUP_TRY_VOID(begin_night(disk, held.store, options, system::now_s()));
 
   auto progress = make_progress_reporter();
-  MIROCUP_TRY(const auto played, play_league(disk, std::move(store), *progress, options.play));
+  MIROCUP_TRY(const auto played, play_league(disk, std::move(held.store), *progress, options.play));
   progress->say("making pages");
   MIROCUP_TRY_VOID(publish_league(disk, folder, options.play.jobs));
   progress.reset();

@@ -11,6 +11,17 @@
 
 namespace mirocup::league {
 
+Result<HeldLeague> hold_league(system::Files& files, const Folder& folder,
+                               const std::string& advice) {
+  MIROCUP_TRY_VOID(expect_owner(folder));
+  std::string notice;
+  MIROCUP_TRY(auto store, LeagueStore::open(files, folder, &notice));
+  if (!notice.empty()) std::cerr << "mirocup: " << notice << '\n';
+  MIROCUP_TRY(auto lock, system::FileLock::try_acquire(folder.running()));
+  if (!lock) return fail(Errc::unavailable, folder.path + " is being played already" + advice);
+  return HeldLeague{std::move(store), std::move(*lock)};
+}
+
 Result<LeagueState> play_league(system::Files& files, LeagueStore store, ProgressReporter& progress,
                                 const PlayTerms& terms) {
   const auto state_of = [](auto& runner, const Result<int>& left) -> Result<LeagueState> {

@@ -4,12 +4,25 @@
 #pragma once
 
 #include "system/commands.hpp"
+#include "system/file_lock.hpp"
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/play/progress_reporter.hpp"
 
 #include <string>
 
 namespace mirocup::league {
+
+// A league that this process alone plays, as long as it holds the lock.
+struct HeldLeague {
+  LeagueStore store;
+  system::FileLock lock;
+};
+
+// Opens a league in order to play it, and says what was mended in it. Errors: those of
+// expect_owner(); Errc::unavailable if another process plays it, with `advice` as the end of the
+// sentence.
+Result<HeldLeague> hold_league(system::Files& files, const Folder& folder,
+                               const std::string& advice);
 
 // How a league is played.
 struct PlayTerms {

@@ -5,8 +5,6 @@
 #include "programs/league/playing.hpp"
 #include "programs/league/progress_bar.hpp"
 #include "programs/league/publishing.hpp"
-#include "system/file_lock.hpp"
-#include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/site.hpp"
 
 #include <iostream>
@@ -21,20 +19,13 @@ struct StartOptions {
 };
 
 Result<int> run_start(const StartOptions& options) {
-  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   const Folder folder{options.folder};
-  std::string notice;
-  MIROCUP_TRY(auto store, LeagueStore::open(disk, folder, &notice));
-  if (!notice.empty()) std::cerr << "mirocup: " << notice << '\n';
-  MIROCUP_TRY(const auto mine, system::FileLock::try_acquire(folder.running()));
-  if (!mine) {
-    return fail(Errc::unavailable, folder.path + " is being played already; mirocup league stop " +
-                                       folder.path + " ends that");
-  }
+  MIROCUP_TRY(auto held,
+              hold_league(disk, folder, "; mirocup league stop " + folder.path + " ends that"));
 
   auto progress = make_progress_reporter();
-  MIROCUP_TRY(const auto played, play_league(disk, std::move(store), *progress, options.play));
+  MIROCUP_TRY(const auto played, play_league(disk, std::move(held.store), *progress, options.play));
   progress->say("making pages");
   const int jobs_here = options.play.engine == "local" ? options.play.jobs : 0;
   MIROCUP_TRY_VOID(publish_league(disk, folder, jobs_here));

@@ -128,9 +128,8 @@ Result<int> run_team(const TeamOptions& options) {
   if (options.members == std::vector<std::string>{""}) one.members.clear();
   std::string why = objection_to(one);
   if (options.display && !one.display.empty() && why.empty()) {
-    PeopleOfTeams all = people;
-    for (const TeamConfig& other : store.state().file.teams) all.try_emplace(other.name);
-    if (const std::string other = looks_like(all, team, one.display); !other.empty())
+    if (const std::string other = looks_like(people, store.state(), team, one.display);
+        !other.empty())
       why = "people would take \"" + one.display + "\" for " + other;
   }
   if (const auto set = set_colour(one, options.colour.value_or(one.colour)); why.empty() && !set)

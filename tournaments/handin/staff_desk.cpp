@@ -304,17 +304,9 @@ Result<void> set_people(system::Files& files, const LeagueStore& store, const Fo
     return write_people(files, store.folder(), people);
   }
   one.display = value_of(form, "display");
-  one.members.clear();
-  std::string rest = value_of(form, "members");
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(';'), rest.size());
-    std::string member = rest.substr(0, end);
-    rest.erase(0, end + 1);
-    member.erase(0, std::min(member.find_first_not_of(' '), member.size()));
-    if (!member.empty()) one.members.push_back(member);
-  }
+  one.members = members_of(value_of(form, "members"));
   if (const std::string why = objection_to(one); !why.empty()) return fail(Errc::input, why);
-  if (const std::string other = looks_like(people, team, one.display);
+  if (const std::string other = looks_like(people, store.state(), team, one.display);
       !one.display.empty() && !other.empty())
     return fail(Errc::input, other + " is called so already");
   return write_people(files, store.folder(), people);

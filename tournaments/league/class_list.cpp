@@ -26,19 +26,6 @@ std::string in_lower_case(std::string text) {
   return text;
 }
 
-std::vector<std::string> members_of(const std::string& cell) {
-  std::vector<std::string> members;
-  for (std::size_t at = 0; at < cell.size();) {
-    const std::size_t stop = std::min(cell.find_first_of(";\n", at), cell.size());
-    std::string member = cell.substr(at, stop - at);
-    member.erase(0, member.find_first_not_of(' '));
-    member.erase(member.find_last_not_of(' ') + 1);
-    if (!member.empty()) members.push_back(member);
-    at = stop + 1;
-  }
-  return members;
-}
-
 // Reads the names of the columns. Columns at the end that have none are left out.
 Result<ClassList> read_columns(std::vector<std::string>& names) {
   ClassList list;
@@ -158,11 +145,9 @@ Result<std::vector<std::string>> ClassList::merge_into(PeopleOfTeams& people,
     if (!why.empty())
       return fail(Errc::input, at_line(row.line, row.team + " is new to the league: " + why));
   }
-  PeopleOfTeams all = people;
-  for (const TeamConfig& team : state.file.teams) all.try_emplace(team.name);
   for (const ClassListRow& row : rows) {
     const std::string& display = people[row.team].display;
-    const std::string other = display.empty() ? "" : looks_like(all, row.team, display);
+    const std::string other = display.empty() ? "" : looks_like(people, state, row.team, display);
     // Of two in the list, the later one is told.
     const bool comes_later = std::any_of(rows.begin(), rows.end(), [&](const ClassListRow& one) {
       return one.team == other && one.line > row.line && !people[other].display.empty();

@@ -75,8 +75,21 @@ std::string objection_to(const People& one) {
   return "";
 }
 
-std::string looks_like(const PeopleOfTeams& people, const std::string& team,
-                       const std::string& display) {
+std::vector<std::string> members_of(const std::string& cell) {
+  std::vector<std::string> members;
+  for (std::size_t at = 0; at < cell.size();) {
+    const std::size_t stop = std::min(cell.find_first_of(";\n", at), cell.size());
+    std::string member = cell.substr(at, stop - at);
+    member.erase(0, member.find_first_not_of(' '));
+    member.erase(member.find_last_not_of(' ') + 1);
+    if (!member.empty()) members.push_back(member);
+    at = stop + 1;
+  }
+  return members;
+}
+
+std::string looks_like(const PeopleOfTeams& people, const LeagueState& state,
+                       const std::string& team, const std::string& display) {
   const auto look = [](const std::string& name) {
     std::string seen;
     for (const char c : name) {
@@ -88,6 +101,9 @@ std::string looks_like(const PeopleOfTeams& people, const std::string& team,
   const std::string own = look(display);
   for (const auto& [other, one] : people) {
     if (other != team && (look(other) == own || look(one.display) == own)) return other;
+  }
+  for (const TeamConfig& other : state.file.teams) {
+    if (other.name != team && look(other.name) == own) return other.name;
   }
   return "";
 }

@@ -36,9 +36,13 @@ std::string objection_to_new_name(const std::string& text);
 std::string objection_to(const People& one);
 
 // Returns the other team that people would take for this one if it had that display name: by its
-// own name or its display name, whatever capitals and blanks it is written with. "": there is none.
-std::string looks_like(const PeopleOfTeams& people, const std::string& team,
-                       const std::string& display);
+// own name or its display name, whatever capitals and blanks it is written with. It may be a team
+// of the league or of the names here. "": there is none.
+std::string looks_like(const PeopleOfTeams& people, const LeagueState& state,
+                       const std::string& team, const std::string& display);
+
+// Returns the members that a person wrote with semicolons or line ends between them.
+std::vector<std::string> members_of(const std::string& text);
 
 // Returns why a text is no colour; "" if it is one: '#' and six hexadecimal digits.
 std::string objection_to_colour(const std::string& text);
