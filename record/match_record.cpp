@@ -2,12 +2,13 @@
 #include "record/match_record.hpp"
 
 #include "record/conditions_json.hpp"
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
 #include "record/pitch_json.hpp"
 #include "record/replay_file.hpp"
 #include "record/rules_json.hpp"
 #include "record/situation_json.hpp"
 #include "record/team_parameters_json.hpp"
+#include "record/touch_fields.hpp"
 #include "system/digest.hpp"
 
 #include <nlohmann/json.hpp>
@@ -42,14 +43,6 @@ Json score_json(const match::ByTeam<int>& score) {
   return {{"blue", score[0]}, {"yellow", score[1]}};
 }
 
-Json optional_name(const std::optional<Team>& team) {
-  return team ? Json(to_string(*team)) : Json();
-}
-
-Json fault_json(const match::TeamFault& f) {
-  return {{"team", to_string(f.team)}, {"code", to_string(f.fault.code)}, {"text", f.fault.text}};
-}
-
 Json robots_json(const match::ByTeam<referee::RobotSet>& robots) {
   Json json = Json::object();
   for (const Team team : both_teams) {
@@ -61,29 +54,55 @@ Json robots_json(const match::ByTeam<referee::RobotSet>& robots) {
   return json;
 }
 
+match::ByTeam<int> read_score(const JsonReader& json) {
+  return {json.at("blue").as<int>(), json.at("yellow").as<int>()};
+}
+
+template <class Fields>
+void list_score(Fields& f, const char* key, match::ByTeam<int>& score) {
+  f.as(
+      key, [&] { return score_json(score); },
+      [&](const JsonReader& json) { score = read_score(json); });
+}
+
 }  // namespace
+
+template <class Fields>
+static void list_fields(Fields& f, match::TeamFault& fault) {
+  f("team", fault.team);
+  f("code", fault.fault.code);
+  f("text", fault.fault.text);
+}
+
+template <class Fields>
+static void list_fields(Fields& f, match::Outcome& result) {
+  list_score(f, "score", result.score);
+  list_score(f, "played", result.played);
+  f.as_if_set(
+      true, "shoot_out", [&] { return result.shoot_out ? score_json(*result.shoot_out) : Json(); },
+      [&](const JsonReader& json) {
+        if (!json.is_null()) result.shoot_out = read_score(json);
+      });
+  f("winner", result.winner);
+  f("end", result.kind);
+  f.only_written("fault", result.faults.empty() ? Json() : fields_json(result.faults.front()));
+  f("faults", result.faults);
+  auto why_void = result.why_void.empty() ? std::nullopt : std::optional(result.why_void);
+  f("why_void", why_void);
+  result.why_void = why_void.value_or("");
+}
+
+template <class Fields>
+static void list_fields(Fields& f, match::GoalCredit& credit) {
+  f("scorer", credit.scorer);
+  f("assist", credit.assist);
+  f("own_goal", credit.own_goal);
+  f("kind", credit.kind);
+}
 
 Json to_json(const match::Outcome& result) {
-  Json faults = Json::array();
-  for (const match::TeamFault& f : result.faults) faults.push_back(fault_json(f));
-  return {{"score", score_json(result.score)},
-          {"played", score_json(result.played)},
-          {"shoot_out", result.shoot_out ? score_json(*result.shoot_out) : Json()},
-          {"winner", optional_name(result.winner)},
-          {"end", to_string(result.kind)},
-          {"fault", faults.empty() ? Json() : faults.front()},
-          {"faults", faults},
-          {"why_void", result.why_void.empty() ? Json() : Json(result.why_void)}};
+  return fields_json(result);
 }
-
-namespace {
-
-Json touch_json(const std::optional<match::Touch>& touch) {
-  if (!touch) return {};
-  return {{"team", to_string(touch->team)}, {"robot", touch->robot}};
-}
-
-}  // namespace
 
 Json to_json(const match::LoggedDecision& d) {
   const bool restarts = d.decision.restart != referee::Restart::none;
@@ -91,40 +110,39 @@ Json to_json(const match::LoggedDecision& d) {
             {"clock", d.decision.clock},
             {"law", to_string(d.decision.law)},
             {"decision", to_string(d.decision.verdict)},
-            {"team", optional_name(d.team)},
+            {"team", fields_json(d.team)},
             {"robots", robots_json(d.robots)},
             {"reason", d.decision.reason},
             {"ball", {d.decision.ball.x(), d.decision.ball.y()}},
             {"restart", restarts ? Json(to_string(d.decision.restart)) : Json()},
             {"taker", restarts ? Json(to_string(d.taker)) : Json()},
-            {"gainer", optional_name(d.parties.gainer)},
-            {"offender", optional_name(d.parties.offender)}};
-  if (d.credit) {
-    json["scorer"] = touch_json(d.credit->scorer);
-    json["assist"] = touch_json(d.credit->assist);
-    json["own_goal"] = d.credit->own_goal;
-    json["kind"] = to_string(d.credit->kind);
-  }
+            {"gainer", fields_json(d.parties.gainer)},
+            {"offender", fields_json(d.parties.offender)}};
+  if (d.credit) json.update(fields_json(*d.credit));
   if (d.score) json["score"] = score_json(*d.score);
   return json;
 }
 
+template <class Fields>
+static void list_fields(Fields& f, TeamInfo& team) {
+  f("name", team.name);
+  f("kind", team.kind);
+  f("sha256", team.sha256);
+  f.as_if_set(
+      true, "parameters", [&] { return to_json(team.parameters); },
+      [&](const JsonReader& json) { team.parameters = read_team_parameters(json); });
+}
+
+template <class Fields>
+static void list_fields(Fields& f, BudgetReport& budget) {
+  f("cpu_seconds", budget.cpu_seconds);
+  f("slowest_tick_ms", budget.slowest_tick_ms);
+  f.since_later("bank_seconds", budget.bank_seconds);
+  f("late_ticks", budget.late_ticks);
+  f("bad_commands", budget.bad_commands);
+}
+
 namespace {
-
-Json team_json(const TeamInfo& team) {
-  return {{"name", team.name},
-          {"kind", to_string(team.kind)},
-          {"sha256", team.sha256 ? Json(*team.sha256) : Json()},
-          {"parameters", to_json(team.parameters)}};
-}
-
-Json budget_json(const BudgetReport& b) {
-  return {{"cpu_seconds", b.cpu_seconds},
-          {"slowest_tick_ms", b.slowest_tick_ms},
-          {"bank_seconds", b.bank_seconds},
-          {"late_ticks", b.late_ticks},
-          {"bad_commands", b.bad_commands}};
-}
 
 Json durations_json(const Durations& durations) {
   Json histogram = Json::array();
@@ -177,57 +195,13 @@ Json network_json(const match::ByTeam<std::optional<NetworkReport>>& reports) {
   return {{"blue", network_json(reports[0])}, {"yellow", network_json(reports[1])}};
 }
 
-match::ByTeam<int> read_score(const JsonReader& json) {
-  return {json.at("blue").as<int>(), json.at("yellow").as<int>()};
-}
-
-std::optional<Team> read_optional_team(const JsonReader& json) {
-  if (json.is_null()) return std::nullopt;
-  return json.name<Team>();
-}
-
-match::TeamFault read_fault(const JsonReader& json) {
-  return {
-      .team = json.at("team").name<Team>(),
-      .fault = {.code = json.at("code").name<match::FaultCode>(), .text = json.at("text").text()}};
-}
-
-match::Outcome read_outcome(const JsonReader& json) {
-  match::Outcome outcome;
-  outcome.score = read_score(json.at("score"));
-  outcome.played = read_score(json.at("played"));
-  if (const auto score = json.find("shoot_out")) outcome.shoot_out = read_score(*score);
-  outcome.winner = read_optional_team(json.at("winner"));
-  outcome.kind = json.at("end").name<match::OutcomeKind>();
-  for (const JsonReader& fault : json.at("faults").elements()) {
-    outcome.faults.push_back(read_fault(fault));
-  }
-  if (const JsonReader why = json.at("why_void"); !why.is_null()) outcome.why_void = why.text();
-  return outcome;
-}
-
-std::optional<match::Touch> read_touch(const JsonReader& json) {
-  if (json.is_null()) return std::nullopt;
-  return match::Touch{json.at("team").name<Team>(),
-                      json.at("robot").integer<int>(0, max_robots_per_team - 1)};
-}
-
-// Older records do not say who scored.
-std::optional<match::GoalCredit> read_credit(const JsonReader& json) {
-  if (!json.has("kind")) return std::nullopt;
-  return match::GoalCredit{.scorer = read_touch(json.at("scorer")),
-                           .assist = read_touch(json.at("assist")),
-                           .own_goal = json.at("own_goal").boolean(),
-                           .kind = json.at("kind").name<match::GoalKind>()};
-}
-
 match::LoggedDecision read_decision(const JsonReader& json) {
   match::LoggedDecision d;
   d.tick = json.at("tick").as<std::uint32_t>();
   d.decision.clock = json.at("clock").number();
   d.decision.law = json.at("law").name<referee::Law>();
   d.decision.verdict = json.at("decision").name<referee::Verdict>();
-  d.team = read_optional_team(json.at("team"));
+  d.team = read_fields<std::optional<Team>>(json.at("team"));
   for (const Team team : both_teams) {
     for (const JsonReader& robot : json.at("robots").at(std::string(to_string(team))).elements()) {
       d.robots[index_of(team)].set(
@@ -240,29 +214,10 @@ match::LoggedDecision read_decision(const JsonReader& json) {
     d.decision.restart = restart.name<referee::Restart>();
     d.taker = json.at("taker").name<Team>();
   }
-  d.credit = read_credit(json);
+  if (json.has("kind")) d.credit = read_fields<match::GoalCredit>(json);
   if (json.has("score")) d.score = read_score(json.at("score"));
   d.parties = match::parties_of(d.decision, d.team, d.taker);
   return d;
-}
-
-TeamInfo read_team(const JsonReader& json) {
-  TeamInfo team;
-  team.name = json.at("name").text();
-  team.kind = json.at("kind").name<TeamKind>();
-  if (const JsonReader sha256 = json.at("sha256"); !sha256.is_null()) team.sha256 = sha256.text();
-  if (json.has("parameters")) team.parameters = read_team_parameters(json.at("parameters"));
-  return team;
-}
-
-BudgetReport read_budget(const JsonReader& json) {
-  BudgetReport budget;
-  budget.cpu_seconds = json.at("cpu_seconds").number();
-  budget.slowest_tick_ms = json.at("slowest_tick_ms").number();
-  json.read_if_present("bank_seconds", budget.bank_seconds);  // missing in older records
-  budget.late_ticks = json.at("late_ticks").as<int>();
-  budget.bad_commands = json.at("bad_commands").as<int>();
-  return budget;
 }
 
 match::Setup read_setup(const JsonReader& json) {
@@ -337,13 +292,13 @@ RecordFile read_record_file(const JsonReader& json) {
   software.read_if_present("game", record.software.behaviour_hash);
   for (const Team team : both_teams) {
     const std::string colour(to_string(team));
-    record.teams[index_of(team)] = read_team(json.at("teams").at(colour));
-    record.budget[index_of(team)] = read_budget(json.at("budget").at(colour));
+    record.teams[index_of(team)] = read_fields<TeamInfo>(json.at("teams").at(colour));
+    record.budget[index_of(team)] = read_fields<BudgetReport>(json.at("budget").at(colour));
   }
   record.isolation = json.at("isolation").text();
   record.recording.setup = read_setup(json);
   if (const auto from = json.find("from")) record.from = read_from(*from);
-  record.recording.outcome = read_outcome(json.at("result"));
+  record.recording.outcome = read_fields<match::Outcome>(json.at("result"));
   for (const JsonReader& decision : json.at("decisions").elements()) {
     record.recording.decisions.push_back(read_decision(decision));
   }
@@ -439,11 +394,12 @@ Json to_json(const MatchRecord& record) {
                     {"blue", record.from->teams[0]},
                     {"yellow", record.from->teams[1]}};
   }
-  json["teams"] = {{"blue", team_json(record.teams[0])}, {"yellow", team_json(record.teams[1])}};
+  json["teams"] = {{"blue", fields_json(record.teams[0])},
+                   {"yellow", fields_json(record.teams[1])}};
   json["result"] = to_json(r.outcome);
   json["decisions"] = decisions;
-  json["budget"] = {{"blue", budget_json(record.budget[0])},
-                    {"yellow", budget_json(record.budget[1])}};
+  json["budget"] = {{"blue", fields_json(record.budget[0])},
+                    {"yellow", fields_json(record.budget[1])}};
   json["network"] = network_json(record.network);
   json["pace"] = pace_json(record.pace);
   json["isolation"] = record.isolation;

@@ -3,7 +3,6 @@
 
 #include "core/replay/recorded.hpp"
 #include "plugins/host/sandbox/probe.hpp"
-#include "system/printable.hpp"
 
 #include <algorithm>
 #include <cstdlib>

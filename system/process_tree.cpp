@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "system/process_tree.hpp"
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

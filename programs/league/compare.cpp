@@ -17,7 +17,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <numeric>
 
 namespace mirocup::league {
 

@@ -11,9 +11,6 @@
 #include "tournaments/league/firasim_team.hpp"
 #include "tournaments/league/inbox.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
 #include <iostream>
 
 namespace mirocup::league {

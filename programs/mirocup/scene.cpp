@@ -8,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ctime>
 #include <iostream>
 
 namespace mirocup::app {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/statistics/counter.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace mirocup::statistics {

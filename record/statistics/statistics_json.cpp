@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/statistics/statistics_json.hpp"
 
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
+#include "record/touch_fields.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -26,82 +27,6 @@ Json names_json(const PerName<E>& numbers, bool zeros) {
   return json;
 }
 
-Json or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json();
-}
-
-Json team_json(const TeamStatistics& own, const TeamStatistics& other) {
-  return {{"goals", own.all_goals()},
-          {"goals_by_kind", names_json<GoalOrigin>(own.goals, true)},
-          {"shots", own.shots},
-          {"shots_on_goal", own.shots_on_goal},
-          {"saves", own.saves},
-          {"passes", own.passes},
-          {"interceptions", own.interceptions},
-          {"losses", own.all_losses()},
-          {"losses_by_third", names_json<Third>(own.losses, true)},
-          {"duels_won", own.duels_won},
-          {"possession_s", own.possession_s},
-          {"possession", or_null(share(own.possession_s, other.possession_s))},
-          {"opponent_half_s", own.opponent_half_s},
-          {"territory", or_null(share(own.opponent_half_s, other.opponent_half_s))},
-          {"distance_m", own.distance_m},
-          {"fouls", own.all_fouls()},
-          {"fouls_by_law", names_json<referee::Law>(own.fouls, false)}};
-}
-
-Json robot_json(const std::optional<match::Touch>& robot) {
-  if (!robot) return {};
-  return {{"team", to_string(robot->team)}, {"robot", robot->robot}};
-}
-
-Json loss_json(const std::optional<Loss>& loss) {
-  if (!loss) return {};
-  return {{"tick", loss->tick},
-          {"kind", to_string(loss->kind)},
-          {"place", {loss->place.x(), loss->place.y()}},
-          {"third", to_string(loss->third)}};
-}
-
-Json goal_json(const Goal& goal) {
-  return {{"tick", goal.tick},
-          {"team", to_string(goal.team)},
-          {"kind", to_string(goal.origin)},
-          {"scorer", robot_json(goal.scorer)},
-          {"restart", to_string(goal.restart)},
-          {"restart_law", to_string(goal.restart_law)},
-          {"taker", to_string(goal.taker)},
-          {"since_restart_s", goal.since_restart},
-          {"loss", loss_json(goal.loss)}};
-}
-
-Json place_json(const Vec2& place) {
-  const auto millimetres = [](double m) { return std::round(m * 1e3) / 1e3; };
-  return {millimetres(place.x()), millimetres(place.y())};
-}
-
-Json shot_json(const ShotMark& shot) {
-  return {{"tick", shot.tick},
-          {"team", to_string(shot.team)},
-          {"place", place_json(shot.place)},
-          {"on_goal", shot.on_goal},
-          {"goal", shot.is_goal}};
-}
-
-Json pass_json(const PassMark& pass) {
-  return {{"tick", pass.tick},
-          {"team", to_string(pass.team)},
-          {"from", place_json(pass.from)},
-          {"to", place_json(pass.to)}};
-}
-
-Json foul_json(const Foul& foul) {
-  return {{"tick", foul.tick},
-          {"team", to_string(foul.team)},
-          {"law", to_string(foul.law)},
-          {"restart", to_string(foul.restart)}};
-}
-
 template <class E>
 PerName<E> read_names(const JsonReader& json) {
   PerName<E> numbers{};
@@ -115,73 +40,59 @@ PerName<E> read_names(const JsonReader& json) {
   return numbers;
 }
 
-TeamStatistics read_team(const JsonReader& json) {
-  TeamStatistics team;
-  team.goals = read_names<GoalOrigin>(json.at("goals_by_kind"));
-  team.shots = json.at("shots").integer<int>(0);
-  team.shots_on_goal = json.at("shots_on_goal").integer<int>(0);
-  team.saves = json.at("saves").integer<int>(0);
-  team.passes = json.at("passes").integer<int>(0);
-  team.interceptions = json.at("interceptions").integer<int>(0);
-  team.losses = read_names<Third>(json.at("losses_by_third"));
-  team.duels_won = json.at("duels_won").integer<int>(0);
-  team.fouls = read_names<referee::Law>(json.at("fouls_by_law"));
-  team.possession_s = json.at("possession_s").number(0.0);
-  team.opponent_half_s = json.at("opponent_half_s").number(0.0);
-  team.distance_m = json.at("distance_m").number(0.0);
-  return team;
+template <class E, class Fields>
+void list_names(Fields& f, const char* key, PerName<E>& numbers, bool zeros) {
+  f.as(
+      key, [&] { return names_json<E>(numbers, zeros); },
+      [&](const JsonReader& json) { numbers = read_names<E>(json); });
 }
 
-std::optional<match::Touch> read_robot(const JsonReader& json) {
-  if (json.is_null()) return std::nullopt;
-  return match::Touch{json.at("team").name<Team>(),
-                      json.at("robot").integer<int>(0, max_robots_per_team - 1)};
+// `other` gives the shares that only readers of the file need.
+template <class Fields>
+void list_team(Fields& f, TeamStatistics& own, const TeamStatistics& other) {
+  f.only_written("goals", own.all_goals());
+  list_names<GoalOrigin>(f, "goals_by_kind", own.goals, true);
+  f("shots", own.shots, 0);
+  f("shots_on_goal", own.shots_on_goal, 0);
+  f("saves", own.saves, 0);
+  f("passes", own.passes, 0);
+  f("interceptions", own.interceptions, 0);
+  f.only_written("losses", own.all_losses());
+  list_names<Third>(f, "losses_by_third", own.losses, true);
+  f("duels_won", own.duels_won, 0);
+  f("possession_s", own.possession_s, 0.0);
+  f.only_written("possession", record::fields_json(share(own.possession_s, other.possession_s)));
+  f("opponent_half_s", own.opponent_half_s, 0.0);
+  f.only_written("territory",
+                 record::fields_json(share(own.opponent_half_s, other.opponent_half_s)));
+  f("distance_m", own.distance_m, 0.0);
+  f.only_written("fouls", own.all_fouls());
+  list_names<referee::Law>(f, "fouls_by_law", own.fouls, false);
 }
 
-Vec2 read_place(const JsonReader& json) {
-  return {json.at(0).number(), json.at(1).number()};
+Json team_json(TeamStatistics own, const TeamStatistics& other) {
+  record::FieldWriter fields;
+  list_team(fields, own, other);
+  return fields.object();
 }
 
-std::optional<Loss> read_loss(const JsonReader& json) {
-  if (json.is_null()) return std::nullopt;
-  return Loss{.tick = json.at("tick").as<std::uint32_t>(),
-              .kind = json.at("kind").name<LossKind>(),
-              .place = read_place(json.at("place")),
-              .third = json.at("third").name<Third>()};
+template <class Fields>
+void list_place(Fields& f, const char* key, Vec2& place) {
+  f.as(
+      key,
+      [&] {
+        return Json::array({place.x(), place.y()});
+      },
+      [&](const JsonReader& json) {
+        place = {json.at(0).number(), json.at(1).number()};
+      });
 }
 
-Goal read_goal(const JsonReader& json) {
-  return {.tick = json.at("tick").as<std::uint32_t>(),
-          .team = json.at("team").name<Team>(),
-          .origin = json.at("kind").name<GoalOrigin>(),
-          .scorer = read_robot(json.at("scorer")),
-          .restart = json.at("restart").name<referee::Restart>(),
-          .restart_law = json.at("restart_law").name<referee::Law>(),
-          .taker = json.at("taker").name<Team>(),
-          .since_restart = json.at("since_restart_s").number(0.0),
-          .loss = read_loss(json.at("loss"))};
-}
-
-ShotMark read_shot(const JsonReader& json) {
-  return {.tick = json.at("tick").as<std::uint32_t>(),
-          .team = json.at("team").name<Team>(),
-          .place = read_place(json.at("place")),
-          .on_goal = json.at("on_goal").as<bool>(),
-          .is_goal = json.at("goal").as<bool>()};
-}
-
-PassMark read_pass(const JsonReader& json) {
-  return {.tick = json.at("tick").as<std::uint32_t>(),
-          .team = json.at("team").name<Team>(),
-          .from = read_place(json.at("from")),
-          .to = read_place(json.at("to"))};
-}
-
-Foul read_foul(const JsonReader& json) {
-  return {.tick = json.at("tick").as<std::uint32_t>(),
-          .team = json.at("team").name<Team>(),
-          .law = json.at("law").name<referee::Law>(),
-          .restart = json.at("restart").name<referee::Restart>()};
+template <class Fields>
+void list_place_in_millimetres(Fields& f, const char* key, Vec2& place) {
+  Vec2 shown{std::round(place.x() * 1e3) / 1e3, std::round(place.y() * 1e3) / 1e3};
+  list_place(f, key, shown);
+  place = shown;
 }
 
 std::uint64_t read_hash(const JsonReader& json) {
@@ -193,6 +104,81 @@ std::uint64_t read_hash(const JsonReader& json) {
   return hash;
 }
 
+}  // namespace
+
+template <class Fields>
+static void list_fields(Fields& f, Loss& loss) {
+  f("tick", loss.tick);
+  f("kind", loss.kind);
+  list_place(f, "place", loss.place);
+  f("third", loss.third);
+}
+
+template <class Fields>
+static void list_fields(Fields& f, Goal& goal) {
+  f("tick", goal.tick);
+  f("team", goal.team);
+  f("kind", goal.origin);
+  f("scorer", goal.scorer);
+  f("restart", goal.restart);
+  f("restart_law", goal.restart_law);
+  f("taker", goal.taker);
+  f("since_restart_s", goal.since_restart, 0.0);
+  f("loss", goal.loss);
+}
+
+template <class Fields>
+static void list_fields(Fields& f, ShotMark& shot) {
+  f("tick", shot.tick);
+  f("team", shot.team);
+  list_place_in_millimetres(f, "place", shot.place);
+  f("on_goal", shot.on_goal);
+  f("goal", shot.is_goal);
+}
+
+template <class Fields>
+static void list_fields(Fields& f, PassMark& pass) {
+  f("tick", pass.tick);
+  f("team", pass.team);
+  list_place_in_millimetres(f, "from", pass.from);
+  list_place_in_millimetres(f, "to", pass.to);
+}
+
+template <class Fields>
+static void list_fields(Fields& f, Foul& foul) {
+  f("tick", foul.tick);
+  f("team", foul.team);
+  f("law", foul.law);
+  f("restart", foul.restart);
+}
+
+template <class Fields>
+static void list_fields(Fields& f, LegStatistics& s) {
+  f("play_s", s.play_s, 0.0);
+  f("dead_ball_s", s.dead_ball_s, 0.0);
+  f("stoppages", s.stoppages, 0);
+  f("duels", s.duels, 0);
+  f.as(
+      "teams",
+      [&] {
+        return Json{{"blue", team_json(s.teams[0], s.teams[1])},
+                    {"yellow", team_json(s.teams[1], s.teams[0])}};
+      },
+      [&](const JsonReader& teams) {
+        for (const Team team : both_teams) {
+          record::FieldReader fields(teams.at(std::string(to_string(team))));
+          list_team(fields, s.teams[index_of(team)], {});
+        }
+      });
+  f("goals", s.goals);
+  f("fouls", s.fouls);
+  if (!f.has("shots")) return;  // a file of an earlier version
+  f("shots", s.shots);
+  f("passes", s.passes);
+}
+
+namespace {
+
 LegReport read_leg(const JsonReader& json) {
   json.expect_schema(schema);
   LegReport leg;
@@ -200,47 +186,19 @@ LegReport read_leg(const JsonReader& json) {
   json.read_if_present("leg", leg.leg);
   leg.control_period = json.at("control_period").number(0.0);
   leg.state_hash = read_hash(json.at("state_hash"));
-  LegStatistics& s = leg.statistics;
-  s.play_s = json.at("play_s").number(0.0);
-  s.dead_ball_s = json.at("dead_ball_s").number(0.0);
-  s.stoppages = json.at("stoppages").integer<int>(0);
-  s.duels = json.at("duels").integer<int>(0);
   for (const Team team : both_teams) {
-    const JsonReader own = json.at("teams").at(std::string(to_string(team)));
-    leg.names[index_of(team)] = own.at("name").text();
-    leg.played[index_of(team)] = json.at("score").at(std::string(to_string(team))).as<int>();
-    s.teams[index_of(team)] = read_team(own);
+    const std::string colour(to_string(team));
+    leg.names[index_of(team)] = json.at("teams").at(colour).at("name").text();
+    leg.played[index_of(team)] = json.at("score").at(colour).as<int>();
   }
-  for (const JsonReader& goal : json.at("goals").elements()) s.goals.push_back(read_goal(goal));
-  for (const JsonReader& foul : json.at("fouls").elements()) s.fouls.push_back(read_foul(foul));
-  if (!json.has("shots")) return leg;  // a file of an earlier version
-  for (const JsonReader& shot : json.at("shots").elements()) s.shots.push_back(read_shot(shot));
-  for (const JsonReader& pass : json.at("passes").elements()) s.passes.push_back(read_pass(pass));
+  leg.statistics = record::read_fields<LegStatistics>(json);
   return leg;
 }
 
 }  // namespace
 
 Json to_json(const LegStatistics& s) {
-  Json goals = Json::array();
-  for (const Goal& goal : s.goals) goals.push_back(goal_json(goal));
-  Json fouls = Json::array();
-  for (const Foul& foul : s.fouls) fouls.push_back(foul_json(foul));
-  Json shots = Json::array();
-  for (const ShotMark& shot : s.shots) shots.push_back(shot_json(shot));
-  Json passes = Json::array();
-  for (const PassMark& pass : s.passes) passes.push_back(pass_json(pass));
-  return {{"play_s", s.play_s},
-          {"dead_ball_s", s.dead_ball_s},
-          {"stoppages", s.stoppages},
-          {"duels", s.duels},
-          {"teams",
-           {{"blue", team_json(s.teams[0], s.teams[1])},
-            {"yellow", team_json(s.teams[1], s.teams[0])}}},
-          {"goals", goals},
-          {"fouls", fouls},
-          {"shots", shots},
-          {"passes", passes}};
+  return record::fields_json(s);
 }
 
 Json to_json(const LegReport& leg) {

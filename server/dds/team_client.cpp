@@ -4,7 +4,6 @@
 #include "server/dds/nonce.hpp"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace mirocup::dds {

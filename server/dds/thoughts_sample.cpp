@@ -4,7 +4,6 @@
 #include "server/dds/convert.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
 
 namespace mirocup::dds {

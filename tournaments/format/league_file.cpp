@@ -2,7 +2,7 @@
 #include "tournaments/format/league_file.hpp"
 
 #include "record/conditions_json.hpp"
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
 #include "record/pitch_json.hpp"
 #include "record/rules_json.hpp"
 #include "record/team_parameters_json.hpp"
@@ -22,27 +22,65 @@ using Json = JsonReader::Json;
 constexpr std::string_view schema = "mirocup/league/1";
 constexpr int max_name_length = 40;
 
-// Sets `count` to the member of that key, if there is one; it must be in [min, max].
-void read_count(const JsonReader& json, const std::string& key, int min, int max, int& count) {
-  if (json.has(key)) count = json.at(key).integer(min, max);
+}  // namespace
+
+// The settings that differ from the defaults.
+template <class Fields>
+static void list_fields(Fields& f, FirasimPlace& place) {
+  const FirasimPlace plain;
+  f.unless(plain.instance, "instance", place.instance, 0, 9999);
+  f.unless(plain.interface, "interface", place.interface);
+  f.if_set("vision", place.vision);
+  f.if_set("command", place.command);
+  f.if_set("referee", place.referee);
+  f.if_set("placement", place.placement);
+  f.unless(plain.join_within, "join_within", place.join_within, 0.0, 1e6);
 }
+
+template <class Fields>
+static void list_fields(Fields& f, TeamConfig& team) {
+  f.since_later("name", team.name);
+  f.since_later("entry", team.source);
+  f.if_set("dds", team.over_dds);
+  f.as_if_set(
+      !team.parameters.empty(), "parameters", [&] { return record::to_json(team.parameters); },
+      [&](const JsonReader& json) { team.parameters = record::read_team_parameters(json); });
+  f.if_set("run", team.program.run);
+  f.if_set("folder", team.program.folder);
+  f.if_set("lockstep", team.program.lockstep);
+}
+
+// The settings that differ from the defaults of the format.
+template <class Fields>
+static void list_fields(Fields& f, Format& format) {
+  const Format plain;
+  f("kind", format.kind);
+  const bool is_knockout = format.kind == FormatKind::knockout;
+  f.unless(plain.legs, "legs", format.legs, 1, is_knockout ? legs_per_fixture : 100);
+  f.unless(plain.groups, "groups", format.groups, 1, 500);
+  f.unless(plain.qualifiers, "qualifiers", format.qualifiers, 1, 500);
+  f.unless(plain.third_place, "third_place", format.third_place);
+  f.unless(plain.rounds, "rounds", format.rounds, 0, 500);
+  f.unless(plain.sample, "sample", format.sample, 1, 1000);
+  f.unless(plain.opponents, "opponents", format.opponents, 0, 1000);
+}
+
+template <class Fields>
+static void list_fields(Fields& f, Points& points) {
+  f.since_later("win", points.win, -max_points, max_points);
+  f.since_later("draw", points.draw, -max_points, max_points);
+  f.since_later("loss", points.loss, -max_points, max_points);
+}
+
+namespace {
 
 TeamConfig read_team(const JsonReader& json) {
   json.expect_object({"name", "entry", "dds", "parameters", "run", "folder", "lockstep"});
-  TeamConfig team;
-  json.read_if_present("name", team.name);
-  json.read_if_present("entry", team.source);
-  json.read_if_present("dds", team.over_dds);
-  if (json.has("parameters")) {
-    team.parameters = record::read_team_parameters(json.at("parameters"));
-  }
+  const auto team = record::read_fields<TeamConfig>(json);
   if (!is_good_name(team.name)) {
     json.at("name").complain("a name of letters, digits, '-', '_' and '.' is expected, at most " +
                              std::to_string(max_name_length));
   }
-  json.read_if_present("run", team.program.run);
-  json.read_if_present("folder", team.program.folder);
-  json.read_if_present("lockstep", team.program.lockstep);
   if (team.source.empty() || team.source == TeamConfig::firasim_prefix) {
     json.at("entry").complain(
         "\"house:NAME\", the path of a library, \"submitted\" or \"firasim:NAME\" is expected");
@@ -61,39 +99,7 @@ TeamConfig read_team(const JsonReader& json) {
 FirasimPlace read_firasim(const JsonReader& json) {
   json.expect_object(
       {"instance", "interface", "vision", "command", "referee", "placement", "join_within"});
-  FirasimPlace place;
-  read_count(json, "instance", 0, 9999, place.instance);
-  json.read_if_present("interface", place.interface);
-  json.read_if_present("vision", place.vision);
-  json.read_if_present("command", place.command);
-  json.read_if_present("referee", place.referee);
-  json.read_if_present("placement", place.placement);
-  if (json.has("join_within")) place.join_within = json.at("join_within").number(0.0, 1e6);
-  return place;
-}
-
-// Writes the settings that differ from the defaults.
-Json firasim_json(const FirasimPlace& place) {
-  const FirasimPlace plain;
-  Json json = Json::object();
-  if (place.instance != plain.instance) json["instance"] = place.instance;
-  if (place.interface != plain.interface) json["interface"] = place.interface;
-  if (!place.vision.empty()) json["vision"] = place.vision;
-  if (!place.command.empty()) json["command"] = place.command;
-  if (!place.referee.empty()) json["referee"] = place.referee;
-  if (!place.placement.empty()) json["placement"] = place.placement;
-  if (place.join_within != plain.join_within) json["join_within"] = place.join_within;
-  return json;
-}
-
-Json team_json(const TeamConfig& team) {
-  Json json{{"name", team.name}, {"entry", team.source}};
-  if (team.over_dds) json["dds"] = true;
-  if (!team.parameters.empty()) json["parameters"] = record::to_json(team.parameters);
-  if (!team.program.run.empty()) json["run"] = team.program.run;
-  if (!team.program.folder.empty()) json["folder"] = team.program.folder;
-  if (team.program.lockstep) json["lockstep"] = true;
-  return json;
+  return record::read_fields<FirasimPlace>(json);
 }
 
 // Reads the teams; their names must differ.
@@ -118,29 +124,11 @@ Format read_format(const JsonReader& json) {
   }
   json.expect_object(
       {"kind", "legs", "groups", "qualifiers", "third_place", "rounds", "sample", "opponents"});
-  format.kind = json.at("kind").name<FormatKind>();
-  const bool is_knockout = format.kind == FormatKind::knockout;
-  read_count(json, "legs", 1, is_knockout ? legs_per_fixture : 100, format.legs);
-  read_count(json, "groups", 1, 500, format.groups);
-  read_count(json, "qualifiers", 1, 500, format.qualifiers);
-  read_count(json, "rounds", 0, 500, format.rounds);
-  read_count(json, "sample", 1, 1000, format.sample);
-  read_count(json, "opponents", 0, 1000, format.opponents);
-  json.read_if_present("third_place", format.third_place);
-  return format;
+  return record::read_fields<Format>(json);
 }
 
-// Writes the settings that differ from the defaults of the format.
 Json format_json(const Format& format) {
-  const Format plain;
-  Json json{{"kind", to_string(format.kind)}};
-  if (format.legs != plain.legs) json["legs"] = format.legs;
-  if (format.groups != plain.groups) json["groups"] = format.groups;
-  if (format.qualifiers != plain.qualifiers) json["qualifiers"] = format.qualifiers;
-  if (format.third_place != plain.third_place) json["third_place"] = format.third_place;
-  if (format.rounds != plain.rounds) json["rounds"] = format.rounds;
-  if (format.sample != plain.sample) json["sample"] = format.sample;
-  if (format.opponents != plain.opponents) json["opponents"] = format.opponents;
+  const Json json = record::fields_json(format);
   return json.size() == 1 ? json["kind"] : json;
 }
 
@@ -178,11 +166,7 @@ referee::Rules read_rules_of(const JsonReader& json, League league) {
 
 Points read_points(const JsonReader& json) {
   json.expect_object({"win", "draw", "loss"});
-  Points points;
-  read_count(json, "win", -max_points, max_points, points.win);
-  read_count(json, "draw", -max_points, max_points, points.draw);
-  read_count(json, "loss", -max_points, max_points, points.loss);
-  return points;
+  return record::read_fields<Points>(json);
 }
 
 LeagueFile read_league(const JsonReader& json, int rules_version) {
@@ -192,7 +176,8 @@ LeagueFile read_league(const JsonReader& json, int rules_version) {
   json.expect_schema(schema);
   LeagueFile file;
   file.rules_version = rules_version;
-  read_count(json, "rules_version", former_rules, current_rules, file.rules_version);
+  record::FieldReader fields(json);
+  fields.since_later("rules_version", file.rules_version, former_rules, current_rules);
   json.read_if_present("title", file.title);
   if (json.has("format")) file.format = read_format(json.at("format"));
   json.read_if_present("league", file.league);
@@ -203,9 +188,7 @@ LeagueFile read_league(const JsonReader& json, int rules_version) {
   if (json.has("points")) file.points = read_points(json.at("points"));
   if (json.has("tie_breaks")) {
     file.tie_breaks.clear();
-    for (const JsonReader& rule : json.at("tie_breaks").elements(0, enum_names<TieBreak>.size())) {
-      file.tie_breaks.push_back(rule.name<TieBreak>());
-    }
+    fields("tie_breaks", file.tie_breaks, 0, enum_names<TieBreak>.size());
   } else if (file.format.kind == FormatKind::swiss) {
     // Among teams of equal points, the one with stronger opponents ranks higher.
     file.tie_breaks.insert(file.tie_breaks.begin(), TieBreak::opponents_points);
@@ -214,7 +197,7 @@ LeagueFile read_league(const JsonReader& json, int rules_version) {
   if (json.has("freeze")) file.freeze = read_time(json.at("freeze"), file);
   json.read_if_present("anonymous", file.is_anonymous);
   json.read_if_present("thoughts", file.keeps_thoughts);
-  read_count(json, "strikes", 0, 1000, file.strikes);
+  fields.since_later("strikes", file.strikes, 0, 1000);
   if (json.has("firasim")) file.firasim = read_firasim(json.at("firasim"));
   if (json.has("teams")) file.teams = read_teams(json.at("teams"));
   return file;
@@ -286,14 +269,10 @@ Result<LeagueFile> parse_league_file(const std::string& text, const std::string&
 }
 
 std::string print_firasim_team(const TeamConfig& team) {
-  return record::json_text(team_json(team), 2) + "\n";
+  return record::json_text(record::fields_json(team), 2) + "\n";
 }
 
 std::string print_league_file(const LeagueFile& file) {
-  Json tie_breaks = Json::array();
-  for (const TieBreak rule : file.tie_breaks) tie_breaks.push_back(to_string(rule));
-  Json teams = Json::array();
-  for (const TeamConfig& team : file.teams) teams.push_back(team_json(team));
   Json json{{"schema", schema},
             {"title", file.title},
             {"format", format_json(file.format)},
@@ -302,17 +281,17 @@ std::string print_league_file(const LeagueFile& file) {
   if (file.conditions) json["conditions"] = record::to_json(*file.conditions);
   if (file.pitch) json["pitch"] = record::to_json(*file.pitch);
   json.update({{"seed", file.seed},
-               {"points",
-                {{"win", file.points.win}, {"draw", file.points.draw}, {"loss", file.points.loss}}},
-               {"tie_breaks", tie_breaks},
+               {"points", record::fields_json(file.points)},
+               {"tie_breaks", record::fields_json(file.tie_breaks)},
                {"strikes", file.strikes}});
   if (!file.has_former_rules()) json["rules_version"] = file.rules_version;
   if (!file.zone.empty()) json["zone"] = file.zone;
   if (!file.freeze.empty()) json["freeze"] = file.freeze;
   if (file.is_anonymous) json["anonymous"] = true;
   if (file.keeps_thoughts) json["thoughts"] = true;
-  if (const Json firasim = firasim_json(file.firasim); !firasim.empty()) json["firasim"] = firasim;
-  json["teams"] = teams;
+  if (const Json firasim = record::fields_json(file.firasim); !firasim.empty())
+    json["firasim"] = firasim;
+  json["teams"] = record::fields_json(file.teams);
   return record::json_text(json, 2) + "\n";
 }
 

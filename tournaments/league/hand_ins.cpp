@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/hand_ins.hpp"
 
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -23,15 +23,25 @@ bool has(const std::vector<int>& numbers, int number) {
   return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
-std::optional<uid_t> read_user(const JsonReader& json) {
-  return json.is_null() ? std::nullopt : std::optional(json.integer<uid_t>());
-}
-
-Json user_json(const std::optional<uid_t>& user) {
-  return user ? Json(*user) : Json();
-}
-
 }  // namespace
+
+template <class Fields>
+static void list_fields(Fields& f, Try& one) {
+  f("at", one.at, 0, max_time);
+  f("user", one.user);
+  f("entry", one.entry, 0, max_count);
+  f("accepted", one.is_accepted);
+  f("message", one.message);
+}
+
+template <class Fields>
+static void list_fields(Fields& f, HandIns& known) {
+  f("owner", known.owner);
+  f("last_user", known.last_user);
+  f.since_later("pinned", known.pinned, 0, max_count);
+  f("last_file", known.last_file);
+  f("tries", known.tries);
+}
 
 Result<HandIns> read_hand_ins(system::Files& files, const Folder& folder, const std::string& team) {
   const std::string path = folder.hand_ins(team);
@@ -39,41 +49,14 @@ Result<HandIns> read_hand_ins(system::Files& files, const Folder& folder, const 
   if (!text) return HandIns{};
   return record::read_json<HandIns>(*text, path, Errc::damaged, [](const JsonReader& json) {
     json.expect_schema(hand_ins_schema);
-    HandIns known;
-    known.owner = read_user(json.at("owner"));
-    known.last_user = read_user(json.at("last_user"));
-    // Not in files of versions before it.
-    if (json.has("pinned")) known.pinned = json.at("pinned").integer(0, max_count);
-    known.last_file = json.at("last_file").text();
-    for (const JsonReader& line : json.at("tries").elements()) {
-      Try one;
-      one.at = line.at("at").integer<std::int64_t>(0, max_time);
-      one.user = read_user(line.at("user"));
-      one.entry = line.at("entry").integer(0, max_count);
-      one.is_accepted = line.at("accepted").boolean();
-      one.message = line.at("message").text();
-      known.tries.push_back(std::move(one));
-    }
-    return known;
+    return record::read_fields<HandIns>(json);
   });
 }
 
 Result<void> write_hand_ins(system::Files& files, const Folder& folder, const std::string& team,
                             const HandIns& known) {
-  Json tries = Json::array();
-  for (const Try& one : known.tries) {
-    tries.push_back({{"at", one.at},
-                     {"user", user_json(one.user)},
-                     {"entry", one.entry},
-                     {"accepted", one.is_accepted},
-                     {"message", one.message}});
-  }
-  const Json json{{"schema", hand_ins_schema},
-                  {"owner", user_json(known.owner)},
-                  {"last_user", user_json(known.last_user)},
-                  {"pinned", known.pinned},
-                  {"last_file", known.last_file},
-                  {"tries", tries}};
+  Json json{{"schema", hand_ins_schema}};
+  json.update(record::fields_json(known));
   return make_entries_folder(files, folder, team).and_then([&] {
     return files.write(folder.hand_ins(team), record::json_text(json, 1) + "\n",
                        system::Readers::owner);

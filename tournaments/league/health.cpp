@@ -4,7 +4,6 @@
 #include "system/clock.hpp"
 #include "system/file_lock.hpp"
 #include "system/memory.hpp"
-#include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -10,7 +10,6 @@
 #include "tournaments/format/schedule.hpp"
 #include "tournaments/league/event.hpp"
 
-#include <filesystem>
 #include <sstream>
 #include <tuple>
 

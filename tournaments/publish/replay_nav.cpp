@@ -8,8 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
-
 namespace mirocup::league {
 
 namespace {

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// The keys of a struct, listed once for its reader and its writer:
+//
+//   template <class Fields>
+//   void list_fields(Fields& f, Try& one) {
+//     f("at", one.at, 0, max_time);
+//     f("user", one.user);  // an optional; null if it is empty
+//     f("accepted", one.is_accepted);
+//     f.if_set("note", one.note);
+//   }
+//
+// fields_json(one) is then the object, and read_fields<Try>(json) reads it as JsonReader does: it
+// never throws, and the first problem is told. A value is a number, a bool, a text, an enum with
+// names, a struct with list_fields, or an optional or a vector of these. The numbers behind a value
+// are the least and the largest that are read, of a vector its sizes. list_fields stands in the
+// namespace of its struct or in this one, and outside of unnamed ones.
+#pragma once
+
+#include "record/json_reader.hpp"
+
+#include <type_traits>
+
+namespace mirocup::record {
+
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
+
+template <class T>
+JsonReader::Json fields_json(const T& value);
+
+class FieldWriter {
+ public:
+  using Json = JsonReader::Json;
+
+  template <class T, class... Limits>
+  void operator()(const char* key, const T& value, Limits...) {
+    object_[key] = fields_json(value);
+  }
+  // A key that earlier versions did not write.
+  template <class T, class... Limits>
+  void since_later(const char* key, const T& value, Limits...) {
+    object_[key] = fields_json(value);
+  }
+  // A key that is left out if the value is `plain`.
+  template <class T, class... Limits>
+  void unless(const T& plain, const char* key, const T& value, Limits...) {
+    if (!(value == plain)) object_[key] = fields_json(value);
+  }
+  template <class T>
+  void if_set(const char* key, const T& value) {
+    unless(T{}, key, value);
+  }
+  // A value with a form of its own.
+  template <class Write, class Read>
+  void as(const char* key, Write write, Read) {
+    object_[key] = write();
+  }
+  template <class Write, class Read>
+  void as_if_set(bool is_set, const char* key, Write write, Read) {
+    if (is_set) object_[key] = write();
+  }
+  // A key for readers of the file, which follows from others.
+  void only_written(const char* key, Json value) { object_[key] = std::move(value); }
+  bool has(const char*) const { return true; }
+
+  const Json& object() const { return object_; }
+
+ private:
+  Json object_ = Json::object();
+};
+
+class FieldReader {
+ public:
+  explicit FieldReader(const JsonReader& json) : json_(json) {}
+
+  template <class T, class... Limits>
+  void operator()(const char* key, T& value, Limits... limits) {
+    read(json_.at(key), value, limits...);
+  }
+  template <class T, class... Limits>
+  void since_later(const char* key, T& value, Limits... limits) {
+    if (json_.has(key)) read(json_.at(key), value, limits...);
+  }
+  template <class T, class... Limits>
+  void unless(const T&, const char* key, T& value, Limits... limits) {
+    since_later(key, value, limits...);
+  }
+  template <class T>
+  void if_set(const char* key, T& value) {
+    since_later(key, value);
+  }
+  template <class Write, class Read>
+  void as(const char* key, Write, Read read) {
+    read(json_.at(key));
+  }
+  template <class Write, class Read>
+  void as_if_set(bool, const char* key, Write, Read read) {
+    if (json_.has(key)) read(json_.at(key));
+  }
+  void only_written(const char*, const JsonReader::Json&) {}
+  bool has(const char* key) const { return json_.has(key); }
+
+  template <class T, class... Limits>
+  static void read(const JsonReader& json, T& value, Limits... limits) {
+    if constexpr (IsOptional<T>::value) {
+      value.reset();
+      if (!json.is_null()) read(json, value.emplace(), limits...);
+    } else if constexpr (IsVector<T>::value) {
+      for (const JsonReader& element : json.elements(static_cast<std::size_t>(limits)...))
+        read(element, value.emplace_back());
+    } else if constexpr (std::is_floating_point_v<T>) {
+      value = json.number(limits...);
+    } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
+      value = json.integer<T>(static_cast<T>(limits)...);
+    } else if constexpr (std::is_scalar_v<T> || std::is_same_v<T, std::string>) {
+      value = json.as<T>();
+    } else {
+      FieldReader fields(json);
+      list_fields(fields, value);
+    }
+  }
+
+ private:
+  JsonReader json_;
+};
+
+template <class T>
+JsonReader::Json fields_json(const T& value) {
+  if constexpr (IsOptional<T>::value) {
+    return value ? fields_json(*value) : JsonReader::Json();
+  } else if constexpr (IsVector<T>::value) {
+    auto list = JsonReader::Json::array();
+    for (const auto& element : value) list.push_back(fields_json(element));
+    return list;
+  } else if constexpr (std::is_enum_v<T>) {
+    return to_string(value);
+  } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+    return value;
+  } else {
+    FieldWriter fields;
+    T copy = value;  // a list of fields is for readers, too, and these change the value
+    list_fields(fields, copy);
+    return fields.object();
+  }
+}
+
+template <class T>
+T read_fields(const JsonReader& json) {
+  T value{};
+  FieldReader::read(json, value);
+  return value;
+}
+
+}  // namespace mirocup::record

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// A robot that touched the ball, as records and statistics have it.
+#pragma once
+
+#include "core/match/goal_credit.hpp"
+#include "record/json_fields.hpp"
+
+namespace mirocup::record {
+
+template <class Fields>
+void list_fields(Fields& f, match::Touch& touch) {
+  f("team", touch.team);
+  f("robot", touch.robot, 0, max_robots_per_team - 1);
+}
+
+}  // namespace mirocup::record

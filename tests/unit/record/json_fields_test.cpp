@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "record/json_fields.hpp"
+
+#include "record/touch_fields.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mirocup::record {
+
+namespace {
+
+struct Sample {
+  int count = 1;
+  std::optional<double> share;
+  std::vector<match::Touch> touches;
+  std::string note;
+
+  bool operator==(const Sample&) const = default;
+};
+
+}  // namespace
+
+template <class Fields>
+void list_fields(Fields& f, Sample& sample) {
+  f("count", sample.count, 0, 9);
+  f("share", sample.share, 0.0, 1.0);
+  f("touches", sample.touches, 0, 2);
+  f.if_set("note", sample.note);
+  f.only_written("twice", 2 * sample.count);
+}
+
+namespace {
+
+// Returns the problem with a text, "" if it can be read.
+std::string problem_with(const std::string& text) {
+  const auto read = read_json<Sample>(text, "f", Errc::input, read_fields<Sample>);
+  return read ? "" : read.error().what;
+}
+
+// Catches a key that the reader and the writer call differently, and a null that becomes a value.
+TEST(JsonFields, ReadsWhatItWrites) {
+  const Sample plain;
+  EXPECT_EQ(json_text(fields_json(plain)), R"({"count":1,"share":null,"touches":[],"twice":2})");
+  const Sample full{
+      .count = 3, .share = 0.5, .touches = {{Team::yellow, 2}}, .note = "so \"it\" is"};
+  for (const Sample& sample : {plain, full}) {
+    const auto read =
+        read_json<Sample>(json_text(fields_json(sample)), "f", Errc::input, read_fields<Sample>);
+    ASSERT_TRUE(read) << read.error().what;
+    EXPECT_EQ(*read, sample);
+  }
+}
+
+// Catches limits that are not handed on to the reader.
+TEST(JsonFields, KeepsTheLimits) {
+  EXPECT_EQ(problem_with(R"({"count":10,"share":null,"touches":[]})"),
+            "f: /count: 10 is not at most 9");
+  EXPECT_EQ(problem_with(R"({"count":1,"share":2,"touches":[]})"), "f: /share: 2 is not at most 1");
+  EXPECT_EQ(problem_with(R"({"count":1,"share":null,"touches":[{"team":"red","robot":0}]})"),
+            "f: /touches/0/team: one of blue, yellow is expected, not \"red\"");
+  EXPECT_EQ(problem_with(R"({"count":1,"share":null,"touches":[1,2,3]})"),
+            "f: /touches: 0 to 2 values are expected, not 3");
+  EXPECT_EQ(problem_with(R"({"count":1,"touches":[]})"), "f: /share: missing");
+}
+
+}  // namespace
+
+}  // namespace mirocup::record
