@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Elementary functions that give the same bits on every machine.
-//
-// The C library may round sin, cos, exp and atan2 differently from one version or machine to the
-// next; a match must not depend on that. These functions use only + - * / and sqrt, which IEEE 754
-// fixes to the last bit. Largest errors, measured against a 64-bit mantissa in
-// tests/unit/core/base/math_test.cpp:
-//
-//   exp                         1 ulp of the result
-//   sine, cosine to 1000 rad    1 ulp of the result; of results below 0.01, 1 ulp of 0.01
-//   expm1, log1p, atan2         5 ulp of the result
+// Elementary functions that give the same bits on every machine, in the core's names. The one
+// implementation is plugins/include/mirocup/elementary.h, which teams use, too; it states errors
+// and domains.
 #pragma once
 
 #include <array>
@@ -25,7 +18,7 @@ struct SinCos {
   double cos;
 };
 
-// Returns sine and cosine of x in radians. The accuracy above holds for |x| up to 1e3.
+// Returns sine and cosine of x in radians.
 SinCos sincos(double x);
 
 // Returns sines and cosines of eight angles, with the same bits as sincos() in less than half of

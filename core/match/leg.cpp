@@ -191,8 +191,8 @@ void Leg::on_placement_request(Team team, const PlacementRequest& poses) {
   const int robots = field_.robots_per_team;
   const PlacementRequest shown = unchanged_request(observe(view(), team, robots));
   if (bit_equal(poses, shown, robots)) return;
-  requested_ = poses;
-  requested_placement_ = requested_placement(standing(), end_of(team), shown, poses, robots);
+  requested_ = rounded(poses, shown, robots);
+  requested_placement_ = requested_placement(standing(), end_of(team), shown, *requested_, robots);
 }
 
 void Leg::simulate() {

@@ -22,6 +22,14 @@ Pose to_pose(const RequestedPose& pose, End end) {
   return team_frame(end, Pose{{pose.x, pose.y}, heading});
 }
 
+double to_steps(double value) {
+  return std::nearbyint(value / placement_step) * placement_step;
+}
+
+bool asks_for_ball(const PlacementRequest& asked, const PlacementRequest& shown) {
+  return !bit_equal(asked.ball_x, shown.ball_x) || !bit_equal(asked.ball_y, shown.ball_y);
+}
+
 }  // namespace
 
 PlacementRequest unchanged_request(const Observation& observation) {
@@ -49,11 +57,25 @@ bool bit_equal(const PlacementRequest& a, const PlacementRequest& b, int robots)
   return bit_equal(a.ball_x, b.ball_x) && bit_equal(a.ball_y, b.ball_y);
 }
 
+PlacementRequest rounded(const PlacementRequest& asked, const PlacementRequest& shown, int robots) {
+  PlacementRequest result = asked;
+  if (asks_for_ball(asked, shown)) {
+    result.ball_x = to_steps(asked.ball_x);
+    result.ball_y = to_steps(asked.ball_y);
+  }
+  for (int i = 0; i < robots; ++i) {
+    const RequestedPose& pose = asked.robots[i];
+    if (bit_equal(pose, shown.robots[i])) continue;
+    result.robots[i] = {to_steps(pose.x), to_steps(pose.y), to_steps(pose.heading)};
+  }
+  return result;
+}
+
 referee::Placement requested_placement(const referee::Placement& standing, End end,
                                        const PlacementRequest& shown, const PlacementRequest& asked,
                                        int robots) {
   referee::Placement placement = standing;
-  if (!bit_equal(asked.ball_x, shown.ball_x) || !bit_equal(asked.ball_y, shown.ball_y)) {
+  if (asks_for_ball(asked, shown)) {
     placement.ball = team_frame(end, Vec2{asked.ball_x, asked.ball_y});
   }
   for (int i = 0; i < robots; ++i) {

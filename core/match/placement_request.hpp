@@ -4,7 +4,8 @@
 // choice, for the ball. In the team's own frame: metres, radians counter-clockwise.
 //
 // Like a command, a request is input from outside: it may hold any number, infinities and NaN
-// included. It is kept unchanged, so that a recorded leg can be played again without the team.
+// included. Like a command it is rounded once, where it enters the leg, so that the last bits of a
+// team's arithmetic reach neither the state nor the record.
 #pragma once
 
 #include "core/field/league.hpp"
@@ -39,6 +40,13 @@ PlacementRequest unchanged_request(const Observation& observation);
 bool bit_equal(double a, double b);
 bool bit_equal(const RequestedPose& a, const RequestedPose& b);
 bool bit_equal(const PlacementRequest& a, const PlacementRequest& b, int robots);
+
+// The resolution of a request, m and rad: far below the tolerance of every rule of placement.
+inline constexpr double placement_step = 0x1p-24;
+
+// Returns the request with the ball and each pose that differs from the one `shown` to the team
+// rounded to multiples of placement_step. `robots` is the number of robots that count.
+PlacementRequest rounded(const PlacementRequest& asked, const PlacementRequest& shown, int robots);
 
 // Returns the placement, in the field's frame, in which the team of one end stands as requested and
 // all other bodies as in `standing`. A pose that equals the one `shown` to the team keeps the bits

@@ -88,7 +88,7 @@ class Tactician : public Team {
     draw_target(setup(), now.own[i], place);
     const Point to = place - position(soon_[i]);
     if (length(to) < 0.02) return turn_quickly(setup(), soon_[i], squared(soon_[i].heading));
-    const double course = round_others(now, i, soon_[i], place, std::atan2(to.y, to.x));
+    const double course = round_others(now, i, soon_[i], place, math::atan2(to.y, to.x));
     return head_for(setup(), soon_[i], course, 1.8, length(to));
   }
 

@@ -2,6 +2,7 @@
 #define PY_SSIZE_T_CLEAN
 #include "plugins/python/python_team.hpp"
 
+#include "mirocup/elementary.h"
 #include "plugins/python/team_source.hpp"
 
 #include <Python.h>
@@ -140,6 +141,33 @@ PyMethodDef host_methods[] = {{"parameter", host_parameter, METH_VARARGS, nullpt
                               {"draw_polygon", host_draw_polygon, METH_VARARGS, nullptr},
                               {"draw_text", host_draw_text, METH_VARARGS, nullptr}};
 
+// ---- the functions of elementary.h, which mirocup.team has instead of those of math
+
+template <double (*function)(double)>
+PyObject* of_one(PyObject* /*self*/, PyObject* number) {
+  const double x = PyFloat_AsDouble(number);
+  return PyErr_Occurred() != nullptr ? nullptr : PyFloat_FromDouble(function(x));
+}
+
+template <double (*function)(double, double)>
+PyObject* of_two(PyObject* /*self*/, PyObject* arguments) {
+  double a = 0.0, b = 0.0;
+  if (PyArg_ParseTuple(arguments, "dd", &a, &b) == 0) return nullptr;
+  return PyFloat_FromDouble(function(a, b));
+}
+
+PyMethodDef elementary_functions[] = {{"sin", of_one<mirocup_sin>, METH_O, nullptr},
+                                      {"cos", of_one<mirocup_cos>, METH_O, nullptr},
+                                      {"tan", of_one<mirocup_tan>, METH_O, nullptr},
+                                      {"asin", of_one<mirocup_asin>, METH_O, nullptr},
+                                      {"acos", of_one<mirocup_acos>, METH_O, nullptr},
+                                      {"atan", of_one<mirocup_atan>, METH_O, nullptr},
+                                      {"atan2", of_two<mirocup_atan2>, METH_VARARGS, nullptr},
+                                      {"hypot", of_two<mirocup_hypot>, METH_VARARGS, nullptr},
+                                      {"exp", of_one<mirocup_exp>, METH_O, nullptr},
+                                      {"log", of_one<mirocup_log>, METH_O, nullptr},
+                                      {nullptr, nullptr, 0, nullptr}};
+
 // Returns these functions by name, for this setup; null: an exception is set.
 Object host_of(const mirocup_setup& setup) {
   const Object handle(PyCapsule_New(const_cast<mirocup_setup*>(&setup), nullptr, nullptr));
@@ -234,6 +262,7 @@ Object make_module(Surrounding surrounding) {
   Py_XINCREF(module);
   Object team(module);
   if (package == nullptr || team == nullptr) return nullptr;
+  if (PyModule_AddFunctions(module, elementary_functions) != 0) return nullptr;
   const Object no_path(PyList_New(0));
   if (PyObject_SetAttrString(package.get(), "__path__", no_path.get()) != 0 ||
       PyObject_SetAttrString(package.get(), "team", module) != 0)

@@ -31,7 +31,7 @@ __all__ = ["Team", "Placement", "Point", "Pose", "Robot", "Counts", "Setup", "Ob
            "wheels_for", "turn_to", "drive_to", "drive_to_pose", "ball_after", "inside",
            "meeting_point", "keep_out", "without_pushing", "out_of_area", "keep_laws", "drive_round",
            "drive_clear", "kick_to", "must_kick_off", "kick_off", "keep_goal", "is_stuck",
-           "free_ball"]
+           "free_ball", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "hypot", "exp", "log"]
 
 SMALL, MIDDLE, LARGE = range(3)  # setup.league
 READY, PLAY, END = range(3)  # now.state
@@ -40,6 +40,12 @@ FIRST_HALF, SECOND_HALF, EXTRA, SHOOT_OUT = range(4)  # now.phase
 NO_RESTART, KICK_OFF, GOAL_KICK, PENALTY_KICK, FREE_BALL, FREE_KICK = range(6)
 
 MAX_ROBOTS = 11
+
+# These have the same bits on every system in a match, unlike those of the module math: see
+# mirocup/elementary.h. The program that plays a team gives them; elsewhere they are those of math.
+sin, cos, tan, asin, acos, atan, atan2, hypot, exp, log = (
+    globals().get(_name, getattr(math, _name))
+    for _name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "hypot", "exp", "log"))
 
 Robot = namedtuple("Robot", "x y heading vx vy turn")
 Pose = namedtuple("Pose", "x y heading")
@@ -180,16 +186,16 @@ def turn_to(setup, robot, heading):
 def drive_to(setup, robot, target, arrival=0.0, fastest=1.5):
     """Drives to a point, forwards or backwards, and passes it at `arrival` m/s (0: stops there)."""
     dx, dy = target[0] - robot.x, target[1] - robot.y
-    distance = math.hypot(dx, dy)
+    distance = hypot(dx, dy)
     if distance < 0.005 and arrival == 0.0:
         return 0.0, 0.0
-    error = wrapped(math.atan2(dy, dx) - robot.heading)
+    error = wrapped(atan2(dy, dx) - robot.heading)
     direction = 1.0
     if abs(error) > math.pi / 2.0:
         error = wrapped(error + math.pi)
         direction = -1.0
     turn = 9.0 * error
-    speed = min(fastest, arrival + 5.0 * distance) * max(0.0, math.cos(error))
+    speed = min(fastest, arrival + 5.0 * distance) * max(0.0, cos(error))
     steady = 0.8 * setup.grip * 9.81  # sliding wheels do not steer
     if abs(speed * turn) > steady:
         speed = steady / abs(turn)
@@ -199,7 +205,7 @@ def drive_to(setup, robot, target, arrival=0.0, fastest=1.5):
 def drive_to_pose(setup, robot, target, heading, fastest=1.5):
     """Drives to a point and turns to a heading there."""
     target = Point(*target)
-    forward = Point(math.cos(heading), math.sin(heading))
+    forward = Point(cos(heading), sin(heading))
     to = target - position(robot)
     distance = length(to)
     if distance < 0.01:
@@ -226,7 +232,7 @@ def meeting_point(setup, now, robot, pace=1.2):
     """Returns the place where a robot that drives at `pace` m/s meets the ball."""
     p = ball(now)
     for _ in range(3):
-        p = ball_after(now, min(math.hypot(p.x - robot.x, p.y - robot.y) / pace, 0.8))
+        p = ball_after(now, min(hypot(p.x - robot.x, p.y - robot.y) / pace, 0.8))
     return inside(setup, p, setup.ball_radius)
 
 
@@ -244,13 +250,13 @@ def keep_out(setup, i, p):
 
 def without_pushing(setup, now, robot, wheels):
     """Returns the wheel speeds, or slower ones where the robot would push an opponent."""
-    nose_x, nose_y = math.cos(robot.heading), math.sin(robot.heading)
+    nose_x, nose_y = cos(robot.heading), sin(robot.heading)
     forward = setup.wheel_radius * (wheels[0] + wheels[1]) / 2.0
     turn = setup.wheel_radius * (wheels[1] - wheels[0]) / setup.wheel_distance
     if forward < 0.0:
         nose_x, nose_y = -nose_x, -nose_y
     ball_x, ball_y = now.ball_x - robot.x, now.ball_y - robot.y
-    if math.hypot(ball_x, ball_y) < 0.09:
+    if hypot(ball_x, ball_y) < 0.09:
         return wheels
     ball_along = ball_x * nose_x + ball_y * nose_y
     ball_ahead = ball_along > 0.0 and abs(ball_x * nose_y - ball_y * nose_x) < 0.055
@@ -262,7 +268,7 @@ def without_pushing(setup, now, robot, wheels):
             continue
         if ball_ahead and ball_along < along:  # pushing both is playing the ball
             continue
-        gap = math.hypot(x, y) - 0.1
+        gap = hypot(x, y) - 0.1
         allowed = min(allowed, 0.1 + 4.0 * gap if gap > 0.0 else -0.2)
     if allowed == abs(forward):
         return wheels
@@ -348,7 +354,7 @@ def kick_to(setup, now, robot, point, pace=1.5):
 def must_kick_off(now):
     """True if the ball is still on the spot of your own kick-off. It has to go backwards first."""
     return (now.restart == KICK_OFF and now.own_restart != 0
-            and math.hypot(now.ball_x, now.ball_y) < 0.055)
+            and hypot(now.ball_x, now.ball_y) < 0.055)
 
 
 def kick_off(setup, robot):
@@ -360,13 +366,13 @@ def kick_off(setup, robot):
 
 def is_stuck(now, patience=0.6):
     """True if the ball has got nowhere for `patience` s and nearly stands."""
-    return now.stalemate_s > patience and math.hypot(now.ball_vx, now.ball_vy) < 0.15
+    return now.stalemate_s > patience and hypot(now.ball_vx, now.ball_vy) < 0.15
 
 
 def free_ball(setup, now, robot):
     """Gets a stuck ball free: drives at it, and spins beside it."""
     x, y = now.ball_x - robot.x, now.ball_y - robot.y
-    if math.hypot(x, y) > 0.085:
+    if hypot(x, y) > 0.085:
         return drive_to(setup, robot, ball(now), 0.6, 1.2)
     way_x, way_y = 1.0, 0.0
     if now.ball_x > 0.3 * setup.half_length:
@@ -380,13 +386,13 @@ def keep_goal(setup, now, robot):
     """Keeps the goal: stays in its mouth where the ball will cross the line, kicks a slow ball away."""
     line = -setup.half_length + 0.03
     x, y = now.ball_x - robot.x, now.ball_y - robot.y
-    is_slow = math.hypot(now.ball_vx, now.ball_vy) < 0.4
-    if (is_slow and now.ball_x > robot.x + 0.02 and math.hypot(x, y) < 0.16
+    is_slow = hypot(now.ball_vx, now.ball_vy) < 0.4
+    if (is_slow and now.ball_x > robot.x + 0.02 and hypot(x, y) < 0.16
             and now.ball_x < -setup.half_length + setup.goal_area_depth + 0.02):
         return drive_to(setup, robot, ball(now) + 0.2 * unit((x, y)), 1.0)
     # The place where the ball will cross the line, if it comes; else the middle of what it sees.
-    left = math.hypot(now.ball_x + setup.half_length, now.ball_y - setup.goal_half_width)
-    right = math.hypot(now.ball_x + setup.half_length, now.ball_y + setup.goal_half_width)
+    left = hypot(now.ball_x + setup.half_length, now.ball_y - setup.goal_half_width)
+    right = hypot(now.ball_x + setup.half_length, now.ball_y + setup.goal_half_width)
     at = setup.goal_half_width * (right - left) / (right + left)
     if now.ball_vx < -0.1:
         seconds = (line - now.ball_x) / now.ball_vx
@@ -399,7 +405,7 @@ def keep_goal(setup, now, robot):
         up = 1.0 if robot.heading > 0.0 else -1.0
         error = wrapped(up * math.pi / 2.0 - robot.heading)
         speed = up * _clamp(8.0 * (at - robot.y), -1.8, 1.8)
-        return wheels_for(setup, speed * max(0.0, math.cos(2.0 * error)), 9.0 * error)
+        return wheels_for(setup, speed * max(0.0, cos(2.0 * error)), 9.0 * error)
     return drive_round(setup, robot, (line, at), ball(now), 0.0, 1.5)
 
 

@@ -17,6 +17,7 @@ constexpr std::string_view head =
     R"(// @NAME@: a learned team, made by `mirocup export`. It needs mirocup/strategy.h alone:
 //   c++ -std=c++17 -O2 -fPIC -shared -I INCLUDE learned.cpp -o learned.so
 // The same observation gives the same action everywhere: nothing is drawn and no library rounds.
+#include "mirocup/elementary.h"
 #include "mirocup/strategy.h"
 
 #include <algorithm>
@@ -101,7 +102,7 @@ class Writer {
 constexpr std::string_view standard_code = R"(
 void put_robot(Writer& to, const mirocup_robot& r) {
   to.put(r.x, r.y);
-  to.put(std::cos(r.heading), std::sin(r.heading));
+  to.put(mirocup_cos(r.heading), mirocup_sin(r.heading));
   to.put(r.vx, r.vy);
   to.put(r.turn);
 }
@@ -125,7 +126,7 @@ constexpr std::string_view relative_code = R"(
 // All is seen from the own robot `self`, whose x points forward.
 void observe(const mirocup_setup& setup, const mirocup_observation& now, int self, float* values) {
   const mirocup_robot& me = now.own[self];
-  const double c = std::cos(me.heading), s = std::sin(me.heading);
+  const double c = mirocup_cos(me.heading), s = mirocup_sin(me.heading);
   Writer to(values);
   const auto put_vector = [&](double x, double y) { to.put(c * x + s * y, c * y - s * x); };
   const auto put_place = [&](double x, double y) { put_vector(x - me.x, y - me.y); };
@@ -164,7 +165,7 @@ void observe(const mirocup_setup& setup, const mirocup_observation& now, int sel
   const auto put_robot = [&](const mirocup_robot& r) {
     put_place(r.x, r.y);
     put_vector(r.vx, r.vy);
-    put_vector(std::cos(r.heading), std::sin(r.heading));
+    put_vector(mirocup_cos(r.heading), mirocup_sin(r.heading));
   };
   for (int i = 0; i < now.robots; ++i) {
     if (i != self) put_robot(now.own[i]);
@@ -183,7 +184,7 @@ void put_motion(Writer& to, const mirocup_robot& r) {
 
 void put_own(Writer& to, const mirocup_robot& r) {
   to.put(r.x, r.y);
-  to.put(std::sin(r.heading), std::cos(r.heading));
+  to.put(mirocup_sin(r.heading), mirocup_cos(r.heading));
   put_motion(to, r);
 }
 

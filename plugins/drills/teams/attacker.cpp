@@ -21,7 +21,7 @@ class Attacker : public DrillTeam {
     aim_ = {setup.half_length, keeper_y(observation) + bias > 0.0 ? -corner : corner};
     const Point along = unit(aim_ - spot_);
     const Point from = spot_ - 0.2 * along;
-    placement.robots[1] = {from.x, from.y, std::atan2(along.y, along.x)};
+    placement.robots[1] = {from.x, from.y, mirocup_atan2(along.y, along.x)};
   }
 
  private:
@@ -93,13 +93,13 @@ class Attacker : public DrillTeam {
     const Point along = unit(aim_ - ball);
     const double aside = cross(along, at(robot) - ball);
     const double soon = robot.heading + 0.08 * robot.turn;
-    double error = wrapped(std::atan2(along.y, along.x) - std::atan2(aside, 0.2) - soon);
+    double error = wrapped(mirocup_atan2(along.y, along.x) - mirocup_atan2(aside, 0.2) - soon);
     double direction = 1.0;
     if (std::abs(error) > pi / 2.0) {
       error = wrapped(error + pi);
       direction = -1.0;
     }
-    command.wheels[1] = steady(direction, 1.8 * std::max(0.1, std::cos(error)), 10.0 * error);
+    command.wheels[1] = steady(direction, 1.8 * std::max(0.1, mirocup_cos(error)), 10.0 * error);
   }
 
   // Slows down robots that would drive into a keeper in its goal area.

@@ -7,6 +7,7 @@
 // Frames and units are those of strategy.h. The teams know the laws of the small league alone.
 #pragma once
 
+#include "mirocup/elementary.h"
 #include "mirocup/strategy.h"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ inline Point at(const Robot& robot) {
   return {robot.x, robot.y};
 }
 inline Point nose(const Robot& robot) {
-  return {std::cos(robot.heading), std::sin(robot.heading)};
+  return {mirocup_cos(robot.heading), mirocup_sin(robot.heading)};
 }
 
 // A drill team: robot 0 keeps the goal, steer() moves another one. In both, `now` is the tick.
@@ -127,7 +128,7 @@ class DrillTeam {
     const Point to = target - at(robot);
     const double distance = length(to);
     if (distance < 0.005 && arrival == 0.0) return {0.0, 0.0};
-    double error = wrapped(std::atan2(to.y, to.x) - robot.heading);
+    double error = wrapped(mirocup_atan2(to.y, to.x) - robot.heading);
     double direction = 1.0;
     if (std::abs(error) > pi / 2.0) {
       error = wrapped(error + pi);
@@ -135,7 +136,7 @@ class DrillTeam {
     }
     const double wanted = std::min(fastest, arrival + 5.0 * distance);
     const double turn = 9.0 * error;
-    return steady(direction, wanted * std::max(0.0, std::cos(error)), turn);
+    return steady(direction, wanted * std::max(0.0, mirocup_cos(error)), turn);
   }
 
   // A robot that turns faster than its wheels grip does not steer.
@@ -234,7 +235,7 @@ class DrillTeam {
   // The ball is on the spot of an own kick-off, which rolls it backwards.
   bool must_kick_off() const {
     return now->restart == MIROCUP_KICK_OFF && now->own_restart != 0 &&
-           std::hypot(ball.x, ball.y) < 0.055;
+           mirocup_hypot(ball.x, ball.y) < 0.055;
   }
   Wheels kick_off(const Robot& robot) const {
     const double pace = length(at(robot)) > 0.1 ? 0.8 : 0.28;  // m/s
@@ -280,7 +281,7 @@ class DrillTeam {
     const double error = wrapped((is_up ? pi / 2.0 : -pi / 2.0) - robot.heading);
     const double rolls_on = robot.vy * (setup.control_period + setup.motor_time_constant);  // m
     const double speed = std::clamp(12.0 * (y - robot.y - rolls_on), -fastest, fastest);
-    const double forward = (is_up ? speed : -speed) * std::max(0.0, std::cos(2.0 * error));
+    const double forward = (is_up ? speed : -speed) * std::max(0.0, mirocup_cos(2.0 * error));
     return wheels_for(forward, 9.0 * error);
   }
 
@@ -334,7 +335,7 @@ class DrillTeam {
     if (std::abs(cross(along, to)) > 0.08) return false;
     for (int face = 0; face < 4; ++face) {
       const double heading = robot.heading + face * pi / 2.0;
-      const Point normal{std::cos(heading), std::sin(heading)};
+      const Point normal{mirocup_cos(heading), mirocup_sin(heading)};
       const double closing = -dot(coming, normal);
       if (closing < 0.2 * length(coming)) continue;
       const Point off = velocity + (1.4 * closing) * normal;

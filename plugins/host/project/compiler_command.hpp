@@ -2,7 +2,7 @@
 //
 // The fixed options with which a league compiles: plain 64-bit code that each host of the league
 // can run, with the C++ library linked in, so that it does not depend on the C++ library of another
-// computer.
+// computer, and without fused multiply-adds, so that arithmetic rounds as on every other host.
 #pragma once
 
 namespace mirocup::plugins {
@@ -11,8 +11,8 @@ inline constexpr const char* c_compiler = "/usr/bin/gcc";
 inline constexpr const char* cpp_compiler = "/usr/bin/g++";
 
 // The folders of the strategy's headers and of the library of predict.hpp in the sandbox.
-#define MIROCUP_COMPILER_OPTIONS                                           \
-  "-O2", "-DNDEBUG", "-fPIC", "-fvisibility=hidden", "-I/mirocup/include", \
+#define MIROCUP_COMPILER_OPTIONS                                                                \
+  "-O2", "-DNDEBUG", "-ffp-contract=off", "-fPIC", "-fvisibility=hidden", "-I/mirocup/include", \
       "-fno-diagnostics-color", "-fmax-errors=20"
 #define MIROCUP_C_OPTIONS "-std=c17", MIROCUP_COMPILER_OPTIONS
 #define MIROCUP_CPP_OPTIONS \

@@ -52,7 +52,8 @@
  *                  robot 0 may also stand in its goal area
  *   In a shoot-out robot 1 takes the kick and robot 0, the keeper, may start anywhere in its goal
  *   area. If a robot may not stand where you want it, the referee moves as few robots as possible,
- *   each to the nearest free place, and the record says why. There is no other penalty.
+ *   each to the nearest free place, and the record says why. There is no other penalty. Places are
+ *   rounded to 2^-24 m, headings to 2^-24 rad.
  *
  * Time
  *   A match is played as fast as both teams answer. It counts the processor time of your process,

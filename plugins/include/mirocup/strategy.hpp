@@ -17,6 +17,7 @@
 // Frames, units, delays and limits are those of strategy.h. This header depends on nothing else.
 // All functions are inline and keep nothing between two calls.
 //
+//   numbers     math::sin and its family, with the same bits everywhere: elementary.hpp
 //   points      Point, + - *, dot, length, unit, inside, wrapped
 //   observation ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
@@ -32,6 +33,7 @@
 // every tick. They are good enough to start from, and meant to be copied and improved.
 #pragma once
 
+#include "mirocup/elementary.hpp"
 #include "mirocup/strategy.h"
 
 #include <algorithm>
@@ -128,7 +130,7 @@ inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, dou
   const Point to = target - position(robot);
   const double distance = length(to);
   if (distance < 0.005 && arrival == 0.0) return {0.0, 0.0};
-  double error = wrapped(std::atan2(to.y, to.x) - robot.heading);
+  double error = wrapped(math::atan2(to.y, to.x) - robot.heading);
   double direction = 1.0;
   if (std::abs(error) > pi / 2.0) {
     error = wrapped(error + pi);
@@ -137,7 +139,7 @@ inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, dou
   // As fast as the distance allows, and slower while the robot still has to turn.
   const double wanted = std::min(fastest, arrival + 5.0 * distance);
   const double turn = 9.0 * error;
-  double speed = wanted * std::max(0.0, std::cos(error));
+  double speed = wanted * std::max(0.0, math::cos(error));
   // Sliding wheels do not steer, so the robot keeps below 0.8 of the grip.
   const double steady = 0.8 * setup.grip * 9.81;
   if (std::abs(speed * turn) > steady) speed = steady / std::abs(turn);
@@ -149,7 +151,7 @@ inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, dou
 // first.
 inline Wheels drive_to_pose(const Setup& setup, const Robot& robot, Point target, double heading,
                             double fastest = 1.5) {
-  const Point forward{std::cos(heading), std::sin(heading)};
+  const Point forward{math::cos(heading), math::sin(heading)};
   const Point to = target - position(robot);
   const double distance = length(to);
   if (distance < 0.01) return turn_to(setup, robot, heading);
@@ -224,7 +226,7 @@ inline bool is_stuck(const Observation& now, double patience = 0.6) {
 inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
                               Wheels wheels) {
   const Point here = position(robot);
-  const Point nose{std::cos(robot.heading), std::sin(robot.heading)};
+  const Point nose{math::cos(robot.heading), math::sin(robot.heading)};
   const double forward = setup.wheel_radius * (wheels.left + wheels.right) / 2.0;
   const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
   const Point direction = (forward < 0.0 ? -1.0 : 1.0) * nose;
@@ -306,7 +308,7 @@ inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const
   if (ahead < 0.0 || ahead > soon_s * length(coming) + 0.06 || std::abs(aside) > 0.08) return false;
   for (int face = 0; face < 4; ++face) {
     const double heading = robot.heading + face * pi / 2.0;
-    const Point normal{std::cos(heading), std::sin(heading)};
+    const Point normal{math::cos(heading), math::sin(heading)};
     const double closing = -dot(coming, normal);
     if (closing < 0.2 * length(coming)) continue;
     const Point off = velocity + (1.4 * closing) * normal;  // 1.4: what impacts leave
@@ -333,7 +335,7 @@ inline void avoid_own_goals(const Setup& setup, const Observation& now, Command&
       const Point along = unit(velocity);
       const Point to = position(robot) - ball(now);
       const Point aside = unit(to - dot(to, along) * along);
-      const Point nose{std::cos(robot.heading), std::sin(robot.heading)};
+      const Point nose{math::cos(robot.heading), math::sin(robot.heading)};
       const double way = dot(nose, aside + 0.7 * along) < 0.0 ? -1.0 : 1.0;
       command.wheels[i] = wheels_for(setup, way * 1.5, 9.0 * error);
     }
@@ -399,7 +401,7 @@ inline Wheels kick_to(const Setup& setup, const Observation& now, const Robot& r
 // True if the ball is still on the spot of your own kick-off. It has to go backwards first.
 inline bool must_kick_off(const Observation& now) {
   return now.restart == MIROCUP_KICK_OFF && now.own_restart != 0 &&
-         std::hypot(now.ball_x, now.ball_y) < 0.055;
+         math::hypot(now.ball_x, now.ball_y) < 0.055;
 }
 
 // Takes a kick-off: rolls the ball straight back to the team-mates. Left alone, it stops before the
@@ -443,7 +445,7 @@ inline Wheels slide_to(const Setup& setup, const Robot& robot, double y, double 
   const double error = wrapped((is_up ? pi / 2.0 : -pi / 2.0) - robot.heading);
   const double rolls_on = robot.vy * (setup.control_period + setup.motor_time_constant);  // m
   const double speed = std::clamp(12.0 * (y - robot.y - rolls_on), -fastest, fastest);
-  const double forward = (is_up ? speed : -speed) * std::max(0.0, std::cos(2.0 * error));
+  const double forward = (is_up ? speed : -speed) * std::max(0.0, math::cos(2.0 * error));
   return wheels_for(setup, forward, 9.0 * error);
 }
 

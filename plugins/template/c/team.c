@@ -1,10 +1,12 @@
 /* A keeper, one robot that drives to the ball, and the others behind it. */
+#include "mirocup/elementary.h"
 #include "mirocup/strategy.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-static const double pi = 3.14159265358979323846;
+/* mirocup_sin() and its neighbours have the same bits on every system: elementary.h. */
+static const double pi = MIROCUP_PI;
 
 struct team {
   const mirocup_setup* setup;
@@ -19,16 +21,16 @@ static double limited(double value, double low, double high) {
 /* Drives to a point, forwards or backwards, whichever needs the smaller turn. */
 static mirocup_wheels drive_to(const mirocup_setup* setup, const mirocup_robot* robot, double x,
                                double y) {
-  const double distance = hypot(x - robot->x, y - robot->y);
+  const double distance = mirocup_hypot(x - robot->x, y - robot->y);
   double error, direction = 1.0, speed, side;
   mirocup_wheels wheels = {0.0, 0.0};
   if (distance < 0.01) return wheels;
-  error = remainder(atan2(y - robot->y, x - robot->x) - robot->heading, 2.0 * pi);
+  error = remainder(mirocup_atan2(y - robot->y, x - robot->x) - robot->heading, 2.0 * pi);
   if (fabs(error) > pi / 2.0) {
     error = remainder(error + pi, 2.0 * pi);
     direction = -1.0;
   }
-  speed = direction * limited(5.0 * distance, 0.0, 1.2) * fmax(0.0, cos(error));
+  speed = direction * limited(5.0 * distance, 0.0, 1.2) * fmax(0.0, mirocup_cos(error));
   side = 8.0 * error * setup->wheel_distance / 2.0;
   wheels.left = (speed - side) / setup->wheel_radius;
   wheels.right = (speed + side) / setup->wheel_radius;
@@ -39,7 +41,7 @@ static mirocup_wheels drive_to(const mirocup_setup* setup, const mirocup_robot* 
 static mirocup_wheels kick(const mirocup_setup* setup, const mirocup_observation* now,
                            const mirocup_robot* robot) {
   const double to_x = setup->half_length - now->ball_x, to_y = -now->ball_y;
-  const double distance = fmax(hypot(to_x, to_y), 1e-6);
+  const double distance = fmax(mirocup_hypot(to_x, to_y), 1e-6);
   const double along_x = to_x / distance, along_y = to_y / distance;
   const double dx = robot->x - now->ball_x, dy = robot->y - now->ball_y;
   const double behind = -(dx * along_x + dy * along_y);

@@ -65,7 +65,7 @@ inline Point through(const Shot& shot) {
 // Returns the pose that a robot shall have at the ball. `me`: its number.
 inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
   return {keep_out(setup, me, inside(setup, shot.at, 0.04)),
-          std::atan2(shot.along.y, shot.along.x)};
+          math::atan2(shot.along.y, shot.along.x)};
 }
 
 // How a robot drives at the ball.

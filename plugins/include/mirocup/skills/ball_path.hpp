@@ -52,13 +52,13 @@ inline MovingBall moving_ball(const Observation& now) {
 // Returns how far a ball of speed `speed` (m/s) rolls in `seconds`, m.
 inline double rolled_distance(const Rolling& floor, double speed, double seconds) {
   const double top = speed + floor.constant / floor.linear;
-  return (top * (1.0 - std::exp(-floor.linear * seconds)) - floor.constant * seconds) /
+  return (top * (1.0 - math::exp(-floor.linear * seconds)) - floor.constant * seconds) /
          floor.linear;
 }
 
 // Returns the seconds in which a ball of speed `speed` (m/s) comes to rest.
 inline double rolling_time(const Rolling& floor, double speed) {
-  return std::log(1.0 + floor.linear * speed / floor.constant) / floor.linear;
+  return math::log1p(floor.linear * speed / floor.constant) / floor.linear;
 }
 
 // A wall that a ball will meet.
@@ -107,7 +107,7 @@ inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
     const WallAhead wall = wall_ahead(setup, ball.at, along);
     const double top = speed + floor.constant / floor.linear;
     const auto speed_after = [&](double t) {
-      return std::max(0.0, top * std::exp(-floor.linear * t) - floor.constant / floor.linear);
+      return std::max(0.0, top * math::exp(-floor.linear * t) - floor.constant / floor.linear);
     };
     if (rolled_distance(floor, speed, time) < wall.distance) {
       ball.at = ball.at + rolled_distance(floor, speed, time) * along;
@@ -187,7 +187,7 @@ class BallPath {
 
   double speed_after(double speed, double t) const {
     const double top = speed + floor_.constant / floor_.linear;
-    return std::max(0.0, top * std::exp(-floor_.linear * t) - floor_.constant / floor_.linear);
+    return std::max(0.0, top * math::exp(-floor_.linear * t) - floor_.constant / floor_.linear);
   }
 
   Rolling floor_;

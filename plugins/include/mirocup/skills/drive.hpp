@@ -23,7 +23,7 @@
 namespace mirocup::strategy {
 
 inline Point nose_of(const Robot& robot) {
-  return {std::cos(robot.heading), std::sin(robot.heading)};
+  return {math::cos(robot.heading), math::sin(robot.heading)};
 }
 
 // Returns the forward speed of a robot, m/s; negative if it drives backwards.
@@ -39,7 +39,7 @@ inline double greatest_speed(const Setup& setup) {
 inline Robot when_commanded(const Setup& setup, const Robot& robot, Wheels command) {
   const double lag = setup.motor_time_constant;
   const double period = setup.control_period;
-  const double left = lag > 0.0 ? std::exp(-period / lag) : 0.0;  // of a difference in speed
+  const double left = lag > 0.0 ? math::exp(-period / lag) : 0.0;  // of a difference in speed
   const double forward = setup.wheel_radius * (command.right + command.left) / 2.0;
   const double turn = setup.wheel_radius * (command.right - command.left) / setup.wheel_distance;
   const double before = speed_ahead(robot);
@@ -49,11 +49,11 @@ inline Robot when_commanded(const Setup& setup, const Robot& robot, Wheels comma
 
   Robot then = robot;
   const double between = robot.heading + angle / 2.0;
-  then.x += way * std::cos(between);
-  then.y += way * std::sin(between);
+  then.x += way * math::cos(between);
+  then.y += way * math::sin(between);
   then.heading = wrapped(robot.heading + angle);
-  then.vx = after * std::cos(then.heading);
-  then.vy = after * std::sin(then.heading);
+  then.vx = after * math::cos(then.heading);
+  then.vy = after * math::sin(then.heading);
   then.turn = turn + (robot.turn - turn) * left;
   return then;
 }
@@ -88,14 +88,14 @@ inline Wheels head_for(const Setup& setup, const Robot& robot, double direction,
   double error = wrapped(direction - robot.heading);
   double way = 1.0;
   const double moving = speed_ahead(robot);
-  if (std::cos(error) + 0.15 * std::clamp(moving, -1.0, 1.0) < 0.0) {
+  if (math::cos(error) + 0.15 * std::clamp(moving, -1.0, 1.0) < 0.0) {
     error = wrapped(error + pi);
     way = -1.0;
   }
   const double turn = turn_for(setup, robot.turn, error);
   const double lag = setup.motor_time_constant;
   const double stop = (distance - way * moving * lag) / setup.control_period;
-  const double sharp = std::clamp(2.5 * std::cos(error) - 1.5, 0.0, 1.0);
+  const double sharp = std::clamp(2.5 * math::cos(error) - 1.5, 0.0, 1.0);
   double forward = std::min(speed * sharp, stop);
   const double steady = 0.85 * setup.grip * 9.81;  // m/s^2
   const double limit = steady / std::max(std::abs(error) / (2.0 * lag), 1e-6);
@@ -110,7 +110,7 @@ inline Wheels drive_quickly(const Setup& setup, const Robot& robot, Point target
   const double distance = length(to);
   if (distance < 0.004 && arrival == 0.0) return turn_quickly(setup, robot, robot.heading);
   const double beyond = arrival * 0.15;  // m, so that it does not brake
-  return head_for(setup, robot, std::atan2(to.y, to.x), speed, distance + beyond);
+  return head_for(setup, robot, math::atan2(to.y, to.x), speed, distance + beyond);
 }
 
 // Drives to a point and turns to a heading there; a square robot may have it backwards as well.

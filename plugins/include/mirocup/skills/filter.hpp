@@ -73,33 +73,33 @@ struct Uncertainty {
 // Returns a robot after `seconds` in which its motors follow `wheels`, without slip.
 inline Robot driven(const Setup& setup, Robot robot, Wheels wheels, double seconds) {
   const double tau = setup.motor_time_constant;
-  const double left = std::exp(-seconds / tau);  // of the difference to what the motors aim at
-  const double forward = robot.vx * std::cos(robot.heading) + robot.vy * std::sin(robot.heading);
+  const double left = math::exp(-seconds / tau);  // of the difference to what the motors aim at
+  const double forward = robot.vx * math::cos(robot.heading) + robot.vy * math::sin(robot.heading);
   const double aim = setup.wheel_radius * (wheels.right + wheels.left) / 2.0;
   const double aim_turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
   const double way = aim * seconds + (forward - aim) * tau * (1.0 - left);
   const double angle = aim_turn * seconds + (robot.turn - aim_turn) * tau * (1.0 - left);
   const double middle = robot.heading + angle / 2.0;
-  robot.x += way * std::cos(middle);
-  robot.y += way * std::sin(middle);
+  robot.x += way * math::cos(middle);
+  robot.y += way * math::sin(middle);
   robot.heading = wrapped(robot.heading + angle);
   robot.turn = aim_turn + (robot.turn - aim_turn) * left;
   const double speed = aim + (forward - aim) * left;
-  robot.vx = speed * std::cos(robot.heading);
-  robot.vy = speed * std::sin(robot.heading);
+  robot.vx = speed * math::cos(robot.heading);
+  robot.vy = speed * math::sin(robot.heading);
   return robot;
 }
 
 // Returns a robot after `seconds` at constant forward speed and angular velocity.
 inline Robot coasted(Robot robot, double seconds) {
-  const double forward = robot.vx * std::cos(robot.heading) + robot.vy * std::sin(robot.heading);
+  const double forward = robot.vx * math::cos(robot.heading) + robot.vy * math::sin(robot.heading);
   const double angle = robot.turn * seconds;
   const double middle = robot.heading + angle / 2.0;
-  robot.x += forward * seconds * std::cos(middle);
-  robot.y += forward * seconds * std::sin(middle);
+  robot.x += forward * seconds * math::cos(middle);
+  robot.y += forward * seconds * math::sin(middle);
   robot.heading = wrapped(robot.heading + angle);
-  robot.vx = forward * std::cos(robot.heading);
-  robot.vy = forward * std::sin(robot.heading);
+  robot.vx = forward * math::cos(robot.heading);
+  robot.vy = forward * math::sin(robot.heading);
   return robot;
 }
 

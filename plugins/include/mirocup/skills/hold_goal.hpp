@@ -84,7 +84,7 @@ inline Wheels slide_quickly(const Setup& setup, const Robot& robot, Point target
   const double steer = std::clamp(4.0 * to.x * (moving > 0.0 ? 1.0 : -1.0), -0.3, 0.3) *
                        std::min(1.0, std::abs(moving) / 0.2);
   const double error = wrapped(way * (pi / 2.0 - steer) - robot.heading);
-  const double forward = std::clamp(wanted, -most, most) * std::max(0.0, std::cos(2.0 * error));
+  const double forward = std::clamp(wanted, -most, most) * std::max(0.0, math::cos(2.0 * error));
   return wheels_turning_first(setup, forward, turn_for(setup, robot.turn, error));
 }
 
@@ -129,7 +129,7 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
     const bool is_outer = to_ball.x > -0.02 && outwards * to_ball.y > -0.02;
     // Nobody is near: push it away, not inwards.
     if (nearest > 0.15 && length(to_ball) < 0.25 && (is_before || is_outer)) {
-      return head_for(setup, robot, std::atan2(to_ball.y, std::max(0.0, to_ball.x)), 1.8);
+      return head_for(setup, robot, math::atan2(to_ball.y, std::max(0.0, to_ball.x)), 1.8);
     }
     // An opponent presses it against the keeper's face: spin it to the nearer side.
     if (nearest <= 0.15 && is_before && length(to_ball) < 0.075 && std::abs(now.ball_y) < width) {

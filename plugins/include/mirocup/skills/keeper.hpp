@@ -42,8 +42,8 @@ inline std::optional<double> y_of_coming_shot(const Observation& now, double x) 
     if (dot(unit(run), unit(to_ball)) < 0.95) continue;
     // The ball leaves the face that hits it at a right angle.
     double along = shooter.heading;
-    if (std::cos(along) > 0.0) along += pi;
-    return y_on_line(ball(now), {std::cos(along), std::sin(along)}, x);
+    if (math::cos(along) > 0.0) along += pi;
+    return y_on_line(ball(now), {math::cos(along), math::sin(along)}, x);
   }
   return std::nullopt;
 }

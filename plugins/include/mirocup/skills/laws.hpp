@@ -54,7 +54,7 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
       Wheels& wheels = command.wheels[i];
       const double forward = setup.wheel_radius * (wheels.left + wheels.right) / 2.0;
       const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
-      const Point nose{std::cos(robot.heading), std::sin(robot.heading)};
+      const Point nose{math::cos(robot.heading), math::sin(robot.heading)};
       const double closing = dot((forward < 0.0 ? -1.0 : 1.0) * nose, unit(to));
       if (distance < keep.retreat && !has_ball(now, robot, to)) {
         const double away = dot(nose, to) > 0.0 ? -0.6 : 0.6;

@@ -53,7 +53,7 @@ class PenaltyTaker {
     if (!is_decided_ && side * keeper_y(now) > habits_.reads_at) aim_.y = -aim_.y;
     is_decided_ = true;
     const Point to = aim_ - ball(now);
-    const double error = wrapped(std::atan2(to.y, to.x) - robot.heading);
+    const double error = wrapped(math::atan2(to.y, to.x) - robot.heading);
     return wheels_turning_first(setup, habits_.speed, turn_for(setup, robot.turn, error));
   }
 

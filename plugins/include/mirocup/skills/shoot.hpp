@@ -27,18 +27,18 @@ struct LineFollowing {
 // backwards. A robot beside the line comes back to it.
 inline Wheels follow_line(const Setup& setup, const Robot& robot, Point point, double heading,
                           double speed, const LineFollowing& how = {}) {
-  const Point along{std::cos(heading), std::sin(heading)};
+  const Point along{math::cos(heading), math::sin(heading)};
   const Point from = position(robot) - point;
   const double aside = along.x * from.y - along.y * from.x;
   const double soon = robot.heading + how.lead_s * robot.turn;
-  double error = wrapped(heading - std::atan2(aside, how.aim_ahead) - soon);
+  double error = wrapped(heading - math::atan2(aside, how.aim_ahead) - soon);
   double direction = 1.0;
   if (std::abs(error) > pi / 2.0) {
     error = wrapped(error + pi);
     direction = -1.0;
   }
   const double turn = how.gain * error;
-  double forward = speed * std::max(0.1, std::cos(error));
+  double forward = speed * std::max(0.1, math::cos(error));
   const double steady = 0.8 * setup.grip * 9.81;  // sliding wheels do not steer, m/s^2
   if (std::abs(forward * turn) > steady) forward = steady / std::abs(turn);
   return wheels_for(setup, direction * forward, turn);
@@ -49,7 +49,7 @@ inline Wheels follow_line(const Setup& setup, const Robot& robot, Point point, d
 inline Wheels shoot(const Setup& setup, const Robot& robot, Point ball, Point aim,
                     double speed = 1.8) {
   const Point to = aim - ball;
-  return follow_line(setup, robot, ball, std::atan2(to.y, to.x), speed);
+  return follow_line(setup, robot, ball, math::atan2(to.y, to.x), speed);
 }
 
 // Returns the point on the opponents' goal line to aim at: near the post that their robot nearest
@@ -73,7 +73,7 @@ inline Point open_corner(const Setup& setup, const Observation& now, double marg
 inline mirocup_pose run_up(Point ball, Point aim, double distance = 0.2) {
   const Point along = unit(aim - ball);
   const Point place = ball - distance * along;
-  return {place.x, place.y, std::atan2(along.y, along.x)};
+  return {place.x, place.y, math::atan2(along.y, along.x)};
 }
 
 // True while the ball of your own penalty or free kick still lies where it was put.

@@ -34,8 +34,8 @@ struct Target {
 
 // Returns the direction at `here`, rad.
 inline double field_heading(const UnivectorField& field, Point here, const Target& target) {
-  const double c = std::cos(target.heading);
-  const double s = std::sin(target.heading);
+  const double c = math::cos(target.heading);
+  const double s = math::sin(target.heading);
   const Point from = here - target.at;
   const Point p{c * from.x + s * from.y, -s * from.x + c * from.y};  // the target looks along +x
   const double d = field.radius;
@@ -45,15 +45,15 @@ inline double field_heading(const UnivectorField& field, Point here, const Targe
     const double rho = length(v);
     const double bend =
         rho > d ? 2.0 - (d + field.smooth) / (rho + field.smooth) : std::sqrt(rho / d);
-    return std::atan2(v.y, v.x) + turn * pi / 2.0 * bend;
+    return math::atan2(v.y, v.x) + turn * pi / 2.0 * bend;
   };
   if (p.y < -d) return wrapped(target.heading + spiral(-1.0));
   if (p.y > d) return wrapped(target.heading + spiral(1.0));
   const double left = spiral(1.0);
   const double right = spiral(-1.0);
-  const Point sum = (p.y + d) * Point{std::cos(left), std::sin(left)} +
-                    (d - p.y) * Point{std::cos(right), std::sin(right)};
-  return wrapped(target.heading + std::atan2(sum.y, sum.x));
+  const Point sum = (p.y + d) * Point{math::cos(left), math::sin(left)} +
+                    (d - p.y) * Point{math::cos(right), math::sin(right)};
+  return wrapped(target.heading + math::atan2(sum.y, sum.x));
 }
 
 // An obstacle that moves.
@@ -76,13 +76,13 @@ inline double around(double heading, Point here, Point velocity, const Obstacle&
   Point shift = how.lead_s * (obstacle.velocity - velocity);
   if (length(shift) > 0.8 * distance) shift = (0.8 * distance / length(shift)) * shift;
   const double gap = length(to + shift);
-  const double bearing = std::atan2(to.y, to.x);
+  const double bearing = math::atan2(to.y, to.x);
   const double side = wrapped(heading - bearing);
   if (std::abs(side) > pi / 2.0) return heading;  // it drives away from the obstacle
   // Past the obstacle on the side of the way, and a little away from it.
   const double past = bearing + (side >= 0.0 ? 1.0 : -1.0) * 0.6 * pi;
   const double far = std::max(0.0, gap - how.nearest) / how.width;
-  const double weight = std::exp(-0.5 * far * far);
+  const double weight = math::exp(-0.5 * far * far);
   return wrapped(heading + weight * wrapped(past - heading));
 }
 
@@ -109,14 +109,14 @@ inline Wheels follow_heading(const Setup& setup, const Robot& robot, double head
                              double turn = 0.0) {
   const double lead_s = 0.06;  // s: the turn continues so long while the motors follow
   double error = wrapped(heading - robot.heading - lead_s * robot.turn);
-  const double moving = robot.vx * std::cos(robot.heading) + robot.vy * std::sin(robot.heading);
+  const double moving = robot.vx * math::cos(robot.heading) + robot.vy * math::sin(robot.heading);
   double direction = 1.0;
-  if (std::cos(error) + 0.2 * std::clamp(moving, -1.0, 1.0) < 0.0) {
+  if (math::cos(error) + 0.2 * std::clamp(moving, -1.0, 1.0) < 0.0) {
     direction = -1.0;
     error = wrapped(error + pi);
   }
   const double wanted = turn + 10.0 * error;
-  double forward = speed * std::max(0.0, std::cos(error));
+  double forward = speed * std::max(0.0, math::cos(error));
   const double steady = 0.8 * setup.grip * 9.81;  // sliding wheels do not steer, m/s^2
   if (std::abs(forward * wanted) > steady) forward = steady / std::abs(wanted);
   return wheels_for(setup, direction * forward, wanted);
@@ -138,7 +138,7 @@ inline Wheels follow_field(const Setup& setup, const Robot& robot, const Target&
   const Point here = position(robot) + lead_s * velocity;
   const double heading = direction(here);
   const double step = 0.03;  // m
-  const Point next = here + step * Point{std::cos(heading), std::sin(heading)};
+  const Point next = here + step * Point{math::cos(heading), math::sin(heading)};
   const double bend = wrapped(direction(next) - heading) / step;  // rad/m
   const double grip = 0.7 * setup.grip * 9.81;
   const double fastest = std::min(speed, std::sqrt(grip / std::max(std::abs(bend), 0.1)));

@@ -30,7 +30,7 @@ inline double time_to_get_behind(const Robot& robot, Point ball, Point goal) {
   const Point along = unit(goal - ball);
   const Point to = ball - 0.06 * along - position(robot);
   const double before = std::max(0.0, dot(position(robot) - ball, along));
-  const double turned = std::abs(std::sin(std::atan2(along.y, along.x) - robot.heading));
+  const double turned = std::abs(math::sin(math::atan2(along.y, along.x) - robot.heading));
   return length(to) / 1.3 + 0.5 * std::min(before, 0.15) + 0.08 * turned;
 }
 
@@ -42,7 +42,7 @@ inline double worth_of(const Setup& setup, const Observation& now) {
   const MovingBall soon = rolled(setup, moving_ball(now), 0.2);
   const auto near = [&](double x) {
     const Point goal{x, std::clamp(soon.at.y, -0.1, 0.1)};
-    return std::exp(-length(soon.at - goal) / 0.35);
+    return math::exp(-length(soon.at - goal) / 0.35);
   };
   double worth = 0.2 * soon.at.x / half + 0.25 * (near(half) - near(-half));
   double own = 1e9, opponent = 1e9;

@@ -5,6 +5,7 @@
 #include "core/base/math.hpp"
 
 #include "core/base/random.hpp"
+#include "plugins/include/mirocup/elementary.h"
 
 #include <gtest/gtest.h>
 
@@ -92,6 +93,37 @@ TEST(Math, AngleOfAVectorKeepsItsDigits) {
   EXPECT_EQ(mirocup::atan2(0.0, -1.0), pi);
   EXPECT_EQ(mirocup::atan2(1.0, 0.0), 0.5 * pi);
   EXPECT_EQ(mirocup::atan2(-1.0, 0.0), -0.5 * pi);
+}
+
+// What only teams use.
+TEST(Elementary, FunctionsOfTeamsKeepTheirDigits) {
+  Random random(8);
+  for (int i = 0; i < 100000; ++i) {
+    const double part = random.uniform(-1.0, 1.0), x = random.uniform(-1.5, 1.5);
+    const long double exact = part;
+    EXPECT_LE(ulps(mirocup_asin(part), std::asin(exact), 0.01), 8.0) << part;
+    EXPECT_LE(ulps(mirocup_acos(part), std::acos(exact), 0.01), 8.0) << part;
+    EXPECT_LE(ulps(mirocup_tan(x), std::tan(static_cast<long double>(x)), 0.01), 5.0) << x;
+    EXPECT_LE(ulps(mirocup_hypot(part, x), std::hypot(exact, static_cast<long double>(x))), 1.5);
+    const double far = std::pow(10.0, random.uniform(-300.0, 300.0));
+    EXPECT_LE(ulps(mirocup_log(far), std::log(static_cast<long double>(far))), 5.0) << far;
+    const double near = 1.0 + 0.3 * part;
+    EXPECT_LE(ulps(mirocup_log(near), std::log(static_cast<long double>(near))), 5.0) << near;
+  }
+  EXPECT_EQ(mirocup_log(0.0), -HUGE_VAL);
+  EXPECT_TRUE(std::isnan(mirocup_log(-1.0)));
+}
+
+TEST(Elementary, LargeAnglesAreThoseOfTheArgumentToItsOwnLastPlace) {
+  Random random(9);
+  for (int i = 0; i < 100000; ++i) {
+    const double x = random.uniform(-1e9, 1e9);
+    const double ulp = std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x);
+    EXPECT_NEAR(mirocup_sin(x), static_cast<double>(std::sin(static_cast<long double>(x))), ulp);
+    EXPECT_NEAR(mirocup_cos(x), static_cast<double>(std::cos(static_cast<long double>(x))), ulp);
+  }
+  EXPECT_TRUE(std::isnan(mirocup_sin(HUGE_VAL)));
+  EXPECT_TRUE(std::isnan(mirocup_cos(std::nan(""))));
 }
 
 }  // namespace

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// The functions of elementary.h under the names that C++ has: math::sin(x) after
+// `using namespace mirocup::strategy`. They give the same bits on every system, unlike std::sin(x);
+// elementary.h says why a team needs that, and how exact they are.
+#pragma once
+
+#include "mirocup/elementary.h"
+
+namespace mirocup::strategy::math {
+
+inline double sin(double x) {
+  return mirocup_sin(x);
+}
+inline double cos(double x) {
+  return mirocup_cos(x);
+}
+inline double tan(double x) {
+  return mirocup_tan(x);
+}
+inline double asin(double x) {
+  return mirocup_asin(x);
+}
+inline double acos(double x) {
+  return mirocup_acos(x);
+}
+inline double atan(double x) {
+  return mirocup_atan(x);
+}
+inline double atan2(double y, double x) {
+  return mirocup_atan2(y, x);
+}
+inline double hypot(double x, double y) {
+  return mirocup_hypot(x, y);
+}
+inline double exp(double x) {
+  return mirocup_exp(x);
+}
+inline double expm1(double x) {
+  return mirocup_expm1(x);
+}
+inline double log(double x) {
+  return mirocup_log(x);
+}
+inline double log1p(double x) {
+  return mirocup_log1p(x);
+}
+
+}  // namespace mirocup::strategy::math
