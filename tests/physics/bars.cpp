@@ -26,6 +26,12 @@ const std::vector<Kind>& kinds() {
       {"tick_lengths", tick_lengths},
       {"elastic_energy", elastic_energy},
       {"heap_at_rest", heap_at_rest},
+      {"sliding_along_a_wall", sliding_along_a_wall},
+      {"four_corners", four_corners},
+      {"nearly_parallel_faces", nearly_parallel_faces},
+      {"first_impacts_of_levels", first_impacts_of_levels},
+      {"mass_ratios", mass_ratios},
+      {"instant_motors", instant_motors},
   };
   return all;
 }

@@ -47,6 +47,12 @@ Bars zeno_bounces(Size size);
 Bars tick_lengths(Size size);
 Bars elastic_energy(Size size);
 Bars heap_at_rest(Size size);
+Bars sliding_along_a_wall(Size size);
+Bars four_corners(Size size);
+Bars nearly_parallel_faces(Size size);
+Bars first_impacts_of_levels(Size size);
+Bars mass_ratios(Size size);
+Bars instant_motors(Size size);
 
 // All of them, in the order of the table.
 struct Kind {

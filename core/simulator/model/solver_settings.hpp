@@ -51,6 +51,8 @@ inline constexpr struct DifferentialDriveSettings {
   // [1] Share by which the limit of the lateral acceleration lies above grip g. The slide that
   // begins there has a direction in spite of rounding.
   double grip_margin = 1e-7;
+  // [s] Motors with a shorter lag have this one: series are cut to a part of it, 5500 in a tick.
+  double least_lag = 1e-5;
 } differential_drive;
 
 inline constexpr struct RollingBallSettings {

@@ -32,6 +32,10 @@ double time_of_slip(const Parameters& p, const Segment& s, const DriveReference&
                   first_crossing(-1.0 * sideways, -limit, 0.0, length));
 }
 
+double at_least(double lag) {
+  return std::max(lag, settings::differential_drive.least_lag);
+}
+
 }  // namespace
 
 DriveReference drive_reference(const Parameters& p, const WheelCommand& command) {
@@ -42,8 +46,8 @@ DriveReference drive_reference(const Parameters& p, const WheelCommand& command)
   const bool brakes = p.brake_time_constant > 0.0 && left == 0.0 && right == 0.0;
   return {.forward = p.speed_reference(left, right),
           .omega = p.omega_reference(left, right),
-          .forward_lag = brakes ? p.brake_time_constant : p.motor_time_constant,
-          .turn_lag = p.turn_lag()};
+          .forward_lag = at_least(brakes ? p.brake_time_constant : p.motor_time_constant),
+          .turn_lag = at_least(p.turn_lag())};
 }
 
 WheelState wheel_state(const Parameters& p, const BodyState& robot, const DriveReference& drive) {
