@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "pitch/page.hpp"
 
+#include "system/formatted.hpp"
 #include "system/markup.hpp"
 #include "web/design/template.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace mirocup::pitch {
 
 namespace {
+
+using system::formatted;
 
 constexpr std::array<const char*, predictors> colours{"var(--c0)", "var(--c2)", "var(--c3)",
                                                       "var(--c1)"};
@@ -21,13 +23,6 @@ std::vector<std::string> labels_of(const Validation& v) {
   std::vector<std::string> labels{"simulator", "straight on", "paper's model"};
   if (!v.peer.empty()) labels.push_back(v.peer);
   return labels;
-}
-
-template <class... Numbers>
-std::string text_of(const char* format, Numbers... numbers) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, numbers...);
-  return text;
 }
 
 std::string page_with(const std::string& title, const std::string& body) {
@@ -57,7 +52,7 @@ std::string bar_of(const Estimate& e) {
   const double scale = std::max(
       {std::abs(e.high - e.value), std::abs(e.value - e.low), 0.05 * std::abs(e.value), 1e-12});
   const auto x = [&](double v) { return 100.0 + 90.0 * (v - e.value) / scale; };
-  return text_of(
+  return formatted(
       "<svg width=\"200\" height=\"16\" role=\"img\" aria-label=\"interval\"><path "
       "d=\"M%.1f 8H%.1f\" stroke=\"var(--c0)\" stroke-width=\"3\"/><circle cx=\"100\" "
       "cy=\"8\" r=\"4\" fill=\"var(--c0)\"/></svg>",
@@ -78,8 +73,8 @@ std::string picture_of(const Track& track) {
   const double size = std::max({high.x() - low.x(), high.y() - low.y(), 0.05}) * 1.15;
   const Vec2 middle = 0.5 * (low + high);
   const auto at = [&](const Vec2& p) {
-    return text_of("%.1f %.1f", 150.0 + 300.0 * (p.x() - middle.x()) / size,
-                   150.0 - 300.0 * (p.y() - middle.y()) / size);
+    return formatted("%.1f %.1f", 150.0 + 300.0 * (p.x() - middle.x()) / size,
+                     150.0 - 300.0 * (p.y() - middle.y()) / size);
   };
   std::string svg =
       "<svg width=\"300\" height=\"300\" viewBox=\"0 0 300 300\" class=\"card\" "
@@ -96,13 +91,13 @@ std::string picture_of(const Track& track) {
     svg += "<circle cx=\"" + centre.substr(0, space) + "\" cy=\"" + centre.substr(space + 1) +
            "\" r=\"2.5\" fill=\"var(--ink)\"/>";
   }
-  svg += text_of(
+  svg += formatted(
       "<path d=\"M10 288h%.1f\" stroke=\"var(--ink)\"/><text x=\"10\" y=\"282\">5 cm"
       "</text></svg>",
       300.0 * 0.05 / size);
   return "<figure>" + svg + "<figcaption class=\"small\">" + kind_text(track.kind) + ": " +
          track.body +
-         text_of(" from %.2f s, off by %.1f mm in the end", track.t, 1e3 * track.error) +
+         formatted(" from %.2f s, off by %.1f mm in the end", track.t, 1e3 * track.error) +
          "</figcaption></figure>\n";
 }
 
@@ -129,7 +124,7 @@ void for_each_result(const Identified& r, Visit visit) {
 }
 
 std::string summary_of(const Identified& r) {
-  return text_of(
+  return formatted(
       "%d windows of half a second fit; %d are explained by no motion and left out. A "
       "picture misses %.1f %% of the bodies; %.1f %% were seen where they were not.",
       r.windows, r.unexplained, 100.0 * r.unseen, 100.0 * r.outliers);
@@ -145,7 +140,7 @@ std::string page_of(const Identified& r, const std::string& title) {
                          const std::string& why) {
     body += "<tr><td>" + name + "</td>";
     if (e) {
-      body += text_of("<td>%.5g</td><td>%.5g</td><td>%.5g</td><td>", e->value, e->low, e->high) +
+      body += formatted("<td>%.5g</td><td>%.5g</td><td>%.5g</td><td>", e->value, e->low, e->high) +
               bar_of(*e) + "</td></tr>\n";
     } else {
       body += "<td colspan=\"4\">not known: " + system::html_escaped(why) + "</td></tr>\n";
@@ -158,15 +153,15 @@ std::string text_of_result(const Identified& r) {
   std::string text;
   for_each_result(
       r, [&](const std::string& name, const std::optional<Estimate>& e, const std::string& why) {
-        text += text_of("%-36s", name.c_str());
-        text += e ? text_of("%11.5g   %11.5g to %-11.5g\n", e->value, e->low, e->high)
+        text += formatted("%-36s", name.c_str());
+        text += e ? formatted("%11.5g   %11.5g to %-11.5g\n", e->value, e->low, e->high)
                   : "   not known: " + why + "\n";
       });
   return text + summary_of(r) + "\n";
 }
 
 std::string page_of(const Validation& v, const std::string& title) {
-  std::string body = text_of(
+  std::string body = formatted(
       "<p>Errors in mm some pictures of %.4g s ahead, root mean square, without the "
       "camera's noise of %.2f mm. What is worse than a yardstick is marked.</p>\n",
       v.period, 1e3 * v.noise);
@@ -174,7 +169,7 @@ std::string page_of(const Validation& v, const std::string& title) {
     if (v.cells[kind].front().count + v.cells[kind].back().count == 0) continue;
     body += "<h2>" + kind_text(static_cast<EventKind>(kind)) +
             "</h2>\n<table><tr><th>pictures ahead</th>";
-    for (const int h : horizons) body += text_of("<th>%d</th>", h);
+    for (const int h : horizons) body += formatted("<th>%d</th>", h);
     body += "</tr>\n";
     const std::vector<std::string> labels = labels_of(v);
     for (std::size_t k = 0; k < labels.size(); ++k) {
@@ -184,13 +179,13 @@ std::string page_of(const Validation& v, const std::string& title) {
             k == 0 && std::any_of(cell.beats_simulator.begin(), cell.beats_simulator.end(),
                                   [](bool beats) { return beats; });
         body += is_worse ? "<td class=\"worse\">" : "<td>";
-        body += cell.count == 0 ? "-" : text_of("%.1f", 1e3 * cell.rms[k]);
+        body += cell.count == 0 ? "-" : formatted("%.1f", 1e3 * cell.rms[k]);
         body += "</td>";
       }
       body += "</tr>\n";
     }
     body += "<tr><td class=\"small\">predictions</td>";
-    for (const ErrorCell& cell : v.cells[kind]) body += text_of("<td>%d</td>", cell.count);
+    for (const ErrorCell& cell : v.cells[kind]) body += formatted("<td>%d</td>", cell.count);
     body += "</tr></table>\n";
   }
   body += "<h2>What the simulator is worse at</h2>\n<ul>\n";
@@ -203,24 +198,24 @@ std::string page_of(const Validation& v, const std::string& title) {
 }
 
 std::string text_of_result(const Validation& v) {
-  std::string text = text_of(
+  std::string text = formatted(
       "errors in mm, without the camera's noise of %.2f mm; pictures of %.4g "
       "s ahead: ",
       1e3 * v.noise, v.period);
-  for (const int h : horizons) text += text_of("%d ", h);
+  for (const int h : horizons) text += formatted("%d ", h);
   text += "\n";
   for (std::size_t kind = 0; kind < v.cells.size(); ++kind) {
     if (v.cells[kind].front().count + v.cells[kind].back().count == 0) continue;
     const std::vector<std::string> labels = labels_of(v);
     for (std::size_t k = 0; k < labels.size(); ++k) {
-      text += text_of("%-18s%-14s", k == 0 ? kind_text(static_cast<EventKind>(kind)).c_str() : "",
-                      labels[k].c_str());
+      text += formatted("%-18s%-14s", k == 0 ? kind_text(static_cast<EventKind>(kind)).c_str() : "",
+                        labels[k].c_str());
       for (const ErrorCell& cell : v.cells[kind]) {
-        text += cell.count == 0 ? "        -" : text_of("%9.2f", 1e3 * cell.rms[k]);
+        text += cell.count == 0 ? "        -" : formatted("%9.2f", 1e3 * cell.rms[k]);
       }
       if (k == 0) {
         text += "   of";
-        for (const ErrorCell& cell : v.cells[kind]) text += text_of(" %d", cell.count);
+        for (const ErrorCell& cell : v.cells[kind]) text += formatted(" %d", cell.count);
       }
       text += "\n";
     }

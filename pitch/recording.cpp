@@ -6,6 +6,7 @@
 #include "core/field/field.hpp"
 #include "record/json_reader.hpp"
 #include "system/files.hpp"
+#include "system/number_of.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -263,14 +264,12 @@ Result<Recording> parse_csv(std::string_view text, const std::string& path,
     Cells cells;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (fields[i].empty()) continue;
-      double value = 0.0;
-      const char* const last = fields[i].data() + fields[i].size();
-      const auto parsed = std::from_chars(fields[i].data(), last, value);
-      if (parsed.ec != std::errc() || parsed.ptr != last || !std::isfinite(value)) {
+      const auto value = system::number_of<double>(fields[i]);
+      if (!value || !std::isfinite(*value)) {
         error = Error{Errc::input, where + "\"" + fields[i].substr(0, 40) + "\" is no number"};
         return false;
       }
-      cells[columns[i].team + std::to_string(columns[i].robot) + columns[i].what] = value;
+      cells[columns[i].team + std::to_string(columns[i].robot) + columns[i].what] = *value;
     }
     recording.frames.push_back(frame_of(cells, recording.robots));
     if (recording.frames.size() > most_pictures)

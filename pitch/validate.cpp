@@ -2,10 +2,10 @@
 #include "pitch/validate.hpp"
 
 #include "core/simulator/trajectory/segment.hpp"
+#include "system/formatted.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace mirocup::pitch {
@@ -233,12 +233,9 @@ ErrorCell cell_of(const Sums& sums) {
 
 std::string objection(EventKind kind, int horizon, const std::string& yardstick, double error,
                       const ErrorCell& cell) {
-  char text[240];
-  std::snprintf(text, sizeof text,
-                "%s, %d ahead: worse than %s: %.1f mm against %.1f mm in %d predictions",
-                std::string(to_string(kind)).c_str(), horizon, yardstick.c_str(), 1e3 * cell.rms[0],
-                1e3 * error, cell.count);
-  return text;
+  return system::formatted("%s, %d ahead: worse than %s: %.1f mm against %.1f mm in %d predictions",
+                           to_string(kind).data(), horizon, yardstick.c_str(), 1e3 * cell.rms[0],
+                           1e3 * error, cell.count);
 }
 
 }  // namespace

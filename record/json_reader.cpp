@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "record/json_reader.hpp"
 
+#include "system/formatted.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 namespace mirocup::record {
@@ -42,9 +43,7 @@ std::string printable(const std::string& text, std::size_t size) {
   std::string line;
   for (const char c : cut(text, size)) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-      char escaped[8];
-      std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(c));
-      line += escaped;
+      line += system::formatted("\\u%04x", static_cast<unsigned>(c));
     } else {
       line += c;
     }

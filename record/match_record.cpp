@@ -10,12 +10,11 @@
 #include "record/team_parameters_json.hpp"
 #include "record/touch_fields.hpp"
 #include "system/digest.hpp"
+#include "system/number_of.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <charconv>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
 namespace mirocup::record {
@@ -253,13 +252,10 @@ match::Setup read_setup(const JsonReader& json) {
 
 std::uint64_t read_hash(const JsonReader& json) {
   const std::string digits = json.text();
-  std::uint64_t hash = 0;
-  const char* const last = digits.data() + digits.size();
-  const auto parsed = std::from_chars(digits.data(), last, hash, 16);
-  if (parsed.ec != std::errc() || parsed.ptr != last || digits.size() != 16) {
+  const auto hash = system::hexadecimal_of<std::uint64_t>(digits);
+  if (!hash || digits.size() != 16)
     json.complain("16 hexadecimal digits are expected, not " + json.quoted());
-  }
-  return hash;
+  return hash.value_or(0);
 }
 
 PlayedOnFrom read_from(const JsonReader& json) {

@@ -5,13 +5,12 @@
 #include "core/simulator/scene.hpp"
 #include "record/heading_json.hpp"
 #include "record/json_reader.hpp"
+#include "system/formatted.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace mirocup::record {
 
@@ -158,9 +157,7 @@ simulator::Scene scene_of(const Situation& situation, const field::Field& field)
 }
 
 std::string millimetres(double metres) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.1f mm", 1e3 * metres);
-  return text.data();
+  return system::formatted("%.1f mm", 1e3 * metres);
 }
 
 void expect_no_overlap(const JsonReader& json, const Situation& situation) {

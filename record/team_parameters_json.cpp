@@ -2,27 +2,16 @@
 #include "record/team_parameters_json.hpp"
 
 #include "record/json_reader.hpp"
+#include "system/number_of.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <charconv>
 #include <optional>
 
 namespace mirocup::record {
 
-namespace {
-
 using match::TeamParameters;
 using Json = nlohmann::ordered_json;
-
-std::optional<double> number_of(const std::string& text) {
-  double value = 0.0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-}  // namespace
 
 Json to_json(const TeamParameters& parameters) {
   Json object = Json::object();
@@ -44,8 +33,9 @@ Result<TeamParameters> parameters_with_changes(TeamParameters parameters,
                                                const std::string& option) {
   for (const std::string& change : changes) {
     const std::size_t equals = change.find('=');
-    const auto value =
-        equals == std::string::npos ? std::nullopt : number_of(change.substr(equals + 1));
+    const auto value = equals == std::string::npos
+                           ? std::nullopt
+                           : system::number_of<double>(change.substr(equals + 1));
     if (!value) {
       return fail(Errc::input, option + " " + change + ": KEY=VALUE with a number is expected");
     }

@@ -4,12 +4,12 @@
 #include "core/base/error.hpp"
 #include "system/command_help.hpp"
 #include "system/files.hpp"
+#include "system/number_of.hpp"
 #include "system/printable.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <iostream>
 #include <numeric>
@@ -252,9 +252,7 @@ std::optional<int> tell_about(const CLI::App& app, int argc, char** argv,
 }
 
 std::string problem_with_seed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  if (error == std::errc() && end == text.data() + text.size()) return "";
+  if (number_of<std::uint64_t>(text)) return "";
   return in_quotes(text) + " is not a seed, an integer from 0 to 18446744073709551615";
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "system/csv.hpp"
 
+#include "system/number_of.hpp"
 #include "system/printable.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <utility>
 
@@ -85,11 +85,7 @@ char separator_of(std::string_view text) {
 bool looks_like_a_formula(std::string_view cell) {
   constexpr std::string_view begins_formulas = "=+-@\t";
   if (cell.empty() || begins_formulas.find(cell[0]) == std::string_view::npos) return false;
-  double number = 0.0;
-  const std::string_view digits = cell.substr(cell[0] == '+' ? 1 : 0);
-  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  return cell != "-" &&
-         (digits.empty() || read.ec != std::errc() || read.ptr != digits.data() + digits.size());
+  return cell != "-" && !number_of<double>(cell.substr(cell[0] == '+' ? 1 : 0));
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "system/printable.hpp"
 
+#include "system/formatted.hpp"
+
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 
 namespace mirocup::system {
 
@@ -86,11 +87,7 @@ std::string hidden_character(std::string_view text) {
                     code == 0x200b || (code >= 0x2060 && code <= 0x206f) || code == 0x3164 ||
                     code == 0xfeff || code == 0xffa0 || (code >= 0xfff0 && code <= 0xfffb) ||
                     (code >= 0x1d173 && code <= 0x1d17a) || (code >= 0xe0000 && code <= 0xe0fff);
-    if (is_hidden) {
-      char name[12];
-      std::snprintf(name, sizeof name, "U+%04X", static_cast<unsigned>(code));
-      return name;
-    }
+    if (is_hidden) return formatted("U+%04X", static_cast<unsigned>(code));
     before = code;
     text.remove_prefix(std::max<std::size_t>(c.length, 1));
   }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "system/users.hpp"
 
+#include "system/number_of.hpp"
+
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <pwd.h>
 #include <sys/stat.h>
@@ -46,12 +47,7 @@ std::optional<uid_t> owner_of(const std::string& path) {
 }
 
 std::optional<uid_t> find_user(const std::string& text) {
-  uid_t number = 0;
-  const char* const end = text.data() + text.size();
-  if (const auto read = std::from_chars(text.data(), end, number);
-      read.ec == std::errc() && read.ptr == end) {
-    return number;
-  }
+  if (const auto number = number_of<uid_t>(text)) return number;
   std::vector<char> memory(max_entry);
   passwd about{};
   passwd* found = nullptr;

@@ -7,6 +7,7 @@
 #include "record/json_reader.hpp"
 #include "record/rules_json.hpp"
 #include "system/csv.hpp"
+#include "system/formatted.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/event.hpp"
 #include "tournaments/play/comparison_run.hpp"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 
 namespace mirocup::league {
@@ -250,12 +250,11 @@ std::string table_text(const std::vector<RatedTeam>& table, const ComparisonRun&
     const RatedTeam& row = table[i];
     const std::string goals = std::to_string(row.goals) + " : " + std::to_string(row.goals_against);
     const std::string legs = row.legs_to_tell ? std::to_string(*row.legs_to_tell) : "-";
-    char line[128];
-    std::snprintf(line, sizeof line, "%3zu %9ld  %5ld .. %5ld %6d %6d %6d %12s %13s  ", i + 1,
-                  std::lround(row.strength.value), std::lround(row.strength.low),
-                  std::lround(row.strength.high), row.won, row.level, row.lost, goals.c_str(),
-                  legs.c_str());
-    text += line + system::printable(run.teams[row.team]) + "\n";
+    text += system::formatted("%3zu %9ld  %5ld .. %5ld %6d %6d %6d %12s %13s  %s\n", i + 1,
+                              std::lround(row.strength.value), std::lround(row.strength.low),
+                              std::lround(row.strength.high), row.won, row.level, row.lost,
+                              goals.c_str(), legs.c_str(),
+                              system::printable(run.teams[row.team]).c_str());
   }
   return text;
 }

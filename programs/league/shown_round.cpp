@@ -3,6 +3,7 @@
 
 #include "programs/league/show_files.hpp"
 #include "record/json_reader.hpp"
+#include "system/number_of.hpp"
 #include "tournaments/publish/bracket_svg.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/replay_pages.hpp"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iostream>
 #include <set>
 
@@ -33,12 +33,9 @@ constexpr std::array<std::string_view, 3> modules{"field.js", "text.js", "track.
 std::optional<std::size_t> number_in(const std::string& path, std::string_view before,
                                      std::string_view after) {
   if (!path.starts_with(before) || !path.ends_with(after)) return std::nullopt;
-  const char* first = path.data() + before.size();
-  const char* last = path.data() + path.size() - after.size();
-  std::size_t number = 0;
-  const auto read = std::from_chars(first, std::max(first, last), number);
-  if (read.ec != std::errc() || read.ptr != last || first >= last) return std::nullopt;
-  return number;
+  if (path.size() < before.size() + after.size()) return std::nullopt;
+  return system::number_of<std::size_t>(
+      path.substr(before.size(), path.size() - before.size() - after.size()));
 }
 
 std::string standing_html(const Overview& o, const std::string& heading) {

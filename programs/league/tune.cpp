@@ -7,6 +7,7 @@
 #include "programs/league/scratch_folder.hpp"
 #include "record/json_reader.hpp"
 #include "record/rules_json.hpp"
+#include "system/formatted.hpp"
 #include "system/printable.hpp"
 #include "tournaments/play/comparison_run.hpp"
 #include "tournaments/tune/tuning_file.hpp"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 
 namespace mirocup::league {
@@ -46,16 +46,13 @@ class Silence : public ProgressReporter {
 };
 
 std::string short_text(double number) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", number);
-  return text;
+  return system::formatted("%.6g", number);
 }
 
 // Without the sign of a zero.
 std::string rounded(double number) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.2f", number);
-  return std::string(text) == "-0.00" ? "0.00" : text;
+  const std::string text = system::formatted("%.2f", number);
+  return text == "-0.00" ? "0.00" : text;
 }
 
 // KEY=LOW:HIGH
@@ -162,10 +159,8 @@ class Search {
                        std::to_string(tuning_.generations) + ": " + rounded(now.goals) +
                        " goals a leg;";
     for (std::size_t i = 0; i < now.mean.size(); ++i) {
-      char part[100];
-      std::snprintf(part, sizeof part, " %s %.4g +- %.2g,", tuning_.parameters[i].name.c_str(),
-                    now.mean[i], now.deviation[i]);
-      line += part;
+      line += system::formatted(" %s %.4g +- %.2g,", tuning_.parameters[i].name.c_str(),
+                                now.mean[i], now.deviation[i]);
     }
     line.pop_back();
     progress_.say(line + "; " + time_left(course));

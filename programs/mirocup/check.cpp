@@ -9,11 +9,11 @@
 #include "record/team_parameters_json.hpp"
 #include "server/seats.hpp"
 #include "system/files.hpp"
+#include "system/formatted.hpp"
 #include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -116,14 +116,11 @@ void print_log(const std::string& log) {
 
 void print(const CheckOptions& options, const EntryReport& report) {
   if (report.mean_tick_ms > 0.0) {
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "    a tick takes %.3f ms of processor time in the mean, %.3f ms at most; start "
-                  "%.1f ms; memory %.1f MiB; sandbox %s\n",
-                  report.mean_tick_ms, report.slowest_tick_ms, report.start_ms,
-                  static_cast<double>(report.peak_memory) / (1 << 20),
-                  std::string(to_string(report.isolation)).c_str());
-    std::cout << text;
+    std::cout << system::formatted(
+        "    a tick takes %.3f ms of processor time in the mean, %.3f ms at most; start "
+        "%.1f ms; memory %.1f MiB; sandbox %s\n",
+        report.mean_tick_ms, report.slowest_tick_ms, report.start_ms,
+        static_cast<double>(report.peak_memory) / (1 << 20), to_string(report.isolation).data());
   }
   for (const Note& note : report.notes) std::cout << "    warning: " << note.text << '\n';
   for (const auto& parameter : report.unknown_parameters) {

@@ -3,13 +3,13 @@
 
 #include "core/replay/playback.hpp"
 #include "system/child_process.hpp"
+#include "system/formatted.hpp"
+#include "system/number_of.hpp"
 #include "web/picture.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <unistd.h>
 
@@ -34,18 +34,6 @@ struct PictureFolder {
   }
 };
 
-std::string decimal(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4f", value);
-  return text;
-}
-
-std::string picture_name(int index) {
-  char text[32];
-  std::snprintf(text, sizeof text, "/%05d.svg", index);
-  return text;
-}
-
 // Returns the number of pictures that were drawn.
 Result<int> draw_pictures(system::Files& files, const replay::Recording& recording,
                           const ClipSpan& span, const std::string& folder) {
@@ -63,7 +51,7 @@ Result<int> draw_pictures(system::Files& files, const replay::Recording& recordi
                                {balls.end() - static_cast<std::ptrdiff_t>(trail), balls.end()}};
       const std::string svg =
           web::picture(playback.leg().field(), recording.setup.parameters, moment);
-      MIROCUP_TRY_VOID(files.write(folder + picture_name(pictures), svg));
+      MIROCUP_TRY_VOID(files.write(folder + system::formatted("/%05d.svg", pictures), svg));
       ++pictures;
     }
     balls.push_back(scene.ball.position);
@@ -75,7 +63,8 @@ Result<int> draw_pictures(system::Files& files, const replay::Recording& recordi
                                    " on: " + playback.divergence()->what);
   }
   if (pictures == 0)
-    return fail(Errc::input, "--clip: the leg ends before " + decimal(span.from) + " s");
+    return fail(Errc::input,
+                "--clip: the leg ends before " + system::formatted("%.4f", span.from) + " s");
   return pictures;
 }
 
@@ -100,8 +89,9 @@ std::vector<std::string> ffmpeg_command(const std::string& folder, double period
 }
 
 bool read_seconds(std::string_view text, double& seconds) {
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);
-  return read.ec == std::errc() && read.ptr == text.data() + text.size() && seconds >= 0.0;
+  const auto read = system::number_of<double>(text);
+  seconds = read.value_or(-1.0);
+  return seconds >= 0.0;
 }
 
 }  // namespace

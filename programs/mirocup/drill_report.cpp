@@ -1,30 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/drill_report.hpp"
 
+#include "system/formatted.hpp"
 #include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 namespace mirocup::app {
 
 namespace {
 
+using system::formatted;
 using Json = nlohmann::ordered_json;
 
 constexpr double z = 1.959963984540054;  // of an interval of 95 %
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  std::array<char, 128> text;
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 double to_a_tenth(double value) {
   return std::round(10.0 * value) / 10.0;

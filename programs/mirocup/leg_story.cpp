@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/leg_story.hpp"
 
+#include "system/formatted.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace mirocup::app {
 
@@ -70,19 +71,16 @@ LegStory LegWatch::story() const {
 }
 
 std::string text_of(const LegStory& story) {
-  char text[240];
   const auto percent = [](double share) { return 100.0 * share; };
   const std::string own_goals = story.own_goals == 0
                                     ? ""
                                     : ", " + std::to_string(story.own_goals) + " own goal" +
                                           (story.own_goals == 1 ? "" : "s");
-  std::snprintf(text, sizeof text,
-                "%d : %d against %.40s as %s%s; its robots stood in %.0f %% of play, turned in "
-                "place in %.0f %%, drove backwards in %.0f %%",
-                story.score[0], story.score[1], story.opponent.c_str(),
-                std::string(to_string(story.team)).c_str(), own_goals.c_str(),
-                percent(story.standing), percent(story.turning), percent(story.backwards));
-  return text;
+  return system::formatted(
+      "%d : %d against %.40s as %s%s; its robots stood in %.0f %% of play, turned in "
+      "place in %.0f %%, drove backwards in %.0f %%",
+      story.score[0], story.score[1], story.opponent.c_str(), to_string(story.team).data(),
+      own_goals.c_str(), percent(story.standing), percent(story.turning), percent(story.backwards));
 }
 
 }  // namespace mirocup::app

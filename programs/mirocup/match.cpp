@@ -12,12 +12,12 @@
 #include "record/team_parameters_json.hpp"
 #include "record/thoughts_file.hpp"
 #include "server/session.hpp"
+#include "system/formatted.hpp"
 #include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -246,10 +246,9 @@ void print_calls(const server::Session& session) {
     if (call.decision.verdict == referee::Verdict::GOAL && call.team) {
       ++score[index_of(*call.team)];
     }
-    char clock[32];
     const int seconds = static_cast<int>(call.decision.clock);
-    std::snprintf(clock, sizeof clock, "%2d:%02d  ", seconds / 60, seconds % 60);
-    std::cout << clock << system::printable(match::call_text(call, names, score)) << '\n';
+    std::cout << system::formatted("%2d:%02d  ", seconds / 60, seconds % 60)
+              << system::printable(match::call_text(call, names, score)) << '\n';
   }
 }
 

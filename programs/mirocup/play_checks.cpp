@@ -4,9 +4,9 @@
 #include "core/field/field.hpp"
 #include "programs/mirocup/entry_advice.hpp"
 #include "programs/mirocup/examination.hpp"
+#include "system/formatted.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace mirocup::app {
@@ -31,15 +31,11 @@ constexpr double sure_goal_distance = 0.02;
 constexpr double sure_goal_speed = 2.0;
 
 std::string seconds(double s) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f", s);
-  return text;
+  return system::formatted("%.0f", s);
 }
 
 std::string milliseconds(double ms) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f ms", ms);
-  return text;
+  return system::formatted("%.3f ms", ms);
 }
 
 // True if a few more ticks can be played before the legs that are repeated.
@@ -64,23 +60,22 @@ void note_time(Examination& e, const TrialLeg& leg) {
 
 // A team that would lose each of its legs by its budget is told so now.
 bool judge_time(Examination& e) {
-  char text[200];
   const double most_sleep = plugins::Budget().sleep;
   if (e.slept > most_sleep) {
-    std::snprintf(text, sizeof text,
-                  "in a leg with halves of %g s it would sleep for %.0f s, and it may for %.0f s: "
-                  "do not sleep or wait in decide()",
-                  e.setup.rules.half_s, e.slept, most_sleep);
-    return fail_with(e, text);
+    return fail_with(
+        e, system::formatted(
+               "in a leg with halves of %g s it would sleep for %.0f s, and it may for %.0f s: "
+               "do not sleep or wait in decide()",
+               e.setup.rules.half_s, e.slept, most_sleep));
   }
-  std::snprintf(text, sizeof text,
-                "a leg with halves of %g s would take %.1f s of processor time, %.0f %% of the "
-                "%.1f s that it has",
-                e.setup.rules.half_s, e.report.leg_seconds, 100.0 * e.report.leg_share,
-                e.report.leg_seconds / e.report.leg_share);
+  const std::string text = system::formatted(
+      "a leg with halves of %g s would take %.1f s of processor time, %.0f %% of the "
+      "%.1f s that it has",
+      e.setup.rules.half_s, e.report.leg_seconds, 100.0 * e.report.leg_share,
+      e.report.leg_seconds / e.report.leg_share);
   if (e.report.leg_share > refused_leg_share) {
-    return fail_with(e, std::string(text) + ": " +
-                            (e.entry->is_python() ? advice_on_time_in_python : advice_on_time));
+    return fail_with(
+        e, text + ": " + (e.entry->is_python() ? advice_on_time_in_python : advice_on_time));
   }
   return pass(e, text);
 }

@@ -4,12 +4,12 @@
 #include "record/json_reader.hpp"
 #include "record/statistics/statistics_json.hpp"
 #include "system/csv.hpp"
+#include "system/formatted.hpp"
 #include "system/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 namespace mirocup::statistics {
@@ -19,9 +19,7 @@ namespace {
 constexpr std::size_t max_examples = 3;  // of legs in which a goal fell in some way
 
 std::string fixed(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+  return system::formatted("%.*f", digits, value);
 }
 
 std::string exact(double value) {

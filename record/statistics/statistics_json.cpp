@@ -3,10 +3,10 @@
 
 #include "record/json_fields.hpp"
 #include "record/touch_fields.hpp"
+#include "system/number_of.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <charconv>
 #include <cmath>
 
 namespace mirocup::statistics {
@@ -96,12 +96,9 @@ void list_place_in_millimetres(Fields& f, const char* key, Vec2& place) {
 }
 
 std::uint64_t read_hash(const JsonReader& json) {
-  const std::string digits = json.text();
-  std::uint64_t hash = 0;
-  const char* const last = digits.data() + digits.size();
-  const auto parsed = std::from_chars(digits.data(), last, hash, 16);
-  if (parsed.ec != std::errc() || parsed.ptr != last) json.complain("16 digits are expected");
-  return hash;
+  const auto hash = system::hexadecimal_of<std::uint64_t>(json.text());
+  if (!hash) json.complain("16 digits are expected");
+  return hash.value_or(0);
 }
 
 }  // namespace

@@ -3,8 +3,7 @@
 
 #include "server/dds/credentials.hpp"
 #include "server/dds/network_interface.hpp"
-
-#include <cstdio>
+#include "system/formatted.hpp"
 
 namespace mirocup::dds {
 
@@ -116,9 +115,7 @@ std::string encoded(std::string_view text) {
       out += c;
       continue;
     }
-    char code[4];
-    std::snprintf(code, sizeof code, "%%%02X", static_cast<unsigned char>(c));
-    out += code;
+    out += system::formatted("%%%02X", static_cast<unsigned char>(c));
   }
   return out;
 }

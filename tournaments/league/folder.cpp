@@ -5,12 +5,12 @@
 #include "system/digest.hpp"
 #include "system/file_lock.hpp"
 #include "system/locations.hpp"
+#include "system/number_of.hpp"
 #include "system/users.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 
 namespace mirocup::league {
 
@@ -34,10 +34,8 @@ Result<std::vector<int>> numbers_in(system::Files& files, const Folder& folder,
   std::vector<int> numbers;
   MIROCUP_TRY(const auto names, files.names_if_there(folder.entries() + "/" + team));
   for (const std::string& name : names) {
-    int number = 0;
-    const char* const end = name.data() + name.size();
-    const auto read = std::from_chars(name.data(), end, number);
-    if (read.ec == std::errc() && read.ptr == end && number >= 1) numbers.push_back(number);
+    const auto number = system::number_of<int>(name);
+    if (number && *number >= 1) numbers.push_back(*number);
   }
   std::sort(numbers.begin(), numbers.end());
   return numbers;

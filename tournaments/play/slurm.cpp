@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/slurm.hpp"
 
+#include "system/number_of.hpp"
+
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <sstream>
 
@@ -14,13 +15,6 @@ constexpr const char* job_prefix = "mirocup-";
 
 std::string job_name(const std::string& league) {
   return job_prefix + league + "-";
-}
-
-std::optional<int> number(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
 }
 
 // Escapes a file name, in which Slurm replaces %a and similar patterns.
@@ -70,14 +64,14 @@ std::vector<SlurmTask> parse_queue(const std::string& text, const std::string& l
     std::string restarts;
     if (!(words >> name >> job >> index >> state >> restarts) || !name.starts_with(prefix))
       continue;
-    const auto plan = number(std::string_view(name).substr(prefix.size()));
-    const auto task = number(index);
+    const auto plan = system::number_of<int>(std::string_view(name).substr(prefix.size()));
+    const auto task = system::number_of<int>(index);
     if (!plan || !task) continue;
     tasks.push_back({.id = job + "_" + index,
                      .plan = *plan,
                      .line = *task,
                      .is_running = state == "RUNNING",
-                     .restarts = number(restarts).value_or(0)});
+                     .restarts = system::number_of<int>(restarts).value_or(0)});
   }
   return tasks;
 }

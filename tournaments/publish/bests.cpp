@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/bests.hpp"
 
+#include "system/formatted.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/team_page.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <utility>
@@ -22,9 +22,7 @@ constexpr double late_share = 0.1;        // of the leg, if that is longer
 constexpr int most_goals_that_count = 8;  // of the excitement of a leg
 
 std::string one_digit(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
+  return system::formatted("%.1f", value);
 }
 
 std::string place_of(const LegView& leg) {

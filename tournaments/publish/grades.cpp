@@ -2,10 +2,10 @@
 #include "tournaments/publish/grades.hpp"
 
 #include "system/csv.hpp"
+#include "system/formatted.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -80,9 +80,7 @@ std::vector<std::string> parts_of(const std::string& cell) {
 }
 
 std::string with_digits(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+  return system::formatted("%.*f", digits, value);
 }
 
 const char* state_of(const Overview& o, std::optional<int> team) {

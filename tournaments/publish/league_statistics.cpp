@@ -3,6 +3,7 @@
 
 #include "record/json_reader.hpp"
 #include "record/statistics/statistics_json.hpp"
+#include "system/formatted.hpp"
 #include "tournaments/publish/html.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/team_page.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -62,9 +62,7 @@ std::optional<LegReport> named(Result<LegReport> report, const CountedLeg& leg) 
 }
 
 std::string fixed(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+  return system::formatted("%.*f", digits, value);
 }
 
 // The name of an enumerator for people: "kick off".

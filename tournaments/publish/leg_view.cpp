@@ -3,11 +3,11 @@
 
 #include "core/base/assert.hpp"
 #include "core/match/controller.hpp"
+#include "system/formatted.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string_view>
 
 namespace mirocup::league {
@@ -171,9 +171,7 @@ std::string fault_in_words(const LegFault& fault) {
 }
 
 std::string points_per_leg(const TableRow& row) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", double(row.points) / std::max(1, row.played));
-  return text;
+  return system::formatted("%.2f", double(row.points) / std::max(1, row.played));
 }
 
 std::string reason_in_words(const TableRow& row, const TableRow* next) {

@@ -2,6 +2,7 @@
 #include "tournaments/publish/night_pages.hpp"
 
 #include "record/json_reader.hpp"
+#include "system/formatted.hpp"
 #include "system/markup.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/publish/html.hpp"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 namespace mirocup::league {
@@ -26,17 +26,13 @@ constexpr double run_up_s = 3.0;  // a moment is shown from a little before
 std::string page_of_moment(const Overview& o, const std::string& root, const WorstMoment& moment) {
   const std::string page = page_of_record(o.state, root, moment.record);
   if (moment.at < 0.0 || page.empty()) return page;
-  char time[32];
-  std::snprintf(time, sizeof time, "#t=%.1f", std::max(0.0, moment.at - run_up_s));
-  return page + time;
+  return page + system::formatted("#t=%.1f", std::max(0.0, moment.at - run_up_s));
 }
 
 std::string time_text(double at) {
   if (at < 0.0) return "";
   const int s = static_cast<int>(at);
-  char text[24];
-  std::snprintf(text, sizeof text, "%d:%02d", s / 60, s % 60);
-  return text;
+  return system::formatted("%d:%02d", s / 60, s % 60);
 }
 
 // "3 (yesterday 5)", or "3 (new)".

@@ -2,13 +2,13 @@
 #include "tournaments/publish/snapshot.hpp"
 
 #include "record/match_record.hpp"
+#include "system/number_of.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/league/decisions.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 namespace mirocup::league {
@@ -28,13 +28,9 @@ struct Round {
 };
 
 std::optional<Round> round_named(const std::string& name) {
-  Round round;
-  const char* end = name.data() + name.size();
   if (name.empty() || (name[0] != 'r' && name[0] != 'k')) return std::nullopt;
-  const auto read = std::from_chars(name.data() + 1, end, round.number);
-  if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
-  round.is_of_knockout = name[0] == 'k';
-  return round;
+  const auto number = system::number_of<int>(name.substr(1));
+  return number ? std::optional(Round{name[0] == 'k', *number}) : std::nullopt;
 }
 
 // The leg that an event is about; 0 if it is about none.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/team_page.hpp"
 
+#include "system/formatted.hpp"
 #include "tournaments/publish/bests.hpp"
 #include "tournaments/publish/page_values.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 namespace mirocup::league {
@@ -28,9 +28,9 @@ struct TotalsRow {
   }
 
   Json values(const std::string& what) const {
-    char mean[48];
-    std::snprintf(mean, sizeof mean, "%.2f : %.2f", double(sums.goals) / std::max(1, sums.legs),
-                  double(sums.against) / std::max(1, sums.legs));
+    const double legs = std::max(1, sums.legs);
+    const std::string mean =
+        system::formatted("%.2f : %.2f", sums.goals / legs, sums.against / legs);
     return {{"what", what},      {"legs", sums.legs},     {"won", sums.won}, {"drawn", sums.drawn},
             {"lost", sums.lost}, {"goals", sums.score()}, {"mean", mean},    {"faults", faults}};
   }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "system/formatted.hpp"
 #include "tournaments/tune/tuning_file.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace mirocup::league {
 
@@ -15,15 +14,11 @@ constexpr double plot_height = 110.0;
 constexpr double plot_gap = 50.0;
 
 std::string digits_of(double number) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.4g", number);
-  return text.data();
+  return system::formatted("%.4g", number);
 }
 
 std::string pixel(double number) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.1f", number);
-  return text.data();
+  return system::formatted("%.1f", number);
 }
 
 // A line with a band of twice `half_width` around it.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/tune/tuning.hpp"
 
+#include "system/formatted.hpp"
 #include "tournaments/tune/cma_es.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <numeric>
 
@@ -28,9 +28,7 @@ double folded(double x) {
 
 // Rounded to six digits, as a person writes it in --param.
 double readable(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return std::strtod(text, nullptr);
+  return std::strtod(system::formatted("%.6g", value).c_str(), nullptr);
 }
 
 std::vector<double> values_of(const TuningOptions& options, const Eigen::VectorXd& x) {

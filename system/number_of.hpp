@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <charconv>
+#include <concepts>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+namespace mirocup::system {
+
+// Returns the number that the whole text is; nothing for any other text, and for a number that is
+// out of the range of its type. A sign '+' and spaces are no part of a number.
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+  Number number{};
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
+// The same of an integer with hexadecimal digits.
+template <std::unsigned_integral Number>
+std::optional<Number> hexadecimal_of(std::string_view text) {
+  Number number{};
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number, 16);
+  const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace mirocup::system
