@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "web/live_server.hpp"
 
-#include "web/http_server.hpp"
+#include "web/http/server.hpp"
 
 #include <chrono>
 #include <thread>
@@ -20,9 +20,21 @@ constexpr auto look_interval = 33ms;    // between two checks whether they have 
 struct LiveServer::Impl {
   Impl(const match::Leg& match, std::string text) : feed(match), page(std::move(text)) {}
 
+  Reply answer(const Request& request) {
+    const bool is_page = request.path == "/";
+    if (!is_page && request.path != "/events") return {.status = 404};
+    if (!request.is_reading()) return {.status = 405, .headers = {{"Allow", "GET"}}};
+    if (is_page) return {.type = "text/html; charset=utf-8", .bytes = page};
+    return {.events = [this, viewer = LiveFeed::Viewer()]() mutable {
+      std::string news = feed.news(viewer);
+      return EventBatch{std::move(news), viewer.has_ended};
+    }};
+  }
+
   LiveFeed feed;
   std::string page;
-  HttpServer http;  // the first to go: its threads use the others
+  // The first to go: its threads use the others.
+  HttpServer http{[this](const Request& request, const Body&) { return answer(request); }, {}};
 };
 
 LiveServer::LiveServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -32,17 +44,7 @@ Result<std::unique_ptr<LiveServer>> LiveServer::open(const Address& address,
                                                      const match::ByTeam<std::string>& names,
                                                      const std::string& about) {
   auto owned = std::make_unique<Impl>(match, live_page(match, {names, about, "events"}));
-  Impl& impl = *owned;
-  impl.http.server().Get("/", [&impl](const httplib::Request&, httplib::Response& response) {
-    response.set_content(impl.page, "text/html; charset=utf-8");
-  });
-  impl.http.server().Get("/events", [&impl](const httplib::Request&, httplib::Response& response) {
-    impl.http.send_events(response, [&impl, viewer = LiveFeed::Viewer()]() mutable {
-      std::string news = impl.feed.news(viewer);
-      return EventBatch{std::move(news), viewer.has_ended};
-    });
-  });
-  MIROCUP_TRY_VOID(impl.http.listen(address, "--watch"));
+  MIROCUP_TRY_VOID(owned->http.listen(address, "--watch"));
   return std::unique_ptr<LiveServer>(new LiveServer(std::move(owned)));
 }
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
-#include "web/address.hpp"
+#include "web/http/address.hpp"
 #include "web/live_feed.hpp"
 #include "web/page.hpp"
 

@@ -8,9 +8,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
-#include "system/tls.hpp"
-#include "web/address.hpp"
-#include "web/request.hpp"
+#include "web/http/server.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -49,18 +47,12 @@ struct Site {
   std::function<std::optional<Reply>(const Request& request, const Body& body)> desk = {};
 };
 
-// Uploads and encryption of a site server.
-struct SiteLimits {
-  std::size_t max_upload = 0;                 // bytes of the body of a PUT; 0: no uploads
-  std::optional<system::TlsServer> tls = {};  // empty: connections are not encrypted
-};
-
 class SiteServer {
  public:
   // The error names `option`, which gave the address: Errc::unavailable if the address is in use or
   // not of this host.
   static Result<std::unique_ptr<SiteServer>> open(const Address& address, const std::string& option,
-                                                  Site site, SiteLimits limits = {});
+                                                  Site site, ServerOptions options = {});
   ~SiteServer();
   SiteServer(const SiteServer&) = delete;
   SiteServer& operator=(const SiteServer&) = delete;
@@ -68,7 +60,7 @@ class SiteServer {
   std::string url() const;
 
  private:
-  struct Impl;  // keeps the HTTP library out of this header
+  struct Impl;
   explicit SiteServer(std::unique_ptr<Impl> impl);
 
   std::unique_ptr<Impl> impl_;

@@ -18,17 +18,19 @@ namespace {
 
 struct ServeOptions {
   std::string folder;
-  std::string at = "0";  // [HOST:]PORT
+  std::string at = "0";  // [HOST:]PORT or unix:PATH
   bool hand_in = false;  // take entries from teams with a token
 
   // With hand_in.
   int jobs = 0;                      // checks at once; 0: one for each processor
   std::vector<std::string> tls;      // files of certificate and key; empty: no encryption
   std::vector<std::string> proxies;  // addresses that are believed whom they speak for
+  std::string proxy_secret;          // a file; "": these proxies are known by their addresses only
   std::string team_header;           // in which they name a team; "": none is believed
 };
 
-constexpr double wait_s = 3600.0;  // s
+constexpr double wait_s = 3600.0;         // s
+constexpr std::size_t least_secret = 16;  // characters
 
 void tell_host(const std::string& line) {
   std::cerr << "mirocup: " << system::printable(line) << std::endl;
@@ -43,8 +45,7 @@ web::Site site_of(ServedLeague& league) {
 Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOptions& options,
                                             ServedLeague& league) {
   PortalOptions portal;
-  portal.proxy.addresses = {options.proxies.begin(), options.proxies.end()};
-  portal.proxy.team_header = options.team_header;
+  portal.team_header = options.team_header;
   portal.why_not = [&league](const std::string& team, const std::string& now) {
     return league.why_not(team, now);
   };
@@ -69,19 +70,51 @@ Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOpt
   return opened;
 }
 
-Result<web::SiteLimits> limits_of(const ServeOptions& options) {
-  web::SiteLimits limits;
-  if (options.hand_in) limits.max_upload = system::size_limit::entry;
-  if (options.tls.empty()) return limits;
-  MIROCUP_TRY(limits.tls, system::TlsServer::load(options.tls.front(), options.tls.back()));
-  return limits;
+// The secret is not on the command line, which every user of this computer can read.
+Result<std::string> read_secret(const std::string& path) {
+  system::Disk disk;
+  MIROCUP_TRY(std::string secret, disk.read(path, {.max_size = system::size_limit::note}));
+  while (secret.ends_with('\n') || secret.ends_with('\r')) secret.pop_back();
+  if (secret.size() < least_secret) {
+    return fail(Errc::input, path + ": the secret of the proxy needs at least " +
+                                 std::to_string(least_secret) +
+                                 " characters; make one by: openssl rand -hex 16");
+  }
+  return secret;
+}
+
+// Which programs are the proxy, and whether that can be told.
+Result<web::ProxyTrust> proxy_trust(const ServeOptions& options, const web::Address& address) {
+  web::ProxyTrust trust{.addresses = {options.proxies.begin(), options.proxies.end()},
+                        .is_unix_socket = !address.path.empty()};
+  if (!options.proxy_secret.empty()) {
+    MIROCUP_TRY(trust.secret, read_secret(options.proxy_secret));
+  }
+  const bool has_proxy = trust.is_unix_socket || !trust.addresses.empty();
+  if (!options.team_header.empty() && !has_proxy)
+    return fail(Errc::input, "--team-header needs --trust-proxy: anybody can send a header");
+  if (trust.tells_proxies()) return trust;
+  const std::string why =
+      "every program of this computer has the address of that proxy: listen at --at unix:PATH, or "
+      "name a secret by --proxy-secret FILE";
+  if (!options.team_header.empty()) return fail(Errc::input, "--team-header: " + why);
+  tell_host("--trust-proxy names an address of this computer, which is not believed: " + why);
+  return trust;
+}
+
+Result<web::ServerOptions> server_options(const ServeOptions& options,
+                                          const web::Address& address) {
+  web::ServerOptions server;
+  if (options.hand_in) server.bodies.max_upload = system::size_limit::entry;
+  MIROCUP_TRY(server.proxy, proxy_trust(options, address));
+  if (options.tls.empty()) return server;
+  MIROCUP_TRY(server.tls, system::TlsServer::load(options.tls.front(), options.tls.back()));
+  return server;
 }
 
 Result<int> run_serve(const ServeOptions& options) {
   MIROCUP_TRY(const auto address, web::parse_address(options.at, "--at"));
-  if (!options.team_header.empty() && options.proxies.empty())
-    return fail(Errc::input, "--team-header needs --trust-proxy: anybody can send a header");
-  MIROCUP_TRY(auto limits, limits_of(options));
+  MIROCUP_TRY(auto listening, server_options(options, address));
   if (options.hand_in) {
     MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   }
@@ -99,7 +132,7 @@ Result<int> run_serve(const ServeOptions& options) {
     };
   }
   MIROCUP_TRY(const auto server,
-              web::SiteServer::open(address, "--at", std::move(site), std::move(limits)));
+              web::SiteServer::open(address, "--at", std::move(site), std::move(listening)));
   std::cout << server->url() << std::endl;
   if (portal) {
     const int jobs =
@@ -125,7 +158,9 @@ void add_serve(system::Commands& commands) {
         "mirocup league serve spring --hand-in --at 0.0.0.0:8443 --tls cert.pem key.pem"}},
       run_serve);
   add_folder(command, o.folder);
-  command.option("--at", o.at, "where to listen (default: this host only, any free port)");
+  command.option("--at", o.at,
+                 "where to listen: [HOST:]PORT, or unix:PATH for a proxy (default: this host "
+                 "only, any free port)");
   const system::Option hand_in = command.flag(
       "--hand-in", o.hand_in, "also take entries from teams that have a token (league token)");
   command.option("--jobs", o.jobs, "number of checks at once (default: one for each processor)")
@@ -140,6 +175,12 @@ void add_serve(system::Commands& commands) {
               "X-Forwarded-Proto); may be given several times")
       .named("ADDR")
       .takes(1, 1)
+      .needs(hand_in);
+  command
+      .option("--proxy-secret", o.proxy_secret,
+              "file with a secret that the proxy sends in the header X-Mirocup-Proxy, so that no "
+              "other program of its address is believed")
+      .named("FILE")
       .needs(hand_in);
   command
       .option("--team-header", o.team_header,

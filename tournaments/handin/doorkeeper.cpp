@@ -22,19 +22,10 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-// Returns the last address of a list, which the proxy next to this server has added.
-std::string last_of(const std::string& list) {
-  const std::size_t comma = list.rfind(',');
-  std::string last = comma == std::string::npos ? list : list.substr(comma + 1);
-  std::erase_if(last, [](char c) { return c == ' '; });
-  return last;
-}
-
 }  // namespace
 
-Doorkeeper::Doorkeeper(system::Files& files, Folder folder, ProxyTrust trust)
-    : files_(files), folder_(std::move(folder)), trust_(std::move(trust)) {
-  trust_.team_header = lower_case(trust_.team_header);
+Doorkeeper::Doorkeeper(system::Files& files, Folder folder, std::string team_header)
+    : files_(files), folder_(std::move(folder)), team_header_(lower_case(std::move(team_header))) {
   // Browsers stay logged in when the server starts again.
   if (const auto text = files_.read(sessions_path(), {.max_size = system::size_limit::note}))
     sessions_ = Sessions::parse(*text);
@@ -50,28 +41,13 @@ Result<void> Doorkeeper::read_tokens_again() {
   return {};
 }
 
-bool Doorkeeper::is_from_proxy(const web::Request& request) const {
-  return trust_.addresses.contains(request.address);
-}
-
-bool Doorkeeper::is_encrypted(const web::Request& request) const {
-  return request.is_encrypted ||
-         (is_from_proxy(request) && request.header("x-forwarded-proto") == "https");
-}
-
-std::string Doorkeeper::viewer(const web::Request& request) const {
-  const std::string named =
-      is_from_proxy(request) ? last_of(request.header("x-forwarded-for")) : "";
-  return named.empty() ? request.address : named;
-}
-
 std::string Doorkeeper::cookie_of(const web::Request& request) const {
-  return cookie_in(request.header("cookie"), is_encrypted(request) ? secure_cookie : plain_cookie);
+  return cookie_in(request.header("cookie"), request.is_encrypted ? secure_cookie : plain_cookie);
 }
 
 std::string Doorkeeper::cookie_header(const web::Request& request, const std::string& value,
                                       std::int64_t seconds) const {
-  const bool is_secure = is_encrypted(request);
+  const bool is_secure = request.is_encrypted;
   return std::string(is_secure ? secure_cookie : plain_cookie) + "=" + value +
          "; Path=/; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(seconds) +
          (is_secure ? "; Secure" : "");
@@ -83,14 +59,14 @@ std::optional<Refusal> Doorkeeper::foreign(const web::Request& request,
   const std::string origin = lower_case(request.header("origin"));
   const std::string host = lower_case(request.header("host"));
   const bool is_own = !host.empty() && (origin == "https://" + host ||
-                                        (!is_encrypted(request) && origin == "http://" + host));
+                                        (!request.is_encrypted && origin == "http://" + host));
   if (is_own) return std::nullopt;
   return Refusal{403, "the request comes from a page of another site"};
 }
 
 Refusal Doorkeeper::wrong_token(const web::Request& request, std::string_view token,
                                 std::int64_t now) {
-  const std::int64_t wait = wrong_.note(viewer(request), now);
+  const std::int64_t wait = wrong_.note(request.viewer, now);
   if (wait > 0) {
     return {429,
             "too many wrong tokens came from this address: wait " + std::to_string(wait) +
@@ -107,8 +83,7 @@ Refusal Doorkeeper::wrong_token(const web::Request& request, std::string_view to
 
 bool Doorkeeper::has_credentials(const web::Request& request) const {
   return request.headers.contains("authorization") || !cookie_of(request).empty() ||
-         (is_from_proxy(request) && !trust_.team_header.empty() &&
-          request.headers.contains(trust_.team_header));
+         (request.is_from_proxy && !team_header_.empty() && request.headers.contains(team_header_));
 }
 
 Result<std::variant<Visitor, Refusal>> Doorkeeper::admit(const web::Request& request,
@@ -139,8 +114,8 @@ Result<std::variant<Visitor, Refusal>> Doorkeeper::admit(const web::Request& req
     if (token != nullptr) return Answer(visitor_of(*token));
     return Answer(Refusal{401, "the session has ended: type the token again"});
   }
-  if (is_from_proxy(request) && !trust_.team_header.empty()) {
-    const std::string team = request.header(trust_.team_header);
+  if (request.is_from_proxy && !team_header_.empty()) {
+    const std::string team = request.header(team_header_);
     if (is_good_name(team)) return Answer(Visitor{.team = team});
   }
   return Answer(Refusal{401, "a token is needed"});

@@ -13,22 +13,11 @@
 #include "tournaments/handin/sessions.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/handin/wrong_tokens.hpp"
-#include "web/request.hpp"
+#include "web/http/request.hpp"
 
-#include <set>
 #include <variant>
 
 namespace mirocup::league {
-
-// The proxies between this server and its viewers. By default there are none.
-struct ProxyTrust {
-  // Addresses of proxies. The server believes their X-Forwarded-For and X-Forwarded-Proto.
-  std::set<std::string> addresses;
-
-  // The header in which these proxies name the team of a person that they have signed on; "": the
-  // server believes no such header. The proxies must remove it from requests of viewers.
-  std::string team_header;
-};
 
 // The sender of a request.
 struct Visitor {
@@ -50,7 +39,9 @@ enum class Purpose { reading, changing };
 
 class Doorkeeper {
  public:
-  Doorkeeper(system::Files& files, Folder folder, ProxyTrust trust);
+  // `team_header` is the header in which a trusted proxy names the team of a person that it has
+  // signed on; "": no such header counts. The proxy must remove it from requests of viewers.
+  Doorkeeper(system::Files& files, Folder folder, std::string team_header);
 
   // `now` is in s since 1970. An error means that tokens.json cannot be read.
   Result<std::variant<Visitor, Refusal>> admit(const web::Request& request, Purpose purpose,
@@ -67,13 +58,8 @@ class Doorkeeper {
   // Ends the session of the request and returns a header that makes the browser forget it.
   Result<std::variant<std::string, Refusal>> log_out(const web::Request& request);
 
-  // The address of the viewer, as far as it can be trusted.
-  std::string viewer(const web::Request& request) const;
-
  private:
   Result<void> read_tokens_again();
-  bool is_from_proxy(const web::Request& request) const;
-  bool is_encrypted(const web::Request& request) const;
   std::string cookie_of(const web::Request& request) const;
   std::string cookie_header(const web::Request& request, const std::string& value,
                             std::int64_t seconds) const;
@@ -85,7 +71,7 @@ class Doorkeeper {
 
   system::Files& files_;
   Folder folder_;
-  ProxyTrust trust_;
+  std::string team_header_;                 // in lower case
   std::optional<std::string> tokens_text_;  // nothing: there are no tokens
   TokenList tokens_;
   Sessions sessions_;

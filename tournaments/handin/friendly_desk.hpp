@@ -9,7 +9,7 @@
 
 #include "tournaments/handin/friendly_book.hpp"
 #include "tournaments/handin/own_legs.hpp"
-#include "web/request.hpp"
+#include "web/http/request.hpp"
 
 #include <functional>
 #include <memory>

@@ -3,9 +3,9 @@
 
 #include "record/json_reader.hpp"
 #include "system/printable.hpp"
-#include "tournaments/handin/form.hpp"
 #include "tournaments/handin/replies.hpp"
 #include "tournaments/league/submission.hpp"
+#include "web/http/form.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -66,18 +66,6 @@ std::string too_large() {
   return "the file is larger than " + std::to_string(system::size_limit::entry >> 20) + " MiB";
 }
 
-// Returns the values of a form, percent signs decoded.
-std::string form_value(const std::string& form, std::string_view key) {
-  for (std::size_t begin = 0; begin <= form.size();) {
-    const std::size_t end = std::min(form.find('&', begin), form.size());
-    const std::string_view part = std::string_view(form).substr(begin, end - begin);
-    begin = end + 1;
-    if (!part.starts_with(key) || part.size() <= key.size() || part[key.size()] != '=') continue;
-    return decoded_form_text(part.substr(key.size() + 1));
-  }
-  return "";
-}
-
 }  // namespace
 
 Portal::Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book,
@@ -89,7 +77,7 @@ Portal::Portal(system::Files& files, Folder folder, PortalOptions options, HandI
       staff_(files, folder, options_.now),
       friendlies_(std::move(friendlies)),
       book_(std::move(book)),
-      doorkeeper_(files, std::move(folder), options_.proxy) {}
+      doorkeeper_(files, std::move(folder), options_.team_header) {}
 
 Result<std::unique_ptr<Portal>> Portal::open(system::Files& files, const Folder& folder,
                                              PortalOptions options, std::string* notice) {
@@ -350,7 +338,11 @@ web::Reply Portal::log_in(const web::Request& request, const web::Body& body) {
   });
   if (!is_whole) return page_reply(400, log_in_page("the form was not sent to its end"));
   const std::lock_guard lock(mutex_);
-  const auto done = doorkeeper_.log_in(request, form_value(form, "token"), options_.now());
+  std::multimap<std::string, std::string> values;
+  web::add_form_values(form, values);
+  const auto token = values.find("token");
+  const auto done =
+      doorkeeper_.log_in(request, token != values.end() ? token->second : "", options_.now());
   if (!done) return page_reply(503, log_in_page("this server cannot do that now; try again later"));
   if (const auto* refusal = std::get_if<Refusal>(&*done)) {
     web::Reply reply = page_reply(refusal->status, log_in_page(refusal->why));
@@ -478,7 +470,7 @@ web::Reply Portal::keep(const Visitor& visitor, const std::string& name, system:
 }
 
 web::Reply Portal::events(const std::string& team, int entry) {
-  web::Reply reply;
+  web::Reply reply{.is_for_known = true};
   reply.events = [this, team, entry, seen = std::uint64_t{0},
                   told = std::string()]() mutable -> web::EventBatch {
     const std::uint64_t version = version_;

@@ -24,9 +24,9 @@ namespace mirocup::league {
 
 struct PortalOptions {
   Quota quota = {};
-  ProxyTrust proxy = {};
-  int max_waiting = 4;  // hand-ins of one team without an answer
-  int max_uploads = 2;  // of one team at once
+  std::string team_header = {};  // of a trusted proxy: see Doorkeeper
+  int max_waiting = 4;           // hand-ins of one team without an answer
+  int max_uploads = 2;           // of one team at once
 
   // Returns a sentence that says why no entry of a team is taken at that time; "" if entries are
   // taken.

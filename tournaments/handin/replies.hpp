@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
-#include "web/request.hpp"
+#include "web/http/request.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -4,12 +4,12 @@
 #include "system/file_lock.hpp"
 #include "system/markup.hpp"
 #include "tournaments/handin/desk_html.hpp"
-#include "tournaments/handin/form.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/league/health.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/grades.hpp"
+#include "web/http/form.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -26,21 +26,7 @@ constexpr const char* staff_policy =
 // Where the staff finds the legs of a team: its name follows.
 const std::string staff_legs_path = "/hand-in?team=";
 
-using Form = std::map<std::string, std::string>;
-
-// Decodes the values of a form (application/x-www-form-urlencoded).
-Form decoded_form(std::string_view form) {
-  Form values;
-  while (!form.empty()) {
-    const std::size_t end = std::min(form.find('&'), form.size());
-    const std::string_view part = form.substr(0, end);
-    form.remove_prefix(std::min(end + 1, form.size()));
-    const std::size_t equals = std::min(part.find('='), part.size());
-    values[decoded_form_text(part.substr(0, equals))] =
-        decoded_form_text(part.substr(std::min(equals + 1, part.size())));
-  }
-  return values;
-}
+using Form = std::multimap<std::string, std::string>;
 
 std::string value_of(const Form& form, const std::string& key) {
   const auto found = form.find(key);
@@ -383,7 +369,8 @@ web::Reply StaffDesk::legs_of(const std::string& team, const std::vector<OwnLeg>
 }
 
 web::Reply StaffDesk::act(const std::string& form) const {
-  const Form values = decoded_form(form);
+  Form values;
+  web::add_form_values(form, values);
   auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
   const std::string act = value_of(values, "act");

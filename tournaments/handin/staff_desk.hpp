@@ -10,7 +10,7 @@
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/folder.hpp"
-#include "web/request.hpp"
+#include "web/http/request.hpp"
 
 #include <cstdint>
 #include <functional>

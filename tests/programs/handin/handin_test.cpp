@@ -249,7 +249,8 @@ TEST_F(HandIn, IsEncrypted) {
   EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
   EXPECT_EQ(hand_in("alpha", house("idle")).exit_code, 3) << "nobody has signed for this server";
   httplib::Client plain("127.0.0.1", port_);
-  EXPECT_FALSE(plain.Get("/")) << "without TLS there is no page";
+  // More than once: the server writes why to a viewer that is gone, which must not end it.
+  for (int i = 0; i < 30; ++i) EXPECT_FALSE(plain.Get("/")) << "without TLS there is no page";
   httplib::SSLClient browser("127.0.0.1", port_);
   browser.enable_server_certificate_verification(false);
   const auto page = browser.Get("/hand-in");

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Sends any bytes to a site's server with a desk as a browser would, over a connection of this
-// host, and reads what it answers. Run it where no other program listens: run.sh
-// does so in a network of its own.
+// Sends any bytes to a site's server with a desk as a proxy would, over a Unix socket, and reads
+// what it answers.
 #include "tests/security/fuzz/fuzz_target.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/handin/portal.hpp"
 #include "web/site_server.hpp"
 
-#include <arpa/inet.h>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <netinet/in.h>
 #include <string>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 namespace {
@@ -28,7 +26,7 @@ league::Portal& desk() {
   static const test_support::TemporaryFolder folder;
   static const auto portal = [] {
     league::PortalOptions options;
-    options.proxy = {.addresses = {"127.0.0.1"}, .team_header = "x-team"};
+    options.team_header = "x-team";
     options.why_not = [](const std::string&, const std::string&) { return std::string(); };
     options.legs = [](const std::string&) { return std::vector<league::OwnLeg>(); };
     options.statistics = [](const std::string&) { return std::string(); };
@@ -65,29 +63,28 @@ web::Site site() {
                      const web::Body& body) { return desk().answer(request, body); }};
 }
 
-int port_of_server() {
-  static const auto server = web::SiteServer::open(
-      web::Address{}, "--at", site(), web::SiteLimits{.max_upload = system::size_limit::entry});
+// A Unix socket: whoever connects is the proxy that names teams.
+std::string path_of_server() {
+  static const test_support::TemporaryFolder folder;
+  const std::string path = folder / "socket";
+  static const auto server =
+      web::SiteServer::open(web::Address{.path = path}, "--at", site(),
+                            {.bodies = {.max_upload = system::size_limit::entry}});
   if (!server) {
     std::fprintf(stderr, "%s\n", server.error().what.c_str());
     std::exit(1);
   }
-  const std::string url = (*server)->url();
-  return std::atoi(url.c_str() + url.rfind(':') + 1);
+  return path;
 }
 
 }  // namespace
 
 MIROCUP_FUZZ_TARGET(http) {
-  static const int port = port_of_server();
-  const int connection = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  // No waiting for ports of ended connections: the connection is reset when it is closed.
-  const linger reset{.l_onoff = 1, .l_linger = 0};
-  setsockopt(connection, SOL_SOCKET, SO_LINGER, &reset, sizeof reset);
+  static const std::string path = path_of_server();
+  const int connection = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, sizeof address.sun_path - 1);
   if (connect(connection, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) {
     // libFuzzer's timer interrupts calls.
     if (errno != EINTR) {

@@ -8,6 +8,7 @@
 
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "web/http/proxy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,10 +52,11 @@ class Desk : public testing::Test {
     open();
   }
 
-  void open(ProxyTrust trust = {}) {
+  void open(std::set<std::string> proxies = {}, const std::string& team_header = "") {
     portal_.reset();
+    proxies_ = {.addresses = std::move(proxies)};
     PortalOptions options;
-    options.proxy = std::move(trust);
+    options.team_header = team_header;
     options.now = [this] { return now_; };
     options.legs = [this](const std::string& team) {
       return team == "alpha" ? legs_ : std::vector<OwnLeg>();
@@ -77,8 +79,9 @@ class Desk : public testing::Test {
     portal_ = std::move(*portal);
   }
 
-  web::Reply ask(const web::Request& request, const std::string& body = "") {
+  web::Reply ask(web::Request request, const std::string& body = "") {
     is_body_read_ = false;
+    web::apply(proxies_, request);
     const auto reply = portal_->answer(request, [&](const auto& take) {
       is_body_read_ = true;
       return take(std::string_view(body));
@@ -124,6 +127,7 @@ class Desk : public testing::Test {
   std::map<std::string, int> entries_;  // that play
   std::vector<std::string> neighbours_;
   std::string alpha_, beta_, expired_, revoked_, staff_;
+  web::ProxyTrust proxies_;
   std::unique_ptr<Portal> portal_;
   bool is_body_read_ = false;
 };
@@ -587,7 +591,7 @@ TEST_F(Desk, BelievesNoHeaderOfAProxyThatIsNotTrusted) {
   const web::Request forged =
       with(with(get("/api/v1/entries"), "x-team", "alpha"), "x-forwarded-for", "10.9.9.9");
   EXPECT_EQ(ask(forged).status, 401);
-  open({.addresses = {"10.0.0.2"}, .team_header = "X-Team"});
+  open({"10.0.0.2"}, "X-Team");
   EXPECT_EQ(ask(forged).status, 401) << "it comes from another address";
   web::Request real = forged;
   real.address = "10.0.0.2";
@@ -598,7 +602,7 @@ TEST_F(Desk, BelievesNoHeaderOfAProxyThatIsNotTrusted) {
   change.address = "10.0.0.2";
   EXPECT_EQ(ask(change, "ELF").status, 403) << "a proxy signs on what another site has sent, too";
   EXPECT_EQ(ask(with(change, "origin", own_origin), "ELF").status, 202);
-  open({.addresses = {"10.0.0.2"}, .team_header = ""});
+  open({"10.0.0.2"});
   real.headers.erase("x-team");
   EXPECT_EQ(ask(with(real, "x-team", "alpha")).status, 401) << "no header was named";
 }
@@ -615,7 +619,7 @@ TEST_F(Desk, SlowsWrongTokensOfAnAddressAndNobodyElse) {
   EXPECT_EQ(ask(elsewhere).status, 401);
   // A viewer does not get a new address by inventing one.
   EXPECT_EQ(ask(with(api("/api/v1/entries", wrong), "x-forwarded-for", "10.8.8.8")).status, 429);
-  open({.addresses = {"10.0.0.1"}, .team_header = ""});
+  open({"10.0.0.1"});
   for (int i = 0; i < 20; ++i) {
     status = ask(with(api("/api/v1/entries", wrong), "x-forwarded-for",
                       "10.8.8." + std::to_string(i) + ", 10.7.7.7"))

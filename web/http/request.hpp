@@ -15,10 +15,12 @@
 namespace mirocup::web {
 
 struct Request {
-  std::string method;         // "GET", "PUT", ...
-  std::string path;           // without the query, percent signs decoded
-  std::string address;        // of the other end of the connection: the viewer, or a proxy
-  bool is_encrypted = false;  // by this server
+  std::string method;            // "GET", "PUT", ...
+  std::string path;              // without the query, percent signs decoded
+  std::string address;           // of the other end of the connection; "": a Unix socket
+  bool is_encrypted = false;     // by this server, or by a trusted proxy
+  bool is_from_proxy = false;    // of which this server believes whom it asks for
+  std::string viewer = address;  // the address of the viewer, as far as it can be trusted
 
   std::multimap<std::string, std::string> query{};
   std::multimap<std::string, std::string> headers{};  // names in lower case
@@ -28,6 +30,8 @@ struct Request {
   // other.
   std::string header(const std::string& name) const { return only(headers, name); }
   std::string asked(const std::string& name) const { return only(query, name); }
+
+  bool is_reading() const { return method == "GET" || method == "HEAD"; }
 
  private:
   static std::string only(const std::multimap<std::string, std::string>& all,
@@ -56,6 +60,13 @@ struct Reply {
   // If set, the reply is a stream of events instead of `bytes`. The server calls this function
   // about 30 times a second.
   std::function<EventBatch()> events = {};
+
+  // If set, the reply is a stream of events that this function writes with `write`, until that
+  // returns false or the stream has ended.
+  std::function<void(const std::function<bool(std::string_view part)>& write)> passed_events = {};
+
+  // The sender has shown who it is, so under load its stream comes before those of strangers.
+  bool is_for_known = false;
 };
 
 }  // namespace mirocup::web

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "web/http/connection.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <poll.h>
+#include <sys/socket.h>
+
+namespace mirocup::web {
+
+namespace {
+
+using namespace std::chrono_literals;
+using std::chrono::duration_cast;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr auto send_patience = 5000ms;         // for a viewer that takes nothing
+constexpr std::size_t max_drained = 1u << 20;  // bytes that nobody reads
+
+int in_ms(milliseconds time) {
+  return static_cast<int>(time.count());
+}
+
+}  // namespace
+
+void Connection::allow(std::size_t bytes, std::chrono::seconds time,
+                       std::chrono::seconds patience) {
+  left_ = bytes;
+  deadline_ = steady_clock::now() + time;
+  patience_ = patience;
+}
+
+bool Connection::waits_for(short event, milliseconds most) const {
+  pollfd waiting{.fd = socket_, .events = event, .revents = 0};
+  int ready = 0;
+  do {
+    ready = poll(&waiting, 1, in_ms(most));
+  } while (ready < 0 && errno == EINTR);
+  return ready > 0 && (waiting.revents & event) != 0 && (waiting.revents & POLLERR) == 0;
+}
+
+std::size_t Connection::receive(char* bytes, std::size_t size) {
+  const auto time =
+      std::min(patience_, duration_cast<milliseconds>(deadline_ - steady_clock::now()));
+  size = std::min(size, left_);
+  if (size == 0 || time <= 0ms) return 0;
+  ssize_t count = -1;
+  if (tls_) {
+    count = tls_->read(bytes, size, in_ms(time));
+  } else if (waits_for(POLLIN, time)) {
+    count = recv(socket_, bytes, size, MSG_DONTWAIT);
+  }
+  if (count <= 0) return 0;
+  left_ -= static_cast<std::size_t>(count);
+  return static_cast<std::size_t>(count);
+}
+
+bool Connection::send(std::string_view bytes) {
+  while (!bytes.empty()) {
+    ssize_t count = -1;
+    if (tls_) {
+      count = tls_->write(bytes, in_ms(send_patience));
+    } else if (waits_for(POLLOUT, send_patience)) {
+      count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    }
+    if (count <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+void Connection::drain() {
+  allow(max_drained, 1s, 1s);
+  if (tls_) {
+    tls_->say_end();
+  } else {
+    shutdown(socket_, SHUT_WR);
+  }
+  std::array<char, 16384> unread{};
+  while (receive(unread.data(), unread.size()) > 0) {
+  }
+}
+
+}  // namespace mirocup::web

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// One connection with limits: how much may come, and until when. It knows sockets and TLS, and no
+// HTTP.
+#pragma once
+
+#include "system/tls.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace mirocup::web {
+
+class Connection {
+ public:
+  // Neither the socket nor `tls` is owned. `tls` is empty if the connection is not encrypted.
+  Connection(int socket, std::optional<system::TlsConnection>& tls) : socket_(socket), tls_(tls) {}
+
+  // From now on: the most bytes that are received in all, until when, and the longest silence.
+  void allow(std::size_t bytes, std::chrono::seconds time, std::chrono::seconds patience);
+
+  // Returns the number of bytes received, at least one; 0 at the end of the connection, after an
+  // error, or at a limit.
+  std::size_t receive(char* bytes, std::size_t size);
+
+  // Sends all bytes. Returns false after an error, or if the other end takes nothing for 5 s.
+  bool send(std::string_view bytes);
+
+  // Tells the other end that nothing more is sent, and takes what it still sends, for 1 s at most.
+  // A connection that is closed before that is reset, and a client that still sends its file would
+  // not see why it was refused.
+  void drain();
+
+ private:
+  bool waits_for(short event, std::chrono::milliseconds most) const;
+
+  int socket_;
+  std::optional<system::TlsConnection>& tls_;
+  std::size_t left_ = 0;  // bytes that may come
+  std::chrono::steady_clock::time_point deadline_{};
+  std::chrono::milliseconds patience_{};
+};
+
+}  // namespace mirocup::web

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "web/http/entrance.hpp"
+
+#include <algorithm>
+#include <sys/resource.h>
+#include <thread>
+
+namespace mirocup::web {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int for_each_processor = 256;
+constexpr int most_connections = 1024;
+constexpr auto slow_answer = 5s;  // after which an answer may give way
+
+}  // namespace
+
+int connection_capacity() {
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int most = std::min(for_each_processor * processors, most_connections);
+  rlimit files{};
+  if (getrlimit(RLIMIT_NOFILE, &files) == 0 && files.rlim_cur / 2 < static_cast<rlim_t>(most))
+    most = static_cast<int>(files.rlim_cur / 2);
+  return most;
+}
+
+int Entrance::present() const {
+  return static_cast<int>(std::count_if(guests_.begin(), guests_.end(), [](const auto& one) {
+    return one.second.stage != Stage::leaving;
+  }));
+}
+
+int Entrance::count_streams(const std::string* address, bool is_for_strangers) const {
+  return static_cast<int>(std::count_if(guests_.begin(), guests_.end(), [&](const auto& one) {
+    const Guest& guest = one.second;
+    return guest.stage == Stage::streaming && !(is_for_strangers && guest.is_known) &&
+           (address == nullptr || guest.address == *address);
+  }));
+}
+
+int Entrance::count(const std::string& address, Stage stage) const {
+  return static_cast<int>(std::count_if(guests_.begin(), guests_.end(), [&](const auto& one) {
+    return one.second.address == address && one.second.stage == stage;
+  }));
+}
+
+int Entrance::at_once(const std::string& address) const {
+  return count(address, Stage::receiving) + count(address, Stage::answering);
+}
+
+bool Entrance::has_many(const std::string& address) const {
+  const int streams = count(address, Stage::streaming);
+  return streams >= limits_.many_streams || streams + at_once(address) +
+                                                    count(address, Stage::waiting) +
+                                                    count(address, Stage::uploading) >=
+                                                limits_.many_connections;
+}
+
+// When all is taken: the connection that waits longest ends, else the request that has been
+// arriving longest, else the slowest reader of an answer.
+bool Entrance::make_room(Instant now) {
+  const auto rank = [now](const Guest& guest) {
+    if (guest.stage == Stage::waiting) return 3;
+    if (guest.stage == Stage::receiving) return 2;
+    return guest.stage == Stage::answering && now - guest.since >= slow_answer ? 1 : 0;
+  };
+  auto chosen = guests_.end();
+  for (auto one = guests_.begin(); one != guests_.end(); ++one) {
+    if (rank(one->second) == 0) continue;
+    if (chosen == guests_.end() || rank(one->second) > rank(chosen->second) ||
+        (rank(one->second) == rank(chosen->second) && one->second.since < chosen->second.since))
+      chosen = one;
+  }
+  if (chosen == guests_.end()) return false;
+  chosen->second.stage = Stage::leaving;
+  given_way_.push_back(chosen->first);
+  return true;
+}
+
+Stage Entrance::arrive(int connection, const std::string& address, Instant now) {
+  Guest guest{.address = address, .since = now};
+  if (is_crowded() && !address.empty() && has_many(address)) {
+    if (count(address, Stage::waiting) >= limits_.most_waiting) return Stage::leaving;
+    if (at_once(address) >= limits_.at_once) guest.stage = Stage::waiting;
+    guest.has_entered = guest.stage != Stage::waiting;
+  }
+  // Nobody gives way to a connection that would only wait.
+  if (present() >= limits_.capacity && (guest.stage == Stage::waiting || !make_room(now)))
+    return Stage::leaving;
+  return guests_.insert_or_assign(connection, std::move(guest)).first->second.stage;
+}
+
+void Entrance::name(int connection, const std::string& address) {
+  guests_.at(connection).address = address;
+}
+
+void Entrance::set_stage(int connection, Stage stage, Instant now) {
+  Guest& guest = guests_.at(connection);
+  if (guest.stage == Stage::leaving) return;
+  guest.stage = stage;
+  guest.since = now;
+}
+
+bool Entrance::begin_stream(int connection, bool is_for_known, Instant now) {
+  Guest& guest = guests_.at(connection);
+  if (guest.stage == Stage::leaving) return false;
+  // A quarter is for pages and files; strangers leave another quarter to teams.
+  if (count_streams(nullptr, false) >= limits_.capacity * 3 / 4) return false;
+  if (!is_for_known) {
+    if (count_streams(nullptr, true) >= limits_.capacity / 2) return false;
+    if (is_crowded() && count(guest.address, Stage::streaming) >= limits_.many_streams)
+      return false;
+  }
+  guest.is_known = is_for_known;
+  set_stage(connection, Stage::streaming, now);
+  return true;
+}
+
+void Entrance::leave(int connection) {
+  guests_.erase(connection);
+  std::erase(given_way_, connection);
+}
+
+std::vector<int> Entrance::all() const {
+  std::vector<int> all;
+  for (const auto& [connection, guest] : guests_) all.push_back(connection);
+  return all;
+}
+
+std::vector<int> Entrance::let_in(Instant now) {
+  std::vector<int> may_enter;
+  while (true) {
+    auto first = guests_.end();
+    for (auto one = guests_.begin(); one != guests_.end(); ++one) {
+      if (one->second.stage != Stage::waiting ||
+          (is_crowded() && at_once(one->second.address) >= limits_.at_once))
+        continue;
+      if (first == guests_.end() || one->second.since < first->second.since) first = one;
+    }
+    if (first == guests_.end()) return may_enter;
+    first->second.stage = Stage::receiving;
+    first->second.has_entered = true;
+    first->second.since = now;
+    may_enter.push_back(first->first);
+  }
+}
+
+std::vector<int> Entrance::to_end(Instant now) {
+  std::vector<int> ending = std::move(given_way_);
+  given_way_.clear();
+  const auto most = is_crowded() ? limits_.request_time_if_crowded : limits_.request_time;
+  for (auto& [connection, guest] : guests_) {
+    const auto time = now - guest.since;
+    if ((guest.stage == Stage::waiting && time > limits_.longest_wait) ||
+        (guest.stage == Stage::receiving && time > most)) {
+      guest.stage = Stage::leaving;
+      ending.push_back(connection);
+    }
+  }
+  return ending;
+}
+
+}  // namespace mirocup::web

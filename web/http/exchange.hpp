@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// One request on a connection and its reply: the only code that knows the HTTP library of the
+// server, Boost.Beast. Beast parses; what its parser lets through and a proxy could read in another
+// way is refused here.
+#pragma once
+
+#include "web/http/connection.hpp"
+#include "web/http/request.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace mirocup::web {
+
+struct BodyLimits {
+  std::size_t max_body = 4u << 10;  // bytes
+  std::size_t max_upload = 0;       // bytes of the body of a PUT; 0: as max_body
+};
+
+class Exchange {
+ public:
+  Exchange(Connection& connection, const BodyLimits& limits);
+  ~Exchange();
+  Exchange(const Exchange&) = delete;
+  Exchange& operator=(const Exchange&) = delete;
+
+  // Receives the line and the headers of the request into request(). Returns a reply if the request
+  // is refused already. Returns false as the second value if the connection broke before its end.
+  std::pair<std::optional<Reply>, bool> receive_head();
+
+  Request& request() { return request_; }
+
+  // Reads the body, as web::Body says. A client that waits for "100 Continue" gets it only now.
+  bool receive_body(const std::function<bool(std::string_view part)>& take);
+
+  // True if the client may still send a body that nobody has read.
+  bool has_unread_body() const;
+
+  // Sends a whole reply.
+  bool send(const Reply& reply);
+
+  // Sends the head of a stream of events, then its parts, then its end.
+  bool begin_events();
+  bool send_events(std::string_view part);
+  void end_events();
+
+ private:
+  struct Parser;
+  std::optional<Reply> objection();
+  void fill_request();
+  bool fill_buffer();
+
+  Connection& connection_;
+  const BodyLimits limits_;
+  Request request_;
+  std::string buffer_;      // received and not yet parsed; while the head comes, all of it
+  std::size_t parsed_ = 0;  // bytes of buffer_
+  bool is_http_1_0_ = false;
+  std::unique_ptr<Parser> parser_;  // keeps the HTTP library out of this header
+};
+
+// Returns the reply of this server to a request that no handler has seen, or that failed.
+Reply plain_reply(int status, const std::string& why);
+
+}  // namespace mirocup::web

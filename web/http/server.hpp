@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// A server for pages and streams of events, with limits for connections, requests, time and bodies.
+// Each connection has one request and, once it may enter, a thread with a lower priority than
+// matches.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "system/tls.hpp"
+#include "web/http/address.hpp"
+#include "web/http/entrance.hpp"
+#include "web/http/exchange.hpp"
+#include "web/http/proxy.hpp"
+#include "web/http/request.hpp"
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace mirocup::web {
+
+struct ServerOptions {
+  BodyLimits bodies = {};
+  EntranceLimits entrance = {.capacity = connection_capacity()};
+  ProxyTrust proxy = {};
+  std::optional<system::TlsServer> tls = {};  // empty: connections are not encrypted
+};
+
+// Answers a request. Several threads call it at the same time.
+using Handler = std::function<Reply(const Request& request, const Body& body)>;
+
+class HttpServer {
+ public:
+  HttpServer(Handler handler, ServerOptions options);
+  ~HttpServer();  // ends all connections and waits for its threads
+  HttpServer(const HttpServer&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
+
+  // Listens at the address and serves requests from now on. The error is open_listener()'s.
+  Result<void> listen(const Address& address, const std::string& option);
+
+  std::string url() const { return url_of(address_, options_.tls.has_value()); }
+
+  // Returns the number of viewers to which the server is sending events.
+  int viewers() const;
+
+ private:
+  void accept_all();
+  bool accept_one();  // false if nobody has come
+  void begin(int connection);
+  void end(int connection);
+  void end_or_let_in();
+  void serve(int connection);
+  void answer(int connection);
+  void send_reply(Exchange& exchange, int connection, Reply& reply);
+  void send_events(Exchange& exchange, Reply& reply);
+  void close_connection(int connection);
+  void set_stage(int connection, Stage stage);
+
+  const Handler handler_;
+  const ServerOptions options_;
+  Address address_;
+  int listener_ = -1;
+  int wake_ = -1;  // an eventfd: a connection has ended, or the server ends
+  std::atomic<bool> is_closed_{false};
+  std::thread thread_;
+
+  mutable std::mutex mutex_;  // guards what follows
+  Entrance entrance_;
+  int threads_ = 0;
+  std::condition_variable thread_ended_;
+};
+
+}  // namespace mirocup::web
