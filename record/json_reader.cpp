@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace mirocup::record {
 
@@ -23,9 +22,7 @@ const JsonReader::Json& null_value() {
 }
 
 std::string short_number(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
+  return system::formatted("%g", value);
 }
 
 // The beginning of a text of at most `size` bytes, with whole characters.

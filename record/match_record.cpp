@@ -270,14 +270,6 @@ std::string beside(const std::string& path, const std::string& name) {
   return (fs::path(path).parent_path() / fs::path(name).filename()).string();
 }
 
-// The file of a record, without the replay that it names.
-struct RecordFile {
-  MatchRecord record;
-  std::string replay_name;
-  std::string replay_sha256;
-  std::size_t ticks = 0;
-};
-
 RecordFile read_record_file(const JsonReader& json) {
   RecordFile file;
   json.expect_schema(schema);
@@ -411,12 +403,26 @@ Result<void> save(system::Files& files, const std::string& path, const MatchReco
   if (!system::is_written_in_place(path)) {
     if (auto written = files.write(replay_path, replay); !written) return written;
   }
+  const std::string name = std::filesystem::path(replay_path).filename().string();
+  return files.write(path, record_text(record, name, replay));
+}
 
+std::string record_text(const MatchRecord& record, const std::string& replay_name,
+                        std::string_view replay) {
   Json json = to_json(record);
-  json["replay"] = {{"file", std::filesystem::path(replay_path).filename().string()},
-                    {"sha256", system::sha256(replay)}};
+  json["replay"] = {{"file", replay_name}, {"sha256", system::sha256(replay)}};
   // Names of teams may be any bytes: what is not UTF-8 is replaced.
-  return files.write(path, with_checksum(json_text(json, 1)));
+  return with_checksum(json_text(json, 1));
+}
+
+Result<RecordFile> parse_record(const std::string& text, const std::string& path) {
+  return read_json<RecordFile>(text, path, Errc::damaged, read_record_file);
+}
+
+void add_replay(MatchRecord& record, Replay replay) {
+  record.recording.ticks = std::move(replay.ticks);
+  record.recording.trace = std::move(replay.trace);
+  record.recording.placement_requests = std::move(replay.asked);
 }
 
 Result<void> expect_whole(const std::string& text, const std::string& path) {
@@ -434,7 +440,7 @@ Result<MatchRecord> load(system::Files& files, const std::string& path, Checksum
   if (policy == ChecksumPolicy::checked) {
     MIROCUP_TRY_VOID(expect_whole(text, path));
   }
-  MIROCUP_TRY(auto file, read_json<RecordFile>(text, path, Errc::damaged, read_record_file));
+  MIROCUP_TRY(auto file, parse_record(text, path));
   std::string replay_path = beside(path, file.replay_name);
   // JSON holds no name that is not UTF-8; the digest tells whether it is the right file.
   if (const std::string same_name = replay_path_of(path);
@@ -451,9 +457,7 @@ Result<MatchRecord> load(system::Files& files, const std::string& path, Checksum
   const int robots = field::make_field(record.recording.setup.league).robots_per_team;
   MIROCUP_TRY(auto unpacked,
               unpack_replay(replay, {.robots = robots, .ticks = file.ticks}, replay_path));
-  record.recording.ticks = std::move(unpacked.ticks);
-  record.recording.trace = std::move(unpacked.trace);
-  record.recording.placement_requests = std::move(unpacked.asked);
+  add_replay(record, std::move(unpacked));
   return record;
 }
 

@@ -22,6 +22,8 @@ namespace mirocup::record {
 
 using Json = nlohmann::ordered_json;
 
+struct Replay;  // record/replay_file.hpp
+
 // The kind of program that steered a team.
 enum class TeamKind { plugin, house, dds, firasim };
 
@@ -130,6 +132,24 @@ Json to_json(const MatchRecord& record);
 
 // Writes the replay, then the record, so that a record never lacks its replay.
 Result<void> save(system::Files& files, const std::string& path, const MatchRecord& record);
+
+// A record without the replay that it names.
+struct RecordFile {
+  MatchRecord record;
+  std::string replay_name;
+  std::string replay_sha256;
+  std::size_t ticks = 0;
+};
+
+// Reads the text of a record. Errc::damaged names `path`, the JSON pointer and the reason.
+Result<RecordFile> parse_record(const std::string& text, const std::string& path);
+
+// Returns the text of a record whose replay file has that name and these bytes.
+std::string record_text(const MatchRecord& record, const std::string& replay_name,
+                        std::string_view replay);
+
+// Gives the record what its replay holds.
+void add_replay(MatchRecord& record, Replay replay);
 
 // Whether load() checks the digest of the record's own text, which is its last key. The digest
 // finds every byte that was changed or lost. It does not find forgery, since a forger can compute

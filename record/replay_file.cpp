@@ -175,7 +175,7 @@ std::string decompressed(std::string_view bytes, std::size_t largest) {
 
 }  // namespace
 
-std::string pack_replay(const replay::Recording& recording, int robots) {
+std::string plain_replay(const replay::Recording& recording, int robots) {
   assert(robots > 0 && robots <= max_robots_per_team);
   const std::vector<match::TickLog>& ticks = recording.ticks;
   const replay::StateTrace& trace = recording.trace;
@@ -201,7 +201,11 @@ std::string pack_replay(const replay::Recording& recording, int robots) {
   }
 
   put_asked(plain, recording.placement_requests, counts.robots);
+  return plain;
+}
 
+std::string pack_replay(const replay::Recording& recording, int robots) {
+  const std::string plain = plain_replay(recording, robots);
   std::string packed(magic);
   packed.resize(magic.size() + ZSTD_compressBound(plain.size()));
   const std::size_t size = ZSTD_compress(packed.data() + magic.size(), packed.size() - magic.size(),
@@ -221,6 +225,13 @@ Result<Replay> unpack_replay(std::string_view bytes, const ReplayShape& shape,
   }
   const std::string plain = decompressed(bytes, largest_size(shape));
   if (plain.empty()) return damaged("the compressed data is damaged");
+  return read_plain_replay(plain, shape, path);
+}
+
+Result<Replay> read_plain_replay(const std::string& plain, const ReplayShape& shape,
+                                 const std::string& path) {
+  const auto damaged = [&path](const char* why) { return fail(Errc::damaged, path + ": " + why); };
+  if (plain.size() < head_size) return damaged("its length does not fit its ticks");
   Counts counts;
   std::size_t at = 0;
   for (std::size_t* count :

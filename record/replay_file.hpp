@@ -23,6 +23,9 @@ struct Replay {
 // Returns the bytes of the file. `robots`: number of robots of a team.
 std::string pack_replay(const replay::Recording& recording, int robots);
 
+// The same before compression, and without the magic word.
+std::string plain_replay(const replay::Recording& recording, int robots);
+
 // The size of a replay, as its record states it.
 struct ReplayShape {
   int robots = 0;         // of a team
@@ -34,5 +37,9 @@ struct ReplayShape {
 // names `path`.
 Result<Replay> unpack_replay(std::string_view bytes, const ReplayShape& shape,
                              const std::string& path);
+
+// The same for the bytes before compression. `plain` may be anything.
+Result<Replay> read_plain_replay(const std::string& plain, const ReplayShape& shape,
+                                 const std::string& path);
 
 }  // namespace mirocup::record

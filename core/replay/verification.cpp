@@ -85,10 +85,11 @@ std::optional<Divergence> compare_outcomes(const Recording& recording, const mat
 
 }  // namespace
 
-std::optional<Divergence> verify(const Recording& recording) {
+std::optional<Divergence> verify(const Recording& recording, std::uint64_t* found) {
   Playback again(recording);
   while (again.advance()) {
   }
+  if (found != nullptr) *found = again.leg().state_hash();
   const auto decision = compare_decisions(recording, again.leg());
   const auto& state = again.divergence();
   if (state && (!decision || state->tick < decision->tick)) return state;

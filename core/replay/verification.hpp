@@ -5,12 +5,13 @@
 
 #include "core/replay/playback.hpp"
 
+#include <cstdint>
 #include <optional>
 
 namespace mirocup::replay {
 
 // Returns the first difference, or nothing if every hash, every decision and the outcome are
-// reproduced.
-std::optional<Divergence> verify(const Recording& recording);
+// reproduced. `found`, if given, becomes the state hash at which the simulation arrived.
+std::optional<Divergence> verify(const Recording& recording, std::uint64_t* found = nullptr);
 
 }  // namespace mirocup::replay

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "browser/game.hpp"
+
+#include "core/replay/recorded.hpp"
+#include "core/replay/verification.hpp"
+#include "record/conditions_json.hpp"
+#include "record/json_reader.hpp"
+#include "record/pitch_json.hpp"
+#include "record/replay_file.hpp"
+#include "record/rules_json.hpp"
+#include "record/situation_json.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace mirocup::browser {
+
+namespace {
+
+match::Setup read_options(const record::JsonReader& json) {
+  match::Setup setup;
+  json.expect_object(
+      {"league", "rules", "stage", "seed", "conditions", "pitch", "situation", "drill", "teams"});
+  json.read_if_present("league", setup.league);
+  setup.rules = referee::make_rules(referee::Preset::mirosot, setup.league);
+  if (json.has("rules")) setup.rules = record::read_rules(json.at("rules"), setup.league);
+  json.read_if_present("stage", setup.stage);
+  json.read_if_present("seed", setup.seed);
+  setup.control_period = match::control_period_of(setup.rules.preset);
+  match::PitchSpec pitch = match::pitch_of(match::PitchPreset::mirosot);
+  if (json.has("pitch")) pitch = record::read_pitch(json.at("pitch"));
+  match::set_pitch(setup, pitch);
+  setup.conditions = pitch.conditions.value_or(match::conditions_of(match::default_preset));
+  if (json.has("conditions")) setup.conditions = record::read_conditions(json.at("conditions"));
+  if (const auto given = json.find("situation")) {
+    const record::Situation situation = record::read_situation(*given);
+    if (situation.league != setup.league) given->complain("it is of another league");
+    setup.start = situation.start;
+  }
+  return setup;
+}
+
+Result<match::Setup> setup_of(const Json& options) {
+  std::optional<record::JsonProblem> problem;
+  match::Setup setup = read_options(record::JsonReader(options, "", problem));
+  if (problem) return tl::unexpected(record::error_of(*problem, "the leg", Errc::input));
+  return setup;
+}
+
+}  // namespace
+
+Result<record::MatchRecord> read_record(const std::string& text, const std::string& replay,
+                                        const std::string& path) {
+  MIROCUP_TRY(auto file, record::parse_record(text, path));
+  const int robots = field::make_field(file.record.recording.setup.league).robots_per_team;
+  MIROCUP_TRY(
+      auto unpacked,
+      record::read_plain_replay(replay, {.robots = robots, .ticks = file.ticks}, file.replay_name));
+  record::add_replay(file.record, std::move(unpacked));
+  return std::move(file.record);
+}
+
+Result<Json> verify(const std::string& text, const std::string& replay, bool is_whole,
+                    const std::string& path) {
+  MIROCUP_TRY(const auto record, read_record(text, replay, path));
+  std::uint64_t found = 0;
+  const auto divergence = replay::verify(record.recording, &found);
+  const bool has_other_behaviour = record::has_other_behaviour(record);
+  if (!is_whole && (!divergence || has_other_behaviour)) {
+    return fail(Errc::damaged, path + ": its text is not what was written (sha256)");
+  }
+  if (divergence && has_other_behaviour)
+    return tl::unexpected(record::behaviour_mismatch(path, record, divergence->tick));
+  return Json{{"reproduced", !divergence},
+              {"tick", divergence ? Json(divergence->tick) : Json()},
+              {"what", divergence ? Json(divergence->what) : Json()},
+              {"ticks", record.recording.ticks.size()},
+              {"state_hash", to_hex(record.recording.state_hash)},
+              {"found", to_hex(found)}};
+}
+
+Result<void> Game::seat(const Json& teams) {
+  for (const Team team : both_teams) {
+    const std::string colour(to_string(team));
+    const auto given = teams.find(colour);
+    std::string name = given != teams.end() && given->is_string() ? given->get<std::string>() : "";
+    const bool is_recorded = name == "recorded" && past_ != nullptr;
+    const mirocup_strategy* strategy = house_team(name);
+    if (!is_recorded && !name.empty() && strategy == nullptr)
+      return fail(Errc::input, "teams: " + colour + ": there is no house team \"" + name + "\"");
+    const auto i = index_of(team);
+    names_[i] = is_recorded ? past_->teams[i].name : name.empty() ? "by hand" : name;
+    drivers_[i] = std::make_unique<Driver>(leg_->briefing(team), strategy,
+                                           is_recorded ? &past_->recording : nullptr);
+  }
+  return {};
+}
+
+Result<std::unique_ptr<Game>> Game::make(const Json& options) {
+  std::unique_ptr<Game> game(new Game);
+  MIROCUP_TRY(auto setup, setup_of(options));
+  Json teams = options.value("teams", Json::object());
+  if (const auto text = options.find("drill"); text != options.end() && text->is_string()) {
+    MIROCUP_TRY(game->drill_, drills::parse_drill(text->get<std::string>(), "the drill"));
+    MIROCUP_TRY(setup, drills::setup_of(*game->drill_, setup.seed));
+    teams["yellow"] = game->drill_->opponent;
+  }
+  game->leg_ = std::make_unique<match::Leg>(setup);
+  MIROCUP_TRY_VOID(game->seat(teams));
+  if (game->drill_) game->judge_.emplace(*game->drill_, *game->leg_);
+  return game;
+}
+
+Result<std::unique_ptr<Game>> Game::go_on(record::MatchRecord past, std::uint32_t tick,
+                                          const Json& teams) {
+  std::unique_ptr<Game> game(new Game);
+  game->past_ = std::make_unique<record::MatchRecord>(std::move(past));
+  const replay::Recording& recording = game->past_->recording;
+  if (tick >= recording.ticks.size()) return fail(Errc::input, "the leg is over by then");
+  game->leg_ = std::make_unique<match::Leg>(recording.setup);
+  match::Leg& leg = *game->leg_;
+  while (leg.tick() < tick) {
+    const std::uint32_t now = leg.tick();
+    leg.advance(replay::recorded_answers(recording, now));
+    game->trace_.add(leg);
+    if (leg.is_over() || leg.log().back().hash != recording.ticks[now].hash)
+      return fail(Errc::damaged, "played again, it differs from tick " + std::to_string(now));
+  }
+  game->from_ =
+      record::PlayedOnFrom{.tick = tick,
+                           .state_hash = recording.state_hash,
+                           .teams = {game->past_->teams[0].name, game->past_->teams[1].name}};
+  MIROCUP_TRY_VOID(game->seat(teams));
+  return game;
+}
+
+int Game::play(int ticks) {
+  int played = 0;
+  for (; played < ticks && !is_over(); ++played) {
+    leg_->advance(*drivers_[0], *drivers_[1]);
+    trace_.add(*leg_);
+    if (judge_) is_decided_ = !judge_->follow();
+  }
+  return played;
+}
+
+void Game::stop() {
+  if (!leg_->is_over()) leg_->declare_void("it was stopped by hand");
+}
+
+Json Game::situation() const {
+  const match::Snapshot now = leg_->snapshot();
+  match::Start start{.left = now.left,
+                     .ball = now.ball,
+                     .robots = {},
+                     .restart = {},
+                     .phase = now.phase,
+                     .clock = now.clock,
+                     .score = now.score};
+  for (const Team team : both_teams) {
+    for (int i = 0; i < leg_->field().robots_per_team; ++i) {
+      match::RobotStart& robot = start.robots[index_of(team)][i];
+      robot.state = leg_->robot(team, i);
+      robot.wheels = leg_->answers()[index_of(team)].speeds(i);
+    }
+  }
+  if (now.state == match::State::READY) {
+    start.restart = match::RestartStart{.kind = now.restart,
+                                        .taker = now.taker,
+                                        .quarter = referee::quarter_of(leg_->restart().spot)};
+  }
+  return record::to_json(record::Situation{leg_->setup().league, start});
+}
+
+Json Game::status(std::size_t first) const {
+  const match::Snapshot now = leg_->snapshot();
+  Json decisions = Json::array();
+  for (std::size_t i = first; i < leg_->decisions().size(); ++i)
+    decisions.push_back(record::to_json(leg_->decisions()[i]));
+  Json status{{"tick", now.tick},
+              {"time", now.time},
+              {"clock", now.clock},
+              {"state", to_string(now.state)},
+              {"phase", to_string(now.phase)},
+              {"left", to_string(now.left)},
+              {"score", {{"blue", now.score[0]}, {"yellow", now.score[1]}}},
+              {"stalemate_s", now.stalemate_s},
+              {"over", is_over()},
+              {"decisions", std::move(decisions)}};
+  if (leg_->is_over()) status["result"] = record::to_json(leg_->outcome());
+  if (judge_) {
+    const drills::TryResult result = judge_->result();
+    status["drill"] = {{"passed", result.passed},
+                       {"marks", result.marks},
+                       {"seconds", result.seconds},
+                       {"why", result.why}};
+  }
+  return status;
+}
+
+record::MatchRecord Game::record() const {
+  record::MatchRecord record;
+  record.software = record::this_software();
+  record.isolation = "none";
+  record.from = from_;
+  for (const Team team : both_teams) {
+    const auto i = index_of(team);
+    record.teams[i] = {.name = names_[i], .kind = record::TeamKind::house, .sha256 = {}};
+    record.budget[i].late_ticks = leg_->late_ticks()[i];
+    record.budget[i].bad_commands = leg_->bad_values()[i];
+  }
+  record.recording = replay::record(*leg_, trace_);
+  return record;
+}
+
+}  // namespace mirocup::browser

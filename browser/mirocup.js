@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+//
+// The game as a module for browsers and node: legs, their state, their records. It imports nothing, so that a page that is
+// opened from disk can run it in a worker. docs/browser.md has examples.
+//
+// Units: m, rad, s; wheels rad/s; the field's frame, in which left attacks +x. Teams are 'blue' and 'yellow'. A function that
+// gets something wrong throws a MirocupError with a sentence and the exit code that `mirocup` would have.
+
+export class MirocupError extends Error {
+  constructor({ code, what }) {
+    super(what);
+    this.code = code;
+  }
+}
+
+const teamNumber = (team) => ['blue', 'yellow'].indexOf(team);
+const magic = new TextEncoder().encode('mirocup/replay/2\n');
+const maxPlain = 1 << 30;  // bytes of an unpacked replay
+
+// Loads the module. `source`: bytes or a WebAssembly.Module.
+export async function loadMirocup(source) {
+  const module = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
+  const imports = {};
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+    // What the C library asks of a system: there is no clock, file or argument here, so nothing comes back.
+    (imports[from] ??= {})[name] = () => {
+      if (name === 'proc_exit') throw new Error('the module has ended');
+      return 0;
+    };
+  }
+  const { exports } = await WebAssembly.instantiate(module, imports);
+  exports._initialize();
+  return new Mirocup(exports);
+}
+
+export class Mirocup {
+  #m;
+
+  constructor(exports) { this.#m = exports; }
+
+  // Verifies a record as `mirocup verify` does. `record`: its text; `replay`: bytes of its replay, unpacked; `isWhole`: false if
+  // a digest is not right. Returns {reproduced, tick, what, ticks, state_hash, found}: `tick` is the first one that differs.
+  verify(record, replay, isWhole = true, name = 'the record') {
+    return this.#with([record, replay, name], (text, bytes, path) =>
+      this.answer(this.#m.verify(text, bytes, isWhole ? 1 : 0, path)));
+  }
+
+  // The SHA-256 of bytes or a text, in hexadecimal digits.
+  sha256(bytes) { return this.#with([bytes], (text) => this.text(this.#m.sha256(text))); }
+
+  // Makes a leg. `options`: {league, rules, stage, seed, conditions, pitch, situation, drill, teams: {blue, yellow}}, as in
+  // records; a team is the name of a house team, or '' for robots that stand until they are driven.
+  leg(options) {
+    const made = this.#with([JSON.stringify(options)], (text) => this.answer(this.#m.leg_make(text)));
+    return new Leg(this, this.#m, made.leg);
+  }
+
+  // Plays a recorded leg up to `tick`, from where `teams` go on: a house team each, 'recorded', or ''.
+  goOn(record, replay, tick, teams) {
+    const made = this.#with([record, replay, JSON.stringify(teams)], (text, bytes, names) =>
+      this.answer(this.#m.leg_go_on(text, bytes, tick, names)));
+    return new Leg(this, this.#m, made.leg);
+  }
+
+  // For Leg: a text of the module becomes a string or bytes, and is freed.
+  bytes(text) {
+    const bytes = new Uint8Array(this.#m.memory.buffer, this.#m.text_data(text), this.#m.text_size(text)).slice();
+    this.#m.text_free(text);
+    return bytes;
+  }
+
+  text(text) { return new TextDecoder().decode(this.bytes(text)); }
+
+  answer(text) {
+    const answer = JSON.parse(this.text(text));
+    if (answer.error) throw new MirocupError(answer.error);
+    return answer;
+  }
+
+  give(value) {
+    const bytes = typeof value === 'string' ? new TextEncoder().encode(value) : value;
+    const text = this.#m.text_new(bytes.length);
+    new Uint8Array(this.#m.memory.buffer, this.#m.text_data(text), bytes.length).set(bytes);
+    return text;
+  }
+
+  #with(values, act) {
+    const texts = values.map((value) => this.give(value));
+    try {
+      return act(...texts);
+    } finally {
+      texts.forEach((text) => this.#m.text_free(text));
+    }
+  }
+}
+
+// A leg that is played in the module. free() ends it.
+export class Leg {
+  #mirocup;
+  #m;
+  #leg;
+
+  constructor(mirocup, exports, leg) {
+    this.#mirocup = mirocup;
+    this.#m = exports;
+    this.#leg = leg;
+  }
+
+  // Plays so many ticks, or until the leg or the try of its drill is over. Returns the number of ticks played.
+  play(ticks = 1) { return this.#m.leg_play(this.#leg, ticks); }
+
+  // Drives a robot by hand from the next tick on, rad/s; release() gives it back to its team.
+  drive(team, robot, left, right) { this.#m.leg_drive(this.#leg, teamNumber(team), robot, left, right, 1); }
+  release(team, robot) { this.#m.leg_drive(this.#leg, teamNumber(team), robot, 0, 0, 0); }
+
+  // {tick, time, clock, state, phase, left, score, stalemate_s, over, decisions from number `first` on, result, drill}
+  status(first = 0) { return this.#mirocup.answer(this.#m.leg_status(this.#leg, first)); }
+
+  // The bodies: [x, y of the ball, then x, y, heading of each of blue's robots and of yellow's].
+  bodies() { return new Float64Array(this.#mirocup.bytes(this.#m.leg_bodies(this.#leg)).buffer); }
+
+  // The situation as the text of a file (docs/situations.md), from which a leg can start.
+  situation() { return this.#mirocup.text(this.#m.leg_situation(this.#leg)); }
+
+  // The state hash of all ticks played, 16 hexadecimal digits.
+  get hash() { return BigInt.asUintN(64, this.#m.leg_hash(this.#leg)).toString(16).padStart(16, '0'); }
+
+  // The record and the replay file of the leg, which ends here if it goes on: {record: text, replay: bytes}. `mirocup verify`
+  // reproduces them from files NAME.json and NAME.replay.zst.
+  save(name = 'leg') {
+    this.#m.leg_stop(this.#leg);
+    const replay = packReplay(this.#mirocup.bytes(this.#m.leg_replay(this.#leg)));
+    const [file, bytes] = [this.#mirocup.give(`${name}.replay.zst`), this.#mirocup.give(replay)];
+    const record = this.#mirocup.text(this.#m.leg_record(this.#leg, file, bytes));
+    [file, bytes].forEach((text) => this.#m.text_free(text));
+    return { record, replay };
+  }
+
+  free() { this.#m.leg_free(this.#leg); }
+}
+
+// Packs a replay as blocks of zstd that are not compressed (RFC 8878, section 3.1.1).
+export function packReplay(plain) {
+  const most = 1 << 17;
+  const blocks = Math.max(1, Math.ceil(plain.length / most));
+  const out = new Uint8Array(magic.length + 13 + 3 * blocks + plain.length);
+  const view = new DataView(out.buffer);
+  out.set(magic);
+  let at = magic.length;
+  view.setUint32(at, 0xfd2fb528, true);
+  out[at + 4] = 0xe0;  // one segment, its size in 8 bytes, no checksum
+  view.setBigUint64(at + 5, BigInt(plain.length), true);
+  at += 13;
+  for (let i = 0; i < blocks; ++i) {
+    const part = plain.subarray(i * most, (i + 1) * most);
+    const head = (part.length << 3) | (i === blocks - 1 ? 1 : 0);
+    out.set([head & 255, (head >> 8) & 255, head >> 16], at);
+    out.set(part, at + 3);
+    at += 3 + part.length;
+  }
+  return out;
+}
+
+// Unpacks a replay file with `decompress(frame, target)`, that of fzstd. The frame must say its size, as ours do.
+export function unpackReplay(bytes, decompress, name = 'the replay') {
+  const damaged = (what) => { throw new MirocupError({ code: 4, what: `${name}: ${what}` }); };
+  if (!magic.every((byte, i) => bytes[i] === byte)) damaged('this is not a replay of version 2');
+  const frame = bytes.subarray(magic.length);
+  if (frame.length < 14) damaged('the compressed data is damaged');
+  const view = new DataView(frame.buffer, frame.byteOffset, frame.length);
+  const [sizeCode, isSegment] = [frame[4] >> 6, (frame[4] >> 5) & 1];
+  const at = 5 + (isSegment ? 0 : 1) + [0, 1, 2, 4][frame[4] & 3];
+  const size = [() => (isSegment ? view.getUint8(at) : -1), () => view.getUint16(at, true) + 256,
+    () => view.getUint32(at, true), () => Number(view.getBigUint64(at, true))][sizeCode]();
+  if (view.getUint32(0, true) !== 0xfd2fb528 || size < 0 || size > maxPlain) damaged('the compressed data is damaged');
+  try {
+    const plain = decompress(frame, new Uint8Array(size));
+    if (plain.length === size) return plain;
+  } catch { /* told below */ }
+  return damaged('the compressed data is damaged');
+}

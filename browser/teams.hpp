@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// The teams of a leg in the module: a house team, a recorded one, or none; each robot may be driven
+// by hand.
+#pragma once
+
+#include "core/match/controller.hpp"
+#include "core/replay/recording.hpp"
+#include "mirocup/strategy.h"
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace mirocup::browser {
+
+// Returns the house or drill team of that name; null if the module has no such team.
+const mirocup_strategy* house_team(std::string_view name);
+
+// Steers one team. What is given to the constructor outlives it.
+class Driver final : public match::Controller {
+ public:
+  // With a strategy its commands are driven, else those of the recording as far as it goes, else
+  // the robots stand.
+  Driver(const match::Briefing& briefing, const mirocup_strategy* strategy,
+         const replay::Recording* recording);
+  ~Driver() override;
+  Driver(const Driver&) = delete;
+  Driver& operator=(const Driver&) = delete;
+
+  void post(const match::Observation& observation) override;
+  match::Answer collect() override;
+
+  // Wheel speeds of a robot, rad/s, in the place of the team's; nothing: the team's again.
+  void take(int robot, std::optional<simulator::WheelSpeeds> wheels) { by_hand_[robot] = wheels; }
+
+ private:
+  match::Command own_command();
+
+  Team team_;
+  const mirocup_strategy* strategy_;
+  const replay::Recording* recording_;
+  mirocup_setup setup_;
+  mirocup_observation now_{};
+  void* state_ = nullptr;
+  std::array<std::optional<simulator::WheelSpeeds>, max_robots_per_team> by_hand_;
+};
+
+}  // namespace mirocup::browser

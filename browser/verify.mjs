@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+//
+// node browser/verify.mjs RECORD [--json]: what `mirocup verify` does, by the module. Exit code 0 reproduced, 1 differs, 2 wrong
+// usage, 3 a file cannot be read, 4 damaged. MIROCUP_BROWSER names the folder of the module if it is not build/browser.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { basename, dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import zlib from 'node:zlib';
+import { loadMirocup, MirocupError, unpackReplay } from './mirocup.js';
+
+const built = process.env.MIROCUP_BROWSER ?? join(dirname(fileURLToPath(import.meta.url)), '../build/browser');
+
+function read(path, cure = '') {
+  try {
+    return readFileSync(path);
+  } catch (error) {
+    throw new MirocupError({ code: 3, what: `${path}: it cannot be read (${error.code})${cure}` });
+  }
+}
+
+// npm's fzstd, which the build installs; node has a decoder of its own from 22.15 on.
+function decompressor() {
+  if (zlib.zstdDecompressSync) {
+    return (frame, target) => zlib.zstdDecompressSync(frame, { maxOutputLength: Math.max(target.length, 1) });
+  }
+  try {
+    return createRequire(join(built, 'x'))('fzstd').decompress;
+  } catch {
+    throw new MirocupError({ code: 3, what: `fzstd is missing; install it: npm install --prefix ${built} fzstd@0.1.1` });
+  }
+}
+
+// The last key of a record is the digest of the text before it.
+function isWhole(mirocup, text) {
+  const end = text.lastIndexOf(',\n');
+  return end >= 0 && text.slice(end) === `,\n "sha256": "${mirocup.sha256(text.slice(0, end))}"\n}\n`;
+}
+
+async function verify(path) {
+  const mirocup = await loadMirocup(read(join(built, 'mirocup.wasm'),
+    '; install clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 and build the target mirocup_browser'));
+  const text = read(path).toString('utf8');
+  let named = {};
+  try {
+    named = JSON.parse(text);
+  } catch { /* the module says what is wrong with it */ }
+  if (!text.includes('"mirocup/match/')) throw new MirocupError({ code: 4, what: `${path}: it is no match record` });
+  const file = join(dirname(path), basename(String(named.replay?.file ?? path.replace(/\.json$/, '.replay.zst'))));
+  const packed = read(file);
+  if (named.replay && mirocup.sha256(packed) !== named.replay.sha256) {
+    throw new MirocupError({ code: 4, what: `${file}: it is not the replay that the record was saved with` });
+  }
+  return mirocup.verify(text, unpackReplay(packed, decompressor(), file), isWhole(mirocup, text), path);
+}
+
+const [path, ...more] = process.argv.slice(2);
+const isJson = more[0] === '--json';
+if (!path || more.length > (isJson ? 1 : 0)) {
+  console.error('usage: node browser/verify.mjs RECORD [--json]');
+  process.exit(2);
+}
+try {
+  const found = await verify(path);
+  if (isJson) console.log(JSON.stringify({ record: path, reproduced: found.reproduced, tick: found.tick, what: found.what }));
+  else if (found.reproduced) console.log(`${path}: reproduced, ${found.ticks} ticks, state hash ${found.state_hash}`);
+  else console.log(`${path}: differs from tick ${found.tick} on: ${found.what}`);
+  process.exitCode = found.reproduced ? 0 : 1;
+} catch (error) {
+  if (!(error instanceof MirocupError)) throw error;
+  console.error(`mirocup: ${error.message}`);
+  process.exitCode = error.code;
+}
