@@ -3,7 +3,9 @@
 
 #include <charconv>
 #include <concepts>
+#include <cstdlib>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -18,6 +20,19 @@ std::optional<Number> number_of(std::string_view text) {
   const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
   return is_number ? std::optional(number) : std::nullopt;
 }
+
+#ifdef __wasi__
+// The C++ library of the module for browsers has no std::from_chars() of a double.
+template <>
+inline std::optional<double> number_of<double>(std::string_view text) {
+  const std::string copy(text);
+  const bool has_other_signs = copy.find_first_not_of("0123456789+-.eE") != std::string::npos;
+  if (copy.empty() || copy.front() == '+' || has_other_signs) return std::nullopt;
+  char* end = nullptr;
+  const double number = std::strtod(copy.c_str(), &end);
+  return *end == '\0' ? std::optional(number) : std::nullopt;
+}
+#endif
 
 // The same of an integer with hexadecimal digits.
 template <std::unsigned_integral Number>
