@@ -54,6 +54,13 @@ TeamKit team_kit() {
           .python = python.string()};
 }
 
+std::string browser_folder() {
+  const fs::path here = program_folder();
+  const bool is_installed = here.filename() == "bin";
+  return is_installed ? (here.parent_path() / "share" / "mirocup" / "browser").string()
+                      : (here / "browser").string();
+}
+
 std::string drill_folder() {
   return (fs::path(team_kit().prefix) / "share" / "mirocup" / "drills").string();
 }

@@ -30,6 +30,9 @@ std::string drill_folder();
 // The same for a library that another program has loaded: `folder` is the library's.
 std::string drill_folder(const std::string& folder);
 
+// Returns the folder of the module for browsers, which is not always built.
+std::string browser_folder();
+
 // Returns the names of the house teams, sorted.
 std::vector<std::string> house_teams();
 

@@ -2,6 +2,7 @@
 #include "web/page.hpp"
 
 #include "record/json_reader.hpp"
+#include "record/replay_file.hpp"
 #include "record/statistics/counter.hpp"
 #include "system/digest.hpp"
 #include "web/assets.hpp"
@@ -22,10 +23,10 @@ namespace mirocup::web {
 namespace {
 
 // The modules of the page, each behind those that it imports.
-constexpr std::array<std::string_view, 15> modules{
-    "text.js",     "track.js",    "field.js", "actions.js",   "layers.js",
-    "player.js",   "reel.js",     "calls.js", "situation.js", "statistics.js",
-    "momentum.js", "thoughts.js", "clip.js",  "live.js",      "main.js"};
+constexpr std::array<std::string_view, 16> modules{
+    "text.js", "track.js", "field.js",     "actions.js",    "layers.js",   "player.js",
+    "reel.js", "calls.js", "situation.js", "statistics.js", "momentum.js", "thoughts.js",
+    "clip.js", "live.js",  "proof.js",     "main.js"};
 
 // All modules as one script, without import and export: a page that is opened from disk cannot
 // import. No two modules use the same global name.
@@ -116,17 +117,31 @@ std::string field_picture(const match::Leg& leg) {
   return picture(leg.field(), leg.setup().parameters, {leg.snapshot(), {}});
 }
 
-std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
-                 const Json& data) {
-  const std::string code = script();
-  // Nothing is loaded from elsewhere, and no code runs but this script.
-  const std::string policy =
+// What a page has for its proof.
+struct ProofText {
+  std::string json;      // in the page; "": no proof
+  std::string commands;  // beside it
+};
+
+// Nothing is loaded from elsewhere, and no code runs but this script and, in a worker, the module.
+std::string policy_of(const std::string& code, const ProofText& proof) {
+  std::string policy =
       "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src 'sha256-" +
       system::sha256_base64(code) + "'";
+  if (proof.json.empty()) return policy;
+  if (!proof.commands.empty()) policy += " 'self'";  // the files beside the page
+  return policy + " 'wasm-unsafe-eval'; worker-src blob:";
+}
+
+std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
+                 const Json& data, const ProofText& proof = {}) {
+  const std::string code = script();
   Json values{{"title", names[0] + " – " + names[1]},
               {"blue", names[0]},
               {"yellow", names[1]},
-              {"policy", policy},
+              {"policy", policy_of(code, proof)},
+              {"has_proof", !proof.json.empty()},
+              {"proof", proof.json},
               {"style", std::string(design_file("design.css")) + std::string(asset("page.css"))},
               {"picture", field_picture(first_moment)},
               {"data", embedded(data)},
@@ -218,6 +233,38 @@ void add_own(Json& data, const record::OwnTexts& own) {
   }
 }
 
+Json module_json(const BrowserModule& module) {
+  return {{"script", packed_text(module.script)}, {"wasm", packed_text(module.wasm)}};
+}
+
+// The record without what a simulation does not need, and its commands and hashes.
+Json commands_json(record::MatchRecord record) {
+  for (const Team team : both_teams) {
+    record.budget[index_of(team)] = {};
+    record.network[index_of(team)].reset();
+  }
+  record.pace.reset();
+  record.recording.trace = {};
+  const int robots = field::make_field(record.recording.setup.league).robots_per_team;
+  const std::string text = record::record_text(record, "leg.replay.zst", "");
+  return {{"record", packed_text(text)},
+          {"replay", packed_text(record::plain_replay(record.recording, robots))}};
+}
+
+std::string file_text(const std::string& name, const Json& json) {
+  return "globalThis." + name + " = " + embedded(json) + ";\n";
+}
+
+ProofText proof_text(const record::MatchRecord& record, const Proof& proof) {
+  Json commands = commands_json(record);
+  if (proof.module == nullptr) {
+    return {embedded({{"module_file", proof.module_file}, {"commands_file", proof.commands_file}}),
+            file_text("mirocupCommands", commands)};
+  }
+  commands["module"] = module_json(*proof.module);
+  return {embedded(commands), ""};
+}
+
 struct ReplayData {
   Json json;
   statistics::LegStatistics statistics;
@@ -283,12 +330,18 @@ std::string first_picture(const record::MatchRecord& record) {
 }
 
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
-                                                         Times times, const record::OwnTexts& own) {
+                                                         Times times, const record::OwnTexts& own,
+                                                         const std::optional<Proof>& proof) {
   MIROCUP_TRY(auto data, play_again(record, times));
   add_own(data.json, own);
+  ProofText text = proof ? proof_text(record, *proof) : ProofText{};
   return ReplayPage{page(match::Leg(record.recording.setup),
-                         {record.teams[0].name, record.teams[1].name}, data.json),
-                    data.statistics};
+                         {record.teams[0].name, record.teams[1].name}, data.json, text),
+                    data.statistics, std::move(text.commands), text.json.size()};
+}
+
+std::string module_file(const BrowserModule& module) {
+  return file_text("mirocupModule", module_json(module));
 }
 
 std::string live_page(const match::Leg& match, const LiveMatch& live) {

@@ -8,6 +8,7 @@ import { Layers } from './layers.js';
 import { listen } from './live.js';
 import { momentum, MomentumView } from './momentum.js';
 import { Player } from './player.js';
+import { offerProof } from './proof.js';
 import { Reel } from './reel.js';
 import { commandAt, download, situationAt } from './situation.js';
 import { heatOf, showHeat, showStatistics } from './statistics.js';
@@ -327,6 +328,7 @@ function showReplay() {
   drawMomentum();
   offerBodies();
   showOwn();
+  offerProof((tick) => player.seek(tick * leg.period));
   if (!goToAddress()) player.show(0);
 }
 

@@ -7,12 +7,15 @@ import { element, shape } from './text.js';
 const curvePoints = 400;  // of a value over the leg, at most
 const valueText = /^(.{1,31}) = (-?[0-9.]+(?:e[-+]?[0-9]+)?)$/;
 
-// Unpacks a text that the program packed with gzip and base64.
-export async function unpackText(packed) {
-  const bytes = Uint8Array.from(atob(packed), (c) => c.charCodeAt(0));
+// Unpacks bytes, or a text, that the program packed with gzip and base64.
+export async function unpackBytes(packed) {
+  const text = atob(packed);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Response(stream).text();
+  return new Uint8Array(await new Response(stream).arrayBuffer());
 }
+export const unpackText = async (packed) => new TextDecoder().decode(await unpackBytes(packed));
 
 // The shapes of one team. A line of the text is parsed only when its tick is shown.
 export class Thoughts {
