@@ -23,7 +23,7 @@ target_compile_options(mirocup_options INTERFACE $<$<COMPILE_LANG_AND_ID:CXX,GNU
 if(MIROCUP_WERROR)
   target_compile_options(mirocup_options INTERFACE -Werror)
 endif()
-# Eigen's packets would use fused multiply-add on some machines (core/README.md, "Bit for bit").
+# Eigen's packets would use fused multiply-add on some machines: a pitch or a rating would depend on them.
 target_compile_definitions(mirocup_options INTERFACE EIGEN_DONT_VECTORIZE)
 # A value becomes a number or a text where get<…>() says so. A json that could turn into anything costs a quarter of the time of
 # compiling each source that uses one.

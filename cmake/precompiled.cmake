@@ -13,14 +13,13 @@ endif()
 option(MIROCUP_PRECOMPILED_HEADERS "Precompile the headers of the large libraries" ${precompile_by_default})
 
 function(mirocup_add_precompiled name)
-  find_package(Eigen3 3.4 REQUIRED NO_MODULE)
   find_package(nlohmann_json REQUIRED)
   find_package(tl-expected REQUIRED)
   add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
   target_link_libraries(${name} PRIVATE
-    mirocup_options Eigen3::Eigen nlohmann_json::nlohmann_json tl::expected)
+    mirocup_options nlohmann_json::nlohmann_json tl::expected)
   target_precompile_headers(${name} PRIVATE
-    <Eigen/Core> <algorithm> <array> <charconv> <chrono> <cmath> <filesystem> <fstream> <functional> <iostream> <map>
+    <algorithm> <array> <charconv> <chrono> <cmath> <filesystem> <fstream> <functional> <iostream> <map>
     <memory> <nlohmann/json.hpp> <numeric> <optional> <set> <span> <sstream> <string> <string_view> <thread>
     <tl/expected.hpp> <unordered_map> <utility> <variant> <vector>)
 endfunction()

@@ -136,11 +136,12 @@ bool Cutter::are_near(int i, int j, int frame, double limit) const {
 
 bool Cutter::is_at_wall(int body, int frame, double limit) const {
   if (!footage_.sight(body, frame).is_seen) return false;
-  const Vec2 at = footage_.sight(body, frame).position.cwiseAbs();
+  const Vec2 seen = footage_.sight(body, frame).position;
+  const Vec2 at{std::abs(seen.x()), std::abs(seen.y())};
   const field::Field& field = footage_.field();
   const double inside = reach(body) + limit;
   return at.x() > field.half_length - inside || at.y() > field.half_width - inside ||
-         at.sum() >
+         at.x() + at.y() >
              field.half_length + field.half_width - field.corner_leg - inside * std::sqrt(2.0);
 }
 

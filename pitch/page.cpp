@@ -64,8 +64,8 @@ std::string picture_of(const Track& track) {
   Vec2 low = track.seen.front(), high = low;
   const auto widen = [&](const std::vector<Vec2>& points) {
     for (const Vec2& p : points) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
+      low = {std::min(low.x(), p.x()), std::min(low.y(), p.y())};
+      high = {std::max(high.x(), p.x()), std::max(high.y(), p.y())};
     }
   };
   widen(track.seen);

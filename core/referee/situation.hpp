@@ -32,13 +32,6 @@ using ByEnd = std::array<T, 2>;
 template <class T>
 using ByRobot = ByEnd<std::array<T, max_robots_per_team>>;
 
-// Returns zero for each robot. Needed because `{}` leaves Eigen's vectors uninitialised.
-inline ByRobot<Vec2> all_at_rest() {
-  ByRobot<Vec2> velocities;
-  for (auto& team : velocities) team.fill(Vec2{0.0, 0.0});
-  return velocities;
-}
-
 struct Situation {
   double begin = 0.0;     // clock of the phase at the start of the tick, s; set by the referee
   double duration = 0.0;  // of the tick, s; 0 for the first frame of a camera
@@ -48,8 +41,8 @@ struct Situation {
   ByRobot<Pose> robots;        // at the end
 
   // At the start of the tick, before any impact in it; and what the wheels were commanded.
-  ByRobot<Vec2> velocity = all_at_rest();
-  ByRobot<Vec2> commanded = all_at_rest();
+  ByRobot<Vec2> velocity{};
+  ByRobot<Vec2> commanded{};
 
   // Touches during the tick, or within the touching distance at its end (touches.hpp).
   ByEnd<RobotSet> touched_ball;

@@ -53,7 +53,8 @@ Vec2 half_size(const simulator::Parameters& p) {
   if (p.robot_corners.corners == 0) return {p.robot_side / 2.0, p.robot_side / 2.0};
   Vec2 half{0.0, 0.0};
   for (int i = 0; i < p.robot_corners.corners; ++i) {
-    half = half.cwiseMax(p.robot_corners.corner(i).cwiseAbs());
+    const Vec2 corner = p.robot_corners.corner(i);
+    half = {std::max(half.x(), std::abs(corner.x())), std::max(half.y(), std::abs(corner.y()))};
   }
   return half;
 }

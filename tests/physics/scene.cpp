@@ -124,11 +124,13 @@ double kinetic_energy(const World& world) {
 bool is_finite(const World& world) {
   bool finite = true;
   for (const BodyState& r : robots_of(world)) {
-    finite = finite && std::isfinite(r.position.sum() + r.heading.cos + r.heading.sin +
-                                     r.twist.forward + r.twist.left + r.twist.omega);
+    finite =
+        finite && std::isfinite(r.position.x() + r.position.y() + r.heading.cos + r.heading.sin +
+                                r.twist.forward + r.twist.left + r.twist.omega);
   }
   for (const BallState& b : ball_of(world)) {
-    finite = finite && std::isfinite(b.position.sum() + b.velocity.sum());
+    finite = finite && std::isfinite(b.position.x() + b.position.y()) &&
+             std::isfinite(b.velocity.x() + b.velocity.y());
   }
   return finite;
 }

@@ -27,6 +27,16 @@ Vec2 forward_of(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
+// The core's vectors have no matrices beside them; these are the same numbers as Eigen's.
+Eigen::Vector2d in_eigen(const Vec2& v) {
+  return {v.x(), v.y()};
+}
+
+// Returns the velocity of the centre, without the turn.
+Vec2 in_plane(const Eigen::Vector3d& velocity) {
+  return {velocity[0], velocity[1]};
+}
+
 Eigen::RowVector3d generalised(const Vec2& direction, const Vec2& lever) {
   return {direction.x(), direction.y(), cross(lever, direction)};
 }
@@ -90,7 +100,7 @@ Eigen::Vector3d TinyWorld::mass(int body) const {
 Eigen::Matrix3d TinyWorld::inverse_mass_in_impact(int body) const {
   Eigen::Matrix3d w = mass(body).cwiseInverse().asDiagonal();
   if (has_wheels(body) && p_.grip == simulator::infinite_grip) {
-    const Vec2 forward = forward_of(bodies_[body].angle);
+    const Eigen::Vector2d forward = in_eigen(forward_of(bodies_[body].angle));
     w.topLeftCorner<2, 2>() = forward * forward.transpose() / p_.robot_mass;
   }
   return w;
@@ -104,9 +114,9 @@ Eigen::Vector3d TinyWorld::force(const Body& middle, int index) const {
   }
   const DriveReference& drive = drives_[index];
   if (!drive.wheels_on_ground) return Eigen::Vector3d::Zero();
-  const Vec2 forward = forward_of(middle.angle);
+  const Eigen::Vector2d forward = in_eigen(forward_of(middle.angle));
   const double speed = forward.dot(middle.velocity.head<2>());
-  const Vec2 push = m[0] * (drive.forward - speed) / drive.forward_lag * forward;
+  const Eigen::Vector2d push = m[0] * (drive.forward - speed) / drive.forward_lag * forward;
   return {push.x(), push.y(), m[2] * (drive.turn - middle.velocity[2]) / drive.turn_lag};
 }
 
@@ -134,8 +144,8 @@ void TinyWorld::for_close_pairs(const Bodies& bodies, Visit visit) const {
         visit(i, j, -1, outline(bodies[i], i), outline(bodies[j], j));
       }
     }
-    const Vec2 at = bodies[i].position.cwiseAbs();
-    if (at.x() < inner_.x() && at.y() < inner_.y()) continue;
+    const Vec2 at = bodies[i].position;
+    if (std::abs(at.x()) < inner_.x() && std::abs(at.y()) < inner_.y()) continue;
     for (int k = 0; k < static_cast<int>(solids_.size()); ++k) {
       visit(i, -1, k, outline(bodies[i], i), solids_[k]);
     }
@@ -215,7 +225,7 @@ double TinyWorld::rate(const Row& row, const Bodies& bodies) {
 TinyWorld::Bodies TinyWorld::stepped(const Contacts& contacts, double h) {
   Bodies end = bodies_;
   for (Body& body : end) {
-    body.position += h * body.velocity.head<2>();
+    body.position += h * in_plane(body.velocity);
     body.angle += h * body.velocity[2];
   }
   // Each pass uses the end state that the previous pass found.
@@ -266,7 +276,7 @@ void TinyWorld::solve_step(const Contacts& contacts, double h, Bodies& end) {
   // The ball's rolling resistance keeps it at rest if K_c m g suffices, and else opposes its motion
   // with that force. It is found in turn with the contact impulses until both agree.
   const double resistance = p_.rolling_resistance * p_.ball_mass * g * h;
-  Vec2 brake{0.0, 0.0};
+  Eigen::Vector2d brake{0.0, 0.0};
   if (impulses_.size() != n) impulses_ = Eigen::VectorXd::Zero(n);
   constexpr int most_turns = 100;
   for (int turn = 0; turn < most_turns; ++turn) {
@@ -290,16 +300,17 @@ void TinyWorld::solve_step(const Contacts& contacts, double h, Bodies& end) {
       push(row.b, row.along_b);
     }
     if (!has_ball_) break;
-    const Vec2 unbraked = mass(robots_)[0] * end[robots_].velocity.head<2>() - brake;
+    const Eigen::Vector2d unbraked = mass(robots_)[0] * end[robots_].velocity.head<2>() - brake;
     const double size = unbraked.norm();
-    const Vec2 next = size > resistance ? Vec2{-resistance / size * unbraked} : Vec2{-unbraked};
+    const Eigen::Vector2d next = size > resistance ? Eigen::Vector2d{-resistance / size * unbraked}
+                                                   : Eigen::Vector2d{-unbraked};
     const double change = (next - brake).norm();
     brake = next;
     if (turn > 0 && change <= 1e-9 * resistance) break;
   }
   for (int i = 0; i < count; ++i) {
     const Eigen::Vector3d mean = 0.5 * (bodies_[i].velocity + end[i].velocity);
-    end[i].position = bodies_[i].position + h * mean.head<2>();
+    end[i].position = bodies_[i].position + h * in_plane(mean);
     end[i].angle = bodies_[i].angle + h * mean[2];
   }
 }

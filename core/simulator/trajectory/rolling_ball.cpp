@@ -23,7 +23,7 @@ Segment roll_per_axis(const RollingDeceleration& d, const BodyState& ball, doubl
   double end = horizon;
   double rate = d.linear;
   for (int axis = 0; axis < 2; ++axis) {
-    const double speed = std::abs(velocity[axis]);
+    const double speed = std::abs(axis == 0 ? velocity.x() : velocity.y());
     if (axis == 0 ? braking.x_is_slow : braking.y_is_slow) {
       rate = d.slow_rate();
     } else {

@@ -65,7 +65,7 @@ TEST(Coverage, AgreesWithCountedPoints) {
         hits += f.inside(area, End::right, point, 0.0) ? 1 : 0;
       }
       EXPECT_NEAR(part(f, area, pose), static_cast<double>(hits) / (n * n), 0.02)
-          << to_string(league) << " " << pose.position.transpose();
+          << to_string(league) << " " << pose.position.x() << " " << pose.position.y();
     }
   }
 }

@@ -153,7 +153,7 @@ TEST(Scene, OverlapsAndBodiesOutsideTheFieldAreFound) {
   EXPECT_FALSE(find_overlap(scene));
   for (const Vec2& place : {Vec2{0.74, 0.4}, Vec2{5.0, 0.0}, Vec2{0.0, -0.65}, Vec2{0.84, 0.0}}) {
     scene.ball->position = place;
-    ASSERT_TRUE(find_overlap(scene)) << place.transpose();
+    ASSERT_TRUE(find_overlap(scene)) << place.x() << " " << place.y();
     EXPECT_EQ(find_overlap(scene)->second, no_body);
   }
   scene.has_walls = false;
