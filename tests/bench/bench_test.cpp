@@ -35,6 +35,8 @@ TEST(Bench, PrintsErrorsAndCosts) {
   }
   EXPECT_LT(own["error_m"]["free_five_ticks"]["p90"], 1e-12);
   EXPECT_LT(own["error_m"]["crowd_five_ticks"]["p90"], 2e-5);
+  EXPECT_GE(own["error_m"]["crowd_five_ticks"]["p99"], own["error_m"]["crowd_five_ticks"]["p90"]);
+  EXPECT_LT(own["error_m"]["crowd_five_ticks"]["p99"], 1e-3);
   for (const auto& shots : own["shots"]) {
     EXPECT_EQ(shots["through_robot"], 0.0);
     EXPECT_EQ(shots["through_plate"], 0.0);

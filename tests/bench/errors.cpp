@@ -133,7 +133,7 @@ Spread spread(std::vector<double> values) {
   const auto at = [&](double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
   };
-  return {at(0.5), at(0.9)};
+  return {at(0.5), at(0.9), at(0.99)};
 }
 
 // Returns the share of shots at the body at the origin that end beyond it. Each shot starts a

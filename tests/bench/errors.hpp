@@ -15,6 +15,7 @@ namespace mirocup::bench {
 struct Spread {
   double p50 = 0.0;
   double p90 = 0.0;
+  double p99 = 0.0;
 };
 
 // A short piece of a scene, and where the yardstick puts its bodies.

@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Spread& spread) {
-  return {{"p50", spread.p50}, {"p90", spread.p90}};
+  return {{"p50", spread.p50}, {"p90", spread.p90}, {"p99", spread.p99}};
 }
 
 Json json_of(const Report& report, const Row& row) {
