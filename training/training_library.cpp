@@ -56,6 +56,10 @@ mirocup_training* create(const char* configuration) {
 
 }  // namespace
 
+uint32_t mirocup_training_version() {
+  return MIROCUP_TRAINING_VERSION;
+}
+
 mirocup_training* mirocup_training_create(const char* configuration, char* error, size_t size) {
   try {
     return create(configuration);
@@ -122,7 +126,7 @@ int mirocup_training_bodies(const mirocup_training* training, int match, double*
 int mirocup_training_record(mirocup_training* training, int match,
                             enum mirocup_training_episode episode, const char* path) {
   return guarded(training, [&] {
-    return training->batch.record(match, episode == MIROCUP_LAST_EPISODE, path);
+    return training->batch.record(match, episode == MIROCUP_TRAINING_LAST_EPISODE, path);
   });
 }
 

@@ -23,6 +23,20 @@ void copy_bodies(const From& from, To& to) {
   to.ball_mass = from.ball_mass;
 }
 
+// Calls visit(name, member) for the limits of the laws that a team receives of the referee::Rules.
+template <class Rules, class Visit>
+void for_each_limit(Rules& rules, Visit visit) {
+  visit("stalemate_limit_s", rules.stalemate_s);
+  visit("advantage_limit_s", rules.advantage_s);
+  visit("keeper_hold_limit_s", rules.keeper_hold_s);
+  visit("defenders_limit_s", rules.def_dwell_s);
+  visit("attackers_limit_s", rules.att_dwell_s);
+  visit("ready_s", rules.ready_s);
+  visit("defenders_allowed", rules.def_max);
+  visit("area_defenders_allowed", rules.pa_def_max);
+  visit("attackers_allowed", rules.att_max);
+}
+
 // Calls visit(name, member) for what a team receives of a simulator::Parameters besides the sizes
 // above: the motors' other lags (0: none), the floor and the contacts.
 template <class P, class Visit>

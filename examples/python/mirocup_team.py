@@ -24,6 +24,7 @@ import ctypes
 import os
 from ctypes import c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 
+ABI_VERSION = 2  # of strategy.h, whose structures are below
 MAX_ROBOTS = 11
 NOTHING, SEATED, TICK, OVER, REFUSED = range(5)
 NO_RESTART, KICK_OFF, GOAL_KICK, PENALTY_KICK, FREE_BALL, FREE_KICK = range(6)  # now.restart
@@ -49,13 +50,13 @@ class Setup(ctypes.Structure):
     _fields_ = [("size", c_uint32), ("league", c_int32), ("team", c_int32), ("robots", c_int32),
                 ("seed", c_uint64)]
     _fields_ += [(name, c_double) for name in (
-        "control_period", "half_seconds", "half_length", "half_width", "corner_leg",
+        "control_period", "half_s", "half_length", "half_width", "corner_leg",
         "goal_half_width", "goal_depth", "goal_area_depth", "goal_area_half_width",
         "penalty_area_depth", "penalty_area_half_width", "centre_circle_radius", "robot_side",
         "robot_mass", "wheel_distance", "wheel_radius", "wheel_speed_limit", "motor_time_constant",
         "grip", "ball_radius", "ball_mass")]
     # The first members; the host fills in more.
-    _fields_ += [("log", c_void_p), ("host", c_void_p), ("parameter", c_void_p),
+    _fields_ += [("host", c_void_p), ("log", c_void_p), ("parameter", c_void_p),
                  ("draw_line", ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_uint32, *4 * [c_double])),
                  ("draw_circle", ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_uint32, *3 * [c_double])),
                  ("draw_polygon", ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_uint32,
@@ -114,6 +115,10 @@ def load(path=None):
         raise Error(f"{path} cannot be loaded ({error}); in mirocup's folder, `cmake --preset play && cmake --build "
                     "build --target mirocup_team` makes build/libmirocup_team.so, and "
                     "$MIROCUP_TEAM_LIBRARY says where it is") from error
+    version = library.mirocup_team_version() if hasattr(library, "mirocup_team_version") else 1
+    if version != ABI_VERSION:
+        raise Error(f"{path} is of version {version} of strategy.h, this file of version {ABI_VERSION}: take both "
+                    "from one mirocup")
     library.mirocup_team_open.restype = c_void_p
     library.mirocup_team_open.argtypes = [ctypes.POINTER(Call), c_char_p, c_size_t]
     library.mirocup_team_wait.argtypes = [c_void_p, c_double]
@@ -121,9 +126,9 @@ def load(path=None):
     library.mirocup_team_setup.argtypes = [c_void_p]
     library.mirocup_team_observation.restype = ctypes.POINTER(Observation)
     library.mirocup_team_observation.argtypes = [c_void_p]
-    library.mirocup_team_place.restype = None
+    library.mirocup_team_place.restype = c_int32
     library.mirocup_team_place.argtypes = [c_void_p, ctypes.POINTER(Placement)]
-    library.mirocup_team_send.restype = None
+    library.mirocup_team_send.restype = c_int32
     library.mirocup_team_send.argtypes = [c_void_p, ctypes.POINTER(Command)]
     library.mirocup_team_text.restype = c_char_p
     library.mirocup_team_text.argtypes = [c_void_p]

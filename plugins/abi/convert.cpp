@@ -2,13 +2,14 @@
 #include "plugins/abi/convert.hpp"
 
 #include "core/match/copy_fields.hpp"
+#include "core/match/thought.hpp"
 
 namespace mirocup::abi {
 
 // The core and strategy.h give these the same numbers.
 static_assert(static_cast<int>(League::large) == MIROCUP_LARGE);
 static_assert(static_cast<int>(Team::yellow) == MIROCUP_YELLOW);
-static_assert(static_cast<int>(match::State::END) == MIROCUP_END);
+static_assert(static_cast<int>(match::State::END) == MIROCUP_OVER);
 static_assert(static_cast<int>(referee::Phase::SECOND_HALF) == MIROCUP_SECOND_HALF);
 static_assert(static_cast<int>(referee::Phase::SHOOT_OUT) == MIROCUP_SHOOT_OUT);
 static_assert(static_cast<int>(referee::Restart::KICK_OFF) == MIROCUP_KICK_OFF);
@@ -25,7 +26,8 @@ mirocup_robot to_robot(const match::ObservedRobot& robot) {
           robot.velocity.x(), robot.velocity.y(), robot.turn};
 }
 
-static_assert(geometry::max_corners == 8);
+static_assert(geometry::max_corners == MIROCUP_MAX_CORNERS);
+static_assert(match::max_polygon_corners == MIROCUP_MAX_POLYGON_CORNERS);
 
 void copy_physics(const simulator::Parameters& p, mirocup_setup& s) {
   s.turn_time_constant = p.turn_lag();
@@ -47,6 +49,18 @@ void copy_physics(const simulator::Parameters& p, mirocup_setup& s) {
   }
 }
 
+void copy_limits(const referee::Rules& rules, mirocup_setup& s) {
+  s.stalemate_limit_s = rules.stalemate_s;
+  s.advantage_limit_s = rules.advantage_s;
+  s.keeper_hold_limit_s = rules.keeper_hold_s;
+  s.defenders_limit_s = rules.def_dwell_s;
+  s.attackers_limit_s = rules.att_dwell_s;
+  s.ready_s = rules.ready_s;
+  s.defenders_allowed = rules.def_max;
+  s.area_defenders_allowed = rules.pa_def_max;
+  s.attackers_allowed = rules.att_max;
+}
+
 }  // namespace
 
 mirocup_setup to_setup(const match::Briefing& briefing) {
@@ -58,10 +72,13 @@ mirocup_setup to_setup(const match::Briefing& briefing) {
   s.robots = field.robots_per_team;
   s.seed = briefing.seed;
   s.control_period = briefing.control_period;
-  s.half_seconds = briefing.rules->half_s;
+  s.half_s = briefing.rules->half_s;
   match::copy_field(field, s);
   match::copy_bodies(*briefing.parameters, s);
   copy_physics(*briefing.parameters, s);
+  s.command_size = sizeof(mirocup_command);
+  s.placement_size = sizeof(mirocup_placement);
+  copy_limits(*briefing.rules, s);
   return s;
 }
 

@@ -59,7 +59,7 @@ tl::expected<Plugin, Fault> Plugin::load(const std::string& path, const mirocup_
   if (!plugin) return plugin;
   const auto create = [&] { plugin->team_ = plugin->strategy_->create(&setup); };
   MIROCUP_TRY_VOID(guarded("create", create));
-  if (plugin->team_ == nullptr) return fault(FaultCode::no_load, "create() returned null");
+  if (plugin->team_ == nullptr) return fault(FaultCode::no_load, create_gave_up);
   return plugin;
 }
 
@@ -87,11 +87,13 @@ tl::expected<Plugin, Fault> Plugin::open(const std::string& path) {
   if (strategy->abi_version != MIROCUP_ABI_VERSION) {
     return fault(FaultCode::bad_abi,
                  "the library was built for version " + std::to_string(strategy->abi_version) +
-                     " of strategy.h, this is version " + std::to_string(MIROCUP_ABI_VERSION));
+                     " of strategy.h, this is version " + std::to_string(MIROCUP_ABI_VERSION) +
+                     ": build it again with today's strategy.h");
   }
   if (strategy->size == offsetof(mirocup_strategy, place)) {
     return fault(FaultCode::bad_abi,
-                 "the library was built with a strategy.h from before the first release");
+                 "the library was built with a strategy.h from before the first release: build it "
+                 "again with today's strategy.h");
   }
   if (strategy->size < min_strategy_size || strategy->create == nullptr ||
       strategy->decide == nullptr) {

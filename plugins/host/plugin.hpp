@@ -13,7 +13,10 @@
 
 namespace mirocup::plugins {
 
-// Implements setup.log: writes a line to standard error, which is the team's log.
+// The text of the fault of a team whose create() returned null.
+inline constexpr const char* create_gave_up = "create() returned null";
+
+// Writes a line to standard error, which is the team's log.
 void write_line(const char* text);
 
 class Plugin {

@@ -84,11 +84,24 @@ void draw(void* host, ThoughtKind kind, const char* layer, std::uint32_t colour,
 
 void give_host(mirocup_setup& setup, TeamHost& host) {
   setup.host = &host;
+  setup.log = log_line;
   setup.parameter = parameter_of;
   setup.draw_line = draw_line;
   setup.draw_circle = draw_circle;
   setup.draw_polygon = draw_polygon;
   setup.draw_text = draw_text;
+}
+
+void log_line(void* host, const char* text) {
+  if (text == nullptr) return;
+  write_line(text);
+  if (host != nullptr) static_cast<TeamHost*>(host)->last_line.assign(text, strnlen(text, 200));
+}
+
+match::Fault with_reason(match::Fault fault, const TeamHost& host) {
+  if (fault.text == create_gave_up && !host.last_line.empty())
+    fault.text += ": \"" + host.last_line + "\"";
+  return fault;
 }
 
 double parameter_of(void* host, const char* name, double fallback) {

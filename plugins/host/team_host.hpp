@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace mirocup::plugins {
 
@@ -23,6 +24,7 @@ struct TeamHost {
   std::array<std::size_t, match::max_team_parameters + 1> names{};  // hashes
   std::size_t different_names = 0;
   bool has_told_name = false;
+  std::string last_line = {};  // of the log, at most 200 bytes
 };
 
 // The team's log marks lines of the host with it; mirocup check shows them as warnings.
@@ -30,6 +32,13 @@ inline constexpr const char* line_of_host = "mirocup: ";
 
 // Gives the setup the host and its functions.
 void give_host(mirocup_setup& setup, TeamHost& host);
+
+// The function `setup.log`: writes a line to standard error, which is the team's log, and keeps it
+// in the TeamHost at `host`, which may be null.
+void log_line(void* host, const char* text);
+
+// Returns the fault, with the last line of the log as its reason if create() returned null.
+match::Fault with_reason(match::Fault fault, const TeamHost& host);
 
 // The function `setup.parameter`: returns the value of that name in the table of the TeamHost at
 // `host` and marks it as asked for; `fallback` if the table or the name is missing. Writes a line

@@ -17,7 +17,6 @@ std::unique_ptr<TrustedController::Facts> TrustedController::facts_for(
   if (keeps_thoughts) facts->thoughts.emplace();
   facts->host = {&facts->parameters, &facts->asked, facts->thoughts ? &*facts->thoughts : nullptr};
   facts->setup = abi::to_setup(briefing);
-  facts->setup.log = write_line;
   give_host(facts->setup, facts->host);
   return facts;
 }
@@ -26,7 +25,10 @@ tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController
     const std::string& path, const match::Briefing& briefing,
     const match::TeamParameters& parameters, bool keeps_thoughts) {
   auto facts = facts_for(briefing, parameters, keeps_thoughts);
-  MIROCUP_TRY(auto plugin, Plugin::load(path, facts->setup));
+  MIROCUP_TRY(auto plugin,
+              Plugin::load(path, facts->setup).map_error([&](const match::Fault& fault) {
+                return with_reason(fault, facts->host);
+              }));
   return std::unique_ptr<TrustedController>(
       new TrustedController(briefing.team, std::move(facts), std::move(plugin)));
 }

@@ -54,8 +54,7 @@ Robot turned(const Body& body) {
       core::match::team_frame(core::End::right, core::match::observed(to_state(body))));
 }
 
-// The model of a match, with the numbers of this leg. An older host leaves some out, which it does
-// not change.
+// The model of a match, with the numbers of this leg.
 simulator::Parameters parameters_of(const Setup& setup) {
   simulator::Parameters p;
   p.robot_side = setup.robot_side;
@@ -67,7 +66,6 @@ simulator::Parameters parameters_of(const Setup& setup) {
   p.grip = setup.grip;
   p.ball_radius = setup.ball_radius;
   p.ball_mass = setup.ball_mass;
-  if (setup.size < offsetof(Setup, reserved_corners)) return p;
   p.turn_time_constant = setup.turn_time_constant;
   p.brake_time_constant = setup.brake_time_constant;
   p.rolling_resistance = setup.rolling_resistance;
@@ -80,7 +78,6 @@ simulator::Parameters parameters_of(const Setup& setup) {
                         .ball_robot = setup.ball_robot_friction,
                         .robot_wall = setup.robot_wall_friction,
                         .robot_robot = setup.robot_robot_friction};
-  if (setup.size < sizeof(Setup)) return p;
   p.robot_corners.corners = std::min<int>(setup.corners, core::geometry::max_corners);
   std::copy_n(setup.corner_x, core::geometry::max_corners, p.robot_corners.x.begin());
   std::copy_n(setup.corner_y, core::geometry::max_corners, p.robot_corners.y.begin());

@@ -51,11 +51,18 @@ Robot = namedtuple("Robot", "x y heading vx vy turn")
 Pose = namedtuple("Pose", "x y heading")
 Counts = namedtuple("Counts", "defenders area_defenders attackers keeper advantage_against "
                     "two_defenders_s four_defenders_s two_attackers_s keeper_hold_s")
-Setup = namedtuple("Setup", "league team robots seed control_period half_seconds half_length "
+Setup = namedtuple("Setup", "league team robots seed control_period half_s half_length "
                    "half_width corner_leg goal_half_width goal_depth goal_area_depth "
                    "goal_area_half_width penalty_area_depth penalty_area_half_width "
                    "centre_circle_radius robot_side robot_mass wheel_distance wheel_radius "
-                   "wheel_speed_limit motor_time_constant grip ball_radius ball_mass")
+                   "wheel_speed_limit motor_time_constant grip ball_radius ball_mass "
+                   "turn_time_constant brake_time_constant rolling_resistance viscous_friction "
+                   "ball_wall_restitution ball_robot_restitution robot_wall_restitution "
+                   "robot_robot_restitution ball_wall_friction ball_robot_friction "
+                   "robot_wall_friction robot_robot_friction stalemate_limit_s advantage_limit_s "
+                   "keeper_hold_limit_s defenders_limit_s attackers_limit_s ready_s "
+                   "defenders_allowed area_defenders_allowed attackers_allowed",
+                   defaults=21 * (0.0,))
 Observation = namedtuple("Observation", "tick time clock state phase restart own_restart own_score "
                          "opponent_score robots placing ball_x ball_y ball_vx ball_vy own opponent "
                          "own_counts opponent_counts stalemate_s advantage_s own_age_ticks "
@@ -412,7 +419,7 @@ def keep_goal(setup, now, robot):
 # What follows is between the program that plays the team and the classes above: the bytes of
 # strategy.h, and errors as sentences. A team does not need it.
 
-_SETUP = struct.Struct("@I i i i Q 21d P P P")
+_SETUP = struct.Struct("@I i i i Q 21d 7P 12d 2i 16d 2I 6d 4i")
 _ROBOTS = 6 * MAX_ROBOTS
 _OBSERVATION = struct.Struct(f"@I I d d 8i 4d {_ROBOTS}d {_ROBOTS}d 6i 4d 6i 4d 2d "
                              f"{MAX_ROBOTS}i {MAX_ROBOTS}i i i")
@@ -437,7 +444,7 @@ class _host:  # the program that plays a team puts its own functions in place of
 
 def _setup_of(data):
     values = _SETUP.unpack_from(data)  # newer hosts have more at the end
-    return Setup(*values[1:26])
+    return Setup(*values[1:26], *values[33:45], *values[65:74])
 
 
 def _counts_of(values, at):

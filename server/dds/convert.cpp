@@ -66,11 +66,13 @@ mirocup_v4_LegFacts facts_of(const match::Briefing& briefing) {
   facts.half_seconds = briefing.rules->half_s;
   match::copy_field(*briefing.field, facts);
   match::copy_bodies(*briefing.parameters, facts);
-  match::for_each_physics(*briefing.parameters, [&](const char* name, double value) {
+  const auto add = [&](const char* name, double value) {
     mirocup_v4_NamedNumber& number = facts.numbers[facts.named++];
     copy_text(number.name, name);
     number.value = value;
-  });
+  };
+  match::for_each_physics(*briefing.parameters, add);
+  match::for_each_limit(*briefing.rules, add);
   return facts;
 }
 
@@ -175,11 +177,15 @@ bool from_sample(const mirocup_v4_Welcome& w, OwnedBriefing& owned) {
   owned.field = field::make_field(static_cast<League>(w.facts.league));
   match::copy_bodies(w.facts, owned.parameters);
   const std::size_t named = std::min<std::size_t>(w.facts.named, mirocup_v4_MAX_NUMBERS);
-  match::for_each_physics(owned.parameters, [&](std::string_view name, double& member) {
+  const auto read = [&](std::string_view name, auto& member) {
     for (std::size_t i = 0; i < named; ++i) {
-      if (name == w.facts.numbers[i].name) member = w.facts.numbers[i].value;
+      const double value = w.facts.numbers[i].value;
+      if (name == w.facts.numbers[i].name)
+        member = static_cast<std::decay_t<decltype(member)>>(value);
     }
-  });
+  };
+  match::for_each_physics(owned.parameters, read);
+  match::for_each_limit(owned.rules, read);
   owned.rules.half_s = w.facts.half_seconds;
   owned.briefing = {.field = &owned.field,
                     .parameters = &owned.parameters,

@@ -29,7 +29,7 @@ namespace mirocup::dds {
 
 namespace {
 
-void write_line(const char* text) {
+void write_line(void* /*host*/, const char* text) {
   std::fprintf(stderr, "%s\n", text);
 }
 
@@ -176,18 +176,26 @@ const mirocup_observation* mirocup_team_observation(const mirocup_connection* co
   return &connection->observation;
 }
 
-void mirocup_team_place(mirocup_connection* connection, const mirocup_placement* placement) {
-  if (connection->observation.placing == 0) return;
-  connection->poses = mirocup::abi::to_poses(*placement);
+std::uint32_t mirocup_team_version() {
+  return MIROCUP_ABI_VERSION;
 }
 
-void mirocup_team_send(mirocup_connection* connection, const mirocup_command* command) {
+std::int32_t mirocup_team_place(mirocup_connection* connection,
+                                const mirocup_placement* placement) {
+  if (connection->observation.placing == 0) return -1;
+  connection->poses = mirocup::abi::to_poses(*placement);
+  return 0;
+}
+
+std::int32_t mirocup_team_send(mirocup_connection* connection, const mirocup_command* command) {
+  if (connection->is_finished) return -1;
   mirocup::match::Command answer = mirocup::abi::to_command(*command);
   answer.placement = connection->poses;
   const std::uint32_t tick = connection->observation.tick;
   if (!connection->drawn.is_empty()) connection->client->think(connection->drawn, tick);
   connection->drawn.clear();
   connection->client->send(answer, tick);
+  return 0;
 }
 
 const char* mirocup_team_text(mirocup_connection* connection) {

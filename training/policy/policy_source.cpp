@@ -242,7 +242,7 @@ struct Learned {
 
 void* create(const mirocup_setup* setup) {
   if (setup->robots != robots) {
-    setup->log("this team has learned with another number of robots");
+    setup->log(setup->host, "this team has learned with another number of robots");
     return nullptr;
   }
   return new (std::nothrow) Learned{setup};

@@ -69,8 +69,8 @@
  *   Put tables that you need into the library. Any language that can make a C library will do.
  *
  * Log
- *   setup->log("text") and your standard output and error go to the log of the leg, which keeps 64
- *   KiB.
+ *   setup->log(setup->host, "text") and your standard output and error go to the log of the leg,
+ *   which keeps 64 KiB.
  *
  * Thoughts
  *   Draw a target, a path or a number in a tick. The replay of `mirocup match --thoughts` shows it,
@@ -100,10 +100,11 @@
  *   It plays a leg twice, the second time on another day and with clocks that run as in real time.
  *
  * Versions
- *   Structures grow only at their end, and `size` tells how many bytes of a structure exist. The
- *   host reads at most `size` bytes of your mirocup_strategy; missing members count as null.
- *   Likewise a library that should also run on older hosts must read at most `size` bytes of each
- *   structure that it receives.
+ *   A library with another MIROCUP_ABI_VERSION is refused: build it again with today's strategy.h.
+ *   Within a version, structures with a `size` grow at their end, and `size` tells how many bytes
+ *   exist: missing members of your mirocup_strategy count as null, and a library that should also
+ *   run on older hosts reads no member behind `size`. What stands in arrays never changes, so new
+ *   facts of a robot come as arrays of their own. docs/interfaces.md has the conventions.
  *
  * This header is C11 and C++ and needs nothing else. strategy.hpp is a C++ layer on top of it.
  */
@@ -118,27 +119,31 @@ extern "C" {
 
 /* A library with another number is refused. The number changes only when libraries that were built
  * before can no longer play; compatible additions show in the sizes of the structures. */
-#define MIROCUP_ABI_VERSION 1u
+#define MIROCUP_ABI_VERSION 2u
 
 /* The length of every array of robots; setup.robots and observation.robots tell how many are
  * used. */
 #define MIROCUP_MAX_ROBOTS 11
 
+/* The most corners of a robot's outline, and of a polygon that a team draws. */
+#define MIROCUP_MAX_CORNERS 8
+#define MIROCUP_MAX_POLYGON_CORNERS 32
+
 enum mirocup_league { MIROCUP_SMALL = 0, MIROCUP_MIDDLE = 1, MIROCUP_LARGE = 2 };
 
-enum mirocup_team { MIROCUP_BLUE = 0, MIROCUP_YELLOW = 1 };
+enum mirocup_colour { MIROCUP_BLUE = 0, MIROCUP_YELLOW = 1 };
 
 enum mirocup_state {
   MIROCUP_READY = 0, /* placed for a restart; robots stand until the whistle */
   MIROCUP_PLAY = 1,
-  MIROCUP_END = 2
+  MIROCUP_OVER = 2
 };
 
 enum mirocup_phase {
   MIROCUP_FIRST_HALF = 0,
   MIROCUP_SECOND_HALF = 1,
-  MIROCUP_EXTRA = 2,    /* after a knock-out match that is level */
-  MIROCUP_SHOOT_OUT = 3 /* only the kicker (robot 1) and the keeper (robot 0) may move */
+  MIROCUP_EXTRA_TIME = 2, /* after a knock-out match that is level */
+  MIROCUP_SHOOT_OUT = 3   /* only the kicker (robot 1) and the keeper (robot 0) may move */
 };
 
 /* The last restart. Under MiroSot rules the ball of a kick-off must first go to the kicker's own
@@ -163,11 +168,11 @@ typedef struct mirocup_robot {
 typedef struct mirocup_setup {
   uint32_t size;         /* of this structure, bytes */
   int32_t league;        /* enum mirocup_league */
-  int32_t team;          /* enum mirocup_team: your colour in this leg */
+  int32_t team;          /* enum mirocup_colour: yours in this leg */
   int32_t robots;        /* of each team: 3, 5 or 11 */
   uint64_t seed;         /* for your own random numbers; your opponent gets another seed */
   double control_period; /* s between two calls of decide() */
-  double half_seconds;   /* length of a half */
+  double half_s;         /* length of a half */
 
   /* The field: |x| <= half_length, |y| <= half_width, its corners cut off by triangles with legs
      corner_leg; goals |y| < goal_half_width, goal_depth deep. Your goal is at -half_length. m */
@@ -181,19 +186,20 @@ typedef struct mirocup_setup {
   double grip; /* infinite: wheels that never slide */
   double ball_radius, ball_mass;
 
-  /* Writes a line to the log of the leg. Never null. */
-  void (*log)(const char* text);
-
-  /* The handle of the host for this team, which the calls below take as their first argument. Older
-     hosts have nothing of what follows: see "Versions" about `size`. */
+  /* The handle of the host for this team, which the functions below take as their first argument.
+     They are never null. */
   void* host;
 
+  /* Writes a line to the log of the leg. If create() then returns null, the report of the leg has
+     the last line as its reason. */
+  void (*log)(void* host, const char* text);
+
   /* Returns the parameter of that name which the leg gives this team, or `fallback` if it gives
-     none. Never null. See "Parameters". */
+     none. See "Parameters". */
   double (*parameter)(void* host, const char* name, double fallback);
 
   /* Draw a shape into the replay, see "Thoughts". The points of a polygon are x, y of each of its 3
-     to 32 corners. Never null. */
+     to MIROCUP_MAX_POLYGON_CORNERS corners. */
   void (*draw_line)(void* host, const char* layer, uint32_t colour, double x1, double y1, double x2,
                     double y2);
   void (*draw_circle)(void* host, const char* layer, uint32_t colour, double x, double y,
@@ -215,8 +221,24 @@ typedef struct mirocup_setup {
   /* The outline of a robot that is not a square, counter-clockwise in its own frame, m; 0 corners:
      a square of robot_side. */
   int32_t corners;
-  int32_t reserved_corners;
-  double corner_x[8], corner_y[8];
+  int32_t reserved_corners; /* 0 */
+  double corner_x[MIROCUP_MAX_CORNERS], corner_y[MIROCUP_MAX_CORNERS];
+
+  /* The sizes of the structures that this host passes to decide() and place(), bytes. A library
+     that was built with a newer header must write no member of them that lies behind. */
+  uint32_t command_size, placement_size;
+
+  /* The limits of the laws, at which the referee calls what an observation counts. */
+  double stalemate_limit_s;       /* of stalemate_s */
+  double advantage_limit_s;       /* of advantage_s */
+  double keeper_hold_limit_s;     /* of keeper_hold_s */
+  double defenders_limit_s;       /* of two_defenders_s and four_defenders_s */
+  double attackers_limit_s;       /* of two_attackers_s */
+  double ready_s;                 /* from a placement to the whistle */
+  int32_t defenders_allowed;      /* robots of the defenders in their own goal area, */
+  int32_t area_defenders_allowed; /* in their own penalty area, */
+  int32_t attackers_allowed;      /* and of the attackers in the goal area before them */
+  int32_t reserved_limits;        /* 0 */
 } mirocup_setup;
 
 /* The referee's counts about a team. A robot counts if more than half of its body is inside and it
@@ -227,7 +249,7 @@ typedef struct mirocup_counts {
   int32_t attackers;         /* in the opponents' goal area, where one is allowed */
   int32_t keeper;            /* its robot that counts as keeper; -1: none */
   int32_t advantage_against; /* 1: it fouled, and is called unless the opponents score at once */
-  int32_t reserved;
+  int32_t reserved;          /* 0 */
   double two_defenders_s, four_defenders_s, two_attackers_s;
   double keeper_hold_s; /* how long the ball is in its goal area with no opponent near */
 } mirocup_counts;
@@ -256,7 +278,7 @@ typedef struct mirocup_observation {
   int32_t own_age_ticks[MIROCUP_MAX_ROBOTS];
   int32_t opponent_age_ticks[MIROCUP_MAX_ROBOTS];
   int32_t ball_age_ticks;
-  int32_t reserved_age;
+  int32_t reserved_age; /* 0 */
 } mirocup_observation;
 
 typedef struct mirocup_wheels {

@@ -36,7 +36,7 @@ extern "C" {
 
 typedef struct mirocup_team_call {
   uint32_t size;           /* of this structure, bytes; it grows only at its end */
-  int32_t team;            /* enum mirocup_team: the colour to play */
+  int32_t team;            /* enum mirocup_colour: the colour to play */
   const char* server;      /* host of the match server; null: this computer */
   const char* match;       /* ID of the match */
   const char* name;        /* of the team, as the match knows it */
@@ -73,11 +73,17 @@ const mirocup_observation* mirocup_team_observation(const mirocup_connection* co
 /* Requests places at a restart, while the last tick has `placing` 1. The following _send() sends
  * the request. The rules of place() in strategy.h hold, but fill `placement` completely: give
  * robots that should stay, and the ball, the values of the tick. Without a request all robots stay.
- * In any other tick the call has no effect. */
-void mirocup_team_place(mirocup_connection* connection, const mirocup_placement* placement);
+ * Returns 0, or -1 in any other tick, in which the call has no effect. */
+int32_t mirocup_team_place(mirocup_connection* connection, const mirocup_placement* placement);
 
-/* Sends the answer to the last tick. Call it once for a tick. */
-void mirocup_team_send(mirocup_connection* connection, const mirocup_command* command);
+/* Sends the answer to the last tick. Call it once for a tick. Returns 0, or -1 if the match is
+ * over or refused the team: mirocup_team_text() says how. A lost connection shows in
+ * mirocup_team_wait(). */
+int32_t mirocup_team_send(mirocup_connection* connection, const mirocup_command* command);
+
+/* Returns the MIROCUP_ABI_VERSION of the strategy.h that this library was built with, whose
+ * structures it uses. A program with another one must be built again. */
+uint32_t mirocup_team_version(void);
 
 /* Returns how the leg ended or why the team was refused; before that, why it has no seat yet. */
 const char* mirocup_team_text(mirocup_connection* connection);

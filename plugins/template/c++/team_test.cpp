@@ -32,7 +32,7 @@ mirocup_setup setup() {
   s.wheel_speed_limit = 60.0;
   s.grip = 1.0;
   s.ball_radius = 0.02135;
-  s.log = [](const char* text) { std::puts(text); };
+  s.log = [](void*, const char* text) { std::puts(text); };
   return s;
 }
 

@@ -63,7 +63,7 @@ static void* create(const mirocup_setup* setup) {
   if (team == NULL) return NULL;
   team->setup = setup;
   team->wait = setup->parameter(setup->host, "wait", 0.45);
-  setup->log("a team in C");
+  setup->log(setup->host, "a team in C");
   return team;
 }
 

@@ -12,7 +12,8 @@ static void expect(int holds, const char* what) {
   ++failures;
 }
 
-static void print_line(const char* text) {
+static void print_line(void* host, const char* text) {
+  (void)host;
   puts(text);
 }
 

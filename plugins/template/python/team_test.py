@@ -6,7 +6,7 @@ import unittest
 import mirocup.team as m
 import team
 
-SETUP = m.Setup(league=m.SMALL, team=0, robots=3, seed=1, control_period=0.033, half_seconds=300.0,
+SETUP = m.Setup(league=m.SMALL, team=0, robots=3, seed=1, control_period=0.033, half_s=300.0,
                 half_length=0.75, half_width=0.65, corner_leg=0.07, goal_half_width=0.2,
                 goal_depth=0.1, goal_area_depth=0.15, goal_area_half_width=0.25,
                 penalty_area_depth=0.0, penalty_area_half_width=0.0, centre_circle_radius=0.2,

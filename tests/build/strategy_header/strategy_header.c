@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * strategy.h compiles in C, and its layout is that of the libraries that teams have: a member that
- * moves makes them play on garbage. Add new members at the end of a structure, and of its list.
+ * strategy.h and team.h compile in C, and their layout is that of the libraries that teams have: a
+ * member that moves makes them play on garbage. Add new members at the end of a structure, and of
+ * its list.
  */
 #include "mirocup/strategy.h"
+#include "mirocup/team.h"
 
 #include <stddef.h>
 
@@ -24,7 +26,7 @@ AT(team, 8);
 AT(robots, 12);
 AT(seed, 16);
 AT(control_period, 24);
-AT(half_seconds, 32);
+AT(half_s, 32);
 AT(half_length, 40);
 AT(half_width, 48);
 AT(corner_leg, 56);
@@ -44,8 +46,8 @@ AT(motor_time_constant, 160);
 AT(grip, 168);
 AT(ball_radius, 176);
 AT(ball_mass, 184);
-AT(log, 192);
-AT(host, 200);
+AT(host, 192);
+AT(log, 200);
 AT(parameter, 208);
 AT(draw_line, 216);
 AT(draw_circle, 224);
@@ -67,8 +69,20 @@ AT(corners, 344);
 AT(reserved_corners, 348);
 AT(corner_x, 352);
 AT(corner_y, 416);
+AT(command_size, 480);
+AT(placement_size, 484);
+AT(stalemate_limit_s, 488);
+AT(advantage_limit_s, 496);
+AT(keeper_hold_limit_s, 504);
+AT(defenders_limit_s, 512);
+AT(attackers_limit_s, 520);
+AT(ready_s, 528);
+AT(defenders_allowed, 536);
+AT(area_defenders_allowed, 540);
+AT(attackers_allowed, 544);
+AT(reserved_limits, 548);
 #undef AT
-_Static_assert(sizeof(mirocup_setup) == 480, "its end");
+_Static_assert(sizeof(mirocup_setup) == 552, "its end");
 
 #define AT(member, offset) _Static_assert(offsetof(mirocup_counts, member) == (offset), #member)
 AT(defenders, 0);
@@ -150,6 +164,17 @@ AT(destroy, 32);
 AT(place, 40);
 #undef AT
 _Static_assert(sizeof(mirocup_strategy) == 48, "its end");
+
+#define AT(member, offset) _Static_assert(offsetof(mirocup_team_call, member) == (offset), #member)
+AT(size, 0);
+AT(team, 4);
+AT(server, 8);
+AT(match, 16);
+AT(name, 24);
+AT(credentials, 32);
+AT(domain, 40);
+#undef AT
+_Static_assert(sizeof(mirocup_team_call) == 48, "its end");
 
 const mirocup_strategy* mirocup_entry(void) {
   return 0;

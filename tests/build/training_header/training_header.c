@@ -9,6 +9,32 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#define AT(member, offset) \
+  _Static_assert(offsetof(mirocup_training_sizes, member) == (offset), #member)
+AT(matches, 0);
+AT(slots, 4);
+AT(rows, 8);
+AT(robots, 12);
+AT(observation, 16);
+AT(action, 20);
+AT(terms, 24);
+AT(statistics, 28);
+AT(threads, 32);
+#undef AT
+_Static_assert(sizeof(mirocup_training_sizes) == 36, "its end");
+#define AT(member, offset) \
+  _Static_assert(offsetof(mirocup_training_buffers, member) == (offset), #member)
+AT(actions, 0);
+AT(observations, 8);
+AT(rewards, 16);
+AT(terminations, 24);
+AT(truncations, 32);
+AT(final_observations, 40);
+AT(terms, 48);
+AT(statistics, 56);
+#undef AT
+_Static_assert(sizeof(mirocup_training_buffers) == 64, "its end");
+
 enum { matches = 6, steps = 100 };
 
 int main(void) {

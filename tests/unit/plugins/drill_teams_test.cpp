@@ -32,7 +32,7 @@ mirocup_setup facts() {
   setup.motor_time_constant = 0.05;
   setup.grip = 0.6;
   setup.ball_radius = 0.02135;
-  setup.log = write_line;
+  setup.log = [](void*, const char* text) { write_line(text); };
   return setup;
 }
 

@@ -74,7 +74,8 @@ class Talker : public Team {
 
 TEST(TeamInCpp, FormatsItsLogOnlyIfThereAreValues) {
   mirocup_setup setup{};
-  setup.log = [](const char* text) { last_line = text; };
+  setup.size = sizeof setup;
+  setup.log = [](void*, const char* text) { last_line = text; };
   Observation now{};
   now.tick = 7;
   now.ball_x = 0.25;

@@ -127,7 +127,7 @@ TEST(Training, EpisodesWrittenAsRecordsVerify) {
       ASSERT_EQ(batch.reset(seed), 0);
       for (int step = 0; step < 70; ++step) ASSERT_EQ(batch.step(seed, step), 0);
       const std::string path = folder / (name + ".json");
-      for (const auto episode : {MIROCUP_CURRENT_EPISODE, MIROCUP_LAST_EPISODE}) {
+      for (const auto episode : {MIROCUP_TRAINING_CURRENT_EPISODE, MIROCUP_TRAINING_LAST_EPISODE}) {
         if (verified == most) break;
         if (mirocup_training_record(batch.get(), 1, episode, path.c_str()) != 0) continue;
         const auto record = record::load(disk, path);
@@ -215,7 +215,9 @@ TEST(Training, EpisodesOnDrawnPitchesVerify) {
   const std::string path = folder / "episode.json";
   std::set<double> radii, masses;
   for (int match = 0; match < 20; ++match) {
-    ASSERT_EQ(mirocup_training_record(batch.get(), match, MIROCUP_CURRENT_EPISODE, path.c_str()), 0)
+    ASSERT_EQ(
+        mirocup_training_record(batch.get(), match, MIROCUP_TRAINING_CURRENT_EPISODE, path.c_str()),
+        0)
         << mirocup_training_error(batch.get());
     const auto record = record::load(disk, path);
     ASSERT_TRUE(test_support::is_ok(record));
@@ -243,7 +245,8 @@ TEST(Training, RecordsNameTheirPitch) {
   BatchOfMatches named(configuration);
   ASSERT_EQ(named.reset(1), 0);
   for (int step = 0; step < 30; ++step) ASSERT_EQ(named.step(1, step), 0);
-  ASSERT_EQ(mirocup_training_record(named.get(), 0, MIROCUP_CURRENT_EPISODE, path.c_str()), 0);
+  ASSERT_EQ(mirocup_training_record(named.get(), 0, MIROCUP_TRAINING_CURRENT_EPISODE, path.c_str()),
+            0);
   const auto record = record::load(disk, path);
   ASSERT_TRUE(test_support::is_ok(record));
   EXPECT_EQ(record->recording.setup.pitch_name, "vsss");
@@ -252,7 +255,9 @@ TEST(Training, RecordsNameTheirPitch) {
   configuration["pitch"] = {{"wheel_distance", 0.3}};
   BatchOfMatches impossible(configuration);
   ASSERT_EQ(impossible.reset(1), 0);
-  EXPECT_EQ(mirocup_training_record(impossible.get(), 0, MIROCUP_CURRENT_EPISODE, path.c_str()), 2);
+  EXPECT_EQ(
+      mirocup_training_record(impossible.get(), 0, MIROCUP_TRAINING_CURRENT_EPISODE, path.c_str()),
+      2);
   const std::string why = mirocup_training_error(impossible.get());
   EXPECT_NE(why.find("wheel_distance is 0.3"), std::string::npos) << why;
 }
@@ -520,10 +525,14 @@ TEST(Training, RefusesWhatItDoesNotUnderstand) {
   EXPECT_EQ(mirocup_training_create("{", nullptr, 0), nullptr);
   BatchOfMatches batch(json{{"matches", 2}});
   EXPECT_EQ(mirocup_training_step(batch.get()), 2) << "before the first reset";
-  EXPECT_EQ(mirocup_training_record(batch.get(), 9, MIROCUP_LAST_EPISODE, "/tmp/x.json"), 2);
+  EXPECT_EQ(mirocup_training_record(batch.get(), 9, MIROCUP_TRAINING_LAST_EPISODE, "/tmp/x.json"),
+            2);
   ASSERT_EQ(batch.reset(1), 0);
-  EXPECT_EQ(mirocup_training_record(batch.get(), 0, MIROCUP_LAST_EPISODE, "/tmp/x.json"), 2);
-  EXPECT_EQ(mirocup_training_record(batch.get(), 0, MIROCUP_CURRENT_EPISODE, "/nowhere/x.json"), 3);
+  EXPECT_EQ(mirocup_training_record(batch.get(), 0, MIROCUP_TRAINING_LAST_EPISODE, "/tmp/x.json"),
+            2);
+  EXPECT_EQ(
+      mirocup_training_record(batch.get(), 0, MIROCUP_TRAINING_CURRENT_EPISODE, "/nowhere/x.json"),
+      3);
 }
 
 // Catches numbers from outside that get into the physics, or into the rewards.

@@ -48,6 +48,12 @@ extern "C" {
 
 typedef struct mirocup_training mirocup_training;
 
+/* The version of this header. It changes when programs that were built before can no longer run. */
+#define MIROCUP_TRAINING_VERSION 1u
+
+/* Returns the MIROCUP_TRAINING_VERSION that the library was built with. */
+uint32_t mirocup_training_version(void);
+
 /* Lengths of the arrays below. Constant while a batch lives. */
 typedef struct mirocup_training_sizes {
   int32_t matches;
@@ -76,8 +82,8 @@ typedef struct mirocup_training_buffers {
 
 /* An episode of a match. */
 enum mirocup_training_episode {
-  MIROCUP_CURRENT_EPISODE = 0, /* as far as it has been played */
-  MIROCUP_LAST_EPISODE = 1     /* that ended last */
+  MIROCUP_TRAINING_CURRENT_EPISODE = 0, /* as far as it has been played */
+  MIROCUP_TRAINING_LAST_EPISODE = 1     /* that ended last */
 };
 
 /* Returns null after an error, with a sentence in `error` (`size` bytes, ended with 0). Loads and
@@ -94,12 +100,14 @@ int mirocup_training_bind(mirocup_training* training, const mirocup_training_buf
 
 /* Starts an episode in each match whose `mask` is not 0 (null: in all), writes its observations and
  * sets its rewards and ends to 0. `seeds` (null: none) has a seed for each match, from which all
- * later episodes of the match follow, too; without, the match goes on with its next episode. */
+ * later episodes of the match follow, too; without, the match goes on with its next episode. Both
+ * have `matches` entries. */
 int mirocup_training_reset(mirocup_training* training, const uint8_t* mask, const uint64_t* seeds);
 
 int mirocup_training_step(mirocup_training* training);
 
-/* Sets the weights of all terms of the reward, in the order of the spec. */
+/* Sets the weights of all terms of the reward, in the order of the spec: `terms`
+ * numbers. */
 int mirocup_training_set_weights(mirocup_training* training, const double* weights);
 
 /* Writes the true state of a match in the field's frame: for each robot of blue, each of yellow,

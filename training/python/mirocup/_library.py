@@ -47,12 +47,19 @@ class _Buffers(ctypes.Structure):
     _fields_ = [(name, ctypes.c_void_p) for name in NAMES]
 
 
+_VERSION = 1  # of training.h
+
+
 def _load() -> ctypes.CDLL:
     path = library_path()
     try:
         library = ctypes.CDLL(str(path))
     except OSError as e:
         raise TrainingError(f"{path} does not load: {e}") from None
+    version = library.mirocup_training_version() if hasattr(library, "mirocup_training_version") else 0
+    if version != _VERSION:
+        raise TrainingError(f"{path} is of version {version} of training.h, this package of version {_VERSION}: take both "
+                            "from one mirocup")
     handle, size = ctypes.c_void_p, ctypes.c_size_t
     for name, result, arguments in (
         ("create", handle, [ctypes.c_char_p, ctypes.c_char_p, size]),

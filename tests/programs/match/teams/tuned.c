@@ -13,7 +13,7 @@ static void* create(const mirocup_setup* setup) {
   if (speed == NULL) return NULL;
   *speed = setup->parameter(setup->host, "speed", 3.0);
   snprintf(line, sizeof line, "team %d turns at %g", (int)setup->team, *speed);
-  setup->log(line);
+  setup->log(setup->host, line);
   return speed;
 }
 

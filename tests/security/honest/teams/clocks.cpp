@@ -68,7 +68,7 @@ const char* first_wrong_clock() {
 void Honest::decide(const Observation& now, Command& command) {
   if (now.tick == 10) {
     const char* wrong = first_wrong_clock();
-    setup().log(wrong == nullptr ? "with clocks" : wrong);
+    setup().log(setup().host, wrong == nullptr ? "with clocks" : wrong);
   }
   command.wheels[1] = drive_to(setup(), now.own[1], {now.ball_x, now.ball_y});
 }

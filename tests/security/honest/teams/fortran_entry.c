@@ -5,7 +5,7 @@ void team_decide(int32_t robots, double ball_x, double ball_y, double* wheels);
 
 static void* create(const mirocup_setup* setup) {
   static int nothing_to_keep;
-  setup->log("in Fortran");
+  setup->log(setup->host, "in Fortran");
   return &nothing_to_keep;
 }
 

@@ -9,7 +9,7 @@ static const mirocup_setup* told;
 static void* create(const mirocup_setup* setup) {
   static int nothing_to_keep;
   told = setup;
-  setup->log("with places of its own");
+  setup->log(setup->host, "with places of its own");
   return &nothing_to_keep;
 }
 

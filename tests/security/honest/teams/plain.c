@@ -7,7 +7,7 @@
 static void* create(const mirocup_setup* setup) {
   mirocup_setup* copy = malloc(sizeof *copy);
   *copy = *setup;
-  setup->log("in C");
+  setup->log(setup->host, "in C");
   return copy;
 }
 

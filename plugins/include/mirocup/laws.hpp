@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+//
+// Keeping the laws, and the ball out of the own goal: changes of targets and of commands. Include
+// strategy.hpp, which has all of it.
+#pragma once
+
+#include "mirocup/driving.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::strategy {
+
+// Returns a target of robot `i`, moved out of the areas that the laws forbid: the own goal area, in
+// which only the keeper may be, and for robots 3 and higher also the penalty area. Not for the
+// keeper.
+inline Point keep_out(const Setup& setup, int i, Point p) {
+  // For the arc in front of the area and half a robot, m.
+  const double margin = setup.robot_side + (setup.league == MIROCUP_LARGE ? 0.075 : 0.02);
+  const bool is_crowd = i >= 3 && setup.penalty_area_depth > 0.0;
+  const double depth = (is_crowd ? setup.penalty_area_depth : setup.goal_area_depth) + margin;
+  const double half_width =
+      (is_crowd ? setup.penalty_area_half_width : setup.goal_area_half_width) + margin;
+  if (p.x < -setup.half_length + depth && std::abs(p.y) < half_width) {
+    p.x = -setup.half_length + depth;
+  }
+  return p;
+}
+
+// Returns a place for a waiting robot, moved aside if the place is before the own goal and the ball
+// is nearer to that goal: a ball that the keeper clears would rebound from the robot.
+inline Point make_way(const Setup& setup, const Observation& now, Point p) {
+  const bool is_in_front = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.15 &&
+                           p.x > now.ball_x + 0.02 && p.x < now.ball_x + 0.5;
+  if (!is_in_front) return p;
+  const double aside = setup.goal_half_width + 0.1;
+  p.y = p.y < 0.0 ? std::min(p.y, -aside) : std::max(p.y, aside);
+  return p;
+}
+
+// True if the ball has made no progress for `patience` s and nearly stands: between two robots, at
+// a wall, in a corner.
+inline bool is_stuck(const Observation& now, double patience = 0.6) {
+  return now.stalemate_s > patience && length(ball_velocity(now)) < 0.15;
+}
+
+// Returns the same wheel speeds, unless the robot would push an opponent without playing the ball.
+// Then it returns speeds at which the robot slows down before the opponent and backs off. A robot
+// at the ball plays the ball: if it and the opponent both backed off, the ball would stay there.
+inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
+                              Wheels wheels) {
+  const Point here = position(robot);
+  const Point nose{math::cos(robot.heading), math::sin(robot.heading)};
+  const double forward = setup.wheel_radius * (wheels.left + wheels.right) / 2.0;
+  const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
+  const Point direction = (forward < 0.0 ? -1.0 : 1.0) * nose;
+  const Point to_ball = ball(now) - here;
+  if (length(to_ball) < 0.09) return wheels;
+  const bool ball_ahead = dot(to_ball, direction) > 0.0 &&
+                          std::abs(to_ball.x * direction.y - to_ball.y * direction.x) < 0.055;
+  double allowed = std::abs(forward);
+  for (int j = 0; j < now.robots; ++j) {
+    const Point to = position(now.opponent[j]) - here;
+    if (dot(to, direction) <= 0.0 || std::abs(to.x * direction.y - to.y * direction.x) > 0.09)
+      continue;
+    // The ball is between the robot and the opponent: pushing both is playing the ball. So is
+    // driving to a stuck ball.
+    const double nearer = is_stuck(now, 1.0) && length(to_ball) < 0.2 ? 0.04 : 0.0;
+    if (ball_ahead && dot(to_ball, direction) < dot(to, direction) + nearer) continue;
+    const double gap = length(to) - 0.1;
+    allowed = std::min(allowed, gap > 0.0 ? 0.1 + 4.0 * gap : -0.2);
+  }
+  if (allowed == std::abs(forward)) return wheels;
+  return wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
+}
+
+// Returns the same wheel speeds, unless robot `i` is in an area that keep_out() forbids, or will
+// soon be there at its speed. Then returns speeds that take the robot out on the shortest way. Not
+// for the keeper.
+inline Wheels out_of_area(const Setup& setup, int i, const Robot& robot, Wheels wheels) {
+  // A robot counts if more than half of its body is inside, m.
+  const double margin = setup.robot_side / 2.0 + 0.0025;
+  const double braking_s = 0.1;  // the motors, and the delay of a tick
+  const bool is_crowd = i >= 3 && setup.penalty_area_depth > 0.0;
+  const double depth = is_crowd ? setup.penalty_area_depth : setup.goal_area_depth;
+  const double half_width = is_crowd ? setup.penalty_area_half_width : setup.goal_area_half_width;
+  // The arc before the area, m: its height and half its chord.
+  const bool has_arc = is_crowd || setup.league == MIROCUP_SMALL;
+  const double height = !has_arc ? 0.0 : setup.league == MIROCUP_LARGE ? 0.1 : 0.05;
+  const double arc = std::abs(robot.y) < half_width / 2.0 ? height : 0.0;
+  const double front = -setup.half_length + depth + arc + margin;
+  const double side = half_width + margin;
+  const double soon_x = robot.x + braking_s * robot.vx;
+  const double soon_y = robot.y + braking_s * robot.vy;
+  if (soon_x > front || std::abs(soon_y) > side) return wheels;
+  const bool is_near_front = front - robot.x < side - std::abs(robot.y);
+  const double beside = robot.y > 0.0 ? side + 0.1 : -side - 0.1;
+  return drive_to(setup, robot,
+                  is_near_front ? Point{front + 0.1, robot.y} : Point{robot.x, beside});
+}
+
+// Applies without_pushing() and out_of_area() to all robots of a command except the keeper, which
+// holds its place.
+inline void keep_laws(const Setup& setup, const Observation& now, Command& command) {
+  for (int i = 1; i < now.robots; ++i) {
+    command.wheels[i] = without_pushing(setup, now, now.own[i], command.wheels[i]);
+    command.wheels[i] = out_of_area(setup, i, now.own[i], command.wheels[i]);
+  }
+}
+
+// True if a ball that rolls straight on crosses the own goal line between the posts, or up to
+// `margin` (m) beside them.
+inline bool rolls_into_own_goal(const Setup& setup, Point ball, Point velocity, double margin) {
+  if (velocity.x > -0.05) return false;
+  const double seconds = (-setup.half_length - ball.x) / velocity.x;
+  return std::abs(ball.y + seconds * velocity.y) < setup.goal_half_width + margin;
+}
+
+// True if a ball that comes to `robot` within `soon_s` would rebound from it into the own goal.
+inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const Robot& robot,
+                               double soon_s = 0.4) {
+  const Point velocity = ball_velocity(now);
+  const Point coming = velocity - Point{robot.vx, robot.vy};
+  const Point along = unit(coming);
+  const Point to = position(robot) - ball(now);
+  const double ahead = dot(to, along);
+  const double aside = along.x * to.y - along.y * to.x;
+  if (ahead < 0.0 || ahead > soon_s * length(coming) + 0.06 || std::abs(aside) > 0.08) return false;
+  for (int face = 0; face < 4; ++face) {
+    const double heading = robot.heading + face * pi / 2.0;
+    const Point normal{math::cos(heading), math::sin(heading)};
+    const double closing = -dot(coming, normal);
+    if (closing < 0.2 * length(coming)) continue;
+    const Point off = velocity + (1.4 * closing) * normal;  // 1.4: what impacts leave
+    if (rolls_into_own_goal(setup, position(robot) + 0.06 * normal, off, 0.05)) return true;
+  }
+  return false;
+}
+
+// Changes the command of robots from which a ball in the own half would rebound into the own goal:
+// a robot that stands at a slant turns square to the field, and a square robot makes way. Not for
+// the keeper.
+inline void avoid_own_goals(const Setup& setup, const Observation& now, Command& command) {
+  const Point velocity = ball_velocity(now);
+  if (now.ball_x > 0.0 || length(velocity) < 0.25) return;
+  if (rolls_into_own_goal(setup, ball(now), velocity, -0.02)) return;  // worse it cannot get
+  for (int i = 1; i < now.robots; ++i) {
+    const Robot& robot = now.own[i];
+    if (!would_turn_ball_in(setup, now, robot)) continue;
+    const double error = squared(robot.heading) - robot.heading;
+    if (std::abs(error) > 0.15) {
+      const double turns_on = robot.turn * (setup.control_period + setup.motor_time_constant);
+      command.wheels[i] = wheels_for(setup, 0.0, 16.0 * (error - turns_on));
+    } else {
+      const Point along = unit(velocity);
+      const Point to = position(robot) - ball(now);
+      const Point aside = unit(to - dot(to, along) * along);
+      const Point nose{math::cos(robot.heading), math::sin(robot.heading)};
+      const double way = dot(nose, aside + 0.7 * along) < 0.0 ? -1.0 : 1.0;
+      command.wheels[i] = wheels_for(setup, way * 1.5, 9.0 * error);
+    }
+  }
+}
+
+}  // namespace mirocup::strategy
