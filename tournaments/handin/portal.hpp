@@ -7,53 +7,30 @@
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
 
-#include "tournaments/handin/book.hpp"
 #include "tournaments/handin/doorkeeper.hpp"
-#include "tournaments/handin/entry_report.hpp"
-#include "tournaments/handin/friendly_desk.hpp"
-#include "tournaments/handin/own_legs.hpp"
+#include "tournaments/handin/entries.hpp"
+#include "tournaments/handin/routes.hpp"
 #include "tournaments/handin/staff_desk.hpp"
-#include "tournaments/handin/team_desk_page.hpp"
-#include "tournaments/league/hand_ins.hpp"
+#include "tournaments/handin/uploads.hpp"
 
-#include <atomic>
-#include <functional>
-#include <mutex>
+#include <span>
 
 namespace mirocup::league {
-
-struct PortalOptions {
-  Quota quota = {};
-  std::string team_header = {};  // of a trusted proxy: see Doorkeeper
-  int max_waiting = 4;           // hand-ins of one team without an answer
-  int max_uploads = 2;           // of one team at once
-
-  // Returns a sentence that says why no entry of a team is taken at that time; "" if entries are
-  // taken.
-  std::function<std::string(const std::string& team, const std::string& now)> why_not;
-  // Returns the decided legs of a team.
-  std::function<std::vector<OwnLeg>(const std::string& team)> legs;
-  // Returns the team's digest of the last night as part of a page; "" if the team may not see it.
-  std::function<std::string(const std::string& team)> digest = {};
-  // Returns the replay page of a leg, by the name of its record. The page has the kept thoughts and
-  // logs of the teams in `whose`. Returns nothing if the leg has no page.
-  std::function<std::optional<std::string>(const std::string& name, const record::Whose& whose)>
-      replay = {};
-  // Returns the part of a page with the football statistics of a team, HTML; "" if there are none.
-  std::function<std::string(const std::string& team)> statistics;
-  // Returns the name by which people know a team.
-  std::function<std::string(const std::string& team)> shown_name = [](const std::string& team) {
-    return team;
-  };
-  TimeInWords time_in_words = [](const std::string& utc) { return utc; };
-  FriendlyOptions friendlies;
-  std::function<std::int64_t()> now;  // s since 1970
-};
 
 class Portal {
  public:
   static Result<std::unique_ptr<Portal>> open(system::Files& files, const Folder& folder,
                                               PortalOptions options, std::string* notice);
+
+  // A route: a path (see match_path), who may use it, and its handler.
+  struct Route {
+    std::string_view method;
+    std::string_view path;
+    Who who;
+    About about;
+    web::Reply (Portal::*answer)(const Call& call);
+  };
+  static std::span<const Route> routes();
 
   // The function web::Site::desk.
   std::optional<web::Reply> answer(const web::Request& request, const web::Body& body);
@@ -81,45 +58,43 @@ class Portal {
   std::optional<WaitingHandIn> to_stop(const std::vector<RunningCheck>& running);
 
  private:
-  struct Upload;
-
   Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book,
          std::unique_ptr<FriendlyDesk> friendlies);
   Result<void> finish_what_was_begun();
 
   std::variant<Visitor, web::Reply> visitor(const web::Request& request, Purpose purpose);
-  web::Reply api(const web::Request& request, const web::Body& body);
-  web::Reply log_in(const web::Request& request, const web::Body& body);
-  web::Reply log_out(const web::Request& request);
-  web::Reply staff(const web::Request& request, const web::Body& body);
-  web::Reply own_replay(const web::Request& request);
-  web::Reply take(const web::Request& request, const web::Body& body, const Visitor& visitor);
-  web::Reply keep(const Visitor& visitor, const std::string& name, system::IncomingFile& file,
-                  const std::string& sha256);
-  web::Reply pin(const web::Request& request, const Visitor& visitor);
-  web::Reply friendly_reply(const web::Request& request, const Visitor& visitor);
-  web::Reply entry_reply(const std::string& team, std::string_view rest);
+  std::optional<web::Reply> admit(Call& call, bool is_page);
+  std::optional<web::Reply> name_team(Call& call, About about);
+  std::variant<Json, web::Reply> entry_of(const Call& call);
   web::Reply team_page(const std::string& team);
-  web::Reply leg_reply(const std::string& team, std::string_view rest);
-  web::Reply events(const std::string& team, int entry);
-  std::optional<web::Reply> refused_now(const std::string& team);
-  Result<Json> report(const std::string& team, int entry, bool is_whole);
-  Result<Json> reports(const std::string& team);
-  Json about(const Visitor& visitor);
 
-  system::Files& files_;
-  const Folder folder_;
-  const PortalOptions options_;
-  LegCosts costs_;
+  // The handlers of routes().
+  web::Reply about_team(const Call& call);
+  web::Reply list_entries(const Call& call);
+  web::Reply take(const Call& call);
+  web::Reply show_entry(const Call& call);
+  web::Reply tell_entry(const Call& call);
+  web::Reply pin(const Call& call);
+  web::Reply list_legs(const Call& call);
+  web::Reply show_log(const Call& call);
+  web::Reply list_friendlies(const Call& call);
+  web::Reply ask_friendly(const Call& call);
+  web::Reply show_friendly(const Call& call);
+  web::Reply desk(const Call& call);
+  web::Reply entry_page_of(const Call& call);
+  web::Reply entry_replay(const Call& call);
+  web::Reply own_replay(const Call& call);
+  web::Reply log_in(const Call& call);
+  web::Reply log_out(const Call& call);
+  web::Reply act(const Call& call);
+  web::Reply grades(const Call& call);
+
+  DeskState state_;
+  Entries entries_;
+  Uploads uploads_;
   const StaffDesk staff_;
   const std::unique_ptr<FriendlyDesk> friendlies_;
-  std::atomic<std::uint64_t> version_{1};  // grows with each change that a team may see
-
-  std::mutex mutex_;  // guards what follows
-  HandInBook book_;
-  Doorkeeper doorkeeper_;
-  std::map<std::pair<std::string, int>, CheckStep> steps_;  // of the running checks
-  std::map<std::string, int> uploads_;                      // running, of each team
+  Doorkeeper doorkeeper_;  // guarded by the mutex of the state
 };
 
 }  // namespace mirocup::league

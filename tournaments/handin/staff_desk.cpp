@@ -9,7 +9,6 @@
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/grades.hpp"
-#include "web/http/form.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -25,13 +24,6 @@ constexpr const char* staff_policy =
 
 // Where the staff finds the legs of a team: its name follows.
 const std::string staff_legs_path = "/hand-in?team=";
-
-using Form = std::multimap<std::string, std::string>;
-
-std::string value_of(const Form& form, const std::string& key) {
-  const auto found = form.find(key);
-  return found == form.end() ? "" : found->second;
-}
 
 int number_in(const Form& form, const std::string& key) {
   const std::string text = value_of(form, key);
@@ -368,9 +360,7 @@ web::Reply StaffDesk::legs_of(const std::string& team, const std::vector<OwnLeg>
   return staff_reply(200, desk_page("Legs of " + team, html));
 }
 
-web::Reply StaffDesk::act(const std::string& form) const {
-  Form values;
-  web::add_form_values(form, values);
+web::Reply StaffDesk::act(const Form& values) const {
   auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
   const std::string act = value_of(values, "act");

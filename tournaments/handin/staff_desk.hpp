@@ -7,6 +7,7 @@
 // Threads: any. The league is opened for each request.
 #pragma once
 
+#include "tournaments/handin/form.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/folder.hpp"
@@ -33,8 +34,8 @@ class StaffDesk {
   // teams, and to the logs of the team. `legs` are those of the team.
   web::Reply legs_of(const std::string& team, const std::vector<OwnLeg>& legs) const;
 
-  // Performs the act of a form of the page. `form` is the body as a browser sends it.
-  web::Reply act(const std::string& form) const;
+  // Performs the act of a form of the page.
+  web::Reply act(const Form& form) const;
 
   // Returns grades.csv.
   web::Reply grades() const;

@@ -195,6 +195,37 @@ const std::vector<std::string> private_paths{"/api/v1/team",      "/api/v1/entri
                                              "/api/v1/legs",      "/api/v1/legs/r1-f1-1-1/log",
                                              "/api/v1/anything"};
 
+// Catches a new route without an entry in the test of wrong visitors, or open to everybody.
+TEST(Routes, AreAllPrivateButThoseThatLogInAndOut) {
+  int open = 0;
+  for (const Portal::Route& route : Portal::routes()) {
+    if (route.who == Who::everybody) {
+      ++open;
+      EXPECT_TRUE(route.path == "/hand-in/log-in" || route.path == "/hand-in/log-out")
+          << route.path;
+      continue;
+    }
+    const bool is_staffs = route.who == Who::staff || route.who == Who::reader;
+    const bool is_replay = route.path == "/hand-in/replays/**";
+    bool is_tried = is_staffs || is_replay;  // staff_desk_test.cpp, ShowsALeg...
+    for (const Route& one : private_routes)
+      is_tried = is_tried || (one.method == route.method && match_path(route.path, one.path));
+    EXPECT_TRUE(is_tried) << route.method << " " << route.path;
+  }
+  EXPECT_EQ(open, 2);
+}
+
+TEST_F(Desk, SaysWhichMethodIsMeant) {
+  for (const char* method : {"POST", "PATCH", "DELETE"}) {
+    web::Request request = put(alpha_);
+    request.method = method;
+    const web::Reply reply = ask(request, "ELF");
+    EXPECT_EQ(reply.status, 405);
+    EXPECT_EQ(json_of(reply)["error"], "use PUT");
+    EXPECT_FALSE(is_body_read_);
+  }
+}
+
 TEST_F(Desk, TakesAFileAndSaysWhatBecomesOfIt) {
   const web::Reply taken = ask(put(alpha_), "ELF");
   ASSERT_EQ(taken.status, 202) << taken.bytes;
@@ -550,7 +581,7 @@ TEST_F(Desk, EndsASessionByLogOutAndAfterTwelveHours) {
   open();
   EXPECT_EQ(ask(page).status, 200) << "a server that starts again knows its sessions";
   web::Request out = with(with(get("/hand-in/log-out"), "cookie", cookie), "origin", own_origin);
-  EXPECT_EQ(ask(out).status, 404) << "a link logs nobody out";
+  EXPECT_EQ(ask(out).status, 405) << "a link logs nobody out";
   out.method = "POST";
   EXPECT_EQ(ask(out).status, 303);
   EXPECT_EQ(ask(page).status, 401);
@@ -669,12 +700,6 @@ TEST_F(Desk, RefusesFilesThatAreNone) {
   EXPECT_EQ(ask(with(put(alpha_), "content-length", "99999999999999999999"), "ELF").status, 413);
   EXPECT_EQ(ask(with(put(alpha_), "content-length", "4"), "ELF").status, 400) << "cut off";
   EXPECT_EQ(ask(put(alpha_), std::string((32u << 20) + 1, 'x')).status, 413);
-  EXPECT_EQ(
-      ask(with(with(put(alpha_), "content-length", "3"), "transfer-encoding", "chunked"), "ELF")
-          .status,
-      400)
-      << "a proxy might believe the other length";
-  EXPECT_EQ(ask(with(put(alpha_), "content-encoding", "gzip"), "ELF").status, 415);
   const auto broken = portal_->answer(put(alpha_), [](const auto& take) {
     take(std::string_view("ELF"));
     return false;

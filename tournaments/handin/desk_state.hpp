@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// What the parts of the portal share: the books of a league's hand-ins, and what the host says.
+#pragma once
+
+#include "tournaments/handin/book.hpp"
+#include "tournaments/handin/entry_report.hpp"
+#include "tournaments/handin/friendly_desk.hpp"
+#include "tournaments/handin/own_legs.hpp"
+#include "tournaments/handin/team_desk_page.hpp"
+#include "tournaments/league/hand_ins.hpp"
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mirocup::league {
+
+struct PortalOptions {
+  Quota quota = {};
+  std::string team_header = {};  // of a trusted proxy: see Doorkeeper
+  int max_waiting = 4;           // hand-ins of one team without an answer
+  int max_uploads = 2;           // of one team at once
+
+  // Returns a sentence that says why no entry of a team is taken at that time; "" if entries are
+  // taken.
+  std::function<std::string(const std::string& team, const std::string& now)> why_not;
+  // Returns the decided legs of a team.
+  std::function<std::vector<OwnLeg>(const std::string& team)> legs;
+  // Returns the team's digest of the last night as part of a page; "" if the team may not see it.
+  std::function<std::string(const std::string& team)> digest = {};
+  // Returns the replay page of a leg, by the name of its record. The page has the kept thoughts and
+  // logs of the teams in `whose`. Returns nothing if the leg has no page.
+  std::function<std::optional<std::string>(const std::string& name, const record::Whose& whose)>
+      replay = {};
+  // Returns the part of a page with the football statistics of a team, HTML; "" if there are none.
+  std::function<std::string(const std::string& team)> statistics;
+  // Returns the name by which people know a team.
+  std::function<std::string(const std::string& team)> shown_name = [](const std::string& team) {
+    return team;
+  };
+  TimeInWords time_in_words = [](const std::string& utc) { return utc; };
+  FriendlyOptions friendlies;
+  std::function<std::int64_t()> now;  // s since 1970
+};
+
+struct DeskState {
+  DeskState(system::Files& disk, Folder place, PortalOptions given, HandInBook kept)
+      : files(disk),
+        folder(std::move(place)),
+        options(std::move(given)),
+        costs(files, folder),
+        book(std::move(kept)) {}
+
+  system::Files& files;
+  const Folder folder;
+  const PortalOptions options;
+  LegCosts costs;
+  std::atomic<std::uint64_t> version{1};  // grows with each change that a team may see
+
+  std::mutex mutex;  // guards what follows
+  HandInBook book;
+  std::map<std::pair<std::string, int>, CheckStep> steps;  // of the running checks
+};
+
+}  // namespace mirocup::league

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// The entries of teams as the API and the pages tell them.
+//
+// Threads: all functions may be called by any thread at any time.
+#pragma once
+
+#include "tournaments/handin/desk_state.hpp"
+#include "web/http/request.hpp"
+
+namespace mirocup::league {
+
+// Where the page of an entry is: its number follows.
+constexpr std::string_view entry_pages_path = "/hand-in/entries/";
+
+class Entries {
+ public:
+  explicit Entries(DeskState& state) : state_(state) {}
+
+  // Returns what is known of an entry; null if there is none of this number. `is_whole`: with the
+  // log and all figures, as its own page has them.
+  Result<Json> report(const std::string& team, int entry, bool is_whole);
+
+  // Returns the summaries of all entries of a team, the latest first.
+  Result<Json> reports(const std::string& team);
+
+  // Returns a stream of the states of an entry, until its check has been answered.
+  web::Reply events(const std::string& team, int entry);
+
+ private:
+  DeskState& state_;
+};
+
+}  // namespace mirocup::league

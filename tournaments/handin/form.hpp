@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// A form that a browser sends, as on the page of the staff or to log in.
+#pragma once
+
+#include "web/http/request.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace mirocup::league {
+
+using Form = std::multimap<std::string, std::string>;
+
+// Reads a form of at most 4 KiB. Returns nothing if it is longer or was not sent to its end.
+std::optional<Form> read_form(const web::Body& body);
+
+// Returns the first value of that name; "" if there is none.
+std::string value_of(const Form& form, const std::string& key);
+
+}  // namespace mirocup::league

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/uploads.hpp"
+
+#include "system/printable.hpp"
+#include "tournaments/handin/replies.hpp"
+
+#include <charconv>
+
+namespace mirocup::league {
+
+namespace {
+
+constexpr std::string_view entries_path = "/api/v1/entries";
+constexpr std::size_t max_file_name = 100;  // bytes
+
+// Returns the name of a file without its folder, as it may be printed.
+std::string file_name_of(const std::string& given) {
+  const std::size_t slash = given.find_last_of("/\\");
+  std::string name =
+      system::printable(slash == std::string::npos ? given : given.substr(slash + 1));
+  if (name.size() > max_file_name) {
+    name.resize(max_file_name);
+    name = system::printable(name);  // a character may have been cut
+  }
+  return name.empty() ? "strategy.so" : name;
+}
+
+std::string too_large() {
+  return "the file is larger than " + std::to_string(system::size_limit::entry >> 20) + " MiB";
+}
+
+}  // namespace
+
+// Requires state_.mutex. Returns the reply to a team that hands in more than it may, or too late.
+std::optional<web::Reply> Uploads::refused_now(const std::string& team) {
+  const std::int64_t now = state_.options.now();
+  if (const std::string why = state_.options.why_not(team, utc_text(now)); !why.empty())
+    return problem_reply(403, why);
+  if (const int waiting = state_.book.queue().unanswered(team);
+      waiting >= state_.options.max_waiting) {
+    return problem_reply(429, std::to_string(waiting) + " files of " + team +
+                                  " wait for their checks; hand in when they are answered");
+  }
+  auto known = read_hand_ins(state_.files, state_.folder, team);
+  if (!known) return host_failed(known.error());
+  int tries = tries_in_last_hour(*known, now, {});
+  for (const WaitingHandIn* handed : state_.book.queue().of_team(team)) {
+    if (!is_final(handed->state) && find_try(*known, handed->entry) == nullptr) ++tries;
+  }
+  if (tries < state_.options.quota.tries_per_hour) return std::nullopt;
+  return problem_reply(429, team + " has had " +
+                                std::to_string(state_.options.quota.tries_per_hour) +
+                                " tries in the last hour; hand it in later");
+}
+
+// Counts an upload of a team while it lasts.
+struct Uploads::Running {
+  Uploads& uploads;
+  const std::string& team;
+  bool is_counted = false;
+
+  // Requires the mutex of the state.
+  bool begin() {
+    int& running = uploads.running_[team];
+    if (running >= uploads.state_.options.max_uploads) return false;
+    ++running;
+    return is_counted = true;
+  }
+  ~Running() {
+    if (!is_counted) return;
+    const std::lock_guard lock(uploads.state_.mutex);
+    if (--uploads.running_[team] == 0) uploads.running_.erase(team);
+  }
+};
+
+web::Reply Uploads::take(const web::Request& request, const web::Body& body,
+                         const std::string& team) {
+  const std::string length = request.header("content-length");
+  if (length == "0") return problem_reply(400, "the file is empty");
+  std::uint64_t announced = 0;
+  const auto read = std::from_chars(length.data(), length.data() + length.size(), announced);
+  if (announced > system::size_limit::entry || read.ec == std::errc::result_out_of_range)
+    return problem_reply(413, too_large());
+  Running upload{*this, team};
+  {
+    const std::lock_guard lock(state_.mutex);
+    if (auto refused = refused_now(team)) return std::move(*refused);
+    if (!upload.begin())
+      return problem_reply(429, team + " is sending other files already; wait for their end");
+  }
+  auto file = system::IncomingFile::begin(state_.folder.uploads() + "/upload");
+  if (!file) return host_failed(file.error());
+  Result<void> added;
+  const bool is_whole = body([&](std::string_view part) {
+    if (file->size() + part.size() > system::size_limit::entry) {
+      added = fail(Errc::input, too_large());
+    } else {
+      added = file->add(part);
+    }
+    return added.has_value();
+  });
+  if (!added && added.error().code == Errc::input) return problem_reply(413, added.error().what);
+  if (!added) return host_failed(added.error());
+  if (!is_whole || (!length.empty() && file->size() != announced))
+    return problem_reply(400, "the file did not arrive to its end; send it again");
+  if (file->size() == 0) return problem_reply(400, "the file is empty");
+  const auto sha256 = file->finish();
+  if (!sha256) return host_failed(sha256.error());
+  return keep(team, file_name_of(request.asked("name")), *file, *sha256);
+}
+
+web::Reply Uploads::keep(const std::string& team, const std::string& name,
+                         system::IncomingFile& file, const std::string& sha256) {
+  const auto taken = [](int entry) {
+    const std::string url = std::string(entries_path) + "/" + std::to_string(entry);
+    return json_reply(202, {{"entry", entry}, {"events", url + "/events"}, {"url", url}});
+  };
+  const std::lock_guard lock(state_.mutex);
+  // The same bytes again are the same hand-in, for example if the reply to the first was lost.
+  const auto own = state_.book.queue().of_team(team);
+  if (!own.empty() && own.back()->sha256 == sha256 && own.back()->state != HandInState::void_)
+    return taken(own.back()->entry);
+  if (auto refused = refused_now(team)) return std::move(*refused);
+  WaitingHandIn handed{.team = team,
+                       .file = name,
+                       .sha256 = sha256,
+                       .bytes = file.size(),
+                       .at = state_.options.now()};
+  const auto entry = state_.book.take(std::move(handed),
+                                      [&file](const std::string& path) { return file.keep(path); });
+  if (!entry) return host_failed(entry.error());
+  ++state_.version;
+  return taken(*entry);
+}
+
+}  // namespace mirocup::league

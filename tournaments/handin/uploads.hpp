@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// Files that teams send: how many, how large, and how they become hand-ins.
+//
+// Threads: all functions may be called by any thread at any time.
+#pragma once
+
+#include "tournaments/handin/desk_state.hpp"
+#include "web/http/request.hpp"
+
+namespace mirocup::league {
+
+class Uploads {
+ public:
+  explicit Uploads(DeskState& state) : state_(state) {}
+
+  // Takes the file that a team sends.
+  web::Reply take(const web::Request& request, const web::Body& body, const std::string& team);
+
+  // Returns the reply to a team that hands in more than it may, or too late; nothing if it may hand
+  // in. Requires the mutex of the state.
+  std::optional<web::Reply> refused_now(const std::string& team);
+
+ private:
+  struct Running;
+
+  web::Reply keep(const std::string& team, const std::string& name, system::IncomingFile& file,
+                  const std::string& sha256);
+
+  DeskState& state_;
+  std::map<std::string, int> running_;  // of each team; guarded by the mutex of the state
+};
+
+}  // namespace mirocup::league
