@@ -38,7 +38,7 @@ constexpr std::pair<std::string_view, Entry> entries[]{
     {"drill:keeper", mirocup_entry_drill_keeper}};
 
 void give_host(mirocup_setup& setup) {
-  setup.log = [](const char*) {};
+  setup.log = [](void*, const char*) {};
   setup.parameter = [](void*, const char*, double fallback) { return fallback; };
   setup.draw_line = [](void*, const char*, std::uint32_t, double, double, double, double) {};
   setup.draw_circle = [](void*, const char*, std::uint32_t, double, double, double) {};

@@ -91,7 +91,7 @@ TEST(Simurosot, MayBeLoadedIntoTheMatchItself) {
 // A sample in this process, without a match around it.
 class Loaded {
  public:
-  Loaded(const std::string& sample, mirocup_team colour) {
+  Loaded(const std::string& sample, mirocup_colour colour) {
     handle_ = dlopen(library(sample).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle_ == nullptr) throw std::runtime_error(dlerror());
     using Entry = const mirocup_strategy* (*)();
@@ -155,7 +155,7 @@ mirocup_observation kick_off() {
 TEST(Simurosot, BothColoursDriveAlike) {
   for (const std::string& sample : samples) {
     mirocup_command commands[2];
-    for (const mirocup_team colour : {MIROCUP_BLUE, MIROCUP_YELLOW}) {
+    for (const mirocup_colour colour : {MIROCUP_BLUE, MIROCUP_YELLOW}) {
       const Loaded team(sample, colour);
       mirocup_observation now = kick_off();
       team.decide(now);
@@ -186,7 +186,7 @@ TEST(Simurosot, BothColoursDriveAlike) {
 // Catches centimetres taken for inches, another origin, a heading in radians, and places that are
 // asked for in the other turn.
 TEST(Simurosot, PlacesWhereTheTeamsCodeSays) {
-  for (const mirocup_team colour : {MIROCUP_BLUE, MIROCUP_YELLOW}) {
+  for (const mirocup_colour colour : {MIROCUP_BLUE, MIROCUP_YELLOW}) {
     const Loaded restart("restart", colour);
     mirocup_placement placement = restart.place(kick_off());
     EXPECT_NEAR(placement.robots[1].x, -0.10, 1e-9);  // (100, 90) of 220 by 180
