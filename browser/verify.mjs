@@ -6,8 +6,12 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { setFlagsFromString } from 'node:v8';
 import zlib from 'node:zlib';
 import { loadMirocup, MirocupError, unpackReplay } from './mirocup.js';
+
+// The quick first compiler of V8 in node 20 makes code of the module's SIMD instructions that crashes.
+setFlagsFromString('--no-liftoff');
 
 const built = process.env.MIROCUP_BROWSER ?? join(dirname(fileURLToPath(import.meta.url)), '../build/browser');
 

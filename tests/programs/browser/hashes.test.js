@@ -12,9 +12,11 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { setFlagsFromString } from 'node:v8';
 import { WASI } from 'node:wasi';
 import { loadMirocup, packReplay, unpackReplay } from '../../../browser/mirocup.js';
 
+setFlagsFromString('--no-liftoff');  // as in browser/verify.mjs
 const root = fileURLToPath(new URL('../../..', import.meta.url));
 const build = process.env.MIROCUP_BUILD;
 const { decompress } = createRequire(join(build, 'browser', 'x'))('fzstd');
