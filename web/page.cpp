@@ -117,31 +117,23 @@ std::string field_picture(const match::Leg& leg) {
   return picture(leg.field(), leg.setup().parameters, {leg.snapshot(), {}});
 }
 
-// What a page has for its proof.
-struct ProofText {
-  std::string json;      // in the page; "": no proof
-  std::string commands;  // beside it
-};
-
 // Nothing is loaded from elsewhere, and no code runs but this script and, in a worker, the module.
-std::string policy_of(const std::string& code, const ProofText& proof) {
+std::string policy_of(const std::string& code, bool has_proof) {
   std::string policy =
       "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src 'sha256-" +
       system::sha256_base64(code) + "'";
-  if (proof.json.empty()) return policy;
-  if (!proof.commands.empty()) policy += " 'self'";  // the files beside the page
-  return policy + " 'wasm-unsafe-eval'; worker-src blob:";
+  return has_proof ? policy + " 'wasm-unsafe-eval'; worker-src blob:" : policy;
 }
 
 std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
-                 const Json& data, const ProofText& proof = {}) {
+                 const Json& data, const std::string& proof = "") {
   const std::string code = script();
   Json values{{"title", names[0] + " – " + names[1]},
               {"blue", names[0]},
               {"yellow", names[1]},
-              {"policy", policy_of(code, proof)},
-              {"has_proof", !proof.json.empty()},
-              {"proof", proof.json},
+              {"policy", policy_of(code, !proof.empty())},
+              {"has_proof", !proof.empty()},
+              {"proof", proof},
               {"style", std::string(design_file("design.css")) + std::string(asset("page.css"))},
               {"picture", field_picture(first_moment)},
               {"data", embedded(data)},
@@ -251,18 +243,10 @@ Json commands_json(record::MatchRecord record) {
           {"replay", packed_text(record::plain_replay(record.recording, robots))}};
 }
 
-std::string file_text(const std::string& name, const Json& json) {
-  return "globalThis." + name + " = " + embedded(json) + ";\n";
-}
-
-ProofText proof_text(const record::MatchRecord& record, const Proof& proof) {
-  Json commands = commands_json(record);
-  if (proof.module == nullptr) {
-    return {embedded({{"module_file", proof.module_file}, {"commands_file", proof.commands_file}}),
-            file_text("mirocupCommands", commands)};
-  }
-  commands["module"] = module_json(*proof.module);
-  return {embedded(commands), ""};
+std::string proof_text(const record::MatchRecord& record, const BrowserModule& module) {
+  Json proof = commands_json(record);
+  proof["module"] = module_json(module);
+  return embedded(proof);
 }
 
 struct ReplayData {
@@ -329,19 +313,15 @@ std::string first_picture(const record::MatchRecord& record) {
   return field_picture(match::Leg(record.recording.setup));
 }
 
-tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
-                                                         Times times, const record::OwnTexts& own,
-                                                         const std::optional<Proof>& proof) {
+tl::expected<ReplayPage, replay::Divergence> replay_page(
+    const record::MatchRecord& record, Times times, const record::OwnTexts& own,
+    const std::optional<BrowserModule>& module) {
   MIROCUP_TRY(auto data, play_again(record, times));
   add_own(data.json, own);
-  ProofText text = proof ? proof_text(record, *proof) : ProofText{};
+  const std::string proof = module ? proof_text(record, *module) : "";
   return ReplayPage{page(match::Leg(record.recording.setup),
-                         {record.teams[0].name, record.teams[1].name}, data.json, text),
-                    data.statistics, std::move(text.commands), text.json.size()};
-}
-
-std::string module_file(const BrowserModule& module) {
-  return file_text("mirocupModule", module_json(module));
+                         {record.teams[0].name, record.teams[1].name}, data.json, proof),
+                    data.statistics, proof.size()};
 }
 
 std::string live_page(const match::Leg& match, const LiveMatch& live) {

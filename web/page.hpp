@@ -37,30 +37,19 @@ struct BrowserModule {
   std::string wasm;    // mirocup.wasm
 };
 
-// Returns the script file that several pages load the module from.
-std::string module_file(const BrowserModule& module);
-
-// What a page holds to be proved by its visitor.
-struct Proof {
-  const BrowserModule* module = nullptr;  // in the page; null: in files beside it
-  std::string module_file;                // their addresses, relative to the page
-  std::string commands_file;
-};
-
 struct ReplayPage {
   std::string html;
   statistics::LegStatistics statistics;  // that the page shows
-  std::string commands;        // of a proof beside the page: the script file of the leg's commands
-  std::size_t proof_size = 0;  // bytes of the page
+  std::size_t proof_size = 0;            // bytes of the page with which it can be proved
 };
 
 // Returns the page of the leg, with its data. Between the comments <!--league--> and
 // <!--/league--> a league may put links to its other pages.
-// A page that others see is made without `own`. `proof`: nothing, and the page cannot be proved.
-tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
-                                                         Times times = Times::shown,
-                                                         const record::OwnTexts& own = {},
-                                                         const std::optional<Proof>& proof = {});
+// A page that others see is made without `own`. With a `module`, a visitor's browser can simulate
+// the leg again; the page then has the commands of both teams.
+tl::expected<ReplayPage, replay::Divergence> replay_page(
+    const record::MatchRecord& record, Times times = Times::shown, const record::OwnTexts& own = {},
+    const std::optional<BrowserModule>& module = {});
 
 // The data of a live page besides the match.
 struct LiveMatch {

@@ -31,7 +31,6 @@ struct ReplayOptions {
   bool no_times = false;
   bool public_page = false;  // without what only the teams may see
   bool no_proof = false;     // without what a browser needs to simulate the leg again
-  std::string module_at;     // "": the module is in the page
   std::string statistics;    // file for the statistics of the leg; "": none
   bool open = false;         // in a browser
 };
@@ -116,46 +115,16 @@ Result<std::optional<web::BrowserModule>> browser_module(system::Disk& disk) {
   return web::BrowserModule{std::move(*script), std::move(*wasm)};
 }
 
-// What the page is to hold for its proof; nothing with --no-proof, or without the module. `module`
-// outlives the result.
-std::optional<web::Proof> proof_of(const ReplayOptions& options,
-                                   const std::optional<web::BrowserModule>& module,
-                                   const std::string& output) {
-  if (options.no_proof || !module) return std::nullopt;
-  if (options.module_at.empty()) return web::Proof{&*module, "", ""};
-  const std::string name = std::filesystem::path(output).filename().string();
-  return web::Proof{nullptr, options.module_at, name + ".js"};
-}
-
-// Writes the module for a page and those beside it, unless it is there.
-Result<void> write_module(system::Disk& disk, const std::string& page, const std::string& address,
-                          const std::optional<web::BrowserModule>& module) {
-  const auto path = std::filesystem::path(page).parent_path() / address;
-  const std::string text = web::module_file(*module);
-  MIROCUP_TRY(const auto there,
-              disk.read_if_there(path.string(), {.max_size = system::size_limit::page}));
-  if (there == text) return {};
-  return disk.write(path.string(), text);
-}
-
-// Writes the files beside a page, and says on standard error what a proof needs or takes.
-Result<void> finish_proof(system::Disk& disk, const ReplayOptions& options,
-                          const web::ReplayPage& page, const std::string& output,
-                          const std::optional<web::BrowserModule>& module) {
-  if (!page.commands.empty()) {
-    MIROCUP_TRY_VOID(disk.write(output + ".js", page.commands));
-    return write_module(disk, output, options.module_at, module);
-  }
-  if (options.no_proof) return {};
+// Says on standard error what a proof needs or takes.
+void tell_of_proof(const web::ReplayPage& page) {
   if (page.proof_size > 0) {
     std::cerr << "mirocup: the page has " << page.html.size() / 1000 << " kB, of which "
               << page.proof_size / 1000
               << " kB let a browser prove the leg; --no-proof leaves them out\n";
-  } else if (!module) {
+  } else {
     std::cerr << "mirocup: the page cannot be proved in a browser, because this mirocup was built "
                  "without the module for it; docs/browser.md says what to install\n";
   }
-  return {};
 }
 
 Result<int> run_replay(const ReplayOptions& options) {
@@ -177,15 +146,15 @@ Result<int> run_replay(const ReplayOptions& options) {
                              system::Links::followed));
   const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
   std::optional<web::BrowserModule> module;
-  if (!options.svg && !options.no_proof) {
+  const bool has_proof = !options.svg && !options.no_proof && !options.public_page;
+  if (has_proof) {
     MIROCUP_TRY(module, browser_module(disk));
   }
-  const auto proof = proof_of(options, module, output);
   web::ReplayPage shown;
   const auto made =
       options.svg
           ? picture_at(record->recording, *options.at)
-          : web::replay_page(*record, times, own, proof).map([&shown](web::ReplayPage page) {
+          : web::replay_page(*record, times, own, module).map([&shown](web::ReplayPage page) {
               shown = std::move(page);
               return shown.html;
             });
@@ -199,9 +168,7 @@ Result<int> run_replay(const ReplayOptions& options) {
     return exit_no;
   }
   MIROCUP_TRY_VOID(disk.write(output, *made));
-  if (!options.svg) {
-    MIROCUP_TRY_VOID(finish_proof(disk, options, shown, output, module));
-  }
+  if (has_proof) tell_of_proof(shown);
   if (!options.statistics.empty()) {
     // The name alone, so that the file has the same bytes wherever the record is.
     const std::string name = std::filesystem::path(options.record).filename();
@@ -246,15 +213,11 @@ void add_replay(system::Commands& commands) {
                "Leave out times that a clock measured, so that the page is the same on "
                "every machine");
   command.flag("--public", o.public_page,
-               "Leave out what only the teams may see: their thoughts and logs");
+               "Leave out what only the teams may see: their thoughts and logs, and the commands "
+               "with which a browser can simulate the leg again");
   command.flag("--no-proof", o.no_proof,
                "Leave out the module and the commands with which a visitor's browser can simulate "
                "the leg again");
-  command
-      .option("--module-at", o.module_at,
-              "Address of a script file with the module, relative to the page; the commands go "
-              "into a file beside the page, too")
-      .named("FILE");
   command
       .option("--statistics", o.statistics, "File to write the statistics of the leg to, as JSON")
       .named("FILE");

@@ -91,10 +91,6 @@ struct LeagueFile {
   // What a team draws in a leg (docs/thoughts.md) is kept, for its own eyes and the staff's.
   bool keeps_thoughts = false;
 
-  // The commands of a leg are published beside its page, so that visitors can simulate it again.
-  // They show how a team drives.
-  bool publishes_commands = true;
-
   // Number of legs in a row, lost by its own faults, that pauses a team; 0: no number does.
   int strikes = 3;
   FirasimPlace firasim;

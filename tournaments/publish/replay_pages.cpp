@@ -54,22 +54,12 @@ struct MissingPage {
   std::string why_not_kept;  // of the match server that played the leg
 };
 
-// What lets visitors prove a leg. Only this version's program is known to take it.
-Arguments words_of_proof(const LeagueState& state, const MissingPage& missing, std::size_t attempt,
-                         const Arguments& own) {
-  if (missing.programs[attempt] != own) return {};
-  if (!state.file.publishes_commands) return {"--no-proof"};
-  return {"--module-at", "../mirocup-module.js"};
-}
-
-Arguments command_for(const Folder& folder, const MissingPage& missing, std::size_t attempt,
-                      const Arguments& proof) {
+Arguments command_for(const Folder& folder, const MissingPage& missing, std::size_t attempt) {
   Arguments words = missing.programs[attempt];
   words.insert(words.end(),
                {"replay", folder.path + "/" + missing.record, "--no-times", "--public", "-o",
                 folder.site() + "/" + replay_page_of(missing.record), "--statistics",
                 folder.site() + "/" + statistics_file_of(missing.record)});
-  words.insert(words.end(), proof.begin(), proof.end());
   return words;
 }
 
@@ -108,9 +98,7 @@ Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folde
     if ((next < missing.size() || !again.empty()) && processes.running() < at_once) {
       const std::size_t page = again.empty() ? next++ : again.back();
       if (!again.empty()) again.pop_back();
-      const Arguments proof =
-          words_of_proof(state, missing[page], attempts[page], servers.own().words);
-      MIROCUP_TRY_VOID(processes.start(command_for(folder, missing[page], attempts[page], proof),
+      MIROCUP_TRY_VOID(processes.start(command_for(folder, missing[page], attempts[page]),
                                        static_cast<int>(page), -1, "/dev/null"));
       continue;
     }
@@ -152,9 +140,7 @@ Result<void> remove_other_pages(system::Files& files, const Folder& folder,
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
       shown.insert(statistics_file_of(record));
-      if (is_pruned(state, f)) continue;
-      shown.insert(replay_page_of(record));
-      if (state.file.publishes_commands) shown.insert(replay_page_of(record) + ".js");
+      if (!is_pruned(state, f)) shown.insert(replay_page_of(record));
     }
   }
   for (const std::string part : {"replays/", "statistics/"}) {

@@ -17,23 +17,6 @@ onmessage = async ({ data }) => {
   }
 };`;
 
-function loadFile(file) {
-  return new Promise((resolve, reject) => {
-    const script = element('script');
-    script.src = file;
-    script.addEventListener('load', resolve);
-    script.addEventListener('error', () => reject(new Error(`${file} is not beside this page`)));
-    document.head.append(script);
-  });
-}
-
-// What the page holds, or the files beside it: {module: {script, wasm}, record, replay}.
-async function parts(given) {
-  if (given.module) return given;
-  await Promise.all([loadFile(given.module_file), loadFile(given.commands_file)]);
-  return { module: globalThis.mirocupModule, ...globalThis.mirocupCommands };
-}
-
 // Starts a worker with the module's script and `code` behind it.
 async function startWorker(module, code) {
   const script = (await unpackText(module.script)).replace(/^export /gm, '');
@@ -43,8 +26,7 @@ async function startWorker(module, code) {
   return worker;
 }
 
-async function prove(given) {
-  const { module, record, replay } = await parts(given);
+async function prove({ module, record, replay }) {
   const worker = await startWorker(module, work);
   const message = { wasm: await unpackBytes(module.wasm), record: await unpackText(record), replay: await unpackBytes(replay) };
   const answer = await new Promise((resolve, reject) => {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // "Prove it" in a replay page, opened from disk under its own policy. Catches a module that plays something else in a browser, a
-// policy that stops it, a changed command that is not found, and a league whose pages lack the files beside them.
+// policy that stops it, a changed command that is not found, and a public page that shows how a team drives.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { existsSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gunzipSync, gzipSync } from 'node:zlib';
 import { closeBrowser, folder, match, openPage, readJson, run, violations } from './support.js';
@@ -59,31 +59,12 @@ test('a changed command is found with its tick', options, async () => {
   await page.close();
 });
 
-test('a league has the module once, and the commands beside each page unless the host says no', options, async () => {
-  const league = join(folder, 'proofs');
-  const config = { schema: 'mirocup/league/1', rules: { half_s: 2 }, teams: ['striker', 'chaser'].map((name) => ({ name, entry: `house:${name}` })) };
-  writeFileSync(`${league}.json`, JSON.stringify(config));
-  run('league', 'init', league, '--config', `${league}.json`);
-  run('league', 'start', league);
-  run('league', 'publish', league);
-  const replays = join(league, 'site/replays');
-  const name = readdirSync(replays).find((file) => file.endsWith('.html'));
-  const page = await openPage(`file://${join(replays, name)}`);
-  assert.match(await prove(page), /Reproduced/);
+test('a page for the public has no commands of a team', options, async () => {
+  const path = join(folder, 'public.html');
+  run('replay', record, '-o', path, '--public');
+  const page = await openPage(`file://${path}`);
+  assert.equal(await page.locator('#prove').count(), 0);
+  assert.equal(readFileSync(path, 'utf8').includes('wasm-unsafe-eval'), false);
   assert.deepEqual(page.problems, []);
   await page.close();
-  assert.ok(statSync(join(replays, name)).size < statSync(join(league, 'site/mirocup-module.js')).size);
-
-  rmSync(join(replays, `${name}.js`));
-  const without = await openPage(`file://${join(replays, name)}`);
-  assert.match(await prove(without), /cannot be proved here: .*is not beside this page/);
-  await without.close();
-
-  const quiet = join(folder, 'quiet');
-  writeFileSync(`${quiet}.json`, JSON.stringify({ ...config, proofs: false }));
-  run('league', 'init', quiet, '--config', `${quiet}.json`);
-  run('league', 'start', quiet);
-  run('league', 'publish', quiet);
-  const files = readdirSync(join(quiet, 'site/replays'));
-  assert.ok(files.length > 0 && files.every((file) => file.endsWith('.html')), files.join(' '));
 });

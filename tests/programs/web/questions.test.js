@@ -63,7 +63,7 @@ test('why did we lose, and where do we lose the ball', async () => {
 
 test('who scored, and what was that whistle', async () => {
   assert.match(await answer([leg], '#calls .goal'), /Goal for the-\w+, [0-9]+ : [0-9]+ – .*the-\w+ [0-9]/);
-  assert.match(await answer([leg], '#calls'), /(Goal kick|Free ball|Free kick|Penalty kick) for the-\w+/);
+  assert.match(await answer([leg], '#calls'), /(Kick off|Goal kick|Free ball|Free kick|Penalty kick) for the-\w+/);
 });
 
 test('which keeper is best', async () => {
