@@ -132,11 +132,7 @@ int main(int argc, char** argv) {
   TeamHost host{&in->parameters, &out->asked_parameters};
   if (in->keeps_thoughts != 0) host.thoughts = &out->thoughts;
   give_host(setup, host);
-  auto plugin = with_care(*out, TeamCall::create, [&] {
-    return load_guest(library, setup).map_error([&](const match::Fault& fault) {
-      return with_reason(fault, host);
-    });
-  });
+  auto plugin = with_care(*out, TeamCall::create, [&] { return load_guest(library, setup); });
   close(entry_descriptor);
   if (!allow_no_files() || !filter_for_playing())
     refuse(*out, {match::FaultCode::crash, "the library changed the sandbox while it was loaded"});

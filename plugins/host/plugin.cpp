@@ -2,6 +2,7 @@
 #include "plugins/host/plugin.hpp"
 
 #include "plugins/host/floating_point.hpp"
+#include "plugins/host/team_host.hpp"
 
 #include <cstddef>
 #include <dlfcn.h>
@@ -59,7 +60,8 @@ tl::expected<Plugin, Fault> Plugin::load(const std::string& path, const mirocup_
   if (!plugin) return plugin;
   const auto create = [&] { plugin->team_ = plugin->strategy_->create(&setup); };
   MIROCUP_TRY_VOID(guarded("create", create));
-  if (plugin->team_ == nullptr) return fault(FaultCode::no_load, create_gave_up);
+  if (plugin->team_ == nullptr)
+    return fault(FaultCode::no_load, "create() returned null" + reason_in_log(setup));
   return plugin;
 }
 

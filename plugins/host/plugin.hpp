@@ -13,9 +13,6 @@
 
 namespace mirocup::plugins {
 
-// The text of the fault of a team whose create() returned null.
-inline constexpr const char* create_gave_up = "create() returned null";
-
 // Writes a line to standard error, which is the team's log.
 void write_line(const char* text);
 
@@ -23,7 +20,8 @@ class Plugin {
  public:
   // Loads the library at `path`, checks its version and creates its team. The path must contain a
   // slash, because dlopen() searches the system's folders for a bare name. `setup` must outlive the
-  // plugin. From here on foreign code runs in this process.
+  // plugin. From here on foreign code runs in this process. If create() returns null, the fault has
+  // the last line that the team has logged through log_line() (team_host.hpp).
   static tl::expected<Plugin, match::Fault> load(const std::string& path,
                                                  const mirocup_setup& setup);
 

@@ -98,10 +98,10 @@ void log_line(void* host, const char* text) {
   if (host != nullptr) static_cast<TeamHost*>(host)->last_line.assign(text, strnlen(text, 200));
 }
 
-match::Fault with_reason(match::Fault fault, const TeamHost& host) {
-  if (fault.text == create_gave_up && !host.last_line.empty())
-    fault.text += ": \"" + host.last_line + "\"";
-  return fault;
+std::string reason_in_log(const mirocup_setup& setup) {
+  if (setup.log != log_line || setup.host == nullptr) return "";
+  const std::string& line = static_cast<const TeamHost*>(setup.host)->last_line;
+  return line.empty() ? "" : ": \"" + line + "\"";
 }
 
 double parameter_of(void* host, const char* name, double fallback) {

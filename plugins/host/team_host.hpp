@@ -37,8 +37,9 @@ void give_host(mirocup_setup& setup, TeamHost& host);
 // in the TeamHost at `host`, which may be null.
 void log_line(void* host, const char* text);
 
-// Returns the fault, with the last line of the log as its reason if create() returned null.
-match::Fault with_reason(match::Fault fault, const TeamHost& host);
+// Returns the last line that the team has logged, as ": "the line""; "" if it has logged none, or
+// if the setup has another log than log_line().
+std::string reason_in_log(const mirocup_setup& setup);
 
 // The function `setup.parameter`: returns the value of that name in the table of the TeamHost at
 // `host` and marks it as asked for; `fallback` if the table or the name is missing. Writes a line

@@ -25,10 +25,7 @@ tl::expected<std::unique_ptr<TrustedController>, match::Fault> TrustedController
     const std::string& path, const match::Briefing& briefing,
     const match::TeamParameters& parameters, bool keeps_thoughts) {
   auto facts = facts_for(briefing, parameters, keeps_thoughts);
-  MIROCUP_TRY(auto plugin,
-              Plugin::load(path, facts->setup).map_error([&](const match::Fault& fault) {
-                return with_reason(fault, facts->host);
-              }));
+  MIROCUP_TRY(auto plugin, Plugin::load(path, facts->setup));
   return std::unique_ptr<TrustedController>(
       new TrustedController(briefing.team, std::move(facts), std::move(plugin)));
 }

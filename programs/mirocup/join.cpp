@@ -175,11 +175,8 @@ Result<void> RemoteTeam::take_seat() {
   plugins::give_host(setup_, host_);
   draw_in_match(setup_);
   const std::string path = library_path(options_);
-  auto plugin = python_.empty()
-                    ? plugins::Plugin::load(path, setup_).map_error([&](const match::Fault& fault) {
-                        return plugins::with_reason(fault, host_);
-                      })
-                    : plugins::load_python(path, python_, setup_);
+  auto plugin = python_.empty() ? plugins::Plugin::load(path, setup_)
+                                : plugins::load_python(path, python_, setup_);
   if (!plugin) return fail(Errc::input, options_.library + ": " + plugin.error().text);
   plugin_.emplace(std::move(*plugin));
   std::cerr << "mirocup: " << options_.name << " plays " << options_.team << " in match "

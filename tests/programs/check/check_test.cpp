@@ -102,6 +102,7 @@ TEST(Check, NamesTheFirstCheckThatFails) {
   expect_rejected(hostile("ld_runpath"), "libraries", "link it statically");
   expect_rejected(hostile("other_version"), "loads", "strategy.h of this version");
   expect_rejected(hostile("init_refuses"), "loads", "null");
+  expect_rejected(hostile("init_refuses"), "loads", "null: 'there is no plan for this field'");
   expect_rejected(hostile("ctor_exit"), "loads", "ended itself");
   expect_rejected(hostile("crash_segv"), "ticks", "gdb --args mirocup match --trusted");
   expect_rejected(hostile("slow_bank"), "ticks", "ms of processor time");
