@@ -3,10 +3,11 @@
 // system::sha256() of the module, which has no OpenSSL: FIPS 180-4, section 6.2.
 #include "system/digest.hpp"
 
+#include "system/formatted.hpp"
+
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstdio>
 
 namespace mirocup::system {
 
@@ -82,11 +83,7 @@ std::string sha256(std::string_view bytes) {
     add_block(state, reinterpret_cast<const unsigned char*>(padded.data()) + at, constants);
   }
   std::string digits;
-  for (const std::uint32_t word : state) {
-    char text[9];
-    std::snprintf(text, sizeof text, "%08x", static_cast<unsigned>(word));
-    digits += text;
-  }
+  for (const std::uint32_t word : state) digits += formatted("%08x", static_cast<unsigned>(word));
   return digits;
 }
 

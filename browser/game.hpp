@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A leg as a page plays it: its teams, the record that it goes on from, and the marks of a drill.
+// A leg as a page plays it, with its teams and the marks of a drill. A leg can continue a record.
 #pragma once
 
 #include "browser/teams.hpp"

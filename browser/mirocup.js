@@ -22,7 +22,7 @@ export async function loadMirocup(source) {
   const module = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
   const imports = {};
   for (const { module: from, name } of WebAssembly.Module.imports(module)) {
-    // What the C library asks of a system: there is no clock, file or argument here, so nothing comes back.
+    // The C library calls these functions of a system. They answer 0, because there is no clock, file or argument here.
     (imports[from] ??= {})[name] = () => {
       if (name === 'proc_exit') throw new Error('the module has ended');
       return 0;
@@ -125,7 +125,7 @@ export class Leg {
   // The state hash of all ticks played, 16 hexadecimal digits.
   get hash() { return BigInt.asUintN(64, this.#m.leg_hash(this.#leg)).toString(16).padStart(16, '0'); }
 
-  // The record and the replay file of the leg, which ends here if it goes on: {record: text, replay: bytes}. `mirocup verify`
+  // Ends the leg if it is not over, and returns its record and its replay file: {record: text, replay: bytes}. `mirocup verify`
   // reproduces them from files NAME.json and NAME.replay.zst.
   save(name = 'leg') {
     this.#m.leg_stop(this.#leg);

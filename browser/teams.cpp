@@ -7,7 +7,7 @@
 #include <utility>
 
 extern "C" {
-// The sources of the teams are compiled unchanged, each with an entry of its own name.
+// The compiler renames the entry of each team (browser/CMakeLists.txt); the sources are unchanged.
 const mirocup_strategy* mirocup_entry_idle(void);
 const mirocup_strategy* mirocup_entry_chaser(void);
 const mirocup_strategy* mirocup_entry_keeper(void);

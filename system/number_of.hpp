@@ -11,14 +11,21 @@
 
 namespace mirocup::system {
 
+// Returns the number that the whole text is, as std::from_chars() reads it with `format`: nothing,
+// or the base of an integer.
+template <class Number, class... Format>
+std::optional<Number> whole_number(std::string_view text, Format... format) {
+  Number number{};
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number, format...);
+  const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
 // Returns the number that the whole text is; nothing for any other text, and for a number that is
 // out of the range of its type. A sign '+' and spaces are no part of a number.
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
-  Number number{};
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
-  return is_number ? std::optional(number) : std::nullopt;
+  return whole_number<Number>(text);
 }
 
 #ifdef __wasi__
@@ -37,10 +44,7 @@ inline std::optional<double> number_of<double>(std::string_view text) {
 // The same of an integer with hexadecimal digits.
 template <std::unsigned_integral Number>
 std::optional<Number> hexadecimal_of(std::string_view text) {
-  Number number{};
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number, 16);
-  const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
-  return is_number ? std::optional(number) : std::nullopt;
+  return whole_number<Number>(text, 16);
 }
 
 }  // namespace mirocup::system

@@ -4,7 +4,6 @@
 #include "record/json_reader.hpp"
 
 #include <httplib.h>
-#undef _res  // a macro of <resolv.h>, and the name of parameters in Eigen
 
 #include <algorithm>
 

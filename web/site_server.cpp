@@ -2,7 +2,6 @@
 #include "web/site_server.hpp"
 
 #include <httplib.h>
-#undef _res  // a macro of <resolv.h>, and the name of parameters in Eigen
 
 namespace mirocup::web {
 

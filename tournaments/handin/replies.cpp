@@ -2,10 +2,9 @@
 #include "tournaments/handin/replies.hpp"
 
 #include "record/json_reader.hpp"
+#include "system/number_of.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <charconv>
 
 namespace mirocup::league {
 
@@ -22,10 +21,8 @@ web::Reply host_failed(const Error&) {
 }
 
 std::optional<int> number_of(std::string_view text) {
-  int number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size() || number < 1) return {};
-  return number;
+  const auto number = system::number_of<int>(text);
+  return number.value_or(0) < 1 ? std::nullopt : number;
 }
 
 }  // namespace mirocup::league

@@ -3,6 +3,7 @@
 
 #include "system/file_lock.hpp"
 #include "system/markup.hpp"
+#include "system/number_of.hpp"
 #include "tournaments/handin/desk_html.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/league/health.hpp"
@@ -11,7 +12,6 @@
 #include "tournaments/publish/grades.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 namespace mirocup::league {
@@ -26,10 +26,7 @@ constexpr const char* staff_policy =
 const std::string staff_legs_path = "/hand-in?team=";
 
 int number_in(const Form& form, const std::string& key) {
-  const std::string text = value_of(form, key);
-  int number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  return read.ec == std::errc() && read.ptr == text.data() + text.size() ? number : 0;
+  return system::number_of<int>(value_of(form, key)).value_or(0);
 }
 
 // Returns the act that a form asks for; nothing if it names none.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "web/http/address.hpp"
 
+#include "system/number_of.hpp"
+
 #include <algorithm>
 #include <arpa/inet.h>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <memory>
 #include <netdb.h>
@@ -119,9 +120,8 @@ Result<Address> parse_address(const std::string& text, const std::string& option
       address.host = address.host.substr(1, address.host.size() - 2);
     }
   }
-  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), address.port);
-  if (error != std::errc() || end != port.data() + port.size() || address.host.empty() ||
-      address.port < 0 || address.port > 65535) {
+  address.port = system::number_of<int>(port).value_or(-1);
+  if (address.host.empty() || address.port < 0 || address.port > 65535) {
     return fail(Errc::input, option + " " + text + ": PORT, HOST:PORT or unix:PATH is expected");
   }
   return address;

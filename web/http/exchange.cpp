@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "web/http/exchange.hpp"
 
+#include "system/formatted.hpp"
 #include "web/http/form.hpp"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <boost/beast/http/error.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/status.hpp>
-#include <charconv>
 #include <limits>
 
 namespace mirocup::web {
@@ -187,9 +187,7 @@ bool Exchange::begin_events() {
 bool Exchange::send_events(std::string_view part) {
   if (part.empty()) return true;
   if (is_http_1_0_) return connection_.send(part);
-  std::array<char, 16> length{};
-  const auto end = std::to_chars(length.begin(), length.end(), part.size(), 16).ptr;
-  return connection_.send(std::string(length.data(), end) + "\r\n" + std::string(part) + "\r\n");
+  return connection_.send(system::formatted("%zx\r\n", part.size()) + std::string(part) + "\r\n");
 }
 
 void Exchange::end_events() {
