@@ -56,10 +56,12 @@ TEST(PlayOn, WithTheSameTeamsGivesTheSameLeg) {
     EXPECT_EQ(record["from"]["blue"], "striker");
     EXPECT_EQ(record["from"]["state_hash"], whole["state_hash"]);
   }
-  // keeper and idle remember nothing, so they give the same commands again.
-  ASSERT_EQ(play_match("idle", "navigator", {"--half", "10", "--record", leg}).exit_code, 0);
+  // Teams that remember nothing give the same commands again.
+  ASSERT_EQ(play_match("drill:keeper", "drill:crowd", {"--half", "10", "--record", leg}).exit_code,
+            0);
   ASSERT_EQ(
-      play_match("idle", "navigator", {"--from", leg, "--tick", "150", "--record", on}).exit_code,
+      play_match("drill:keeper", "drill:crowd", {"--from", leg, "--tick", "150", "--record", on})
+          .exit_code,
       0);
   EXPECT_EQ(read_json(on)["state_hash"], read_json(leg)["state_hash"]);
 }

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """mirocup export: the team that it writes sees and decides as the network in Python does. Run with
 PYTHONPATH=BUILD/python."""
+import datetime
+import os
 import subprocess
 import sys
 import tempfile
@@ -27,6 +29,9 @@ int main() {
   }
 }
 """
+
+# Whole legs have seeds that nobody chose. It is printed, for MIROCUP_EXPORT_SEED.
+SEED = int(os.environ.get("MIROCUP_EXPORT_SEED", 1000 * datetime.date.today().toordinal()))
 
 KINDS = {
     "relative": {"agents": "robot", "observation": "relative", "ticks_per_step": 2},
@@ -119,6 +124,7 @@ class Export(unittest.TestCase):
         start = 3 * shots
         for restart in ("KICK_OFF", "GOAL_KICK", "PENALTY_KICK", "FREE_BALL", "FREE_KICK"):
             start += [{"restart": {"kind": restart, "taker": taker}} for taker in ("blue", "yellow")]
+        print(f"MIROCUP_EXPORT_SEED={SEED}")
         legs = 250
         ends = dict.fromkeys(("score", "opponent_score", "foul"), 0.0)
         whole = 0
@@ -136,7 +142,7 @@ class Export(unittest.TestCase):
             self.compile(self.folder / "learned.cpp", "-fPIC", "-shared", "-o", library)
             team = Batch({**played, "blue": {"learners": [2], "mates": str(library)}})
             for batch in (network, team):
-                batch.reset(seeds=np.arange(legs))
+                batch.reset(seeds=SEED + np.arange(legs))
             same = np.ones(legs, np.bool_)
             while not network.terminations.all():
                 network.actions[:] = policy(network.observations)
