@@ -279,12 +279,16 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
       return answer_to_exit({.exit_code = exit_faulted});
     }
     cpu_ = child_.cpu_seconds();
-    if (auto fault = find_overdraft()) {
+    const double used = cpu_ - cpu_at_post_;
+    // Both limits may have been crossed since the last look: the first one counts.
+    const bool is_bank_larger =
+        !is_ready_ || bank_seconds() - (playing_seconds() - used) >= limit.cpu;
+    const bool is_busy = used > limit.cpu && is_bank_larger;
+    if (auto fault = is_busy ? std::nullopt : find_overdraft()) {
       child_.kill();
       return *fault;
     }
     if (!delay_at_slice_) delay_at_slice_ = child_.processor_delay();
-    const bool is_busy = cpu_ - cpu_at_post_ > limit.cpu;
     if (is_busy || seconds_without_delay(asked_at_, delay_at_slice_) > limit.wall) {
       const TeamCall call = out_->team_call.load(std::memory_order_relaxed);
       child_.kill();
