@@ -167,27 +167,24 @@ TEST(Firasim, StrangersHaveNoEffect) {
   const std::string count = wanted != nullptr ? wanted : "2000";
   const std::string flood = "3000";  // after each thousand
   std::string hash;
-  for (const bool with_stranger : {false, true}) {
+  for (const bool with_strangers : {false, true}) {
     const TemporaryFolder folder;
-    Running team(python_team("blue"));
-    Running leg({program("mirocup"), "match", "--blue", "firasim:py", "--yellow", "idle", "--rules",
-                 "vsss", "--record", folder / "leg.json", "--firasim-instance", instance(),
-                 "--lockstep", "--half", wanted != nullptr ? "100" : "8", "--rule", "ready_s=0.33",
-                 "--rule", "mercy_goal_diff=0"});
-    // The team has its seat before the stranger comes: a free seat is for whoever comes first.
-    ASSERT_TRUE(wait_until([&] { return leg.err().find("is steered from") != std::string::npos; }));
-    std::unique_ptr<Running> stranger;
-    if (with_stranger) {
-      stranger = std::make_unique<Running>(
-          std::vector<std::string>{"/usr/bin/env", "PYTHONDONTWRITEBYTECODE=1", "python3",
-                                   MIROCUP_SOURCE_FOLDER "/tests/programs/firasim/hostile.py",
-                                   instance(), count, "1", flood});
-    }
-    const Outcome played = leg.wait();
+    const std::vector<std::string> with{"/usr/bin/env",
+                                        "PYTHONDONTWRITEBYTECODE=1",
+                                        "python3",
+                                        MIROCUP_SOURCE_FOLDER "/tests/programs/firasim/hostile.py",
+                                        instance(),
+                                        count,
+                                        "1",
+                                        flood};
+    Running team(with_strangers ? with : python_team("blue"));
+    const Outcome played = match("firasim:py", "idle", folder / "leg.json",
+                                 {"--lockstep", "--half", wanted != nullptr ? "100" : "8", "--rule",
+                                  "ready_s=0.33", "--rule", "mercy_goal_diff=0"});
     ASSERT_EQ(played.exit_code, 0) << played.err;
     const Json record = read_json(folder / "leg.json");
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
-    if (with_stranger) {
+    if (with_strangers) {
       const Json& network = record["network"]["blue"];
       EXPECT_EQ(record["state_hash"], hash);
       EXPECT_GT(network["foreign"], 0);
@@ -198,7 +195,7 @@ TEST(Firasim, StrangersHaveNoEffect) {
       const int counted =
           network["foreign"].get<int>() + network["datagrams"]["malformed"].get<int>();
       EXPECT_GE(counted, std::stoi(count) / 2);
-      const Outcome sent = stranger->wait();
+      const Outcome sent = team.wait();
       std::cout << "sent " << sent.out << "counted: foreign " << network["foreign"] << ", "
                 << network["datagrams"].dump() << ", ticks " << record["ticks"] << '\n';
     }

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Sends COUNT datagrams that must have no effect to a match, from sockets that no team has: mutated
-commands, replacements and placements, cut ones, noise, commands for both colours, NaN.
+"""The team of chaser.py, and beside it strangers: sockets that no team has send COUNT datagrams that
+must have no effect: mutated commands, replacements and placements, cut ones, noise, commands for
+both colours, NaN.
 
-hostile.py INSTANCE COUNT [SEED] [FLOOD]; prints how many it sent of each kind. Waits for the first
-vision, and spreads its datagrams over the leg. With FLOOD it sends that many more, as fast as it
-can, after each thousand.
+hostile.py INSTANCE COUNT [SEED] [FLOOD]; prints how many it sent of each kind. Some of them come
+before each answer of the team, so that a slow machine sends as many in a leg as a quick one. With
+FLOOD it sends that many more, as fast as it can, after each thousand.
 """
 import os
 import random
@@ -14,9 +15,12 @@ import struct
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../../examples/firasim"))
+import chaser  # noqa: E402
 import firasim  # noqa: E402
 
-instance, count = int(sys.argv[1]), int(sys.argv[2])
+BEFORE_AN_ANSWER = 16
+
+instance, count = sys.argv[1], int(sys.argv[2])
 dice = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
 flood = int(sys.argv[4]) if len(sys.argv) > 4 else 0
 
@@ -46,7 +50,7 @@ def mutated(data):
     return bytes(data[:dice.randrange(len(data) + 1)])
 
 
-client = firasim.Client(False, **firasim.ways_of(instance))
+client = firasim.Client(False, **firasim.ways_of(int(instance)))
 senders = [client.out] + [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(7)]
 for sender in senders:
     sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton("127.0.0.1"))
@@ -82,16 +86,27 @@ def send_one(i):
         send("mutated placement", mutated(placement(colour)))
 
 
-while not client.wait(5.0)[0]:
-    pass
-is_over = False
-for i in range(count):
-    if i % 8 == 0 and not is_over:
-        picture, calls = client.wait(1.0)
-        is_over = any(call.foul == firasim.HALT for call in calls)
-    send_one(i)
-    for k in range(flood if i % 1000 == 500 else 0):
-        data = command(dice.randrange(3), k % 2, 60.0, -60.0)
-        senders[k % len(senders)].sendto(data, client.command)
-        sent["flood"] = sent.get("flood", 0) + 1
+def send_some(first):
+    for i in range(first, min(first + BEFORE_AN_ANSWER, count)):
+        send_one(i)
+        for k in range(flood if i % 1000 == 500 else 0):
+            data = command(dice.randrange(3), k % 2, 60.0, -60.0)
+            senders[k % len(senders)].sendto(data, client.command)
+            sent["flood"] = sent.get("flood", 0) + 1
+
+
+class Team(firasim.Client):
+    answers = 0
+
+    def drive(self, wheels, step=None):
+        # The team has its seat before the strangers come: a free seat is for whoever comes first.
+        if Team.answers >= 10:
+            send_some(BEFORE_AN_ANSWER * (Team.answers - 10))
+        Team.answers += 1
+        super().drive(wheels, step)
+
+
+firasim.Client = Team
+sys.argv[1:] = ["blue", "--instance", instance]
+chaser.main()
 print(sent)
