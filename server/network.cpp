@@ -55,6 +55,10 @@ Result<void> Network::open(const match::ByTeam<TeamChoice>& teams) {
   if (any(record::TeamKind::dds)) {
     MIROCUP_TRY(dds_, dds::MatchServer::open(terms_.match_id, terms_.interface, terms_.credentials,
                                              terms_.dds_domain));
+    if (terms_.interface == "lo") {
+      tell("match " + terms_.match_id +
+           " can be joined from this computer only; --interface opens it to others");
+    }
   }
   for (const Team team : both_teams) {
     const bool is_firasim = teams[index_of(team)].info.kind == record::TeamKind::firasim;

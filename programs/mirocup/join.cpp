@@ -13,6 +13,7 @@
 #include "record/team_parameters_json.hpp"
 #include "server/dds/credentials.hpp"
 #include "system/certificate.hpp"
+#include "system/host_address.hpp"
 #include "system/interrupt.hpp"
 
 #include <chrono>
@@ -226,10 +227,11 @@ Result<int> run_join(const JoinOptions& options) {
               record::parameters_with_changes({}, options.parameters, "--param"));
   MIROCUP_TRY(const auto python, python_for(options));
   warn_of_expiry(options.credentials);
+  MIROCUP_TRY(const auto server, system::address_of(options.server, options.join_within));
   team::Connection match({.match = options.match_id,
                           .team = index_of(*from_string<Team>(options.team)),
                           .name = options.name,
-                          .server = options.server,
+                          .server = server,
                           .domain = options.dds_domain,
                           .credentials = options.credentials});
   if (!match.is_open()) {

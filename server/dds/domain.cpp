@@ -4,15 +4,13 @@
 #include "server/dds/credentials.hpp"
 #include "server/dds/network_interface.hpp"
 #include "system/formatted.hpp"
+#include "system/host_address.hpp"
 
 namespace mirocup::dds {
 
 namespace {
 
-// Returns the port of the participant with an index, as DDSI-RTPS 2.2 says (9.6.1.1).
-int port_of(int domain, int index) {
-  return 7400 + 250 * domain + 10 + 2 * index;
-}
+constexpr double name_limit = 10.0;  // s in which the name of a server must be resolved
 
 // Nothing that is sent needs to be fragmented by IP: a lost fragment would lose all of a packet,
 // and some firewalls drop fragments. Cyclone splits larger samples itself.
@@ -41,8 +39,10 @@ std::string configuration(const std::string& interface, const std::string& index
          "</ParticipantIndex><SPDPInterval>500ms</SPDPInterval><LeaseDuration>3s</LeaseDuration>" +
          peers +
          "</Discovery>"
-         // Otherwise Cyclone would assemble a giant sample before it throws it away.
-         "<Internal><MaxSampleSize>64 kB</MaxSampleSize></Internal>"
+         // Otherwise Cyclone would assemble a giant sample before it throws it away. With more than
+         // one thread that receives, its end waits for a packet to itself, which may not arrive.
+         "<Internal><MaxSampleSize>64 kB</MaxSampleSize>"
+         "<MultipleReceiveThreads>false</MultipleReceiveThreads></Internal>"
          // CycloneLog reads of it who has no credentials; nothing is written.
          "<Tracing><Category>discovery</Category><OutputFile>stderr</OutputFile></Tracing>"
          "</Domain></CycloneDDS>";
@@ -68,6 +68,10 @@ Result<Domain> open_domain(const std::string& interface, const std::string& xml,
 
 }  // namespace
 
+int port_of(int domain, int index) {
+  return 7400 + 250 * domain + 10 + 2 * index;
+}
+
 Result<Domain> open_server_domain(const std::string& interface, const std::string& credentials,
                                   int number) {
   Result<Domain> opened = fail(Errc::unavailable, "");
@@ -85,9 +89,11 @@ Result<Domain> open_server_domain(const std::string& interface, const std::strin
 Result<Domain> open_team_domain(const std::string& server, const std::string& credentials,
                                 int number) {
   const bool is_local = server == "localhost" || server.rfind("127.", 0) == 0;
+  // By its address, because Cyclone would ask for a name's once for each peer.
+  MIROCUP_TRY(const auto address, system::address_of(server, name_limit));
   std::string peers;
   for (int index = 0; index < server_ports; ++index) {
-    peers += "<Peer Address=\"" + server + ":" + std::to_string(port_of(number, index)) + "\"/>";
+    peers += "<Peer Address=\"" + address + ":" + std::to_string(port_of(number, index)) + "\"/>";
   }
   const std::string interface = is_local ? "lo" : "";
   return open_domain(interface, configuration(interface, "none", "<Peers>" + peers + "</Peers>"),

@@ -20,6 +20,10 @@ inline constexpr int server_ports = 10;
 inline constexpr int default_domain = 0;
 inline constexpr int last_domain = 230;  // the ports of later ones do not exist
 
+// Returns the port of discovery of the participant with an index, as DDSI-RTPS 2.2 says (9.6.1.1);
+// its data come at the next port.
+int port_of(int domain, int index);
+
 // The connection of this process to the network. Its destructor leaves the network properly. A
 // process has at most one at a time.
 struct Domain {

@@ -86,7 +86,8 @@ Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::
                 .excused = [this] { return excused_ ? excused_->total() : 0.0; },
                 .host_failure = [this] { return host_failure(); },
                 .credentials_end = std::nullopt,
-                .last_error = [this] { return last_error(); }};
+                .last_error = [this] { return last_error(); },
+                .reach = reach()};
   if (const std::string& folder = domain_.credentials; !folder.empty()) {
     const std::int64_t last_end = latest_end(terms);
     const auto own_end = credentials_end(folder);
@@ -246,6 +247,14 @@ void MatchServer::close(const match::Leg& leg) {
   }
   dds_write(event_writer_.get(), &last);
   dds_wait_for_acks(event_writer_.get(), farewell_timeout);
+}
+
+std::string MatchServer::reach() const {
+  if (interface_ == "lo") return "; it can be on this computer only (--interface lo)";
+  const int first = port_of(domain_.number, 0);
+  const int last = port_of(domain_.number, server_ports - 1) + 1;
+  return "; firewalls must let UDP to ports " + std::to_string(first) + "-" + std::to_string(last) +
+         " of " + interface_ + " in here, and UDP from here in there; no NAT may be between";
 }
 
 std::string MatchServer::last_error() const {

@@ -58,6 +58,7 @@ class MatchServer {
 
   // Returns the last messages of DDS as the end of a sentence; "" if there was none.
   std::string last_error() const;
+  std::string reach() const;  // SeatLink::reach
 
  private:
   MatchServer(std::string match_id, std::string interface, Domain domain);

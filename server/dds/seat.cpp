@@ -240,10 +240,12 @@ tl::expected<void, Answer> Seat::wait_until_ready() {
   while (!answer_) {
     if (auto failure = link_.host_failure()) return tl::unexpected<Answer>(*failure);
     if (fair_now() > terms_.to_join) {
-      const char* what = nonce_ == 0 ? "the team did not join within "
-                                     : "the team joined but did not answer within ";
-      return tl::unexpected<Answer>(Fault{
-          FaultCode::start_timeout, what + seconds_text(terms_.to_join) + link_.last_error()});
+      const std::string limit = seconds_text(terms_.to_join);
+      return tl::unexpected<Answer>(
+          Fault{FaultCode::start_timeout,
+                (nonce_ == 0 ? "the team did not join within " + limit + link_.reach
+                             : "the team joined but did not answer within " + limit) +
+                    link_.last_error()});
     }
     if (terms_.interrupted()) {
       return tl::unexpected<Answer>(match::HostFailure{"interrupted while a team was awaited"});

@@ -56,6 +56,7 @@ struct SeatLink {
   // The time until which the team's credentials are valid, s since 1970 UTC; empty: not known.
   std::optional<std::int64_t> credentials_end;
   std::function<std::string()> last_error;  // the last messages of DDS, as the end of a sentence
+  std::string reach;  // where a team can come from, as the end of a sentence, for one that did not
 };
 
 class Seat final : public match::Controller {

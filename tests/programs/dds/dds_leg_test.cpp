@@ -104,13 +104,37 @@ TEST(DdsTeam, MayMeetAnother) {
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
 }
 
+// Catches a forfeit that does not tell the network's owner where to look.
 TEST(DdsTeam, LosesWhenItDoesNotCome) {
   const TemporaryFolder folder;
-  const Outcome played =
-      run({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow", "idle", "--half", "5",
-           "--match", match_id("empty"), "--join-within", "1", "--record", folder / "leg.json"});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_EQ(read_json(folder / "leg.json")["result"]["fault"]["code"], "start_timeout");
+  for (const std::string interface : {"lo", "127.0.0.1"}) {
+    const Outcome played = run({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow",
+                                "idle", "--half", "5", "--match", match_id("empty"), "--interface",
+                                interface, "--join-within", "1", "--record", folder / "leg.json"});
+    EXPECT_EQ(played.exit_code, 0) << played.err;
+    const auto fault = read_json(folder / "leg.json")["result"]["fault"];
+    EXPECT_EQ(fault["code"], "start_timeout");
+    const bool is_lo = interface == "lo";
+    const std::string told = is_lo ? "it can be on this computer only (--interface lo)"
+                                   : "firewalls must let UDP to ports 7410-7429 of 127.0.0.1 in";
+    EXPECT_NE(fault["text"].get<std::string>().find(told), std::string::npos) << fault;
+    EXPECT_EQ(played.err.find("can be joined from this computer only") != std::string::npos, is_lo);
+  }
+}
+
+// Catches an end that waits for a packet to itself: here none arrives.
+TEST(DdsTeam, EndsWhereAllPacketsAreLost) {
+  const auto exit_code_of = [](std::vector<std::string> words) {
+    words.insert(words.end(), {"--join-within", "1"});
+    words = on_bad_network(words, {"BAD_NETWORK_LOSS=1"});
+    words.insert(words.begin(), {"/usr/bin/timeout", "--signal=KILL", "100"});
+    return run(words).exit_code;
+  };
+  const std::string id = match_id("lost");
+  EXPECT_EQ(exit_code_of(join(id, "blue", "alone", "idle")), 3);
+  EXPECT_EQ(exit_code_of({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow", "idle",
+                          "--half", "5", "--match", id}),
+            0);
 }
 
 // The match waits for two absent teams at the same time, not one after the other.

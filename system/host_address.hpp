@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// The address of a host by its name. The system's resolver may wait for half a minute.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <string>
+
+namespace mirocup::system {
+
+// Returns the first IPv4 address of `host`, a name or an address, as 10.0.0.5. Errc::unavailable if
+// there is none, or if the resolver does not answer within `seconds`; it then goes on in a thread
+// of its own.
+Result<std::string> address_of(const std::string& host, double seconds);
+
+}  // namespace mirocup::system
