@@ -31,7 +31,7 @@ Result<plugins::ProcessTerms> process_terms(const Session& s) {
   if (terms.isolation > strongest) {
     return fail(Errc::unavailable, "--isolation " + s.terms.isolation + ": this system allows " +
                                        std::string(to_string(strongest)) +
-                                       " only (namespaces are not allowed here)");
+                                       " only: " + plugins::why_no_t2());
   }
   if (s.pacer.period() > 0.0) {
     terms.deadline.emplace();

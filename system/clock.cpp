@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <vector>
 
 namespace mirocup::system {
@@ -15,6 +16,7 @@ namespace mirocup::system {
 namespace {
 
 constexpr std::int64_t day_s = 86'400;
+constexpr const char* zone_folder = "/usr/share/zoneinfo/";
 
 // Returns the number of days from 1970-01-01 to a day of the Gregorian calendar (H. Hinnant,
 // "chrono-compatible low-level date algorithms", days_from_civil).
@@ -124,8 +126,13 @@ Result<TimeZone> TimeZone::find(const std::string& name) {
                                 c == '+';
                        });
   if (!is_safe) return unknown();
+  if (std::error_code none; !std::filesystem::exists(zone_folder, none)) {
+    return fail(Errc::unavailable, "the time zone \"" + name +
+                                       "\" is not known: " + std::string(zone_folder) +
+                                       " is missing; Debian's package is tzdata");
+  }
   Disk disk;
-  const auto text = disk.read("/usr/share/zoneinfo/" + name,
+  const auto text = disk.read(zone_folder + name,
                               {.max_size = size_limit::certificate, .links = Links::followed});
   if (!text) return unknown();
   constexpr std::size_t header = 44;

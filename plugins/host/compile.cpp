@@ -291,11 +291,9 @@ Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result
 
 Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage language,
                                     const CompilerKit& kit, const CompileLimits& limits) {
-  MIROCUP_TRY(const auto isolation, strongest_isolation());
-  if (isolation != Isolation::T2) {
+  if (const std::string why_not = why_no_t2(); !why_not.empty()) {
     return fail(Errc::unavailable,
-                "sources are not compiled here: this computer allows no namespaces; hand in the "
-                "library");
+                "sources are not compiled here; hand in the library: " + why_not);
   }
   const bool is_c = language == SourceLanguage::c;
   const char* const compiler = is_c ? c_compiler : cpp_compiler;

@@ -3,6 +3,7 @@
 // mirocup: one match, its records, its teams. One file per subcommand.
 #include "programs/mirocup/command_line.hpp"
 #include "programs/mirocup/commands.hpp"
+#include "system/begin.hpp"
 #include "system/printable.hpp"
 #include "system/standard_output.hpp"
 
@@ -21,6 +22,7 @@ int report(const Result<int>& result) {
 }
 
 int run(int argc, char** argv) {
+  if (const auto begun = system::begin(); !begun) return report(tl::unexpected(begun.error()));
   const std::string_view command = argc > 1 ? argv[1] : "";
   // `complete league WORD…` asks the other program.
   if (command == "complete" && argc > 3 && std::string_view(argv[2]) == "league") {

@@ -2,6 +2,7 @@
 //
 // mirocup match: plays one leg and writes its record.
 #include "core/match/call_text.hpp"
+#include "plugins/host/sandbox/probe.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "programs/mirocup/output_folder.hpp"
 #include "record/conditions_json.hpp"
@@ -279,6 +280,12 @@ void show_backtraces(const server::Session& session) {
   }
 }
 
+// A team finds more of a host in T1, for example its processes.
+void tell_weaker_isolation(const MatchOptions& options, const server::Session& session) {
+  if (!options.session.isolation.empty() || session.isolation != "T1") return;
+  std::cerr << "mirocup: teams play in tier T1, not T2: " << plugins::why_no_t2() << '\n';
+}
+
 // A leg that cannot be written should not be played first.
 Result<void> check_output(const MatchOptions& options) {
   if (options.record_path.empty()) return {};
@@ -301,6 +308,7 @@ Result<int> run_match(const MatchOptions& options) {
   }
   MIROCUP_TRY(const auto teams, choose_teams(options));
   MIROCUP_TRY_VOID(server::seat_teams(session, teams));
+  tell_weaker_isolation(options, session);
   if (options.watch) {
     MIROCUP_TRY_VOID(server::open_live_page(session, *options.watch));
   }

@@ -139,7 +139,7 @@ void read_zone(const JsonReader& json, LeagueFile& file) {
   auto zone = system::TimeZone::find(file.zone);
   if (zone) {
     file.time_zone = *zone;
-  } else {
+  } else if (zone.error().code == Errc::input) {
     json.complain(zone.error().what);
   }
 }
@@ -263,9 +263,13 @@ bool is_good_name(const std::string& name) {
 
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path,
                                      int rules_version) {
-  return record::read_json<LeagueFile>(
+  auto file = record::read_json<LeagueFile>(
       text, path, Errc::input,
       [rules_version](const JsonReader& json) { return read_league(json, rules_version); });
+  if (!file || file->zone.empty()) return file;
+  // The file is right, but the computer may know no zones.
+  auto zone = system::TimeZone::find(file->zone);
+  return zone ? file : fail(zone.error().code, path + ": /zone: " + zone.error().what);
 }
 
 std::string print_firasim_team(const TeamConfig& team) {

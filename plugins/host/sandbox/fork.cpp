@@ -3,12 +3,13 @@
 
 #include "system/descriptor.hpp"
 
+#include <array>
 #include <cassert>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
-#include <linux/securebits.h>
+#include <linux/capability.h>
 #include <sched.h>
 #include <string>
 #include <sys/prctl.h>
@@ -64,17 +65,21 @@ bool become_inner_user() {
   return set_user(inner_user) && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
 }
 
+bool drop_privileges() {
+  __user_cap_header_struct header{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
+  const std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> none{};
+  return syscall(SYS_capset, &header, none.data()) == 0 &&
+         prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
+}
+
 // In the child of tier T1: stops being root, and from here on dies with the parent.
 bool become_other_user() {
   if (geteuid() == 0) {
     const uid_t user = outer_user(getpid());
     const bool is_other = syscall(SYS_setgroups, 0, nullptr) == 0 && set_user(user);
-    // The root of a container without other users at least loses its privileges with exec.
-    if (!is_other &&
-        prctl(PR_SET_SECUREBITS, SECBIT_NOROOT | SECBIT_NOROOT_LOCKED | SECBIT_NO_SETUID_FIXUP |
-                                     SECBIT_NO_SETUID_FIXUP_LOCKED) != 0) {
-      return false;
-    }
+    // The root of a container that has no other users, or no right to become one, stays root. It
+    // drops its privileges, and exec gives none back.
+    if (!is_other && !drop_privileges()) return false;
   }
   return prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
 }
@@ -113,7 +118,10 @@ Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& ru
                          CLONE_NEWUTS | CLONE_NEWCGROUP;
   const long flags = SIGCHLD | (has_namespaces ? namespaces : 0);
   const auto pid = static_cast<pid_t>(syscall(SYS_clone, flags, 0, 0, 0, 0));
-  if (pid < 0) return no_sandbox("a process cannot be started");
+  if (pid < 0) {
+    return no_sandbox(has_namespaces ? "a process with namespaces of its own cannot be started"
+                                     : "a process cannot be started");
+  }
   if (pid == 0) {
     line.reset();
     if (receive_byte(child_line) && (has_namespaces ? become_inner_user() : become_other_user()) &&

@@ -4,8 +4,14 @@
 #include "plugins/host/sandbox/file_access.hpp"
 #include "plugins/host/sandbox/fork.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
+#include "system/descriptor.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
 #include <linux/seccomp.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -20,17 +26,49 @@ bool can_trap_system_calls() {
   return syscall(SYS_seccomp, SECCOMP_GET_ACTION_AVAIL, 0, &action) == 0;
 }
 
-bool can_have_namespaces() {
-  const auto pid =
-      fork_isolated(Isolation::T2, [] { _exit(enter_private_root(no_entry) == nullptr ? 0 : 1); });
-  if (!pid) return false;
+// What helps where a step of T2 is refused; docs/containers.md has it for each kind of container.
+const char* cure_of(const Error& refused) {
+  const bool is_user = refused.what.find("user of its own") != std::string::npos;
+  if (is_user && geteuid() == 0) return "run it as another user, in a container by --user 1000";
+  return "a container needs a profile that allows it, see docs/containers.md; elsewhere an "
+         "administrator allows namespaces of users";
+}
+
+// In the child: tells the parent which step was refused.
+[[noreturn]] void enter_root_and_report(int to) {
+  const char* step = enter_private_root(no_entry);
+  const char* why = step != nullptr ? strerrordesc_np(errno) : nullptr;
+  if (step != nullptr) dprintf(to, "%s: %s", step, why != nullptr ? why : "?");
+  _exit(0);
+}
+
+// Returns what the child said, "" if each step was taken.
+Result<std::string> try_namespaces() {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return fail(Errc::unavailable, "a pipe cannot be made");
+  const system::Descriptor from(ends[0]);
+  system::Descriptor to(ends[1]);
+  MIROCUP_TRY(const auto pid,
+              fork_isolated(Isolation::T2, [&] { enter_root_and_report(to.get()); }));
+  to.reset();
+  std::array<char, 200> text{};
+  const ssize_t length = read(from.get(), text.data(), text.size());
   int status = 0;
-  while (waitpid(*pid, &status, 0) < 0 && errno == EINTR) {
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  const bool has_ended = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (!has_ended) return fail(Errc::unavailable, "a root of its own: its process died");
+  return std::string(text.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
 }
 
 }  // namespace
+
+std::string why_no_t2() {
+  auto refused = try_namespaces();
+  if (refused && !refused->empty()) refused = fail(Errc::unavailable, *refused);
+  if (refused) return "";
+  return refused.error().what + " (" + cure_of(refused.error()) + ")";
+}
 
 Result<Isolation> strongest_isolation() {
   const char* advice =
@@ -46,7 +84,7 @@ Result<Isolation> strongest_isolation() {
                             "files") +
                     advice);
   }
-  return can_have_namespaces() ? Isolation::T2 : Isolation::T1;
+  return why_no_t2().empty() ? Isolation::T2 : Isolation::T1;
 }
 
 }  // namespace mirocup::plugins
