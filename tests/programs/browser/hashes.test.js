@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The module for browsers plays bit for bit what the programs play: golden legs, a hundred scenes, sixteen records over all
-// leagues, rules, conditions and pitches. Catches a compiler that contracts or reorders, a stack that is too small, a file that is
-// read in another way than `mirocup verify` reads it, and a changed byte that is not found.
+// leagues, rules, conditions and pitches, in node and in Chromium. Catches a compiler that contracts or reorders, a stack that is
+// too small, a file that is read in another way than `mirocup verify` reads it, and a changed byte that is not found.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
@@ -15,13 +15,17 @@ import { fileURLToPath } from 'node:url';
 import { setFlagsFromString } from 'node:v8';
 import { WASI } from 'node:wasi';
 import { loadMirocup, packReplay, unpackReplay } from '../../../browser/mirocup.js';
+import { closeBrowser, openPage } from '../web/support.js';
 
 setFlagsFromString('--no-liftoff');  // as in browser/verify.mjs
 const root = fileURLToPath(new URL('../../..', import.meta.url));
 const build = process.env.MIROCUP_BUILD;
 const { decompress } = createRequire(join(build, 'browser', 'x'))('fzstd');
 const folder = mkdtempSync(join(tmpdir(), 'mirocup-browser-'));
-after(() => rmSync(folder, { recursive: true }));
+after(async () => {
+  await closeBrowser();
+  rmSync(folder, { recursive: true });
+});
 const mirocup = await loadMirocup(readFileSync(join(build, 'browser/mirocup.wasm')));
 const digest = (bytes) => createHash('sha256').update(bytes).digest('hex');
 
@@ -54,13 +58,12 @@ function expectSame(path, status) {
   assert.deepEqual(module, program);
 }
 
+const golden = readFileSync(join(root, 'core/golden_hash.txt'), 'utf8').trim().split('\n').map((line) => line.split(' '));
+const scenes = execFileSync(join(build, 'compilers_scenes'), { encoding: 'utf8' }).trim();
+
 test('golden legs and a hundred scenes have their hashes', async () => {
-  for (const line of readFileSync(join(root, 'core/golden_hash.txt'), 'utf8').trim().split('\n')) {
-    const [hash, what] = line.split(' ');
-    assert.equal(await printed('golden_leg', what), hash, what);
-  }
-  const native = execFileSync(join(build, 'compilers_scenes'), { encoding: 'utf8' }).trim();
-  assert.equal(await printed('scenes'), native);
+  for (const [hash, what] of golden) assert.equal(await printed('golden_leg', what), hash, what);
+  assert.equal(await printed('scenes'), scenes);
 });
 
 test('sixteen records are reproduced', () => {
@@ -68,6 +71,79 @@ test('sixteen records are reproduced', () => {
   const records = readdirSync(folder).filter((name) => name.endsWith('.json'));
   assert.equal(records.length, 16);
   for (const name of records) expectSame(join(folder, name), 0);
+});
+
+// To be run in a page: what the programs print, a little system being enough for them, and what is found in the records.
+async function inPage({ script, wasm, programs, records }) {
+  const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  const compiled = {};
+  async function printedHere(name, ...args) {
+    compiled[name] ??= await WebAssembly.compile(bytes(wasm[name]));
+    let [exports, text] = [null, ''];
+    const view = () => new DataView(exports.memory.buffer);
+    const words = [name, ...args].map((word) => `${word}\0`);
+    const system = {
+      args_sizes_get(count, size) {
+        view().setUint32(count, words.length, true);
+        view().setUint32(size, words.join('').length, true);
+        return 0;
+      },
+      args_get(places, at) {
+        words.forEach((word, i) => {
+          view().setUint32(places + 4 * i, at, true);
+          for (const c of word) view().setUint8(at++, c.charCodeAt(0));
+        });
+        return 0;
+      },
+      fd_write(file, parts, count, written) {
+        let size = 0;
+        for (let i = 0; i < count; ++i) {
+          const part = [view().getUint32(parts + 8 * i, true), view().getUint32(parts + 8 * i + 4, true)];
+          text += new TextDecoder().decode(new Uint8Array(exports.memory.buffer, ...part));
+          size += part[1];
+        }
+        view().setUint32(written, size, true);
+        return 0;
+      },
+      proc_exit() { throw new Error('ended'); },
+    };
+    const imports = {};
+    for (const { module, name: what } of WebAssembly.Module.imports(compiled[name])) (imports[module] ??= {})[what] = system[what] ?? (() => 0);
+    ({ exports } = await WebAssembly.instantiate(compiled[name], imports));
+    try {
+      exports._start();
+    } catch (error) {
+      if (error.message !== 'ended') throw error;
+    }
+    return text.trim();
+  }
+  const { loadMirocup: load } = await import(URL.createObjectURL(new Blob([script], { type: 'text/javascript' })));
+  const here = await load(bytes(wasm.mirocup));
+  const found = { printed: [], records: records.map(({ record, replay }) => here.verify(record, bytes(replay))) };
+  for (const words of programs) found.printed.push(await printedHere(...words));
+  return found;
+}
+
+test('Chromium finds the same golden legs, scenes and records', async () => {
+  const names = readdirSync(folder).filter((name) => name.endsWith('.json'));
+  const base64 = (data) => Buffer.from(data).toString('base64');
+  const wasm = Object.fromEntries(['mirocup', 'golden_leg', 'scenes'].map((name) =>
+    [name, base64(readFileSync(join(build, `browser/${name}.wasm`)))]));
+  const records = names.map((name) => ({
+    record: readFileSync(join(folder, name), 'utf8'),
+    replay: base64(unpackReplay(readFileSync(join(folder, name.replace('.json', '.replay.zst'))), decompress)),
+  }));
+  const page = await openPage('about:blank');
+  const found = await page.evaluate(inPage, {
+    script: readFileSync(join(root, 'browser/mirocup.js'), 'utf8'), wasm, records,
+    programs: [...golden.map(([, what]) => ['golden_leg', what]), ['scenes']],
+  });
+  assert.deepEqual(found.printed, [...golden.map(([hash]) => hash), scenes]);
+  assert.equal(found.records.length, 16);
+  found.records.forEach((one, i) => {
+    assert.equal(one.reproduced, true, names[i]);
+    assert.equal(one.found, JSON.parse(records[i].record).state_hash, names[i]);
+  });
 });
 
 test('what was changed is told as mirocup verify tells it', () => {
