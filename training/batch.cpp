@@ -33,7 +33,8 @@ Batch::Batch(Config config)
       observer_(config_, field_),
       workers_(threads_of(config_)) {
   const int slots = static_cast<int>(slots_.learners.size());
-  sizes_ = {.matches = config_.matches,
+  sizes_ = {.size = sizeof sizes_,
+            .matches = config_.matches,
             .slots = slots,
             .rows = config_.matches * slots,
             .robots = field_.robots_per_team,

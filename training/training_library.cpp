@@ -36,7 +36,7 @@ std::string own_folder() {
 
 // Runs a call on a batch; keeps the sentence of its error, and returns the error's exit code.
 template <class Call>
-int guarded(const mirocup_training* training, Call call) {
+std::int32_t guarded(const mirocup_training* training, Call call) {
   try {
     const Result<void> result = call();
     if (result) return 0;
@@ -85,27 +85,37 @@ const char* mirocup_training_error(const mirocup_training* training) {
   return training->error.c_str();
 }
 
-int mirocup_training_bind(mirocup_training* training, const mirocup_training_buffers* buffers) {
-  training->batch.bind(*buffers);
-  return 0;
+std::int32_t mirocup_training_bind(mirocup_training* training,
+                                   const mirocup_training_buffers* buffers) {
+  return guarded(training, [&]() -> Result<void> {
+    // Programs of an older header know fewer arrays, those of a newer one more.
+    mirocup_training_buffers known{};
+    if (buffers->size < sizeof buffers->size)
+      return mirocup::fail(Errc::input, "bind(): `size` must be sizeof(mirocup_training_buffers)");
+    std::memcpy(&known, buffers, std::min<std::size_t>(buffers->size, sizeof known));
+    training->batch.bind(known);
+    return {};
+  });
 }
 
-int mirocup_training_reset(mirocup_training* training, const uint8_t* mask, const uint64_t* seeds) {
+std::int32_t mirocup_training_reset(mirocup_training* training, const uint8_t* mask,
+                                    const uint64_t* seeds) {
   return guarded(training, [&] { return training->batch.reset(mask, seeds); });
 }
 
-int mirocup_training_step(mirocup_training* training) {
+std::int32_t mirocup_training_step(mirocup_training* training) {
   return guarded(training, [&] { return training->batch.step(); });
 }
 
-int mirocup_training_set_weights(mirocup_training* training, const double* weights) {
+std::int32_t mirocup_training_set_weights(mirocup_training* training, const double* weights) {
   mirocup::training::Weights all{};
   std::copy_n(weights, all.size(), all.begin());
   training->batch.set_weights(all);
   return 0;
 }
 
-int mirocup_training_bodies(const mirocup_training* training, int match, double* bodies) {
+std::int32_t mirocup_training_bodies(const mirocup_training* training, std::int32_t match,
+                                     double* bodies) {
   return guarded(training, [&]() -> Result<void> {
     MIROCUP_TRY(const auto now, training->batch.snapshot(match));
     double* to = bodies;
@@ -123,14 +133,15 @@ int mirocup_training_bodies(const mirocup_training* training, int match, double*
   });
 }
 
-int mirocup_training_record(mirocup_training* training, int match,
-                            enum mirocup_training_episode episode, const char* path) {
+std::int32_t mirocup_training_record(mirocup_training* training, std::int32_t match,
+                                     std::int32_t episode, const char* path) {
   return guarded(training, [&] {
     return training->batch.record(match, episode == MIROCUP_TRAINING_LAST_EPISODE, path);
   });
 }
 
-size_t mirocup_training_save(const mirocup_training* training, int match, void* copy, size_t size) {
+size_t mirocup_training_save(const mirocup_training* training, std::int32_t match, void* copy,
+                             size_t size) {
   size_t needed = 0;
   guarded(training, [&]() -> Result<void> {
     MIROCUP_TRY(const auto found, training->batch.match(match));
@@ -142,7 +153,8 @@ size_t mirocup_training_save(const mirocup_training* training, int match, void* 
   return needed;
 }
 
-int mirocup_training_restore(mirocup_training* training, int match, const void* copy, size_t size) {
+std::int32_t mirocup_training_restore(mirocup_training* training, std::int32_t match,
+                                      const void* copy, size_t size) {
   return guarded(training, [&] {
     return training->batch.restore(match, {static_cast<const char*>(copy), size});
   });

@@ -13,6 +13,7 @@
 #include "mirocup/skills/worth.hpp"
 #include "mirocup/strategy.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace {
@@ -260,9 +261,9 @@ class Planner : public Team {
     draw_role(setup(), attacker, names[static_cast<std::size_t>(plan_.move)]);
     const bool aims = plan_.move == Move::shoot || plan_.move == Move::push;
     if (aims) draw_line("shots", shot_colour, ball(now), plan_.aim);
-    const auto count = static_cast<std::size_t>(rollout_.count);
-    draw_path(setup(), "expected ball", path_colour, {rollout_.ball.data(), count});
-    draw_path(setup(), "expected attacker", target_colour, {rollout_.attacker.data(), count});
+    draw_path(setup(), "expected ball", path_colour, rollout_.ball.data(), rollout_.count);
+    draw_path(setup(), "expected attacker", target_colour, rollout_.attacker.data(),
+              rollout_.count);
   }
 
   // Returns a time in ticks, at least one.

@@ -105,7 +105,7 @@ class Striker : public Team {
     const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
     const int row = rank / 2;
     const double back = 0.3 + 0.2 * row;
-    const double x = std::max(-0.6 * setup().half_length, now.ball_x - back);
+    const double x = math::max(-0.6 * setup().half_length, now.ball_x - back);
     const double y = 0.4 * now.ball_y + side * (rank % 2 == 0 ? 0.12 : -0.25);
     const Point place = keep_out(setup(), i, inside(setup(), {x, y}));
     draw_role(setup(), now.own[i], "supports");

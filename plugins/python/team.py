@@ -12,7 +12,7 @@
 `mirocup match --blue mine.py --yellow chaser` plays it, `mirocup check mine.py` says whether a league
 would take it. It runs in the same sandbox as a library, with the same budget: 1 ms of processor time
 for each tick in the mean of a leg. Python reads files only while it loads the team: import all
-modules at the top of the file. `random` is seeded with setup.seed.
+modules at the top of the file. `random` is seeded with setup.seed. print() writes to the log of the leg.
 
 Frames, units, delays and limits are those of mirocup/strategy.h: metres, radians, seconds; the team
 always attacks +x; its goal is at -setup.half_length. `self.draw_line` and its neighbours draw into the
@@ -25,8 +25,8 @@ import struct
 from collections import namedtuple
 
 __all__ = ["Team", "Placement", "Point", "Pose", "Robot", "Counts", "Setup", "Observation",
-           "SMALL", "MIDDLE", "LARGE", "READY", "PLAY", "END", "FIRST_HALF", "SECOND_HALF", "EXTRA",
-           "SHOOT_OUT", "NO_RESTART", "KICK_OFF", "GOAL_KICK", "PENALTY_KICK", "FREE_BALL",
+           "SMALL", "MIDDLE", "LARGE", "BLUE", "YELLOW", "READY", "PLAY", "OVER", "FIRST_HALF",
+           "SECOND_HALF", "EXTRA_TIME", "SHOOT_OUT", "NO_RESTART", "KICK_OFF", "GOAL_KICK", "PENALTY_KICK", "FREE_BALL",
            "FREE_KICK", "dot", "length", "unit", "ball", "ball_velocity", "position", "wrapped",
            "wheels_for", "turn_to", "drive_to", "drive_to_pose", "ball_after", "inside",
            "meeting_point", "keep_out", "without_pushing", "out_of_area", "keep_laws", "drive_round",
@@ -34,8 +34,9 @@ __all__ = ["Team", "Placement", "Point", "Pose", "Robot", "Counts", "Setup", "Ob
            "free_ball", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "hypot", "exp", "log"]
 
 SMALL, MIDDLE, LARGE = range(3)  # setup.league
-READY, PLAY, END = range(3)  # now.state
-FIRST_HALF, SECOND_HALF, EXTRA, SHOOT_OUT = range(4)  # now.phase
+BLUE, YELLOW = range(2)  # setup.team
+READY, PLAY, OVER = range(3)  # now.state
+FIRST_HALF, SECOND_HALF, EXTRA_TIME, SHOOT_OUT = range(4)  # now.phase
 # now.restart
 NO_RESTART, KICK_OFF, GOAL_KICK, PENALTY_KICK, FREE_BALL, FREE_KICK = range(6)
 
@@ -79,7 +80,7 @@ class Team:
         self.__host = _host
 
     def decide(self, now):
-        """Returns the wheel speeds (left, right) of each robot, rad/s. None lets a robot stand."""
+        """Returns a list with (left, right) for each robot, rad/s; None in its place lets a robot stand."""
         raise NotImplementedError("a team defines decide(self, now)")
 
     def place(self, now, placement):
@@ -229,8 +230,9 @@ def ball_after(now, seconds):
     return Point(now.ball_x + k * now.ball_vx, now.ball_y + k * now.ball_vy)
 
 
-def inside(setup, p, margin=0.045):
-    """Returns the nearest point of the field that is at least `margin` (m) away from the walls."""
+def inside(setup, p, margin=None):
+    """Returns the nearest point of the field at least `margin` (m; None: to turn) from the walls."""
+    margin = 0.6 * setup.robot_side if margin is None else margin
     return Point(_clamp(p[0], -setup.half_length + margin, setup.half_length - margin),
                  _clamp(p[1], -setup.half_width + margin, setup.half_width - margin))
 
@@ -245,7 +247,7 @@ def meeting_point(setup, now, robot, pace=1.2):
 
 def keep_out(setup, i, p):
     """Returns a target of robot `i`, moved out of the areas that the laws forbid. Not for keepers."""
-    margin = 0.15 if setup.league == LARGE else 0.095
+    margin = setup.robot_side + (0.075 if setup.league == LARGE else 0.02)
     is_crowd = i >= 3 and setup.penalty_area_depth > 0.0
     depth = (setup.penalty_area_depth if is_crowd else setup.goal_area_depth) + margin
     half_width = (setup.penalty_area_half_width if is_crowd
@@ -263,19 +265,21 @@ def without_pushing(setup, now, robot, wheels):
     if forward < 0.0:
         nose_x, nose_y = -nose_x, -nose_y
     ball_x, ball_y = now.ball_x - robot.x, now.ball_y - robot.y
-    if hypot(ball_x, ball_y) < 0.09:
+    wide = setup.robot_side + 0.015  # two robots side by side
+    if hypot(ball_x, ball_y) < wide:
         return wheels
     ball_along = ball_x * nose_x + ball_y * nose_y
-    ball_ahead = ball_along > 0.0 and abs(ball_x * nose_y - ball_y * nose_x) < 0.055
+    ball_ahead = (ball_along > 0.0 and
+                  abs(ball_x * nose_y - ball_y * nose_x) < setup.robot_side / 2.0 + 0.0175)
     allowed = abs(forward)
     for other in now.opponent:
         x, y = other.x - robot.x, other.y - robot.y
         along = x * nose_x + y * nose_y
-        if along <= 0.0 or abs(x * nose_y - y * nose_x) > 0.09:
+        if along <= 0.0 or abs(x * nose_y - y * nose_x) > wide:
             continue
         if ball_ahead and ball_along < along:  # pushing both is playing the ball
             continue
-        gap = hypot(x, y) - 0.1
+        gap = hypot(x, y) - (setup.robot_side + 0.025)
         allowed = min(allowed, 0.1 + 4.0 * gap if gap > 0.0 else -0.2)
     if allowed == abs(forward):
         return wheels
@@ -291,8 +295,9 @@ def out_of_area(setup, i, robot, wheels):
     if is_crowd or setup.league == SMALL:
         height = 0.1 if setup.league == LARGE else 0.05
     arc = height if abs(robot.y) < half_width / 2.0 else 0.0
-    front = -setup.half_length + depth + arc + 0.04
-    side = half_width + 0.04
+    margin = setup.robot_side / 2.0 + 0.0025
+    front = -setup.half_length + depth + arc + margin
+    side = half_width + margin
     if robot.x + 0.1 * robot.vx > front or abs(robot.y + 0.1 * robot.vy) > side:
         return wheels
     if front - robot.x < side - abs(robot.y):
@@ -301,7 +306,7 @@ def out_of_area(setup, i, robot, wheels):
 
 
 def keep_laws(setup, now, wheels):
-    """Applies without_pushing() and out_of_area() to all robots but the keeper, robot 0."""
+    """Returns the list after without_pushing() and out_of_area(), for all robots but the keeper, 0."""
     lawful = list(wheels)
     for i in range(1, len(lawful)):
         lawful[i] = without_pushing(setup, now, now.own[i], lawful[i])
@@ -311,7 +316,7 @@ def keep_laws(setup, now, wheels):
 
 def drive_round(setup, robot, target, obstacle, arrival=0.0, fastest=1.5):
     """Drives to a point, around an obstacle on the line to it."""
-    berth = 0.11
+    berth = setup.robot_side + 0.035
     here = position(robot)
     path = Point(*target) - here
     to = Point(*obstacle) - here
@@ -320,7 +325,7 @@ def drive_round(setup, robot, target, obstacle, arrival=0.0, fastest=1.5):
     aside = along.x * to.y - along.y * to.x
     if ahead <= 0.0 or ahead >= length(path) or abs(aside) >= berth:
         return drive_to(setup, robot, target, arrival, fastest)
-    if length(to) < 0.115:  # too near to turn past it
+    if length(to) < setup.robot_side + 0.04:  # too near to turn past it
         return drive_to(setup, robot, here - 0.1 * unit(to), 0.0, fastest)
     side = (-1.0 if aside > 0.0 else 1.0) * berth * 1.2
     beside = (obstacle[0] - side * along.y, obstacle[1] + side * along.x)
@@ -355,7 +360,7 @@ def kick_to(setup, now, robot, point, pace=1.5):
         through = (meet.x + 0.3 * along.x + 2.0 * aside * along.y,
                    meet.y + 0.3 * along.y - 2.0 * aside * along.x)
         return drive_to(setup, robot, through, pace, pace)
-    return drive_clear(setup, now, robot, inside(setup, meet - 0.11 * along), 0.3, pace)
+    return drive_clear(setup, now, robot, inside(setup, meet - (setup.robot_side + 0.035) * along), 0.3, pace)
 
 
 def must_kick_off(now):
@@ -367,7 +372,7 @@ def must_kick_off(now):
 def kick_off(setup, robot):
     """Takes a kick-off: rolls the ball straight back to the team-mates."""
     here = position(robot)
-    pace = 0.8 if length(here) > 0.1 else 0.28
+    pace = 0.8 if length(here) > setup.robot_side + 0.025 else 0.28
     return drive_to(setup, robot, -0.1 * unit(here), pace, pace)
 
 
@@ -379,7 +384,7 @@ def is_stuck(now, patience=0.6):
 def free_ball(setup, now, robot):
     """Gets a stuck ball free: drives at it, and spins beside it."""
     x, y = now.ball_x - robot.x, now.ball_y - robot.y
-    if hypot(x, y) > 0.085:
+    if hypot(x, y) > setup.robot_side + 0.01:
         return drive_to(setup, robot, ball(now), 0.6, 1.2)
     way_x, way_y = 1.0, 0.0
     if now.ball_x > 0.3 * setup.half_length:
@@ -391,10 +396,10 @@ def free_ball(setup, now, robot):
 
 def keep_goal(setup, now, robot):
     """Keeps the goal: stays in its mouth where the ball will cross the line, kicks a slow ball away."""
-    line = -setup.half_length + 0.03
+    line = -setup.half_length + 0.4 * setup.robot_side
     x, y = now.ball_x - robot.x, now.ball_y - robot.y
     is_slow = hypot(now.ball_vx, now.ball_vy) < 0.4
-    if (is_slow and now.ball_x > robot.x + 0.02 and hypot(x, y) < 0.16
+    if (is_slow and now.ball_x > robot.x + 0.02 and hypot(x, y) < setup.robot_side + 0.085
             and now.ball_x < -setup.half_length + setup.goal_area_depth + 0.02):
         return drive_to(setup, robot, ball(now) + 0.2 * unit((x, y)), 1.0)
     # The place where the ball will cross the line, if it comes; else the middle of what it sees.
@@ -405,7 +410,7 @@ def keep_goal(setup, now, robot):
         seconds = (line - now.ball_x) / now.ball_vx
         if 0.0 < seconds < 1.5:
             at = now.ball_y + now.ball_vy * seconds
-    reach = setup.goal_half_width - 0.0385
+    reach = setup.goal_half_width - (setup.robot_side / 2.0 + 0.001)
     at = _clamp(at, -reach, reach)
     if abs(line - robot.x) < 0.04 and abs(robot.y) < setup.goal_half_width + 0.05:
         # Along the line, and looking along it: a keeper that turns away throws the ball in.

@@ -21,7 +21,7 @@ struct mirocup_connection {
   mirocup::dds::ThoughtsSample drawn;                     // for the present tick
   bool keeps_thoughts = false;                            // what is drawn is sent
   mirocup::match::ByTeam<std::int32_t> score{};
-  std::string text;
+  mutable std::string text;
   bool is_finished = false;  // `text` says how the match ended
 };
 
@@ -198,7 +198,7 @@ std::int32_t mirocup_team_send(mirocup_connection* connection, const mirocup_com
   return 0;
 }
 
-const char* mirocup_team_text(mirocup_connection* connection) {
+const char* mirocup_team_text(const mirocup_connection* connection) {
   if (!connection->is_finished) connection->text = connection->client->last_error();
   return connection->text.c_str();
 }

@@ -94,7 +94,8 @@ class Environment {
  private:
   void bind(std::size_t actions) {
     const std::size_t rows = rewards_.size();
-    const mirocup_training_buffers buffers{.actions = actions_[actions].data(),
+    const mirocup_training_buffers buffers{.size = sizeof buffers,
+                                           .actions = actions_[actions].data(),
                                            .observations = observations_.data(),
                                            .rewards = rewards_.data(),
                                            .terminations = ends_.data(),

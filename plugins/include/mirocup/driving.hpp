@@ -7,7 +7,6 @@
 
 #include "mirocup/types.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace mirocup::strategy {
@@ -17,7 +16,7 @@ namespace mirocup::strategy {
 inline Wheels wheels_for(const Setup& setup, double forward, double turn) {
   const double side = turn * setup.wheel_distance / 2.0;
   Wheels w{(forward - side) / setup.wheel_radius, (forward + side) / setup.wheel_radius};
-  const double fastest = std::max(std::abs(w.left), std::abs(w.right));
+  const double fastest = math::max(std::abs(w.left), std::abs(w.right));
   if (fastest > setup.wheel_speed_limit) {
     const double k = setup.wheel_speed_limit / fastest;
     w.left *= k;
@@ -45,9 +44,9 @@ inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, dou
     direction = -1.0;
   }
   // As fast as the distance allows, and slower while the robot still has to turn.
-  const double wanted = std::min(fastest, arrival + 5.0 * distance);
+  const double wanted = math::min(fastest, arrival + 5.0 * distance);
   const double turn = 9.0 * error;
-  double speed = wanted * std::max(0.0, math::cos(error));
+  double speed = wanted * math::max(0.0, math::cos(error));
   // Sliding wheels do not steer, so the robot keeps below 0.8 of the grip.
   const double steady = 0.8 * setup.grip * 9.81;
   if (std::abs(speed * turn) > steady) speed = steady / std::abs(turn);
@@ -65,7 +64,7 @@ inline Wheels drive_to_pose(const Setup& setup, const Robot& robot, Point target
   if (distance < 0.01) return turn_to(setup, robot, heading);
   const bool is_on_line = dot(to, forward) > 0.9 * distance;
   if (is_on_line) return drive_to(setup, robot, target, 0.0, fastest);
-  const double run_up = std::clamp(0.6 * distance, 0.05, 0.3);
+  const double run_up = math::clamp(0.6 * distance, 0.05, 0.3);
   return drive_to(setup, robot, target - run_up * forward, 0.2, fastest);
 }
 
@@ -80,11 +79,17 @@ inline double elbow_room(const Setup& setup) {
   return 0.6 * setup.robot_side;
 }
 
+// Returns the distance behind the ball, from the middle of a robot, at which the robot can turn
+// without touching the ball, m.
+inline double behind_ball(const Setup& setup) {
+  return setup.robot_side + 0.035;
+}
+
 // Returns the nearest point of the field that is at least `margin` (m) away from the walls. Ignores
 // the triangles in the corners.
 inline Point inside(const Setup& setup, Point p, double margin) {
-  return {std::clamp(p.x, -setup.half_length + margin, setup.half_length - margin),
-          std::clamp(p.y, -setup.half_width + margin, setup.half_width - margin)};
+  return {math::clamp(p.x, -setup.half_length + margin, setup.half_length - margin),
+          math::clamp(p.y, -setup.half_width + margin, setup.half_width - margin)};
 }
 
 // The same, with room for a robot to turn.
@@ -97,7 +102,7 @@ inline Point meeting_point(const Setup& setup, const Observation& now, const Rob
                            double pace = 1.2) {
   Point p = ball(now);
   for (int i = 0; i < 3; ++i) {
-    p = ball_after(now, std::min(length(p - position(robot)) / pace, 0.8));
+    p = ball_after(now, math::min(length(p - position(robot)) / pace, 0.8));
   }
   return inside(setup, p, setup.ball_radius);
 }
@@ -110,7 +115,7 @@ inline double squared(double heading) {
 // Drives to a point, around an obstacle on the line to it.
 inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, Point obstacle,
                           double arrival, double fastest) {
-  const double berth = setup.robot_side + 0.035;  // m
+  const double berth = behind_ball(setup);
   const Point here = position(robot);
   const Point path = target - here;
   const Point to = obstacle - here;
@@ -121,10 +126,11 @@ inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, 
     return drive_to(setup, robot, target, arrival, fastest);
   }
   // Too near to turn past the obstacle: back off first.
-  if (length(to) < 0.115) return drive_to(setup, robot, here - 0.1 * unit(to), 0.0, fastest);
+  if (length(to) < setup.robot_side + 0.04)
+    return drive_to(setup, robot, here - 0.1 * unit(to), 0.0, fastest);
   const double side = aside > 0.0 ? -1.0 : 1.0;
   const Point beside = obstacle + (side * berth * 1.2) * Point{-along.y, along.x};
-  return drive_to(setup, robot, beside, 0.3, std::min(fastest, 0.9));
+  return drive_to(setup, robot, beside, 0.3, math::min(fastest, 0.9));
 }
 
 // Drives to a point, around the ball or an opponent that is on the line to it: a robot that returns
@@ -155,8 +161,8 @@ inline Wheels slide_to(const Setup& setup, const Robot& robot, double y, double 
   const bool is_up = robot.heading > 0.0;
   const double error = wrapped((is_up ? pi / 2.0 : -pi / 2.0) - robot.heading);
   const double rolls_on = robot.vy * (setup.control_period + setup.motor_time_constant);  // m
-  const double speed = std::clamp(12.0 * (y - robot.y - rolls_on), -fastest, fastest);
-  const double forward = (is_up ? speed : -speed) * std::max(0.0, math::cos(2.0 * error));
+  const double speed = math::clamp(12.0 * (y - robot.y - rolls_on), -fastest, fastest);
+  const double forward = (is_up ? speed : -speed) * math::max(0.0, math::cos(2.0 * error));
   return wheels_for(setup, forward, 9.0 * error);
 }
 

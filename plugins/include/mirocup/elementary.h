@@ -6,15 +6,16 @@
  * that compares two nearly equal numbers can then decide differently on the host's computer than on
  * yours, and a leg cannot be played again there. These functions use only + - * / and sqrt(), which
  * IEEE 754 fixes to the last bit, and the simulator uses them, too. fabs(), fmod(), remainder(),
- * floor(), round() and sqrt() of the C library are exact, so use those as they are.
+ * floor(), round() and sqrt() of the C library are exact, so use those as they are;
+ * remainder(angle, 2 * MIROCUP_PI) is the same angle in [-pi, pi].
  *
  * In C the names begin with mirocup_; in C++ use math::sin(x) and its neighbours of elementary.hpp;
  * in Python `from mirocup.team import sin`. Compile with -ffp-contract=off, as `mirocup compile`
  * and the CMake target mirocup::strategy do, and without -ffast-math.
  *
  * Angles are in radians. A result is NaN if an argument is NaN or outside of the domain. The
- * largest errors, in units in the last place (ulp) of the result, measured by
- * a test against 64-bit mantissas:
+ * largest errors, in units in the last place (ulp) of the result, measured by a test against 64-bit
+ * mantissas:
  *
  *   exp                                       1
  *   sin, cos of |x| <= 1000                   1; of results below 0.01, 1 ulp of 0.01
@@ -23,7 +24,7 @@
  *   expm1, log, log1p, atan2, tan             5
  *   asin, acos                                8; near 0 and near pi, 8 ulp of 0.01
  *
- * All functions are pure, and inline: there is nothing to link. C11 and C++.
+ * All functions are pure and stand in this header; they need no library but -lm. C11 and C++.
  */
 #ifndef MIROCUP_ELEMENTARY_H
 #define MIROCUP_ELEMENTARY_H
@@ -33,6 +34,14 @@
 #include <string.h>
 
 #define MIROCUP_PI 3.14159265358979323846
+
+/* The longer functions are called rather than inlined, which would make a team of many calls slow
+ * to compile. */
+#if defined(__GNUC__)
+#define MIROCUP_CALLED static __attribute__((noinline, unused))
+#else
+#define MIROCUP_CALLED static inline
+#endif
 
 typedef struct mirocup_sine_cosine {
   double sine, cosine;
@@ -82,7 +91,7 @@ static inline mirocup_sine_cosine mirocup_sincos_octant(double x, double low) {
   return r;
 }
 
-static inline mirocup_sine_cosine mirocup_sincos(double x) {
+MIROCUP_CALLED mirocup_sine_cosine mirocup_sincos(double x) {
   /* pi/2 as a sum of pieces (Cody and Waite). */
   const double half_pi_1 = 0x1.921fb544p+0;
   const double half_pi_2 = 0x1.0b4611a6p-34;
@@ -136,7 +145,7 @@ static inline double mirocup_tan(double x) {
 
 /* Returns the angle of (x, y) in (-pi, pi], counter-clockwise from +x; 0 for the null vector. A
  * y of -0.0 counts as 0.0. Both are finite. */
-static inline double mirocup_atan2(double y, double x) {
+MIROCUP_CALLED double mirocup_atan2(double y, double x) {
   /* atan(k/16) for k = 0 .. 16. */
   static const double of_sixteenths[17] = {0x0.0p+0,
                                            0x1.ff55bb72cfdeap-5,
@@ -221,7 +230,7 @@ static inline double mirocup_power_of_two(int k) {
 }
 
 /* Returns e^x: infinity above 709.8, 0 below -745.2. */
-static inline double mirocup_exp(double x) {
+MIROCUP_CALLED double mirocup_exp(double x) {
   double k, value;
   int exponent;
   if (!(x < 709.8)) return x == x ? HUGE_VAL : x;
@@ -239,7 +248,7 @@ static inline double mirocup_exp(double x) {
 }
 
 /* Returns e^x - 1, accurate near 0. */
-static inline double mirocup_expm1(double x) {
+MIROCUP_CALLED double mirocup_expm1(double x) {
   return fabs(x) <= 0.34657359027997264 ? mirocup_expm1_series(x) : mirocup_exp(x) - 1.0;
 }
 
@@ -254,7 +263,7 @@ static inline double mirocup_log1p_series(double x) {
 }
 
 /* Returns the natural logarithm: -infinity for 0. */
-static inline double mirocup_log(double x) {
+MIROCUP_CALLED double mirocup_log(double x) {
   int exponent = 0;
   double mantissa;
   if (!(x > 0.0)) return x == 0.0 ? -HUGE_VAL : (double)NAN;
@@ -268,7 +277,7 @@ static inline double mirocup_log(double x) {
 }
 
 /* Returns ln(1 + x), accurate near 0. */
-static inline double mirocup_log1p(double x) {
+MIROCUP_CALLED double mirocup_log1p(double x) {
   return fabs(x) <= 0.25 ? mirocup_log1p_series(x) : mirocup_log(1.0 + x);
 }
 

@@ -46,4 +46,16 @@ inline double log1p(double x) {
   return mirocup_log1p(x);
 }
 
+// As std::min(), std::max() and std::clamp() of doubles, without <algorithm>, which is slow to
+// compile.
+inline double min(double a, double b) {
+  return b < a ? b : a;
+}
+inline double max(double a, double b) {
+  return a < b ? b : a;
+}
+inline double clamp(double x, double low, double high) {
+  return x < low ? low : high < x ? high : x;
+}
+
 }  // namespace mirocup::strategy::math

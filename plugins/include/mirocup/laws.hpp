@@ -6,7 +6,6 @@
 
 #include "mirocup/driving.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace mirocup::strategy {
@@ -34,7 +33,7 @@ inline Point make_way(const Setup& setup, const Observation& now, Point p) {
                            p.x > now.ball_x + 0.02 && p.x < now.ball_x + 0.5;
   if (!is_in_front) return p;
   const double aside = setup.goal_half_width + 0.1;
-  p.y = p.y < 0.0 ? std::min(p.y, -aside) : std::max(p.y, aside);
+  p.y = p.y < 0.0 ? math::min(p.y, -aside) : math::max(p.y, aside);
   return p;
 }
 
@@ -55,20 +54,22 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
   const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
   const Point direction = (forward < 0.0 ? -1.0 : 1.0) * nose;
   const Point to_ball = ball(now) - here;
-  if (length(to_ball) < 0.09) return wheels;
-  const bool ball_ahead = dot(to_ball, direction) > 0.0 &&
-                          std::abs(to_ball.x * direction.y - to_ball.y * direction.x) < 0.055;
+  const double wide = setup.robot_side + 0.015;  // m: two robots side by side
+  if (length(to_ball) < wide) return wheels;
+  const double ball_aside = std::abs(to_ball.x * direction.y - to_ball.y * direction.x);
+  const bool ball_ahead =
+      dot(to_ball, direction) > 0.0 && ball_aside < setup.robot_side / 2.0 + 0.0175;
   double allowed = std::abs(forward);
   for (int j = 0; j < now.robots; ++j) {
     const Point to = position(now.opponent[j]) - here;
-    if (dot(to, direction) <= 0.0 || std::abs(to.x * direction.y - to.y * direction.x) > 0.09)
+    if (dot(to, direction) <= 0.0 || std::abs(to.x * direction.y - to.y * direction.x) > wide)
       continue;
     // The ball is between the robot and the opponent: pushing both is playing the ball. So is
     // driving to a stuck ball.
     const double nearer = is_stuck(now, 1.0) && length(to_ball) < 0.2 ? 0.04 : 0.0;
     if (ball_ahead && dot(to_ball, direction) < dot(to, direction) + nearer) continue;
-    const double gap = length(to) - 0.1;
-    allowed = std::min(allowed, gap > 0.0 ? 0.1 + 4.0 * gap : -0.2);
+    const double gap = length(to) - (setup.robot_side + 0.025);
+    allowed = math::min(allowed, gap > 0.0 ? 0.1 + 4.0 * gap : -0.2);
   }
   if (allowed == std::abs(forward)) return wheels;
   return wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
@@ -125,14 +126,16 @@ inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const
   const Point to = position(robot) - ball(now);
   const double ahead = dot(to, along);
   const double aside = along.x * to.y - along.y * to.x;
-  if (ahead < 0.0 || ahead > soon_s * length(coming) + 0.06 || std::abs(aside) > 0.08) return false;
+  const double touch = setup.robot_side / 2.0 + 0.0225;  // m, from the robot's middle to the ball's
+  if (ahead < 0.0 || ahead > soon_s * length(coming) + touch) return false;
+  if (std::abs(aside) > setup.robot_side + 0.005) return false;
   for (int face = 0; face < 4; ++face) {
     const double heading = robot.heading + face * pi / 2.0;
     const Point normal{math::cos(heading), math::sin(heading)};
     const double closing = -dot(coming, normal);
     if (closing < 0.2 * length(coming)) continue;
     const Point off = velocity + (1.4 * closing) * normal;  // 1.4: what impacts leave
-    if (rolls_into_own_goal(setup, position(robot) + 0.06 * normal, off, 0.05)) return true;
+    if (rolls_into_own_goal(setup, position(robot) + touch * normal, off, 0.05)) return true;
   }
   return false;
 }

@@ -18,8 +18,8 @@
 // nothing between two calls. They stand in types.hpp, driving.hpp, laws.hpp and here; this header
 // has all.
 //
-//   numbers     math::sin and its family, with the same bits everywhere: elementary.hpp
-//   points      Point, + - *, dot, length, unit, inside, wrapped
+//   numbers     math::sin and its family, with the same bits everywhere, math::min, max, clamp
+//   points      Point, + - *, dot, length, unit, inside; of an angle: wrapped
 //   observation ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
 //   the laws    keep_out (of the goal area), out_of_area, without_pushing, keep_laws
@@ -36,7 +36,6 @@
 
 #include "mirocup/laws.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstddef>
@@ -67,7 +66,8 @@ inline Wheels kick_to(const Setup& setup, const Observation& now, const Robot& r
     const Point through = meet + 0.3 * along - (2.0 * aside) * Point{-along.y, along.x};
     return drive_to(setup, robot, through, pace, pace);
   }
-  return drive_clear(setup, now, robot, inside(setup, meet - 0.11 * along), 0.3, pace);
+  return drive_clear(setup, now, robot, inside(setup, meet - behind_ball(setup) * along), 0.3,
+                     pace);
 }
 
 // True if the ball is still on the spot of your own kick-off. It has to go backwards first.
@@ -81,7 +81,8 @@ inline bool must_kick_off(const Observation& now) {
 // waits on the side of the ball from which it can shoot, and the taker has to go round it first.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
   // Through the ball, from wherever the robot was put down; opponents come fast.
-  const double pace = length(position(robot)) > 0.1 ? 0.8 : 0.28;  // m/s
+  const double near = setup.robot_side + 0.025;                     // m
+  const double pace = length(position(robot)) > near ? 0.8 : 0.28;  // m/s
   return drive_to(setup, robot, -0.1 * unit(position(robot)), pace, pace);
 }
 
@@ -97,7 +98,8 @@ inline double middle_of_goal_view(const Setup& setup, Point ball) {
 // it forward; before the opponents' goal, towards its middle.
 inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot& robot) {
   const Point to = ball(now) - position(robot);
-  if (length(to) > 0.07) return drive_to(setup, robot, ball(now), 0.6, 1.2);
+  const double beside = setup.robot_side / 2.0 + 0.0325;  // m
+  if (length(to) > beside) return drive_to(setup, robot, ball(now), 0.6, 1.2);
   Point way{1.0, 0.0};
   if (now.ball_x > 0.3 * setup.half_length) {
     way = Point{setup.half_length - 0.18, 0.0} - ball(now);
@@ -118,9 +120,9 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
 
   const double outwards = now.ball_y < 0.0 ? -1.0 : 1.0;
   const bool is_slow = length(ball_velocity(now)) < 0.4;
-  const bool is_in_reach = now.ball_x > here.x + 0.02 && length(away) < 0.16 &&
+  const bool is_in_reach = now.ball_x > here.x + 0.02 && length(away) < setup.robot_side + 0.085 &&
                            now.ball_x < -setup.half_length + setup.goal_area_depth + 0.02;
-  const bool is_outer = away.x > 0.045 || outwards * away.y > -0.02;
+  const bool is_outer = away.x > 0.6 * setup.robot_side || outwards * away.y > -0.02;
   if (is_slow && is_in_reach && is_outer) {
     return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
   }
@@ -134,7 +136,7 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
     if (seconds > 0.0 && seconds < 1.5) y = now.ball_y + now.ball_vy * seconds;
   }
   const double reach = setup.goal_half_width - (setup.robot_side / 2.0 + 0.001);
-  const Point post{line, std::clamp(y, -reach, reach)};
+  const Point post{line, math::clamp(y, -reach, reach)};
   if (std::abs(post.x - here.x) < 0.04 && std::abs(here.y) < setup.goal_half_width + 0.05) {
     return slide_to(setup, robot, post.y, 1.8);
   }
@@ -181,7 +183,8 @@ inline void draw_text(const Setup& setup, const char* layer, std::uint32_t colou
 inline Setup copy_of(const Setup& setup) {
   Setup copy{};
   constexpr std::size_t least = offsetof(Setup, host);
-  std::memcpy(&copy, &setup, std::clamp<std::size_t>(setup.size, least, sizeof copy));
+  const std::size_t there = setup.size < sizeof copy ? setup.size : sizeof copy;
+  std::memcpy(&copy, &setup, there < least ? least : there);
   return copy;
 }
 

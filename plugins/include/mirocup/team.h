@@ -19,9 +19,11 @@
  * The replay of `mirocup match --thoughts` shows the shapes that a program draws with the functions
  * of its setup (strategy.h, "Thoughts") before the answer to a tick.
  *
- * A connection may be used by one thread at a time, and a process may have one connection at a
- * time. Texts and structures that it returns stay valid until the next call with the same
- * connection. team.hpp is a C++ layer on top of this header.
+ * A connection may be used by one thread at a time. A process may have one connection at a time,
+ * because credentials and the address of the server belong to the DDS domain of the whole process.
+ * Texts and structures that it returns stay valid until the next call with the same connection.
+ * Enumerations are passed as int32_t, because compilers differ in the size of an enum. team.hpp is
+ * a C++ layer on top of this header, docs/interfaces.md has the conventions.
  */
 #ifndef MIROCUP_TEAM_H
 #define MIROCUP_TEAM_H
@@ -34,12 +36,13 @@
 extern "C" {
 #endif
 
+/* What to join. Set all to 0, then `size`, `team`, `match` and `name`. */
 typedef struct mirocup_team_call {
   uint32_t size;           /* of this structure, bytes; it grows only at its end */
   int32_t team;            /* enum mirocup_colour: the colour to play */
   const char* server;      /* host of the match server; null: this computer */
   const char* match;       /* ID of the match */
-  const char* name;        /* of the team, as the match knows it */
+  const char* name;        /* of the team, as the match knows it: 1 to 64 bytes of UTF-8 */
   const char* credentials; /* folder with the team's credentials; null: open mode */
   int32_t domain;          /* DDS domain, 0 to 230; 0 if `size` does not reach it */
 } mirocup_team_call;
@@ -85,10 +88,11 @@ int32_t mirocup_team_send(mirocup_connection* connection, const mirocup_command*
  * structures it uses. A program with another one must be built again. */
 uint32_t mirocup_team_version(void);
 
-/* Returns how the leg ended or why the team was refused; before that, why it has no seat yet. */
-const char* mirocup_team_text(mirocup_connection* connection);
+/* Returns the sentence for the person who must act: how the leg ended or why the team was refused;
+ * before that, why it has no seat yet, "" if it has one. */
+const char* mirocup_team_text(const mirocup_connection* connection);
 
-/* Returns the official score once the leg is over: [0] blue, [1] yellow. */
+/* Returns the official score once the leg is over, two numbers: [0] blue, [1] yellow. */
 const int32_t* mirocup_team_score(const mirocup_connection* connection);
 
 /* Leaves the match and frees the connection. Null has no effect. */

@@ -69,10 +69,13 @@ class Connection {
   const mirocup_observation& observation() const {
     return *mirocup_team_observation(connection_.get());
   }
-  void place(const mirocup_placement& placement) {
-    mirocup_team_place(connection_.get(), &placement);
+  // False if it has no effect: place() in a tick without `placing`, send() after the end.
+  bool place(const mirocup_placement& placement) {
+    return mirocup_team_place(connection_.get(), &placement) == 0;
   }
-  void send(const mirocup_command& command) { mirocup_team_send(connection_.get(), &command); }
+  bool send(const mirocup_command& command) {
+    return mirocup_team_send(connection_.get(), &command) == 0;
+  }
 
   // Draw a shape into the replay of `mirocup match --thoughts`, before the answer to the tick: see
   // "Thoughts" in strategy.h. Only after MIROCUP_TEAM_SEATED. The points of a polygon are x, y of
@@ -93,7 +96,7 @@ class Connection {
   }
 
   std::string text() const { return mirocup_team_text(connection_.get()); }
-  const int32_t* score() const { return mirocup_team_score(connection_.get()); }
+  const std::int32_t* score() const { return mirocup_team_score(connection_.get()); }
 
  private:
   struct Close {

@@ -11,29 +11,31 @@
 
 #define AT(member, offset) \
   _Static_assert(offsetof(mirocup_training_sizes, member) == (offset), #member)
-AT(matches, 0);
-AT(slots, 4);
-AT(rows, 8);
-AT(robots, 12);
-AT(observation, 16);
-AT(action, 20);
-AT(terms, 24);
-AT(statistics, 28);
-AT(threads, 32);
+AT(size, 0);
+AT(matches, 4);
+AT(slots, 8);
+AT(rows, 12);
+AT(robots, 16);
+AT(observation, 20);
+AT(action, 24);
+AT(terms, 28);
+AT(statistics, 32);
+AT(threads, 36);
 #undef AT
-_Static_assert(sizeof(mirocup_training_sizes) == 36, "its end");
+_Static_assert(sizeof(mirocup_training_sizes) == 40, "its end");
 #define AT(member, offset) \
   _Static_assert(offsetof(mirocup_training_buffers, member) == (offset), #member)
-AT(actions, 0);
-AT(observations, 8);
-AT(rewards, 16);
-AT(terminations, 24);
-AT(truncations, 32);
-AT(final_observations, 40);
-AT(terms, 48);
-AT(statistics, 56);
+AT(size, 0);
+AT(actions, 8);
+AT(observations, 16);
+AT(rewards, 24);
+AT(terminations, 32);
+AT(truncations, 40);
+AT(final_observations, 48);
+AT(terms, 56);
+AT(statistics, 64);
 #undef AT
-_Static_assert(sizeof(mirocup_training_buffers) == 64, "its end");
+_Static_assert(sizeof(mirocup_training_buffers) == 72, "its end");
 
 enum { matches = 6, steps = 100 };
 
@@ -54,7 +56,7 @@ int main(void) {
   float* const observations = calloc(numbers, sizeof *observations);
   float* const rewards = calloc(rows, sizeof *rewards);
   const mirocup_training_buffers buffers = {
-      .actions = actions, .observations = observations, .rewards = rewards};
+      .size = sizeof buffers, .actions = actions, .observations = observations, .rewards = rewards};
   uint64_t seeds[matches];
   for (int i = 0; i < matches; ++i) seeds[i] = 11 + (uint64_t)i;
   int code = mirocup_training_bind(training, &buffers);

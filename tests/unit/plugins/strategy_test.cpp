@@ -83,6 +83,28 @@ TEST(TeamInCpp, FormatsItsLogOnlyIfThereAreValues) {
   Talker(setup).decide(now, command);
 }
 
+// Catches distances of the usual robot of 75 mm on a pitch with larger ones.
+TEST(Sizes, AreThoseOfTheRobotsOfTheLeg) {
+  mirocup_setup setup = test_support::SkillField().setup();
+  Observation now{};
+  now.robots = 1;
+  now.ball_x = now.ball_y = 0.5;
+  now.opponent[0].x = 0.3;
+  now.opponent[0].y = 0.1;
+  const Robot robot{};
+  const Wheels ahead = wheels_for(setup, 1.0, 0.0);
+  EXPECT_EQ(without_pushing(setup, now, robot, ahead).left, ahead.left);
+  Robot beside_ball{};
+  beside_ball.x = now.ball_x - 0.08;
+  beside_ball.y = now.ball_y;
+  EXPECT_GT(free_ball(setup, now, beside_ball).left, 0.0);
+  EXPECT_GT(free_ball(setup, now, beside_ball).right, 0.0);
+
+  setup.robot_side = 0.1;
+  EXPECT_LT(without_pushing(setup, now, robot, ahead).left, ahead.left);
+  EXPECT_EQ(free_ball(setup, now, beside_ball).left, -free_ball(setup, now, beside_ball).right);
+}
+
 // Catches a robot that drives through its own goal area on the way to a legal place, which gives
 // the opponents a penalty kick, and one that would stop inside.
 TEST(OutOfArea, TurnsARobotThatWouldEnterTheOwnGoalArea) {

@@ -33,7 +33,8 @@ class BatchOfMatches {
     truncations.resize(rows);
     terms.resize(rows * static_cast<std::size_t>(size.terms));
     statistics.resize(rows * static_cast<std::size_t>(size.statistics));
-    const mirocup_training_buffers buffers{.actions = actions.data(),
+    const mirocup_training_buffers buffers{.size = sizeof buffers,
+                                           .actions = actions.data(),
                                            .observations = observations.data(),
                                            .rewards = rewards.data(),
                                            .terminations = terminations.data(),

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <map>
 #include <set>
@@ -494,6 +495,26 @@ TEST(Training, AutoresetModesAreThoseOfGymnasium) {
 }
 
 // Catches a slip in a configuration that is taken silently, and a crash where a sentence is due.
+// Catches a library that reads behind the structure of a program with an older header, and one that
+// takes a structure whose size nobody has set.
+TEST(Training, BuffersEndWhereTheirSizeSays) {
+  const json configuration{{"matches", 1}};
+  BatchOfMatches batch(configuration);
+  std::vector<float> observations(batch.observations.size(), -1.0F);
+  std::vector<float> rewards(batch.rewards.size(), -1.0F);
+  mirocup_training_buffers buffers{};
+  buffers.size = offsetof(mirocup_training_buffers, rewards);
+  buffers.observations = observations.data();
+  buffers.rewards = rewards.data();
+  ASSERT_EQ(mirocup_training_bind(batch.get(), &buffers), 0);
+  ASSERT_EQ(batch.reset(1), 0);
+  EXPECT_NE(observations[0], -1.0F);
+  EXPECT_EQ(rewards[0], -1.0F);
+  buffers.size = 0;
+  EXPECT_EQ(mirocup_training_bind(batch.get(), &buffers), 2);
+  EXPECT_NE(std::string(mirocup_training_error(batch.get())).find("sizeof"), std::string::npos);
+}
+
 TEST(Training, RefusesWhatItDoesNotUnderstand) {
   const std::pair<json, std::string> cases[] = {
       {{{"matchs", 3}}, "/matchs"},

@@ -31,10 +31,11 @@
  *     disabled   the caller resets; until then, steps leave the match as it is
  *
  * Errors
- *   Functions that can fail return 0 for success, else the exit code that the command line has for
- *   the same fault (2 wrong input, 3 not available, 4 damaged data). mirocup_training_error() then
- *   has a sentence. Nothing throws. A batch may be used by one thread at a time; different batches
- *   are independent.
+ *   Functions that can fail return 0 for success, else the number that the command line has for the
+ *   same fault (2 wrong input, 3 not available, 4 damaged data, 5 the host's fault).
+ *   mirocup_training_error() then has a sentence. Nothing throws. A batch may be used by one thread
+ *   at a time, bind() included; different batches are independent. docs/interfaces.md has the
+ *   conventions.
  */
 #ifndef MIROCUP_TRAINING_H
 #define MIROCUP_TRAINING_H
@@ -49,13 +50,14 @@ extern "C" {
 typedef struct mirocup_training mirocup_training;
 
 /* The version of this header. It changes when programs that were built before can no longer run. */
-#define MIROCUP_TRAINING_VERSION 1u
+#define MIROCUP_TRAINING_VERSION 2u
 
 /* Returns the MIROCUP_TRAINING_VERSION that the library was built with. */
 uint32_t mirocup_training_version(void);
 
 /* Lengths of the arrays below. Constant while a batch lives. */
 typedef struct mirocup_training_sizes {
+  uint32_t size; /* of this structure, bytes; it grows only at its end */
   int32_t matches;
   int32_t slots;       /* learners of a match */
   int32_t rows;        /* matches * slots */
@@ -70,6 +72,7 @@ typedef struct mirocup_training_sizes {
 /* The caller's arrays, row after row, which must live as long as they are bound. Null: the caller
  * does not want this array. Only `actions` is read. */
 typedef struct mirocup_training_buffers {
+  uint32_t size;             /* of this structure, bytes; it grows only at its end */
   const float* actions;      /* rows * action */
   float* observations;       /* rows * observation */
   float* rewards;            /* rows: the sum of weight * term */
@@ -96,35 +99,42 @@ const mirocup_training_sizes* mirocup_training_get_sizes(const mirocup_training*
 const char* mirocup_training_spec(const mirocup_training* training);
 const char* mirocup_training_error(const mirocup_training* training);
 
-int mirocup_training_bind(mirocup_training* training, const mirocup_training_buffers* buffers);
+/* Names the caller's arrays. The batch reads and writes them only during reset() and step(), so
+ * others may be bound between two steps. */
+int32_t mirocup_training_bind(mirocup_training* training, const mirocup_training_buffers* buffers);
 
 /* Starts an episode in each match whose `mask` is not 0 (null: in all), writes its observations and
  * sets its rewards and ends to 0. `seeds` (null: none) has a seed for each match, from which all
  * later episodes of the match follow, too; without, the match goes on with its next episode. Both
  * have `matches` entries. */
-int mirocup_training_reset(mirocup_training* training, const uint8_t* mask, const uint64_t* seeds);
+int32_t mirocup_training_reset(mirocup_training* training, const uint8_t* mask,
+                               const uint64_t* seeds);
 
-int mirocup_training_step(mirocup_training* training);
+/* Plays one step of every match. */
+int32_t mirocup_training_step(mirocup_training* training);
 
-/* Sets the weights of all terms of the reward, in the order of the spec: `terms`
- * numbers. */
-int mirocup_training_set_weights(mirocup_training* training, const double* weights);
+/* Sets the weights of all terms of the reward, in the order of the spec: `terms` numbers. */
+int32_t mirocup_training_set_weights(mirocup_training* training, const double* weights);
 
 /* Writes the true state of a match in the field's frame: for each robot of blue, each of yellow,
  * and the ball: x, y (m), heading (rad), velocity along x and y (m/s), turn (rad/s). `bodies` has
  * (2 * robots + 1) * 6 numbers. */
-int mirocup_training_bodies(const mirocup_training* training, int match, double* bodies);
+int32_t mirocup_training_bodies(const mirocup_training* training, int32_t match, double* bodies);
 
 /* Writes an episode as a record, with its replay beside it, as `mirocup match --record` does. */
-int mirocup_training_record(mirocup_training* training, int match,
-                            enum mirocup_training_episode episode, const char* path);
+int32_t mirocup_training_record(mirocup_training* training, int32_t match,
+                                int32_t episode, /* enum mirocup_training_episode */
+                                const char* path);
 
 /* Copies a match, so that it can be taken up again from here, in this or another match or process
  * with the same configuration. save() returns the size of the copy in bytes, and writes it if
- * `size` is large enough. The copy holds the commands of the episode, so restoring costs as much as
- * playing it. restore() asks teams that do not learn again, so they must be deterministic. */
-size_t mirocup_training_save(const mirocup_training* training, int match, void* copy, size_t size);
-int mirocup_training_restore(mirocup_training* training, int match, const void* copy, size_t size);
+ * `size` is large enough; a copy is never empty, so 0 is an error. The copy holds the commands of
+ * the episode, so restoring costs as much as playing it. restore() asks teams that do not learn
+ * again, so they must be deterministic. */
+size_t mirocup_training_save(const mirocup_training* training, int32_t match, void* copy,
+                             size_t size);
+int32_t mirocup_training_restore(mirocup_training* training, int32_t match, const void* copy,
+                                 size_t size);
 
 #ifdef __cplusplus
 }

@@ -44,10 +44,10 @@ class _Buffers(ctypes.Structure):
 
     NAMES = ("actions", "observations", "rewards", "terminations", "truncations", "final_observations", "terms",
              "statistics")
-    _fields_ = [(name, ctypes.c_void_p) for name in NAMES]
+    _fields_ = [("size", ctypes.c_uint32), *((name, ctypes.c_void_p) for name in NAMES)]
 
 
-_VERSION = 1  # of training.h
+_VERSION = 2  # of training.h
 
 
 def _load() -> ctypes.CDLL:
@@ -66,14 +66,14 @@ def _load() -> ctypes.CDLL:
         ("destroy", None, [handle]),
         ("spec", ctypes.c_char_p, [handle]),
         ("error", ctypes.c_char_p, [handle]),
-        ("bind", ctypes.c_int, [handle, ctypes.POINTER(_Buffers)]),
-        ("reset", ctypes.c_int, [handle, ctypes.c_void_p, ctypes.c_void_p]),
-        ("step", ctypes.c_int, [handle]),
-        ("set_weights", ctypes.c_int, [handle, ctypes.c_void_p]),
-        ("bodies", ctypes.c_int, [handle, ctypes.c_int, ctypes.c_void_p]),
-        ("record", ctypes.c_int, [handle, ctypes.c_int, ctypes.c_int, ctypes.c_char_p]),
-        ("save", size, [handle, ctypes.c_int, ctypes.c_char_p, size]),
-        ("restore", ctypes.c_int, [handle, ctypes.c_int, ctypes.c_char_p, size]),
+        ("bind", ctypes.c_int32, [handle, ctypes.POINTER(_Buffers)]),
+        ("reset", ctypes.c_int32, [handle, ctypes.c_void_p, ctypes.c_void_p]),
+        ("step", ctypes.c_int32, [handle]),
+        ("set_weights", ctypes.c_int32, [handle, ctypes.c_void_p]),
+        ("bodies", ctypes.c_int32, [handle, ctypes.c_int32, ctypes.c_void_p]),
+        ("record", ctypes.c_int32, [handle, ctypes.c_int32, ctypes.c_int32, ctypes.c_char_p]),
+        ("save", size, [handle, ctypes.c_int32, ctypes.c_char_p, size]),
+        ("restore", ctypes.c_int32, [handle, ctypes.c_int32, ctypes.c_char_p, size]),
     ):
         function = getattr(library, f"mirocup_training_{name}")
         function.restype = result
@@ -128,8 +128,8 @@ class Batch:
         self.final_observations = np.zeros((rows, observation), np.float32)
         self.terms = np.zeros((rows, len(self.spec["rewards"])), np.float32)
         self.statistics = np.zeros((rows, len(self.spec["statistics"])), np.float32)
-        pointers = _Buffers(*(getattr(self, name).ctypes.data for name in _Buffers.NAMES))
-        self._library.mirocup_training_bind(self._handle, ctypes.byref(pointers))
+        pointers = _Buffers(ctypes.sizeof(_Buffers), *(getattr(self, name).ctypes.data for name in _Buffers.NAMES))
+        self._check(self._library.mirocup_training_bind(self._handle, ctypes.byref(pointers)))
         self._step = self._library.mirocup_training_step
 
     def _check(self, code: int) -> None:

@@ -24,8 +24,6 @@
 #include "mirocup/skills/shoot.hpp"
 #include "mirocup/skills/univector_field.hpp"
 
-#include <array>
-
 namespace mirocup::strategy {
 
 // Returns where a ball at `from` shall go: to the open corner of the goal, or along a wall.
@@ -64,7 +62,7 @@ inline Point through(const Shot& shot) {
 
 // Returns the pose that a robot shall have at the ball. `me`: its number.
 inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
-  return {keep_out(setup, me, inside(setup, shot.at, 0.04)),
+  return {keep_out(setup, me, inside(setup, shot.at, setup.robot_side / 2.0 + 0.0025)),
           math::atan2(shot.along.y, shot.along.x)};
 }
 
@@ -85,11 +83,11 @@ inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me,
     return drive_to(setup, robot, keep_out(setup, me, through(shot)), how.speed, how.speed);
   }
   const Target target = pose_at_ball(setup, me, shot);
-  std::array<Obstacle, 2 * MIROCUP_MAX_ROBOTS> obstacles;
-  std::size_t count = 0;
+  Obstacle obstacles[2 * MIROCUP_MAX_ROBOTS];
+  int count = 0;
   const auto add = [&](const Robot& other) {
     const Point p = position(other);
-    const bool is_at_ball = length(p - target.at) < 0.1;
+    const bool is_at_ball = length(p - target.at) < setup.robot_side + 0.025;
     if (is_at_ball || length(p - position(robot)) > how.sight) return;
     obstacles[count++] = {p, {other.vx, other.vy}};
   };
@@ -97,7 +95,7 @@ inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me,
     add(now.opponent[j]);
     if (j != me) add(now.own[j]);
   }
-  return follow_field(setup, robot, target, how.speed, {obstacles.data(), count}, {}, how.lead_s);
+  return follow_field(setup, robot, target, how.speed, obstacles, count, {}, how.lead_s);
 }
 
 // Shoots the ball to `aim` from the point at which robot `me` meets it on its way. Draws both
@@ -118,13 +116,13 @@ inline Point supporting_place(const Setup& setup, const Observation& now, int me
   // A robot nearer to the own goal deflects balls that the opponents play before it into the goal:
   // with 0.75 twice as many own goals fell.
   constexpr double deepest = -0.6;  // of half the length of the field
-  const double x = std::max(deepest * setup.half_length, now.ball_x - back);
+  const double x = math::max(deepest * setup.half_length, now.ball_x - back);
   const double part = (x + setup.half_length) / (now.ball_x + setup.half_length + 0.01);
   const double spread = rank % 2 == 0 ? 0.0 : side * (0.3 + 0.1 * row);
-  const double y = std::clamp(part, 0.0, 1.0) * now.ball_y + spread;
+  const double y = math::clamp(part, 0.0, 1.0) * now.ball_y + spread;
   // In the opponents' goal area there is room for one.
-  const double front = setup.half_length - setup.goal_area_depth - 0.13;
-  return make_way(setup, now, keep_out(setup, me, inside(setup, {std::min(x, front), y})));
+  const double front = setup.half_length - setup.goal_area_depth - (setup.robot_side + 0.055);
+  return make_way(setup, now, keep_out(setup, me, inside(setup, {math::min(x, front), y})));
 }
 
 }  // namespace mirocup::strategy

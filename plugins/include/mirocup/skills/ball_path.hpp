@@ -17,8 +17,6 @@
 
 #include "mirocup/strategy.hpp"
 
-#include <array>
-
 namespace mirocup::strategy {
 
 // The floor and the walls of a match: ds/dt = -constant - linear * s for the speed s.
@@ -34,8 +32,8 @@ inline Rolling rolling_of(const Setup& setup) {
   if (setup.size < offsetof(Setup, corners)) return {};
   // If only one of the two slows the ball down: the formulas below divide by both.
   constexpr double least = 1e-5;
-  return {std::max(setup.rolling_resistance * 9.81 / 1.4, least),
-          std::max(setup.viscous_friction / (1.4 * setup.ball_mass), least),
+  return {math::max(setup.rolling_resistance * 9.81 / 1.4, least),
+          math::max(setup.viscous_friction / (1.4 * setup.ball_mass), least),
           setup.ball_wall_restitution};
 }
 
@@ -73,7 +71,8 @@ inline WallAhead wall_ahead(const Setup& setup, Point at, Point along) {
   const auto meet = [&](Point normal, double offset, bool has_goal) {
     const double closing = -dot(along, normal);
     if (closing <= 1e-12) return;
-    const double distance = std::max(0.0, (dot(at, normal) - offset - setup.ball_radius) / closing);
+    const double distance =
+        math::max(0.0, (dot(at, normal) - offset - setup.ball_radius) / closing);
     if (distance >= first.distance) return;
     if (has_goal && std::abs(at.y + distance * along.y) < setup.goal_half_width) return;
     first = {normal, distance};
@@ -103,11 +102,11 @@ inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
     if (speed < 1e-6 || seconds <= 0.0) return ball;
     const Point along = unit(ball.velocity);
     const double rest_time = rolling_time(floor, speed);
-    const double time = std::min(seconds, rest_time);
+    const double time = math::min(seconds, rest_time);
     const WallAhead wall = wall_ahead(setup, ball.at, along);
     const double top = speed + floor.constant / floor.linear;
     const auto speed_after = [&](double t) {
-      return std::max(0.0, top * math::exp(-floor.linear * t) - floor.constant / floor.linear);
+      return math::max(0.0, top * math::exp(-floor.linear * t) - floor.constant / floor.linear);
     };
     if (rolled_distance(floor, speed, time) < wall.distance) {
       ball.at = ball.at + rolled_distance(floor, speed, time) * along;
@@ -117,9 +116,9 @@ inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
     // Newton's method from below; the distance is concave in time, so it does not overshoot.
     double t = wall.distance / speed;
     for (int i = 0; i < 4; ++i) {
-      t += (wall.distance - rolled_distance(floor, speed, t)) / std::max(speed_after(t), 1e-3);
+      t += (wall.distance - rolled_distance(floor, speed, t)) / math::max(speed_after(t), 1e-3);
     }
-    t = std::min(t, time);
+    t = math::min(t, time);
     ball.at = ball.at + wall.distance * along;
     ball.velocity = speed_after(t) * along;
     const double towards = dot(ball.velocity, wall.normal);
@@ -147,17 +146,16 @@ class BallPath {
       if (speed < 1e-6) return;
       const WallAhead wall = wall_ahead(setup, ball.at, piece.along);
       const double rest = rolling_time(floor, speed);
-      if (count_ == static_cast<int>(pieces_.size()) ||
-          rolled_distance(floor, speed, rest) < wall.distance) {
+      if (count_ == most_pieces || rolled_distance(floor, speed, rest) < wall.distance) {
         piece.most = rest;
         return;
       }
       double t = wall.distance / speed;
       for (int i = 0; i < 3; ++i) {
         const double error = wall.distance - rolled_distance(floor, speed, t);
-        t += error / std::max(speed_after(speed, t), 1e-3);
+        t += error / math::max(speed_after(speed, t), 1e-3);
       }
-      piece.most = std::min(t, rest);
+      piece.most = math::min(t, rest);
       const double there = speed_after(speed, piece.most);
       const double towards = there * dot(piece.along, wall.normal);
       ball.at = ball.at + wall.distance * piece.along;
@@ -171,7 +169,7 @@ class BallPath {
     int i = 0;
     while (i + 1 < count_ && pieces_[i + 1].begin <= seconds) ++i;
     const Piece& piece = pieces_[i];
-    const double t = std::min(seconds - piece.begin, piece.most);
+    const double t = math::min(seconds - piece.begin, piece.most);
     return {piece.at + rolled_distance(floor_, piece.speed, t) * piece.along,
             speed_after(piece.speed, t) * piece.along};
   }
@@ -187,11 +185,12 @@ class BallPath {
 
   double speed_after(double speed, double t) const {
     const double top = speed + floor_.constant / floor_.linear;
-    return std::max(0.0, top * math::exp(-floor_.linear * t) - floor_.constant / floor_.linear);
+    return math::max(0.0, top * math::exp(-floor_.linear * t) - floor_.constant / floor_.linear);
   }
 
   Rolling floor_;
-  std::array<Piece, 6> pieces_;
+  static constexpr int most_pieces = 6;
+  Piece pieces_[most_pieces];
   int count_ = 0;
 };
 

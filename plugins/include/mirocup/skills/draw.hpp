@@ -15,8 +15,6 @@
 
 #include "mirocup/strategy.hpp"
 
-#include <span>
-
 namespace mirocup::strategy {
 
 // Colours, 0xRRGGBBAA, that stand out from the field, the ball and both teams.
@@ -41,8 +39,8 @@ inline void draw_shot(const Setup& setup, const Robot& robot, Point meet, Point 
 }
 
 inline void draw_path(const Setup& setup, const char* layer, std::uint32_t colour,
-                      std::span<const Point> points) {
-  for (std::size_t i = 1; i < points.size(); ++i) {
+                      const Point* points, int count) {
+  for (int i = 1; i < count; ++i) {
     draw_line(setup, layer, colour, points[i - 1], points[i]);
   }
 }

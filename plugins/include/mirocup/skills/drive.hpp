@@ -62,9 +62,9 @@ inline Robot when_commanded(const Setup& setup, const Robot& robot, Wheels comma
 // forward speed gets the rest of the wheel speed.
 inline Wheels wheels_turning_first(const Setup& setup, double forward, double turn) {
   const double most = greatest_speed(setup);
-  const double side = std::clamp(turn * setup.wheel_distance / 2.0, -most, most);
+  const double side = math::clamp(turn * setup.wheel_distance / 2.0, -most, most);
   const double rest = most - std::abs(side);
-  const double mean = std::clamp(forward, -rest, rest);
+  const double mean = math::clamp(forward, -rest, rest);
   return {(mean - side) / setup.wheel_radius, (mean + side) / setup.wheel_radius};
 }
 
@@ -88,17 +88,17 @@ inline Wheels head_for(const Setup& setup, const Robot& robot, double direction,
   double error = wrapped(direction - robot.heading);
   double way = 1.0;
   const double moving = speed_ahead(robot);
-  if (math::cos(error) + 0.15 * std::clamp(moving, -1.0, 1.0) < 0.0) {
+  if (math::cos(error) + 0.15 * math::clamp(moving, -1.0, 1.0) < 0.0) {
     error = wrapped(error + pi);
     way = -1.0;
   }
   const double turn = turn_for(setup, robot.turn, error);
   const double lag = setup.motor_time_constant;
   const double stop = (distance - way * moving * lag) / setup.control_period;
-  const double sharp = std::clamp(2.5 * math::cos(error) - 1.5, 0.0, 1.0);
-  double forward = std::min(speed * sharp, stop);
+  const double sharp = math::clamp(2.5 * math::cos(error) - 1.5, 0.0, 1.0);
+  double forward = math::min(speed * sharp, stop);
   const double steady = 0.85 * setup.grip * 9.81;  // m/s^2
-  const double limit = steady / std::max(std::abs(error) / (2.0 * lag), 1e-6);
+  const double limit = steady / math::max(std::abs(error) / (2.0 * lag), 1e-6);
   if (forward > limit) forward = limit;
   return wheels_turning_first(setup, way * forward, turn);
 }

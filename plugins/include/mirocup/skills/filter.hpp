@@ -27,6 +27,8 @@
 
 #include "mirocup/skills/ball_path.hpp"
 
+#include <algorithm>
+
 namespace mirocup::strategy {
 
 // The filter's trust in its pictures and its predictions.
@@ -241,7 +243,7 @@ class Filter {
 
   Wheels clamped(Wheels wheels) const {
     const double limit = setup_.wheel_speed_limit;
-    return {std::clamp(wheels.left, -limit, limit), std::clamp(wheels.right, -limit, limit)};
+    return {math::clamp(wheels.left, -limit, limit), math::clamp(wheels.right, -limit, limit)};
   }
 
   Setup setup_;

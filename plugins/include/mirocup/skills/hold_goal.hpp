@@ -39,7 +39,8 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
   const double side = where.y < 0.0 ? -1.0 : 1.0;
   const double depth = where.x + setup.half_length;
   // Beside the goal: nothing passes the near post.
-  if (depth < how.line + 0.06 && std::abs(where.y) > reach) return side * reach;
+  if (depth < how.line + (setup.robot_side / 2.0 + 0.0225) && std::abs(where.y) > reach)
+    return side * reach;
 
   // The y of the ball's middle when it meets the face that looks into the field. Farther on, a ball
   // from the side would meet another face, which turns it into the goal.
@@ -54,16 +55,16 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
       }
       const double gone = before.x - there.x;
       const double part = gone > 1e-6 ? (before.x - front) / gone : 1.0;
-      const double y = before.y + std::clamp(part, 0.0, 1.0) * (there.y - before.y);
+      const double y = before.y + math::clamp(part, 0.0, 1.0) * (there.y - before.y);
       if (std::abs(y) > setup.goal_half_width + 0.08) break;
-      return std::clamp(y, -reach, reach);
+      return math::clamp(y, -reach, reach);
     }
   }
-  if (const auto y = y_of_coming_shot(now, front)) return std::clamp(*y, -reach, reach);
+  if (const auto y = y_of_coming_shot(now, front)) return math::clamp(*y, -reach, reach);
   // The bisector of the goal's angle, as seen from the ball.
   const double middle = middle_of_goal_view(setup, where);
-  const double part = std::clamp(how.line / std::max(depth, 0.001), 0.0, 1.0);
-  return std::clamp(middle + part * (where.y - middle), -reach, reach);
+  const double part = math::clamp(how.line / math::max(depth, 0.001), 0.0, 1.0);
+  return math::clamp(middle + part * (where.y - middle), -reach, reach);
 }
 
 // True if a slow ball lies in the own goal area.
@@ -81,10 +82,10 @@ inline Wheels slide_quickly(const Setup& setup, const Robot& robot, Point target
   const double wanted =
       (0.9 * way * to.y - setup.motor_time_constant * moving) / setup.control_period;
   const double most = greatest_speed(setup);
-  const double steer = std::clamp(4.0 * to.x * (moving > 0.0 ? 1.0 : -1.0), -0.3, 0.3) *
-                       std::min(1.0, std::abs(moving) / 0.2);
+  const double steer = math::clamp(4.0 * to.x * (moving > 0.0 ? 1.0 : -1.0), -0.3, 0.3) *
+                       math::min(1.0, std::abs(moving) / 0.2);
   const double error = wrapped(way * (pi / 2.0 - steer) - robot.heading);
-  const double forward = std::clamp(wanted, -most, most) * std::max(0.0, math::cos(2.0 * error));
+  const double forward = math::clamp(wanted, -most, most) * math::max(0.0, math::cos(2.0 * error));
   return wheels_turning_first(setup, forward, turn_for(setup, robot.turn, error));
 }
 
@@ -103,11 +104,11 @@ inline Wheels return_to(const Setup& setup, const Robot& robot, Point post, Poin
   const Point way = unit(to);
   const double ahead = dot(to_ball, way);
   const double aside = way.x * to_ball.y - way.y * to_ball.x;
-  if (ahead <= 0.0 || ahead >= length(to) || std::abs(aside) >= 0.07) {
+  if (ahead <= 0.0 || ahead >= length(to) || std::abs(aside) >= setup.robot_side / 2.0 + 0.0325) {
     return drive_quickly(setup, robot, post);
   }
   const double turn = aside > 0.0 ? -1.0 : 1.0;
-  const Point beside = ball + (0.09 * turn) * Point{-way.y, way.x};
+  const Point beside = ball + ((setup.robot_side + 0.015) * turn) * Point{-way.y, way.x};
   return drive_quickly(setup, robot, inside(setup, beside), 0.5);
 }
 
@@ -122,17 +123,18 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
 
   double nearest = 1.0;  // m, from the ball to an opponent
   for (int j = 0; j < now.robots; ++j) {
-    nearest = std::min(nearest, length(position(now.opponent[j]) - ball(now)));
+    nearest = math::min(nearest, length(position(now.opponent[j]) - ball(now)));
   }
   if (lies_in_area(setup, now, how.slow)) {
-    const bool is_before = to_ball.x > 0.045;
+    const bool is_before = to_ball.x > 0.6 * setup.robot_side;
     const bool is_outer = to_ball.x > -0.02 && outwards * to_ball.y > -0.02;
     // Nobody is near: push it away, not inwards.
     if (nearest > 0.15 && length(to_ball) < 0.25 && (is_before || is_outer)) {
-      return head_for(setup, robot, math::atan2(to_ball.y, std::max(0.0, to_ball.x)), 1.8);
+      return head_for(setup, robot, math::atan2(to_ball.y, math::max(0.0, to_ball.x)), 1.8);
     }
     // An opponent presses it against the keeper's face: spin it to the nearer side.
-    if (nearest <= 0.15 && is_before && length(to_ball) < 0.075 && std::abs(now.ball_y) < width) {
+    if (nearest <= 0.15 && is_before && length(to_ball) < setup.robot_side &&
+        std::abs(now.ball_y) < width) {
       return wheels_turning_first(setup, 0.0, outwards * 25.0);
     }
   }
@@ -141,7 +143,8 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
   const bool is_beside = soon.x < -setup.half_length + 0.045 && std::abs(soon.y) > width - 0.07 &&
                          std::abs(soon.y) < width + 0.22;
   const double gap = outwards * to_ball.y;
-  if (is_beside && std::abs(here.x - post.x) < 0.02 && gap > 0.03 && gap < 0.075) {
+  if (is_beside && std::abs(here.x - post.x) < 0.02 && gap > 0.4 * setup.robot_side &&
+      gap < setup.robot_side) {
     // Pressed from both sides the ball would stay there: a spin throws it along the keeper's side.
     if (is_stuck(now, how.patience)) {
       return wheels_turning_first(setup, 0.0, -outwards * 25.0);

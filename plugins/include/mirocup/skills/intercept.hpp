@@ -31,7 +31,7 @@ inline Interception intercept(const BallPath& path, const Robot& robot, double p
   MovingBall ball = path.after(0.0);
   // Even if the ball rolls straight to the robot, the robot does not reach it earlier.
   const double first = length(ball.at - position(robot)) / (pace + length(ball.velocity));
-  double t = std::min(step * std::floor(first / step), most_s);
+  double t = math::min(step * std::floor(first / step), most_s);
   ball = path.after(t);
   double gap = late(ball, t);
   for (; t <= most_s; t += step) {
@@ -61,7 +61,7 @@ inline Point rough_meeting(const Setup& setup, const Observation& now, const Rob
   const double width = setup.half_width - setup.ball_radius;
   Point p = ball(now);
   for (int i = 0; i < 2; ++i) {
-    p = ball_after(now, std::min(length(p - position(robot)) / pace, 0.8));
+    p = ball_after(now, math::min(length(p - position(robot)) / pace, 0.8));
     if (std::abs(p.y) > width) p.y = std::copysign(2.0 * width - std::abs(p.y), p.y);
   }
   return inside(setup, p, setup.ball_radius);

@@ -53,7 +53,7 @@ inline Point cover_point(const Setup& setup, const Observation& now,
                          const KeeperHabits& habits = {}) {
   const double line = -setup.half_length + habits.line;
   const double reach = setup.goal_half_width - habits.inside_post;
-  const auto at = [&](double y) { return Point{line, std::clamp(y, -reach, reach)}; };
+  const auto at = [&](double y) { return Point{line, math::clamp(y, -reach, reach)}; };
   // The ball's middle where it meets the face: farther on, a ball from the side would meet another
   // face of the keeper, which turns it in.
   const double front = line + setup.robot_side / 2.0 + setup.ball_radius;
@@ -69,7 +69,7 @@ inline Point cover_point(const Setup& setup, const Observation& now,
   if (const auto y = y_of_coming_shot(now, front)) return at(*y);
   // Otherwise the bisector of the angle in which the ball sees the goal.
   const double middle = middle_of_goal_view(setup, where);
-  const double part = std::clamp(habits.line / (where.x + setup.half_length), 0.0, 1.0);
+  const double part = math::clamp(habits.line / (where.x + setup.half_length), 0.0, 1.0);
   return at(middle + part * (where.y - middle));
 }
 
@@ -85,11 +85,12 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
                           std::abs(now.ball_y) < setup.goal_area_half_width + 0.03;
   if (is_slow && is_in_area) {
     // The ball is before the keeper: spin, so that the face throws it to the nearer side.
-    if (to_ball.x > 0.03 && length(to_ball) < 0.08) {
+    if (to_ball.x > 0.4 * setup.robot_side && length(to_ball) < setup.robot_side + 0.005) {
       return wheels_for(setup, 0.0, outwards * habits.spin);
     }
     // The ball is beside the keeper at the end wall: push it along the wall.
-    if (std::abs(to_ball.x) < 0.05 && outwards * to_ball.y > 0.0 && length(to_ball) < 0.16) {
+    if (std::abs(to_ball.x) < 0.05 && outwards * to_ball.y > 0.0 &&
+        length(to_ball) < setup.robot_side + 0.085) {
       return slide_to(setup, robot, now.ball_y + 0.1 * outwards, 1.2);
     }
     // The ball is farther off, and the keeper on its inner side: push it out of the area.
@@ -108,7 +109,7 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
   if (std::abs(to.y) < 0.006 && std::abs(to.x) < 0.015) {
     return turn_to(setup, robot, robot.heading > 0.0 ? pi / 2.0 : -pi / 2.0);
   }
-  const double speed = std::min(1.8, 7.0 * std::abs(to.y) + 0.05);
+  const double speed = math::min(1.8, 7.0 * std::abs(to.y) + 0.05);
   const LineFollowing how{.aim_ahead = 0.08};
   return follow_line(setup, robot, post, to.y > 0.0 ? pi / 2.0 : -pi / 2.0, speed, how);
 }
@@ -120,13 +121,14 @@ inline Wheels rough_guard(const Setup& setup, const Observation& now, const Robo
   double y = now.ball_y * 0.3;
   if (now.ball_vx < -0.15 && now.ball_x > line) {
     const double width = setup.half_width - setup.ball_radius;
-    y = now.ball_y + now.ball_vy * (line + 0.06 - now.ball_x) / now.ball_vx;
+    y = now.ball_y +
+        now.ball_vy * (line + (setup.robot_side / 2.0 + 0.0225) - now.ball_x) / now.ball_vx;
     if (std::abs(y) > width) y = std::copysign(2.0 * width - std::abs(y), y);
   }
-  const Point post{line, std::clamp(y, -setup.goal_half_width, setup.goal_half_width)};
+  const Point post{line, math::clamp(y, -setup.goal_half_width, setup.goal_half_width)};
   const Point to = post - position(robot);
   if (std::abs(to.x) > 0.05) return drive_to(setup, robot, post);
-  const double speed = std::min(1.8, 7.0 * std::abs(to.y));
+  const double speed = math::min(1.8, 7.0 * std::abs(to.y));
   return follow_line(setup, robot, post, to.y > 0.0 ? pi / 2.0 : -pi / 2.0, speed,
                      {.aim_ahead = 0.08});
 }

@@ -25,14 +25,14 @@ struct Distance {
 // Returns the distance to keep under the rules of a leg. SimuroSot rules, which the control period
 // shows, call each touch of a keeper.
 inline Distance keeper_distance(const Setup& setup) {
-  if (setup.control_period > 0.02) return {};
+  if (setup.control_period > 0.02) return {.gap = setup.robot_side + 0.035};
   return {.gap = 0.12, .speed = 0.0, .rate = 4.0, .slant = 0.0, .with_ball = 0.2, .retreat = 0.135};
 }
 
 // True if the ball is at the robot, on the side of `to`.
-inline bool has_ball(const Observation& now, const Robot& robot, Point to) {
+inline bool has_ball(const Setup& setup, const Observation& now, const Robot& robot, Point to) {
   const Point to_ball = ball(now) - position(robot);
-  return length(to_ball) < 0.085 && dot(unit(to_ball), unit(to)) > 0.7;
+  return length(to_ball) < setup.robot_side + 0.01 && dot(unit(to_ball), unit(to)) > 0.7;
 }
 
 // Slows down all robots but the keeper before the opponents' keeper, unless the ball is between
@@ -56,7 +56,7 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
       const double turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
       const Point nose{math::cos(robot.heading), math::sin(robot.heading)};
       const double closing = dot((forward < 0.0 ? -1.0 : 1.0) * nose, unit(to));
-      if (distance < keep.retreat && !has_ball(now, robot, to)) {
+      if (distance < keep.retreat && !has_ball(setup, now, robot, to)) {
         const double away = dot(nose, to) > 0.0 ? -0.6 : 0.6;
         wheels = wheels_for(setup, away, 0.0);
         continue;
@@ -64,7 +64,7 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
       if (closing < keep.slant) continue;
       const double gap = distance - keep.gap;
       double allowed = gap > 0.0 ? keep.speed + keep.rate * gap : -0.3;
-      if (has_ball(now, robot, to)) allowed = std::max(allowed, keep.with_ball);
+      if (has_ball(setup, now, robot, to)) allowed = math::max(allowed, keep.with_ball);
       if (std::abs(forward) <= allowed) continue;
       wheels = wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
     }

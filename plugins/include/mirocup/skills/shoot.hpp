@@ -38,7 +38,7 @@ inline Wheels follow_line(const Setup& setup, const Robot& robot, Point point, d
     direction = -1.0;
   }
   const double turn = how.gain * error;
-  double forward = speed * std::max(0.1, math::cos(error));
+  double forward = speed * math::max(0.1, math::cos(error));
   const double steady = 0.8 * setup.grip * 9.81;  // sliding wheels do not steer, m/s^2
   if (std::abs(forward * turn) > steady) forward = steady / std::abs(turn);
   return wheels_for(setup, direction * forward, turn);

@@ -17,8 +17,6 @@
 
 #include "mirocup/strategy.hpp"
 
-#include <span>
-
 namespace mirocup::strategy {
 
 struct UnivectorField {
@@ -81,7 +79,7 @@ inline double around(double heading, Point here, Point velocity, const Obstacle&
   if (std::abs(side) > pi / 2.0) return heading;  // it drives away from the obstacle
   // Past the obstacle on the side of the way, and a little away from it.
   const double past = bearing + (side >= 0.0 ? 1.0 : -1.0) * 0.6 * pi;
-  const double far = std::max(0.0, gap - how.nearest) / how.width;
+  const double far = math::max(0.0, gap - how.nearest) / how.width;
   const double weight = math::exp(-0.5 * far * far);
   return wrapped(heading + weight * wrapped(past - heading));
 }
@@ -111,27 +109,27 @@ inline Wheels follow_heading(const Setup& setup, const Robot& robot, double head
   double error = wrapped(heading - robot.heading - lead_s * robot.turn);
   const double moving = robot.vx * math::cos(robot.heading) + robot.vy * math::sin(robot.heading);
   double direction = 1.0;
-  if (math::cos(error) + 0.2 * std::clamp(moving, -1.0, 1.0) < 0.0) {
+  if (math::cos(error) + 0.2 * math::clamp(moving, -1.0, 1.0) < 0.0) {
     direction = -1.0;
     error = wrapped(error + pi);
   }
   const double wanted = turn + 10.0 * error;
-  double forward = speed * std::max(0.0, math::cos(error));
+  double forward = speed * math::max(0.0, math::cos(error));
   const double steady = 0.8 * setup.grip * 9.81;  // sliding wheels do not steer, m/s^2
   if (std::abs(forward * wanted) > steady) forward = steady / std::abs(wanted);
   return wheels_for(setup, direction * forward, wanted);
 }
 
-// Drives along the field to a target at up to `speed` m/s and round the obstacles. Reads the field
-// at the robot's place in `lead_s` seconds, because motors follow late. A robot on the axis before
-// the target may choose either side.
+// Drives along the field to a target at up to `speed` m/s and round `count` obstacles. Reads the
+// field at the robot's place in `lead_s` seconds, because motors follow late. A robot on the axis
+// before the target may choose either side.
 inline Wheels follow_field(const Setup& setup, const Robot& robot, const Target& target,
-                           double speed, std::span<const Obstacle> obstacles = {},
+                           double speed, const Obstacle* obstacles = nullptr, int count = 0,
                            const UnivectorField& field = {}, double lead_s = 0.08) {
   const Point velocity{robot.vx, robot.vy};
   const auto direction = [&](Point here) {
     double heading = field_heading(field, here, target);
-    for (const Obstacle& o : obstacles) heading = around(heading, here, velocity, o);
+    for (int i = 0; i < count; ++i) heading = around(heading, here, velocity, obstacles[i]);
     return heading;
   };
   // Where the robot will be when its motors have followed the command.
@@ -141,7 +139,7 @@ inline Wheels follow_field(const Setup& setup, const Robot& robot, const Target&
   const Point next = here + step * Point{math::cos(heading), math::sin(heading)};
   const double bend = wrapped(direction(next) - heading) / step;  // rad/m
   const double grip = 0.7 * setup.grip * 9.81;
-  const double fastest = std::min(speed, std::sqrt(grip / std::max(std::abs(bend), 0.1)));
+  const double fastest = math::min(speed, std::sqrt(grip / math::max(std::abs(bend), 0.1)));
   return follow_heading(setup, robot, heading, fastest, fastest * bend);
 }
 

@@ -56,7 +56,7 @@ TEST(FollowField, BringsARobotThroughTheBallAtTheGoal) {
     const UnivectorField wide{.radius = 0.1};
     bool is_hit = false;
     for (int tick = 0; tick < 60 && !is_hit; ++tick) {
-      field.tick(follow_field(field.setup(), field.robot(), target, 1.5, {}, wide));
+      field.tick(follow_field(field.setup(), field.robot(), target, 1.5, nullptr, 0, wide));
       is_hit = length(field.ball_velocity()) > 0.3;
     }
     EXPECT_TRUE(is_hit) << start;
@@ -73,7 +73,8 @@ TEST(Around, PassesARobotThatStandsOnTheWay) {
   const std::array<Obstacle, 1> obstacles{{{{-0.1, 0.0}, {0.0, 0.0}}}};
   double nearest = 1.0;
   for (int tick = 0; tick < 45; ++tick) {
-    field.tick(follow_field(field.setup(), field.robot(), {{0.4, 0.0}, 0.0}, 1.2, obstacles));
+    field.tick(
+        follow_field(field.setup(), field.robot(), {{0.4, 0.0}, 0.0}, 1.2, obstacles.data(), 1));
     nearest = std::min(nearest, length(position(field.robot()) - obstacles[0].at));
   }
   EXPECT_GT(nearest, 0.075);
