@@ -25,7 +25,7 @@ struct ServeOptions {
   int jobs = 0;                      // checks at once; 0: one for each processor
   std::vector<std::string> tls;      // files of certificate and key; empty: no encryption
   std::vector<std::string> proxies;  // addresses that are believed whom they speak for
-  std::string proxy_secret;          // a file; "": these proxies are known by their addresses only
+  std::string proxy_secret;          // a file with what these proxies send; "": there is none
   std::string team_header;           // in which they name a team; "": none is believed
 };
 
@@ -83,22 +83,25 @@ Result<std::string> read_secret(const std::string& path) {
   return secret;
 }
 
-// Which programs are the proxy, and whether that can be told.
+// Which programs are the proxy.
 Result<web::ProxyTrust> proxy_trust(const ServeOptions& options, const web::Address& address) {
   web::ProxyTrust trust{.addresses = {options.proxies.begin(), options.proxies.end()},
                         .is_unix_socket = !address.path.empty()};
   if (!options.proxy_secret.empty()) {
     MIROCUP_TRY(trust.secret, read_secret(options.proxy_secret));
   }
-  const bool has_proxy = trust.is_unix_socket || !trust.addresses.empty();
-  if (!options.team_header.empty() && !has_proxy)
-    return fail(Errc::input, "--team-header needs --trust-proxy: anybody can send a header");
-  if (trust.tells_proxies()) return trust;
-  const std::string why =
-      "every program of this computer has the address of that proxy: listen at --at unix:PATH, or "
-      "name a secret by --proxy-secret FILE";
-  if (!options.team_header.empty()) return fail(Errc::input, "--team-header: " + why);
-  tell_host("--trust-proxy names an address of this computer, which is not believed: " + why);
+  if (trust.is_unix_socket) return trust;
+  if (!trust.addresses.empty() && trust.secret.empty()) {
+    return fail(Errc::input,
+                "--trust-proxy: every program of the proxy's computer has its address: name a "
+                "secret by --proxy-secret FILE, or let a proxy on this computer connect to "
+                "--at unix:PATH");
+  }
+  if (!options.team_header.empty() && trust.addresses.empty()) {
+    return fail(Errc::input,
+                "--team-header: anybody can send a header: listen at --at unix:PATH, or name the "
+                "proxy by --trust-proxy ADDR and --proxy-secret FILE");
+  }
   return trust;
 }
 
@@ -172,14 +175,14 @@ void add_serve(system::Commands& commands) {
   command
       .option("--trust-proxy", o.proxies,
               "address of a proxy that is believed for whom it asks (X-Forwarded-For, "
-              "X-Forwarded-Proto); may be given several times")
+              "X-Forwarded-Proto), with --proxy-secret; may be given several times")
       .named("ADDR")
       .takes(1, 1)
       .needs(hand_in);
   command
       .option("--proxy-secret", o.proxy_secret,
-              "file with a secret that the proxy sends in the header X-Mirocup-Proxy, so that no "
-              "other program of its address is believed")
+              "file with a secret that these proxies send in the header X-Mirocup-Proxy, so that "
+              "no other program of their addresses is believed")
       .named("FILE")
       .needs(hand_in);
   command

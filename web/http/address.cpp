@@ -20,7 +20,7 @@ namespace mirocup::web {
 namespace {
 
 constexpr std::string_view unix_prefix = "unix:";
-constexpr int waiting_in_kernel = 256;  // connections that nobody has accepted yet
+constexpr int waiting_in_kernel = 1024;  // connections that nobody has accepted yet
 constexpr mode_t socket_mode = 0660;
 
 std::string why_not_bound(int reason) {
@@ -133,10 +133,6 @@ std::string url_of(const Address& address, bool is_encrypted) {
   return (is_encrypted ? "https://" : "http://") +
          (is_v6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port) +
          "/";
-}
-
-bool is_loopback(const std::string& address) {
-  return address.starts_with("127.") || address == "::1";
 }
 
 std::string counted_address(const std::string& address) {

@@ -24,9 +24,6 @@ Result<Address> parse_address(const std::string& text, const std::string& option
 // The address as a browser writes it; "unix:PATH" for a Unix socket.
 std::string url_of(const Address& address, bool is_encrypted);
 
-// True for addresses that every program of this computer has: 127.0.0.0/8 and ::1.
-bool is_loopback(const std::string& address);
-
 // Returns the address by which connections are counted. A viewer with IPv6 has 2^64 addresses, so
 // the first half of such an address counts.
 std::string counted_address(const std::string& address);

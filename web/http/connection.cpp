@@ -18,6 +18,7 @@ using std::chrono::steady_clock;
 
 constexpr auto send_patience = 5000ms;         // for a viewer that takes nothing
 constexpr std::size_t max_drained = 1u << 20;  // bytes that nobody reads
+constexpr std::size_t tls_record = 16u << 10;  // bytes
 
 int in_ms(milliseconds time) {
   return static_cast<int>(time.count());
@@ -61,7 +62,8 @@ bool Connection::send(std::string_view bytes) {
   while (!bytes.empty()) {
     ssize_t count = -1;
     if (tls_) {
-      count = tls_->write(bytes, in_ms(send_patience));
+      // The patience is for each part, so that a slow viewer gets a large page.
+      count = tls_->write(bytes.substr(0, tls_record), in_ms(send_patience));
     } else if (waits_for(POLLOUT, send_patience)) {
       count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     }

@@ -15,15 +15,12 @@ namespace mirocup::web {
 struct ProxyTrust {
   std::set<std::string> addresses = {};
 
-  // What these proxies send in the header X-Mirocup-Proxy. "": a proxy is known by its address, but
-  // not by an address of this computer, which each of its programs has.
+  // What these proxies send in the header X-Mirocup-Proxy. An address alone proves nothing, because
+  // each program of a computer has it. "": there are no proxies.
   std::string secret = {};
 
   // This server listens at a Unix socket: who may open that is the proxy.
   bool is_unix_socket = false;
-
-  // True if this server can tell a proxy with one of these addresses from other programs.
-  bool tells_proxies() const;
 };
 
 // Finds out whether the request comes from a proxy, and for whom (X-Forwarded-For,

@@ -54,7 +54,7 @@ class Desk : public testing::Test {
 
   void open(std::set<std::string> proxies = {}, const std::string& team_header = "") {
     portal_.reset();
-    proxies_ = {.addresses = std::move(proxies)};
+    proxies_ = {.addresses = std::move(proxies), .secret = secret_};
     PortalOptions options;
     options.team_header = team_header;
     options.now = [this] { return now_; };
@@ -127,6 +127,7 @@ class Desk : public testing::Test {
   std::map<std::string, int> entries_;  // that play
   std::vector<std::string> neighbours_;
   std::string alpha_, beta_, expired_, revoked_, staff_;
+  const std::string secret_ = "of the proxy";
   web::ProxyTrust proxies_;
   std::unique_ptr<Portal> portal_;
   bool is_body_read_ = false;
@@ -623,13 +624,17 @@ TEST_F(Desk, BelievesNoHeaderOfAProxyThatIsNotTrusted) {
       with(with(get("/api/v1/entries"), "x-team", "alpha"), "x-forwarded-for", "10.9.9.9");
   EXPECT_EQ(ask(forged).status, 401);
   open({"10.0.0.2"}, "X-Team");
-  EXPECT_EQ(ask(forged).status, 401) << "it comes from another address";
-  web::Request real = forged;
+  const web::Request with_secret = with(forged, "x-mirocup-proxy", secret_);
+  EXPECT_EQ(ask(with_secret).status, 401) << "it comes from another address";
+  web::Request real = with_secret;
   real.address = "10.0.0.2";
   EXPECT_EQ(ask(real).status, 200);
+  web::Request neighbour = forged;
+  neighbour.address = "10.0.0.2";
+  EXPECT_EQ(ask(neighbour).status, 401) << "another program of the proxy's computer";
   real.headers.emplace("x-team", "beta");
   EXPECT_EQ(ask(real).status, 401) << "the viewer's header beside the proxy's";
-  web::Request change = with(put(""), "x-team", "alpha");
+  web::Request change = with(with(put(""), "x-team", "alpha"), "x-mirocup-proxy", secret_);
   change.address = "10.0.0.2";
   EXPECT_EQ(ask(change, "ELF").status, 403) << "a proxy signs on what another site has sent, too";
   EXPECT_EQ(ask(with(change, "origin", own_origin), "ELF").status, 202);
@@ -652,8 +657,8 @@ TEST_F(Desk, SlowsWrongTokensOfAnAddressAndNobodyElse) {
   EXPECT_EQ(ask(with(api("/api/v1/entries", wrong), "x-forwarded-for", "10.8.8.8")).status, 429);
   open({"10.0.0.1"});
   for (int i = 0; i < 20; ++i) {
-    status = ask(with(api("/api/v1/entries", wrong), "x-forwarded-for",
-                      "10.8.8." + std::to_string(i) + ", 10.7.7.7"))
+    status = ask(with(with(api("/api/v1/entries", wrong), "x-mirocup-proxy", secret_),
+                      "x-forwarded-for", "10.8.8." + std::to_string(i) + ", 10.7.7.7"))
                  .status;
   }
   EXPECT_EQ(status, 429) << "only the address that the proxy has added counts";

@@ -146,8 +146,7 @@ TEST_F(Server, TakesUploadsAndTellsTheirEnd) {
   answer_to(put + "Content-Length: 100000\r\n\r\n" + body);
   EXPECT_TRUE(is_whole_);
   EXPECT_EQ(body_, body);
-  answer_to(put +
-            "Transfer-Encoding: chunked\r\n\r\n3\r\nELF\r\n4;x=y\r\nmore\r\n0\r\nT: t\r\n\r\n");
+  answer_to(put + "Transfer-Encoding: chunked\r\n\r\n3\r\nELF\r\n4;x=y\r\nmore\r\n0\r\n\r\n");
   EXPECT_TRUE(is_whole_);
   EXPECT_EQ(body_, "ELFmore");
   for (const char* cut :
@@ -156,7 +155,9 @@ TEST_F(Server, TakesUploadsAndTellsTheirEnd) {
         "Transfer-Encoding: chunked\r\n\r\nzz\r\nELF\r\n0\r\n\r\n",
         "Transfer-Encoding: chunked\r\n\r\n-1\r\nELF\r\n0\r\n\r\n",
         "Transfer-Encoding: chunked\r\n\r\nfffffffffffffffff\r\nELF",
-        "Transfer-Encoding: chunked\r\n\r\n3\r\nELFx\r\n0\r\n\r\n"}) {
+        "Transfer-Encoding: chunked\r\n\r\n3\r\nELFx\r\n0\r\n\r\n",
+        "Transfer-Encoding: chunked\r\n\r\n3\r\nELF\r\n0\r\nT: t\r\n\r\n",
+        "Transfer-Encoding: chunked\r\n\r\n3\r\nELF\r\n0\r\nT: t\r\n u\r\n\r\n"}) {
     answer_to(put + cut);
     EXPECT_FALSE(is_whole_) << cut;
   }
