@@ -82,10 +82,11 @@ std::string with_script(std::string html, bool takes_hand_ins) {
 // Requires mutex_. Until the league starts, league.json may be edited; what people are called may
 // change at any time.
 void ServedLeague::notice_edits() {
-  std::string people =
+  std::string said =
       files_.read(store_.folder().people(), {.max_size = system::size_limit::league_file})
-          .value_or("");
-  const bool has_new_names = people != people_;
+          .value_or("") +
+      read_notice(files_, store_.folder()).value_or("");
+  const bool has_new_names = said != said_;
   if (store_.state().is_started && !has_new_names) return;
   const auto config =
       files_.read(store_.folder().config(),
@@ -93,7 +94,7 @@ void ServedLeague::notice_edits() {
   if (!config || (*config == config_ && !has_new_names)) return;
   if (!open_again()) return;
   config_ = *config;
-  people_ = std::move(people);
+  said_ = std::move(said);
 }
 
 // Requires mutex_. What shows fixtures before the start plans them itself.

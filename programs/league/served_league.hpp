@@ -102,7 +102,7 @@ class ServedLeague {
   std::size_t lines_of_pages_ = 0;      // lines_ then
   std::chrono::steady_clock::time_point pages_rest_until_{};
   std::unique_ptr<Site> site_;  // of what is released; null before the first page
-  std::string people_;          // teams.json
+  std::string said_;            // teams.json and notice.txt
   FactsOfLegs facts_;
   KnownReports known_reports_;
   std::map<int, std::string> statistics_;  // of teams, as far as they were asked for

@@ -5,6 +5,7 @@
 #include "record/json_reader.hpp"
 #include "system/number_of.hpp"
 #include "tournaments/publish/bracket_svg.hpp"
+#include "tournaments/publish/front_page.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/snapshot.hpp"
@@ -38,20 +39,34 @@ std::optional<std::size_t> number_in(const std::string& path, std::string_view b
       path.substr(before.size(), path.size() - before.size() - after.size()));
 }
 
-std::string standing_html(const Overview& o, const std::string& heading) {
+// A round of a knockout changes the bracket, every other one the table.
+std::string standing_html(const Overview& o, const std::string& heading, bool is_of_knockout) {
+  const bool is_by_leg = o.state.file.format.takes_entries();  // such a table ranks by points a leg
   Json rows = Json::array();
   for (const TableRow& row : o.table) {
+    if (is_of_knockout) break;
     const std::int64_t difference = row.difference();
     rows.push_back(
         {{"rank", rows.size() + 1},
          {"name", o.state.shown_name(row.team)},
-         {"points", row.points},
+         {"points", is_by_leg ? points_per_leg(row) : std::to_string(row.points)},
          {"played", row.played},
          {"goals", std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against)},
          {"difference", (difference > 0 ? "+" : "") + std::to_string(difference)}});
   }
   return web::filled(show_file, "standing.html",
-                     {{"heading", heading}, {"rows", rows}, {"bracket", bracket_svg(o)}});
+                     {{"heading", heading},
+                      {"has_table", !is_of_knockout},
+                      {"points", is_by_leg ? "Pts/leg" : "Pts"},
+                      {"rows", rows},
+                      {"bracket", is_of_knockout ? bracket_svg(o) : ""}});
+}
+
+// Returns the fixtures in the order in which they are shown: the final comes last.
+std::vector<FixtureView> in_order(std::vector<FixtureView> fixtures) {
+  std::stable_partition(fixtures.begin(), fixtures.end(),
+                        [](const FixtureView& f) { return f.state->fixture.is_for_third_place(); });
+  return fixtures;
 }
 
 const RoundView* round_named(const std::vector<RoundView>& rounds, const std::string& key) {
@@ -85,31 +100,39 @@ Result<void> ShownRound::read(const LeagueStore& store, const std::string& key) 
                                          : "there is no round " + key);
   league_ = state.file.title;
   title_ = round->title;
+  const bool is_of_knockout =
+      !round->fixtures.empty() && round->fixtures.front().state->fixture.part == Part::knockout;
   std::set<LegName> shown;
   const auto add_standing = [&]() -> Result<void> {
     MIROCUP_TRY(const auto then, state_with_legs(state, store.journal(), round->key, shown));
     const std::string heading =
         shown.empty() ? "Before " + title_ : "After leg " + std::to_string(shown.size());
-    standings_.push_back(standing_html(overview(then, facts), heading));
+    standings_.push_back(standing_html(overview(then, facts), heading, is_of_knockout));
     return {};
   };
   if (auto added = add_standing(); !added) return added;
-  for (const FixtureView& f : round->fixtures) {
+  for (const FixtureView& f : in_order(round->fixtures)) {
     for (const LegView* leg : f.legs) {
       if (!leg->has_replay()) continue;
       const bool is_home_blue = blue_team(f.state->fixture, leg->leg) == leg->home;
       legs_.push_back({{{"blue", state.shown_name(is_home_blue ? leg->home : leg->away)},
                         {"yellow", state.shown_name(is_home_blue ? leg->away : leg->home)},
                         {"where", leg->round + ", leg " + std::to_string(leg->leg)},
-                        {"data", "/legs/" + std::to_string(legs_.size()) + ".json"}},
+                        {"data", "/legs/" + std::to_string(legs_.size()) + ".json"},
+                        {"has_standing", !is_of_knockout}},
                        store.folder().path + "/" + leg->played->record,
                        store.folder().site() + "/" + replay_page_of(leg->played->record)});
       shown.insert({leg->fixture, leg->leg});
       if (auto added = add_standing(); !added) return added;
     }
+    if (!legs_.empty()) legs_.back().about["has_standing"] = true;  // its tie is over
   }
   if (legs_.empty())
     return fail(Errc::input, "no leg of round " + round->key + " has a record that can be shown");
+  if (round == &rounds.back()) {
+    if (Json champion = champion_values(o); champion != false)
+      champion_ = web::filled(show_file, "champion.html", champion);
+  }
   for (const RoundView& after : rounds) {
     if (&after <= round) continue;
     for (const FixtureView& f : after.fixtures)
@@ -147,6 +170,7 @@ std::optional<web::Page> ShownRound::page(const std::string& path) {
   }
   // Asked for at the end only: the pairs of a knockout tell who has won.
   if (path == "/next.json") return text_page("application/json", record::json_text(Json(next_)));
+  if (path == "/champion.html") return text_page("text/html; charset=utf-8", champion_);
   if (const auto count = number_in(path, "/after/", ".html"); count && *count < standings_.size())
     return text_page("text/html; charset=utf-8", standings_[*count]);
   if (const auto index = number_in(path, "/legs/", ".json"); index && *index < legs_.size())

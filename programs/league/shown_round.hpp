@@ -59,6 +59,7 @@ class ShownRound {
   std::vector<Leg> legs_;
   std::vector<std::string> standings_;  // HTML after 0, 1, … legs
   std::vector<std::string> next_;       // fixtures of the next round, in words
+  std::string champion_;                // HTML; "": the league is not over after this round
 
   // Both on the heap, so that the round can be moved before it is served.
   struct Commands {

@@ -18,8 +18,9 @@ void log_out_button(Html& html) {
 )");
 }
 
-void next_card(Html& html, const std::string& heading) {
-  html.raw("</section>\n<section class=\"card\">\n");
+void next_card(Html& html, const std::string& heading, const std::string& id) {
+  html.raw("</section>\n<section class=\"card\"" + (id.empty() ? "" : " id=\"" + id + "\"") +
+           ">\n");
   html.cell("h2", heading);
 }
 

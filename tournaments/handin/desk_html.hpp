@@ -20,7 +20,7 @@ std::string desk_page(const std::string& title, const Html& content);
 void log_out_button(Html& html);
 
 // Ends a card and begins the next, with a heading.
-void next_card(Html& html, const std::string& heading);
+void next_card(Html& html, const std::string& heading, const std::string& id = "");
 
 // Returns the text of a key of an object; "" if it has no such text.
 std::string text_in(const Json& object, const char* key);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/portal.hpp"
 
+#include "system/markup.hpp"
 #include "system/printable.hpp"
 #include "tournaments/handin/form.hpp"
 #include "tournaments/handin/pins.hpp"
@@ -177,12 +178,14 @@ std::optional<web::Reply> Portal::name_team(Call& call, About about) {
 web::Reply Portal::desk(const Call& call) {
   const Visitor& known = call.visitor;
   if (const std::string team = call.request.asked("team"); known.sees_all() && !team.empty()) {
-    return is_good_name(team) ? staff_.legs_of(team, state_.options.legs(team))
+    return is_good_name(team) ? staff_.legs_of(known.role, team, state_.options.legs(team))
                               : problem_reply(404, "there is no such team");
   }
-  if (known.role == Role::tutor) return staff_.page(Role::tutor);
-  if (known.role == Role::staff)
-    return staff_.page(Role::staff, number_of(call.request.asked("done")).value_or(0));
+  if (known.sees_all()) {
+    return staff_.page(known.role, {.done = number_of(call.request.asked("done")).value_or(0),
+                                    .given = {{"fixture", call.request.asked("fixture")},
+                                              {"leg", call.request.asked("leg")}}});
+  }
   return team_page(known.team);
 }
 
@@ -210,6 +213,11 @@ web::Reply Portal::own_replay(const Call& call) {
       continue;
     auto page = state_.options.replay(name_of_leg(leg), sees_all ? record::of_both : own_side(leg));
     if (!page) break;
+    const std::size_t links = page->find("<!--/league-->");
+    if (call.visitor.role == Role::staff && links != std::string::npos)
+      page->insert(links, "<p class=\"path\"><a href=\"" +
+                              system::html_escaped(StaffDesk::decision_path(leg)) +
+                              "\">Decide about this leg</a></p>");
     return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
   }
   return problem_reply(404, "there is no leg of yours of this name");

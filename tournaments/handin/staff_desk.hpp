@@ -25,14 +25,22 @@ class StaffDesk {
   StaffDesk(system::Files& files, Folder folder, std::function<std::int64_t()> now)
       : files_(files), folder_(std::move(folder)), now_(std::move(now)) {}
 
-  // Returns the page for the staff, or for a tutor without forms. `done` is the number of a
-  // decision that was just written, or 0; `said` is a sentence for the top of the page; `status` is
-  // that of the reply.
-  web::Reply page(Role reader, int done = 0, const std::string& said = "", int status = 200) const;
+  struct Shown {
+    int done = 0;           // the number of a decision that was just written; 0: none was
+    std::string said = {};  // a sentence for the top of the page
+    int status = 200;       // of the reply
+    Form given = {};        // what the forms already have: a form that was sent, or a leg
+  };
+
+  // Returns the page for the staff, or for a tutor without forms.
+  web::Reply page(Role reader, const Shown& shown) const;
+
+  // Returns the link to the page with forms that have this leg.
+  static std::string decision_path(const OwnLeg& leg);
 
   // Returns the page of a team's legs, which links to their replays with the thoughts of both
   // teams, and to the logs of the team. `legs` are those of the team.
-  web::Reply legs_of(const std::string& team, const std::vector<OwnLeg>& legs) const;
+  web::Reply legs_of(Role reader, const std::string& team, const std::vector<OwnLeg>& legs) const;
 
   // Performs the act of a form of the page.
   web::Reply act(const Form& form) const;

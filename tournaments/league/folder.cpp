@@ -6,6 +6,7 @@
 #include "system/file_lock.hpp"
 #include "system/locations.hpp"
 #include "system/number_of.hpp"
+#include "system/printable.hpp"
 #include "system/users.hpp"
 
 #include <nlohmann/json.hpp>
@@ -190,6 +191,23 @@ Result<void> write_pruned_nights(system::Files& files, const Folder& folder,
   if (nights.empty()) return files.remove(folder.pruned());
   const Json json{{"schema", pruned_schema}, {"nights", nights}};
   return files.write(folder.pruned(), record::json_text(json) + "\n");
+}
+
+Result<std::string> read_notice(system::Files& files, const Folder& folder) {
+  MIROCUP_TRY(const auto text,
+              files.read_if_there(folder.notice(), {.max_size = system::size_limit::note}));
+  std::string shown = text.value_or("");
+  std::erase(shown, '\r');
+  shown = system::printable(shown, system::LineEnds::kept);
+  return shown.substr(0, shown.find_last_not_of(" \t\n") + 1);
+}
+
+Result<void> write_notice(system::Files& files, const Folder& folder, const std::string& text) {
+  if (text.empty()) return files.remove(folder.notice());
+  if (text.size() > max_notice || system::printable(text, system::LineEnds::kept) != text)
+    return fail(Errc::input,
+                "a notice is text in UTF-8, of at most " + std::to_string(max_notice) + " bytes");
+  return files.write(folder.notice(), text + "\n");
 }
 
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file) {

@@ -22,6 +22,7 @@ struct Folder {
 
   std::string people() const { return path + "/teams.json"; }  // people.hpp
   std::string pruned() const { return path + "/pruned.json"; }
+  std::string notice() const { return path + "/notice.txt"; }
 
   // The programs that have played the league, one folder for each (play/program.hpp).
   std::string programs() const { return path + "/programs"; }
@@ -109,6 +110,12 @@ Result<void> expect_owner(const Folder& folder);
 Result<std::set<int>> read_pruned_nights(system::Files& files, const Folder& folder);
 Result<void> write_pruned_nights(system::Files& files, const Folder& folder,
                                  const std::set<int>& nights);
+
+// What the host tells everybody at the top of the front page; "": nothing. The file may be written
+// by hand. Errors of writing: Errc::input if the text is no UTF-8 or longer than max_notice.
+inline constexpr std::size_t max_notice = 1000;  // bytes
+Result<std::string> read_notice(system::Files& files, const Folder& folder);
+Result<void> write_notice(system::Files& files, const Folder& folder, const std::string& text);
 
 // Creates the folder with this league.json and with every team's library as its entry 1. A folder
 // that holds a league already is refused (Errc::input).

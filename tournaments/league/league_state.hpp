@@ -120,6 +120,9 @@ struct LeagueState {
   // The nights whose legs have no replay pages any more. Their records stay.
   std::set<int> pruned_nights;
 
+  // What the host tells everybody on the front page: lines of text; "": nothing.
+  std::string notice;
+
   // Numbers of the legs that the league needs by present results, and of those that are decided.
   int legs() const { return needed_; }
   int played() const { return decided_; }
@@ -140,6 +143,9 @@ struct LeagueState {
 
   // The same for the name of a team in league.json; a text that is none stays as it is.
   std::string shown_name_of(const std::string& team) const;
+
+  // The time from which no entry is taken, UTC; "": entries are taken as the format allows.
+  const std::string& frozen_from() const { return freeze ? *freeze : file.freeze; }
 
   // All fixtures before this index are decided.
   int first_open() const { return first_open_; }

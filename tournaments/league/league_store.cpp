@@ -44,6 +44,7 @@ Result<LeagueStore> LeagueStore::load(system::Files& files, Folder folder, std::
   state.shown_names = shown_names(state.file, people);
   state.shown_colours = shown_colours(state.file, people);
   MIROCUP_TRY(state.pruned_nights, read_pruned_nights(files, folder));
+  MIROCUP_TRY(state.notice, read_notice(files, folder));
   LeagueStore store(std::move(folder), std::move(journal), std::move(state), std::move(clock));
   store.applied_ = store.journal_.lines().size();
   return store;
@@ -92,6 +93,7 @@ Result<void> LeagueStore::rebuild() {
   state.shown_names = std::move(state_.shown_names);
   state.shown_colours = std::move(state_.shown_colours);
   state.pruned_nights = std::move(state_.pruned_nights);
+  state.notice = std::move(state_.notice);
   state_ = std::move(state);
   applied_ = journal_.lines().size();
   return {};

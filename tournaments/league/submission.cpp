@@ -72,12 +72,9 @@ std::string objection_to(const LeagueState& state, const std::string& team,
                          const std::string& now) {
   const bool takes_more = state.file.format.takes_entries();
   const auto known = state.find_team(team);
-  // A decision takes the place of what league.json says.
-  if (!state.freeze && !state.file.freeze.empty() && now >= state.file.freeze)
-    return "entries are frozen since " + shown_time(state.file, state.file.freeze);
   if (state.is_closed) return "the league is closed";
-  if (state.freeze && !state.freeze->empty() && now >= *state.freeze)
-    return "entries are frozen since " + shown_time(state.file, *state.freeze);
+  if (const std::string& frozen = state.frozen_from(); !frozen.empty() && now >= frozen)
+    return "entries are frozen since " + shown_time(state.file, frozen);
   if (state.is_started && !takes_more) return "entries are frozen: the league has started";
   if (known && state.teams[*known].status == TeamStatus::withdrawn) return team + " has withdrawn";
   if (known && state.file.teams[*known].is_firasim())

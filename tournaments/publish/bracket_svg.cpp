@@ -18,6 +18,7 @@ constexpr int box_height = 52;
 constexpr int column = 282;  // from one round to the next
 constexpr int row = 68;      // of the first round
 constexpr int margin = 8;
+constexpr int letter_width = 9;      // of a name, about
 constexpr int leg_width = 26;        // of the goals of a leg
 constexpr int shoot_out_width = 56;  // with the score of a shoot-out
 constexpr int head = 28;
@@ -47,7 +48,8 @@ class BracketPicture {
       if (f.fixture.part == Part::knockout) tie(f);
     }
     const std::string size = " width=\"" + std::to_string(width) + "\" height=\"" +
-                             std::to_string(height + margin) + "\"";
+                             std::to_string(height + margin) + "\" viewBox=\"0 0 " +
+                             std::to_string(width) + " " + std::to_string(height + margin) + "\"";
     return "<svg class=\"bracket\" xmlns=\"http://www.w3.org/2000/svg\"" + size + ">\n" + lines_ +
            boxes_ + "</svg>\n";
   }
@@ -74,8 +76,8 @@ class BracketPicture {
               "\"><rect x=\"" + std::to_string(at.x) + "\" y=\"" + std::to_string(at.y) +
               "\" width=\"" + std::to_string(box_width) + "\" height=\"" +
               std::to_string(box_height) + "\" rx=\"8\"/></a>\n";
-    team(f.fixture.home, o, {at.x, at.y + 21});
-    team(f.fixture.away, o, {at.x, at.y + 43});
+    team(f.fixture.home, o, {at.x, at.y + 21}, name_room(f));
+    team(f.fixture.away, o, {at.x, at.y + 43}, name_room(f));
     if (f.fixture.has_both()) goals(f, o, at);
     if (f.fixture.is_for_third_place()) text("round", {at.x, at.y - 6}, "Third place");
     for (const TeamSource& source : {f.fixture.home_source, f.fixture.away_source}) {
@@ -97,10 +99,31 @@ class BracketPicture {
     return team >= 0 && team == o.winner ? "won" : team >= 0 && team == o.loser ? "lost" : "open";
   }
 
-  void team(int team, const TieOutcome& o, Point at) {
-    std::string name = name_of(team);
-    if (name.size() > 20) name = name.substr(0, 19) + "…";
-    text(style_of(team, o), {at.x + 10, at.y}, name);
+  // The name, cut where the goals begin.
+  void team(int team, const TieOutcome& o, Point at, int room) {
+    const std::string name = name_of(team);
+    int left = room / letter_width;
+    std::size_t end = 0;
+    while (end < name.size() && left > 0) {
+      ++end;
+      while (end < name.size() && (name[end] & 0xC0) == 0x80) ++end;  // whole characters of UTF-8
+      --left;
+    }
+    text(style_of(team, o), {at.x + 10, at.y},
+         end < name.size() ? name.substr(0, end) + "…" : name);
+  }
+
+  // The width of the goals of a leg.
+  int leg_room(const LegView& leg) const {
+    return leg.facts != nullptr && leg.facts->shoot_out ? shoot_out_width : leg_width;
+  }
+
+  int name_room(const FixtureState& f) {
+    int room = box_width - 20;
+    for (const LegView* leg : legs_[f.fixture.id()]) {
+      if (leg->played != nullptr) room -= leg_room(*leg);
+    }
+    return room;
   }
 
   // A column for each leg, the last at the right edge; both numbers are one link to the replay.
@@ -111,14 +134,13 @@ class BracketPicture {
       const LegView& leg = *legs[i];
       if (leg.played == nullptr) continue;
       const auto& shoot_out = leg.facts == nullptr ? no_shoot_out_ : leg.facts->shoot_out;
-      const int leg_room = shoot_out ? shoot_out_width : leg_width;
       const bool has_page = !leg.page().empty();
       if (has_page) {
         boxes_ += "<a class=\"leg\" href=\"" + leg.page() + "\" aria-label=\"Leg " +
                   std::to_string(leg.leg) + ": " + std::to_string(leg.goals(leg.home)) + " to " +
                   std::to_string(leg.goals(leg.away)) + "\"><rect class=\"hit\" x=\"" +
-                  std::to_string(x + 4 - leg_room) + "\" y=\"" + std::to_string(at.y + 2) +
-                  "\" width=\"" + std::to_string(leg_room) + "\" height=\"" +
+                  std::to_string(x + 4 - leg_room(leg)) + "\" y=\"" + std::to_string(at.y + 2) +
+                  "\" width=\"" + std::to_string(leg_room(leg)) + "\" height=\"" +
                   std::to_string(box_height - 4) + "\"/>";
       }
       for (const bool is_home : {true, false}) {
@@ -130,7 +152,7 @@ class BracketPicture {
              number);
       }
       if (has_page) boxes_ += "</a>\n";
-      x -= leg_room;
+      x -= leg_room(leg);
     }
   }
 

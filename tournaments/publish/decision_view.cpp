@@ -29,12 +29,15 @@ struct DecisionWriter {
   }
 
   DecisionView operator()(const Withdrawn& e) const {
-    return signed_by(e, e.team + (e.results == WithdrawnResults::keep
-                                      ? " withdrawn, its results stay"
-                                      : " withdrawn, its results count for nothing"));
+    return signed_by(
+        e, state.shown_name_of(e.team) + (e.results == WithdrawnResults::keep
+                                              ? " withdrawn, its results stay"
+                                              : " withdrawn, its results count for nothing"));
   }
 
-  DecisionView operator()(const Paused& e) const { return signed_by(e, e.team + " paused"); }
+  DecisionView operator()(const Paused& e) const {
+    return signed_by(e, state.shown_name_of(e.team) + " paused");
+  }
 
   DecisionView operator()(const Frozen& e) const {
     return signed_by(e, e.from.empty()
@@ -58,7 +61,9 @@ struct DecisionWriter {
     return signed_by(e, "a decision is undone");
   }
 
-  DecisionView operator()(const Resumed& e) const { return signed_by(e, e.team + " plays on"); }
+  DecisionView operator()(const Resumed& e) const {
+    return signed_by(e, state.shown_name_of(e.team) + " plays on");
+  }
 
   template <class NoDecision>
   DecisionView operator()(const NoDecision&) const {
@@ -77,10 +82,10 @@ struct DecisionWriter {
   }
 };
 
-std::string undoing_in_words(const Event& by, int number) {
+std::string undoing_in_words(const LeagueState& state, const Event& by, int number) {
   const std::string which = " by " + std::to_string(number);
   if (const auto* left = std::get_if<Withdrawn>(&by))
-    return "covered" + which + ", " + left->team + " has withdrawn";
+    return "covered" + which + ", " + state.shown_name_of(left->team) + " has withdrawn";
   if (std::holds_alternative<Undone>(by)) return "undone" + which;
   return (std::holds_alternative<Resumed>(by) ? "ended" : "overruled") + which;
 }
@@ -95,7 +100,8 @@ std::vector<DecisionView> decision_views(const LeagueState& state) {
     if (!decision.what.empty()) view.what += " (" + decision.what + ")";
     if (decision.undone_by) {
       view.undone_by = static_cast<int>(*decision.undone_by) + 1;
-      view.undoing = undoing_in_words(state.decisions[*decision.undone_by].event, view.undone_by);
+      view.undoing =
+          undoing_in_words(state, state.decisions[*decision.undone_by].event, view.undone_by);
     }
     views.push_back(std::move(view));
   }

@@ -9,9 +9,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 namespace mirocup::league {
 
 namespace {
+
+// A longer list of fixtures is folded, so that the table stands first.
+constexpr std::size_t max_open_fixtures = 8;
 
 // A larger crosstable is of no use on a page; crosstable.json has all teams.
 constexpr std::size_t max_crosstable_teams = 64;
@@ -82,18 +87,6 @@ Json groups_values(const Overview& o) {
   return values;
 }
 
-// Returns who has won, and how sure that is; false before the league is over.
-Json champion_values(const Overview& o) {
-  if (!o.state.is_over() || o.table.size() < 2 || o.state.played() == 0) return false;
-  const TableRow& first = o.table[0];
-  const TableRow& second = o.table[1];
-  Json values = team_values(o, first.team, "");
-  values["why"] = reason_in_words(first, &second);
-  values["second"] = team_values(o, second.team, "");
-  values["legs_to_tell"] = legs_to_tell_in_words(o, first, &second);
-  return values;
-}
-
 // "4 fixtures, 12 goals", "1 of 8 legs played".
 std::string about(const RoundView& round) {
   if (round.fixtures.empty()) return "teams not known yet";
@@ -113,9 +106,18 @@ Json round_values(const Overview& o, const RoundView& round, const std::string& 
           {"fixtures", has_fixtures ? fixtures_values(o, round, root) : Json::array()}};
 }
 
+// A round that has a list of its own on the front page; `id` is that of its heading.
+Json shown_round(const Overview& o, const RoundView& round, const char* id, const char* when) {
+  Json values = round_values(o, round, "", true);
+  values["id"] = id;
+  values["when"] = when;
+  values["is_short"] = round.fixtures.size() <= max_open_fixtures;
+  return values;
+}
+
 Json last_round(const SiteContent& c) {
   for (std::size_t i = c.rounds.size(); i-- > 0;) {
-    if (c.rounds[i].decided > 0) return round_values(c.overview, c.rounds[i], "", true);
+    if (c.rounds[i].decided > 0) return shown_round(c.overview, c.rounds[i], "last", "last played");
   }
   return false;
 }
@@ -126,7 +128,7 @@ Json next_round(const SiteContent& c) {
     if (round.decided == round.legs) continue;
     RoundView open = round;
     std::erase_if(open.fixtures, [](const FixtureView& f) { return f.state->is_decided(); });
-    return round_values(c.overview, open, "", true);
+    return shown_round(c.overview, open, "next", "next");
   }
   return false;
 }
@@ -197,7 +199,9 @@ Json cell_values(const std::vector<const LegView*>& legs, int team, const std::s
 Json crosstable_values(const Overview& o, const std::string& root) {
   const std::size_t n = o.table.size();
   std::vector<std::vector<const LegView*>> met(n * n);
+  std::set<int> teams;  // those that meet nobody, as before their first night, have no row
   for (const LegView& leg : o.legs) {
+    teams.insert({leg.home, leg.away});
     met[static_cast<std::size_t>(leg.home) * n + leg.away].push_back(&leg);
     met[static_cast<std::size_t>(leg.away) * n + leg.home].push_back(&leg);
   }
@@ -205,11 +209,13 @@ Json crosstable_values(const Overview& o, const std::string& root) {
   Json rows = Json::array();
   bool has_sums = false;
   for (const TableRow& row : o.table) {
+    if (!teams.contains(row.team)) continue;
     Json team = team_values(o, row.team, root);
-    team["rank"] = heads.size() + 1;
+    team["rank"] = &row - o.table.data() + 1;
     heads.push_back(team);
     Json cells = Json::array();
     for (const TableRow& column : o.table) {
+      if (!teams.contains(column.team)) continue;
       if (column.team == row.team) {
         cells.push_back({{"scores", Json::array()}, {"result", "self"}});
         continue;
@@ -225,10 +231,25 @@ Json crosstable_values(const Overview& o, const std::string& root) {
 
 }  // namespace
 
+Json champion_values(const Overview& o) {
+  if (!o.state.is_over() || o.table.size() < 2 || o.state.played() == 0) return false;
+  const TableRow& first = o.table[0];
+  const TableRow& second = o.table[1];
+  Json values = team_values(o, first.team, "");
+  values["why"] = reason_in_words(first, &second);
+  values["second"] = team_values(o, second.team, "");
+  if (o.table.size() > 2) values["third"] = team_values(o, o.table[2].team, "");
+  values["legs_to_tell"] = legs_to_tell_in_words(o, first, &second);
+  return values;
+}
+
 std::string front_html(const SiteContent& c) {
   const Overview& o = c.overview;
   Json values = page_values(o, "", "");
   values["is_front"] = true;
+  values["notice"] = o.state.notice;
+  const std::string frozen = o.state.frozen_from();
+  values["frozen"] = frozen.empty() ? "" : shown_time(o.state.file, frozen);
   values["champion"] = champion_values(o);
   values["unpaired"] = unpaired_in_words(o.state);
   values["last"] = last_round(c);

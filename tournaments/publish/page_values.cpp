@@ -14,8 +14,8 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr double interval_width = 120.0;  // px
-constexpr double interval_margin = 5.0;   // px
+constexpr double interval_width = 90.0;  // px
+constexpr double interval_margin = 5.0;  // px
 
 std::string_view word_of(char letter) {
   return letter == 'W' ? "won" : letter == 'D' ? "drawn" : "lost";
@@ -44,19 +44,30 @@ std::string tenths(double value) {
          std::to_string(std::abs(std::lround(value * 10.0)) % 10);
 }
 
-// An interval and its middle on a scale from the lowest to the highest strength of all teams.
-std::string interval_picture(const Overview& o, const Strength& s) {
-  double low = 0.0;
-  double high = 0.0;
-  for (const Strength& other : o.ratings.strengths) {
-    low = std::min(low, other.low);
-    high = std::max(high, other.high);
+// Returns the bounds of all intervals. The outermost twentieth at each end sticks out, since a team
+// that is far from all others would make dots of their intervals.
+std::pair<double, double> scale_of(const Ratings& ratings) {
+  std::vector<double> lows, highs;
+  for (const Strength& s : ratings.strengths) {
+    lows.push_back(s.low);
+    highs.push_back(-s.high);
   }
-  const auto x = [&](double value) {
-    const double share = high > low ? (value - low) / (high - low) : 0.5;
+  const auto bound = [](std::vector<double>& ends) {
+    const auto at = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() / 20);
+    std::nth_element(ends.begin(), at, ends.end());
+    return std::min(0.0, *at);
+  };
+  return {bound(lows), -bound(highs)};
+}
+
+// An interval and its middle on the scale of all teams.
+std::string interval_picture(const Overview& o, const Strength& s) {
+  const auto [low, high] = scale_of(o.ratings);
+  const auto x = [low = low, high = high](double value) {
+    const double share = high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.5;
     return tenths(interval_margin + share * (interval_width - 2.0 * interval_margin));
   };
-  return "<svg class=\"interval\" width=\"120\" height=\"14\" aria-hidden=\"true\"><path d=\"M" +
+  return "<svg class=\"interval\" width=\"90\" height=\"14\" aria-hidden=\"true\"><path d=\"M" +
          x(0.0) + " 1V13\" class=\"mean\"/><path d=\"M" + x(s.low) + " 7H" + x(s.high) +
          "\"/><circle cx=\"" + x(s.value) + "\" cy=\"7\" r=\"3.5\"/></svg>";
 }

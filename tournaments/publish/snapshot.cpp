@@ -78,6 +78,7 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
   state.shown_names = whole.shown_names;
   state.shown_colours = whole.shown_colours;
   state.pruned_nights = whole.pruned_nights;
+  state.notice = whole.notice;
   const std::set<int> undone = undone_lines(journal, journal.lines().size());
   const bool is_nightly = whole.file.format.kind == FormatKind::nightly;
   bool has_last_begun = false;  // the last night; teams that join later are not in its pages

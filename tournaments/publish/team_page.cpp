@@ -146,6 +146,7 @@ std::string team_html(const SiteContent& c, int team) {
   values["rank"] = row - o.table.begin() + 1;
   values["teams"] = o.table.size();
   values["points"] = row->points;
+  values["reason"] = reason_in_words(*row, row + 1 == o.table.end() ? nullptr : &*(row + 1));
   values["strength"] = strength_values(o, team);
   values["is_paused"] = now.status == TeamStatus::paused;
   values["is_withdrawn"] = now.status == TeamStatus::withdrawn;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The show: announces each leg of a round, plays it from its record, shows each goal once more, and
-// then what it changes in the table; or two or four legs side by side. What is still to come is not in
+// then what it changes in the table or the bracket; or two or four legs side by side. What is still to come is not in
 // the page before its turn.
 import { FieldView } from '/page/field.js';
 import { element, minutes, words } from '/page/text.js';
@@ -69,7 +69,7 @@ function wait(seconds) {
 }
 
 function showOnly(id) {
-  for (const part of ['card', 'leg', 'standing']) by(part).hidden = part !== id;
+  for (const part of ['card', 'leg', 'standing', 'champion']) by(part).hidden = part !== id;
 }
 
 async function load(path) {
@@ -84,23 +84,27 @@ const parsed = (html) => new DOMParser().parseFromString(html, 'text/html').body
 async function loadStanding(legs) {
   const ranks = new Map([...by('standing').querySelectorAll('tr[data-name]')].map((row) => [row.dataset.name, +row.dataset.rank]));
   by('standing').replaceChildren(...parsed(await (await load(`/after/${legs}.html`)).text()).childNodes);
-  for (const row of by('standing').querySelectorAll('tr[data-name]')) {
+  const rows = by('standing').querySelectorAll('tr[data-name]');
+  by('standing').style.setProperty('--rows', rows.length + 1);  // so that all of them are on the projector
+  for (const row of rows) {
     const before = ranks.get(row.dataset.name);
     if (before > +row.dataset.rank) row.classList.add('up');
     if (before < +row.dataset.rank) row.classList.add('down');
   }
 }
 
-function placeOf(name) {
-  const row = [...by('standing').querySelectorAll('tr[data-name]')].find((one) => one.dataset.name === name);
-  return row ? `${name}: rank ${row.dataset.rank}, ${row.dataset.points} points` : name;
+// Where both teams are in the table; nothing in a knockout, which has none.
+function places(...names) {
+  const rows = [...by('standing').querySelectorAll('tr[data-name]')];
+  return names.map((name) => rows.find((row) => row.dataset.name === name)).filter((row) => row)
+    .map(({ dataset: { name, rank, points } }) => `${name}: rank ${rank}, ${points} points`).join(' · ');
 }
 
 function announce(heading, legs) {
   by('heading').textContent = heading;
   by('pairs').replaceChildren(...legs.flatMap((leg) => [
     element('p', 'pair', `${leg.blue} – ${leg.yellow}`),
-    element('p', 'places', `${placeOf(leg.blue)} · ${placeOf(leg.yellow)}`),
+    element('p', 'places', places(leg.blue, leg.yellow)),
   ]));
   by('pairs').dataset.pairs = legs.length;
   showOnly('card');
@@ -208,6 +212,7 @@ class LegPanel {
   showResult() {
     const { score, end, fault } = this.data.result;
     this.phase = 'over';
+    this.panel.classList.add('over');
     this.time = this.end;
     this.flag('');
     this.show(score);
@@ -242,6 +247,7 @@ async function playLegs(legs, number, count) {
   const panels = loaded.filter(({ status }) => status === 'fulfilled').map(({ value }) => value);
   if (panels.length > 0) await showPanels(panels);
   await loadStanding(last);
+  if (!legs.some((leg) => leg.has_standing)) return;
   showOnly('standing');
   await wait(tableSeconds);
 }
@@ -268,6 +274,8 @@ async function run() {
   }
   document.body.classList.add('over');
   by('title').textContent = `${programme.round} is over`;
+  by('champion').replaceChildren(...parsed(await (await load('/champion.html')).text()).childNodes);
+  if (by('champion').firstElementChild) showOnly('champion');
   const next = await (await load('/next.json')).json();
   if (next.length > 0) by('standing').append(element('p', '', `Next: ${next.join(', ')}`));
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Plays a knockout by GNU parallel as in docs/hosting.md and checks that its pages are byte-equal to those of a local run.
+# Plays a knockout by GNU parallel as in docs/hosting-computers.md and checks that its pages are byte-equal to those of a local run.
 # Usage: parallel.sh BUILD; exit 77 if there is no GNU parallel.
 set -euo pipefail
 build=$(realpath "$1")

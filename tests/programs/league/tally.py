@@ -4,8 +4,8 @@
 
 Usage: tests/programs/league/tally.py LEAGUE [GRADES.csv]
 
-Shares no code with the program. Says what was compared; exit code 1 and a line for each number that differs. A league in which a
-team has withdrawn is not for it.
+Shares no code with the program. Says what was compared; exit code 1 and a line for each number that differs. Legs that
+a team left open when it withdrew, which its opponents win, are not in the journal, so they count as differences.
 """
 import csv
 import json
@@ -25,6 +25,7 @@ class Tally:
         self.teams = [team["name"] for team in config["teams"]]
         self.legs_of_fixture = config["format"].get("legs", 2) if isinstance(config["format"], dict) else 2
         self.entries, self.legs, self.nights = {}, {}, 0
+        self.withdrawn = set()
         undone = {line["line"] for line in self.lines if line["kind"] == "undo"}
         for line in self.lines:
             self.take(line, line["n"] in undone)
@@ -47,6 +48,10 @@ class Tally:
             for entry in line["entries"] if kind == "night" else [line]:
                 self.entries[entry["team"]] = entry["entry"]
                 self.annul(entry["team"])
+        if kind == "withdraw" and not is_undone:
+            self.withdrawn.add(line["team"])
+            if line["results"] == "annul":
+                self.legs = {key: leg for key, leg in self.legs.items() if line["team"] not in (leg["home"], leg["away"])}
         if kind not in ("leg", "void", "ruling") or is_undone:
             return
         key = line["fixture"], line["leg"]
@@ -160,7 +165,7 @@ def compare_digests(folder, comparison, night=None):
         if night is not None and number != night:
             continue
         before, now = Tally(folder, begin), Tally(folder, end)
-        digests = {team: read(folder, f"nights/{number}/{team}.json") for team in now.entries}
+        digests = {team: read(folder, f"nights/{number}/{team}.json") for team in now.entries if team not in now.withdrawn}
         for team, told in digests.items():
             count += 1
             where = f"night {number}, {team}"
@@ -203,7 +208,8 @@ def compare_grades(folder, text, comparison):
         comparison.expect(f"grades, {row['team']}: interval", low < int(row["strength"]) < high, True)
         comparison.expect(f"grades, {row['team']}: house", row["house_beaten"].split(),
                           tally.house_beaten(folder, row["team"]))
-    shares = [tally.share(row["team"]) for row in rows]
+    # Teams that have withdrawn come last.
+    shares = [tally.share(row["team"]) if row["team"] not in tally.withdrawn else -2.0 for row in rows]
     comparison.expect("grades: order", shares, sorted(shares, reverse=True))
     comparison.expect("grades: teams", sorted(row["team"] for row in rows), sorted(tally.teams))
     return len(rows)

@@ -144,6 +144,14 @@ test('the staff sees what both teams drew, a team only what it drew itself', asy
   await page.click('a[href$=".html?team=beta"]');
   await page.waitForSelector('svg');
   assert.deepEqual(await whose(page), ['blue', 'yellow']);
+  // From the replay to the decision about its leg.
+  await page.click('text=Decide about this leg');
+  await page.waitForSelector('#rule-fixture');
+  assert.match(await page.inputValue('#rule-fixture'), /^r1-f1$/);
+  assert.equal(await page.inputValue('#void-leg'), /-(\d)-\d\.html/.exec(replay)[1]);
+  assert.ok(await page.locator('#rule-score').isVisible(), 'the form is open');
+  await page.goto(new URL(replay, server).href);
+  await page.waitForSelector('svg');
   assert.deepEqual(page.problems, []);
 
   await page.context().clearCookies();
@@ -173,6 +181,15 @@ test('the staff finds its forms on a phone, and gives a team its colour', async 
   await page.fill('#colour-colour', '#c03a2b');
   await Promise.all([page.waitForResponse((reply) => reply.request().method() === 'POST'), page.locator('#colour-colour').press('Enter')]);
   await page.waitForLoadState();
+  // The list of links leads to each part, and the class reads the notice.
+  for (const link of await page.locator('nav[aria-label="On this page"] a[href^="#"]').all())
+    assert.equal(await page.locator(await link.getAttribute('href')).count(), 1);
+  await page.fill('#text', 'Mind the <b>gap</b>\non Friday');
+  await Promise.all([page.waitForResponse((reply) => reply.request().method() === 'POST'), page.click('#notice button')]);
+  await page.waitForLoadState();
+  assert.equal(await page.inputValue('#text'), 'Mind the <b>gap</b>\non Friday');
+  await page.goto(place);
+  assert.equal(await page.textContent('.notice'), 'Mind the <b>gap</b>\non Friday');
   await page.goto(`${place}teams/beta.html`);
   assert.equal(await page.locator('h1 svg.mark circle').getAttribute('fill'), '#c03a2b');
   assert.deepEqual(page.problems, []);

@@ -12,6 +12,27 @@ const names = ['Lions', 'Rovers', 'a-name-of-forty-letters-that-never-ends_', 'O
 const title = '<b>Spring</b> & friends';
 let league;
 let cup;
+let nightly;
+const houses = ['striker', 'chaser', 'keeper', 'navigator'];
+
+// Plays a night of a class of thirty teams with names as long as they may be.
+function playNight() {
+  const place = join(folder, 'nightly');
+  const teams = Array.from({ length: 30 }, (_, i) => `team${i + 1}`);
+  writeFileSync(`${place}.json`, JSON.stringify({
+    schema: 'mirocup/league/1',
+    title,
+    format: { kind: 'nightly', opponents: 1 },
+    rules: { half_s: 1 },
+    teams: teams.map((team, i) => ({ name: team, entry: `house:${houses[i % 4]}` })),
+  }));
+  writeFileSync(`${place}.csv`, ['team,display', ...teams.map((team) => `${team},${`The Unstoppable Robots of ${team} ${'w'.repeat(60)}`.slice(0, 60)}`)].join('\n'));
+  run('league', 'init', place, '--config', `${place}.json`);
+  run('league', 'team', place, '--csv', `${place}.csv`);
+  writeFileSync(join(place, 'notice.txt'), 'No night on <b>Friday</b>\n');
+  run('league', 'nightly', place);
+  return place;
+}
 
 // Plays a league of house teams with halves of a second, and publishes it.
 function play(name, teams, format, half = 1) {
@@ -21,7 +42,7 @@ function play(name, teams, format, half = 1) {
     title,
     format: { kind: format },
     rules: { half_s: half },
-    teams: teams.map((team, i) => ({ name: team, entry: `house:${['striker', 'chaser', 'keeper', 'navigator'][i % 4]}` })),
+    teams: teams.map((team, i) => ({ name: team, entry: `house:${houses[i % 4]}` })),
   }));
   run('league', 'init', place, '--config', `${place}.json`);
   run('league', 'start', place);
@@ -37,6 +58,7 @@ before(() => {
   run('league', 'team', league, names[0], '--colour', '#c03a2b');
   run('league', 'team', league, names[1], '--colour', '#ffffff');
   run('league', 'publish', league);
+  nightly = playNight();
 });
 after(closeBrowser);
 
@@ -51,6 +73,30 @@ test('axe finds nothing, and nothing sticks out, at any width and in any scheme'
       assert.equal(await shown.evaluate(() => document.documentElement.scrollWidth > innerWidth), false, how);
       assert.deepEqual(shown.problems, [], how);
     });
+  }
+});
+
+// Catches ties of a night above the table, highlights below thirty rows of it where there is room beside them, a name or a list of
+// names that is wider than a phone, and paper whose first page has a heading only.
+test('a class reads its table on the first screen, and on the first page of paper', async () => {
+  for (const [width, height, media] of [[1280, 800, 'screen'], [390, 844, 'screen'], [718, 1047, 'print']]) {
+    const how = `${width} px, ${media}`;
+    const shown = await openPage(page(nightly, 'index.html'), { width, height });
+    await shown.emulateMedia({ media });
+    const seen = await shown.evaluate(() => {
+      const box = (where) => document.querySelector(where).getBoundingClientRect().toJSON();
+      const broken = [...document.querySelectorAll('main *')].filter((part) => getComputedStyle(part).breakInside !== 'auto');
+      return { row: box('#table tbody tr:nth-child(3)'), table: box('#table'), worth: box('#worth li'), overflow: document.documentElement.scrollWidth,
+        whole: Math.max(...broken.map((part) => part.getBoundingClientRect().height), 0), notice: document.querySelector('.notice').textContent };
+    });
+    assert.ok(seen.row.height > 0 && seen.row.bottom <= height, `${how}: the third row ends at ${seen.row.bottom}`);
+    assert.ok(seen.overflow <= width, `${how}: ${seen.overflow} px are wide`);
+    assert.ok(seen.whole <= height, `${how}: ${seen.whole} px must stay on one page`);
+    assert.equal(seen.notice, 'No night on <b>Friday</b>');
+    if (width === 1280) assert.ok(seen.worth.left >= seen.table.right && seen.worth.bottom <= height, 'worth watching is beside it');
+    else assert.ok(seen.worth.top >= seen.table.bottom);
+    assert.equal(await shown.locator('section[aria-labelledby=last] .fixtures').isVisible(), false, 'the night is folded');
+    await shown.close();
   }
 });
 

@@ -16,7 +16,7 @@ function showTeam(team) {
     row.classList.toggle('chosen', row.dataset.team === team);
   }
   if (team === '') return;
-  for (const round of document.querySelectorAll('details.round')) {
+  for (const round of document.querySelectorAll('details.round, details.fold')) {
     round.open = round.querySelector('li[data-home]:not([hidden])') !== null;
   }
 }

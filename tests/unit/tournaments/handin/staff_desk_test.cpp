@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 
 namespace mirocup::league {
 namespace {
@@ -59,6 +60,13 @@ class StaffPage : public testing::Test {
     return reply.value_or(web::Reply{.status = 404});
   }
 
+  // The page without its markup.
+  std::string text_of_page(const std::string& token, const std::string& done = "") {
+    return std::regex_replace(std::regex_replace(ask("GET", "/hand-in", token, "", done).bytes,
+                                                 std::regex("<[^>]*>"), ""),
+                              std::regex("\\s+"), " ");
+  }
+
   web::Reply act(const std::string& form) { return ask("POST", "/hand-in/staff", staff_, form); }
 
   std::vector<Decision> decisions() {
@@ -88,7 +96,7 @@ TEST_F(StaffPage, IsForTheStaffOnly) {
 TEST_F(StaffPage, ATutorReadsAndDecidesNothing) {
   const web::Reply page = ask("GET", "/hand-in", tutor_);
   EXPECT_EQ(page.status, 200);
-  EXPECT_NE(page.bytes.find("Not handed in: alpha, beta"), std::string::npos);
+  EXPECT_NE(text_of_page(tutor_).find("Not handed in: alpha · beta"), std::string::npos);
   EXPECT_EQ(page.bytes.find("/hand-in/staff"), std::string::npos) << page.bytes;
   EXPECT_NE(ask("GET", "/hand-in", staff_).bytes.find("/hand-in/staff"), std::string::npos);
   EXPECT_EQ(ask("GET", "/hand-in/grades.csv", tutor_).status, 200);
@@ -115,12 +123,40 @@ TEST_F(StaffPage, DecidesWithAReasonAndTakesBack) {
   const web::Reply page = ask("GET", "/hand-in", staff_, "", "1");
   EXPECT_NE(page.bytes.find("Decision 1 is written"), std::string::npos);
   EXPECT_NE(page.bytes.find("2026-11-30 19:00 CET (18:00 UTC)"), std::string::npos);
-  EXPECT_NE(page.bytes.find("Not handed in: alpha, beta"), std::string::npos);
+  EXPECT_NE(text_of_page(staff_).find("Not handed in: alpha · beta"), std::string::npos);
   EXPECT_EQ(act("act=undo&decision=1&reason=the+wrong+leg&go=do").status, 303);
   EXPECT_EQ(decisions()[0].undone_by, 1u);
   EXPECT_EQ(act("act=undo&decision=1&reason=again&go=do").status, 400);
   const auto state = LeagueStore::open(disk_, folder_).value().state();
   EXPECT_FALSE(state.fixtures[0].legs[0].played);
+}
+
+// Catches a form that a person has to fill in again after "Try", or after a mistake.
+TEST_F(StaffPage, KeepsWhatWasTyped) {
+  const std::string rule = "act=rule&fixture=" + fixture_ + "&leg=2&score=2%3A1&reason=";
+  for (const std::string& form : {rule + "it+was+valid&go=try", rule + "+-+&go=do"}) {
+    const std::string page = act(form).bytes;
+    EXPECT_NE(page.find("name=\"score\" value=\"2:1\""), std::string::npos) << form;
+    EXPECT_NE(page.find("<option value=\"2\" selected>"), std::string::npos) << form;
+    EXPECT_NE(page.find("id=\"void-fixture\" name=\"fixture\" value=\"\""), std::string::npos)
+        << "that form was not sent";
+  }
+}
+
+// Catches a notice that is markup, that is shown to nobody, or that a team may write; a schedule
+// that does not know what comes.
+TEST_F(StaffPage, TellsTheClassAndShowsWhatComes) {
+  EXPECT_EQ(ask("POST", "/hand-in/staff", alpha_, "act=notice&text=x").status, 403);
+  EXPECT_EQ(act("act=notice&text=No+%3Cb%3Enight%3C%2Fb%3E%0D%0Aon+Friday").status, 303);
+  EXPECT_EQ(LeagueStore::open(disk_, folder_).value().state().notice, "No <b>night</b>\non Friday");
+  EXPECT_NE(ask("GET", "/hand-in", staff_).bytes.find("No &lt;b&gt;night&lt;/b&gt;\non Friday<"),
+            std::string::npos);
+  EXPECT_EQ(act("act=notice&text=%00").status, 400);
+  EXPECT_EQ(act("act=notice&text=" + std::string(1001, 'x')).status, 400);
+  EXPECT_EQ(act("act=notice&text=").status, 303);
+  EXPECT_EQ(LeagueStore::open(disk_, folder_).value().state().notice, "");
+  EXPECT_NE(text_of_page(staff_).find("Round 1 0 of 2 legs are decided"), std::string::npos)
+      << text_of_page(staff_);
 }
 
 // Catches a page that leaves the staff to write the address of a replay by hand, one that promises
@@ -150,6 +186,9 @@ TEST_F(StaffPage, LinksToTheThoughtsOfEachTeam) {
   EXPECT_NE(page.find(link("one", "replay")), std::string::npos) << page;
   EXPECT_NE(page.find(link("two", "replay with thoughts")), std::string::npos) << page;
   EXPECT_NE(page.find("href=\"/api/v1/legs/two/log?team=alpha\""), std::string::npos) << page;
+  const std::string decide = "href=\"/hand-in?fixture=&amp;leg=1#decide\">decide<";
+  EXPECT_NE(page.find(decide), std::string::npos) << page;
+  EXPECT_EQ(legs_of("alpha", tutor_).bytes.find(decide), std::string::npos);
   EXPECT_NE(legs_of("beta", staff_).bytes.find("No leg of it is decided"), std::string::npos);
   EXPECT_EQ(legs_of("\"><script>", staff_).status, 404);
 }
