@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""nginx.py BUILD: Debian's nginx before a league at a Unix socket, with the configuration that docs/hosting.md shows.
+"""nginx.py BUILD: Debian's nginx before a league at a Unix socket, with the configuration that docs/hosting-server.md shows.
 
 Catches a line of that configuration which nginx does not know, a hand-in or a stream of events that does not come through, a viewer
 who passes for another, and a limit that does not hold. $MIROCUP_NGINX names the program if it lies elsewhere. Exit code 77: there is
@@ -35,7 +35,7 @@ def run(*words):
 
 
 def configuration(port):
-    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../docs/hosting.md")) as page:
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../docs/hosting-server.md")) as page:
         shown = re.search(r"\nnginx:\n```\n(.*?)```\n", page.read(), re.S).group(1)
     for there, here in [("listen 443 ssl", f"listen 0.0.0.0:{port} ssl"), ("/etc/ssl/league.pem", at["cert.pem"]),
                         ("/etc/ssl/league.key", at["key.pem"]), ("/run/mirocup/spring.sock", at["league.sock"])]:

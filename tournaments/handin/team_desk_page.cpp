@@ -83,8 +83,7 @@ void pin_cell(Html& html, const TeamDesk& desk, const Json& entry) {
 
 void entries_table(Html& html, const TeamDesk& desk) {
   html.open_table();
-  head(html,
-       {{"Entry"}, {"State"}, {""}, {"Answer", "mid"}, {"File", "mid"}, {"Handed in", "mid"}});
+  head(html, {{"Entry"}, {"State"}, {""}, {"Answer"}, {"File", "mid"}, {"Handed in", "mid"}});
   for (const Json& entry : desk.entries) {
     const std::string number = std::to_string(entry.value("entry", 0));
     const std::string state = text_in(entry, "state");
@@ -92,7 +91,7 @@ void entries_table(Html& html, const TeamDesk& desk) {
     html.link_cell("/hand-in/entries/" + number, number);
     html.cell_of(state, state);
     pin_cell(html, desk, entry);
-    html.cell_of("small words mid", answer_in_words(entry));
+    html.cell_of("small words", answer_in_words(entry));
     html.cell_of("file mid", text_in(entry, "file"));
     html.cell_of("mid", desk.time_in_words(text_in(entry, "handed_in")));
     html.close("tr");

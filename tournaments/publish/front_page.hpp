@@ -21,7 +21,7 @@ struct SiteContent {
   bool has_night = false;  // true: the site has night.html and feed.xml
 };
 
-// Returns who has won, the second, the third, and how sure that is; false before the league is over.
+// Returns the first three and how sure the first place is; false before the league is over.
 Json champion_values(const Overview& overview);
 
 std::string front_html(const SiteContent& content);
