@@ -79,21 +79,38 @@ Result<Json> verify(const std::string& text, const std::string& replay, bool is_
               {"found", to_hex(found)}};
 }
 
+void Game::start(const match::Setup& setup) {
+  field_ = std::make_unique<field::Field>(field::make_field(setup.league));
+  world_ = std::make_unique<simulator::World>(field_.get(), setup.parameters, setup.tolerances,
+                                              2 * field_->robots_per_team, true);
+  leg_ = std::make_unique<match::Leg>(setup, match::TickLogs::kept, *world_);
+}
+
 Result<void> Game::seat(const Json& teams) {
   for (const Team team : both_teams) {
+    const auto i = index_of(team);
     const std::string colour(to_string(team));
     const auto given = teams.find(colour);
     std::string name = given != teams.end() && given->is_string() ? given->get<std::string>() : "";
+    if (drivers_[i] && name == seated_[i]) continue;
     const bool is_recorded = name == "recorded" && past_ != nullptr;
     const mirocup_strategy* strategy = house_team(name);
     if (!is_recorded && !name.empty() && strategy == nullptr)
       return fail(Errc::input, "teams: " + colour + ": there is no house team \"" + name + "\"");
-    const auto i = index_of(team);
-    names_[i] = is_recorded ? past_->teams[i].name : name.empty() ? "by hand" : name;
+    const std::string shown = is_recorded ? past_->teams[i].name : name.empty() ? "by hand" : name;
+    names_[i] = !drivers_[i] || leg_->tick() == 0 ? shown : names_[i] + ", then " + shown;
+    seated_[i] = name;
     drivers_[i] = std::make_unique<Driver>(leg_->briefing(team), strategy,
                                            is_recorded ? &past_->recording : nullptr);
+    if (is_watched_) drivers_[i]->watch();
   }
   return {};
+}
+
+void Game::take(Team team, int robot, std::optional<simulator::WheelSpeeds> wheels) {
+  std::string& name = names_[index_of(team)];
+  if (wheels && name.find("by hand") == std::string::npos) name += " and by hand";
+  drivers_[index_of(team)]->take(robot, wheels);
 }
 
 Result<std::unique_ptr<Game>> Game::make(const Json& options) {
@@ -105,7 +122,7 @@ Result<std::unique_ptr<Game>> Game::make(const Json& options) {
     MIROCUP_TRY(setup, drills::setup_of(*game->drill_, setup.seed));
     teams["yellow"] = game->drill_->opponent;
   }
-  game->leg_ = std::make_unique<match::Leg>(setup);
+  game->start(setup);
   MIROCUP_TRY_VOID(game->seat(teams));
   if (game->drill_) game->judge_.emplace(*game->drill_, *game->leg_);
   return game;
@@ -117,7 +134,7 @@ Result<std::unique_ptr<Game>> Game::go_on(record::MatchRecord past, std::uint32_
   game->past_ = std::make_unique<record::MatchRecord>(std::move(past));
   const replay::Recording& recording = game->past_->recording;
   if (tick >= recording.ticks.size()) return fail(Errc::input, "the leg is over by then");
-  game->leg_ = std::make_unique<match::Leg>(recording.setup);
+  game->start(recording.setup);
   match::Leg& leg = *game->leg_;
   while (leg.tick() < tick) {
     const std::uint32_t now = leg.tick();
@@ -136,12 +153,19 @@ Result<std::unique_ptr<Game>> Game::go_on(record::MatchRecord past, std::uint32_
 
 int Game::play(int ticks) {
   int played = 0;
+  touches_.impacts.clear();
   for (; played < ticks && !is_over(); ++played) {
     leg_->advance(*drivers_[0], *drivers_[1]);
     trace_.add(*leg_);
     if (judge_) is_decided_ = !judge_->follow();
   }
   return played;
+}
+
+void Game::watch() {
+  is_watched_ = true;
+  world_->set_statistics(&touches_);
+  for (const auto& driver : drivers_) driver->watch();
 }
 
 void Game::stop() {
@@ -172,11 +196,59 @@ Json Game::situation() const {
   return record::to_json(record::Situation{leg_->setup().league, start});
 }
 
+Json Game::setup() const {
+  const match::Setup& setup = leg_->setup();
+  return {{"league", to_string(setup.league)},
+          {"rules", record::to_json(setup.rules)},
+          {"stage", to_string(setup.stage)},
+          {"seed", setup.seed},
+          {"conditions", record::to_json(setup.conditions)},
+          {"pitch", record::to_json(match::PitchSpec{.name = setup.pitch_name,
+                                                     .source = "",
+                                                     .parameters = setup.parameters,
+                                                     .control_period = setup.control_period,
+                                                     .conditions = {}})}};
+}
+
+// The referee's counts that may lead to a call (referee::PendingCounts), s.
+Json Game::counts() const {
+  const match::Snapshot now = leg_->snapshot();
+  Json counts{{"stalemate", now.stalemate_s}, {"advantage", now.advantage_s}};
+  for (const Team team : both_teams) {
+    const referee::TeamCounts& own = now.counts[index_of(team)];
+    counts[std::string(to_string(team))] = {{"two defenders in the goal area", own.two_defenders_s},
+                                            {"four defenders", own.four_defenders_s},
+                                            {"two attackers in the goal area", own.two_attackers_s},
+                                            {"ball held by the keeper", own.keeper_hold_s}};
+  }
+  return counts;
+}
+
+Json Game::contacts() const {
+  Json impacts = Json::array();
+  for (const simulator::Impact& impact : touches_.impacts) {
+    impacts.push_back(
+        {impact.point.x(), impact.point.y(), impact.normal.x(), impact.normal.y(), impact.impulse});
+  }
+  Json pressing = Json::array();
+  const std::size_t bodies = 2 * static_cast<std::size_t>(field_->robots_per_team) + 1;
+  for (std::size_t a = 0; a < bodies; ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      if (touches_.pressing[a][b] || touches_.pressing[b][a]) pressing.push_back({b, a});
+    }
+    for (std::size_t b = bodies; b < touches_.pressing[a].size(); ++b) {
+      if (touches_.pressing[a][b]) pressing.push_back({-1, a});
+    }
+  }
+  return {std::move(impacts), std::move(pressing)};
+}
+
 Json Game::status(std::size_t first) const {
   const match::Snapshot now = leg_->snapshot();
   Json decisions = Json::array();
   for (std::size_t i = first; i < leg_->decisions().size(); ++i)
     decisions.push_back(record::to_json(leg_->decisions()[i]));
+  Json contacts = this->contacts();
   Json status{{"tick", now.tick},
               {"time", now.time},
               {"clock", now.clock},
@@ -184,7 +256,10 @@ Json Game::status(std::size_t first) const {
               {"phase", to_string(now.phase)},
               {"left", to_string(now.left)},
               {"score", {{"blue", now.score[0]}, {"yellow", now.score[1]}}},
-              {"stalemate_s", now.stalemate_s},
+              {"keepers", {now.counts[0].keeper, now.counts[1].keeper}},
+              {"counts", counts()},
+              {"impacts", std::move(contacts[0])},
+              {"pressing", std::move(contacts[1])},
               {"over", is_over()},
               {"decisions", std::move(decisions)}};
   if (leg_->is_over()) status["result"] = record::to_json(leg_->outcome());

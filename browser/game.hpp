@@ -4,6 +4,7 @@
 #pragma once
 
 #include "browser/teams.hpp"
+#include "core/simulator/world.hpp"
 #include "record/drills/judge.hpp"
 #include "record/match_record.hpp"
 
@@ -38,22 +39,38 @@ class Game {
   static Result<std::unique_ptr<Game>> go_on(record::MatchRecord past, std::uint32_t tick,
                                              const Json& teams);
 
+  // Gives the robots to other teams from the next tick on: {"blue", "yellow"}, as above; a team
+  // that stays keeps its memory. Errors: Errc::input.
+  Result<void> seat(const Json& teams);
+
   // Plays at most so many ticks; stops when the leg or the drill's try is over. Returns those
   // played.
   int play(int ticks);
 
+  // Keeps impacts, pairs that press and thoughts from now on, which costs a quarter of the speed.
+  void watch();
+
   // Ends the leg, so that it has a record.
   void stop();
 
-  Driver& driver(Team team) { return *drivers_[index_of(team)]; }
+  // Drives a robot by hand, wheel speeds in rad/s; nothing: its team drives it again.
+  void take(Team team, int robot, std::optional<simulator::WheelSpeeds> wheels);
+
+  const Driver& driver(Team team) const { return *drivers_[index_of(team)]; }
   const match::Leg& leg() const { return *leg_; }
   bool is_over() const { return leg_->is_over() || is_decided_; }
 
   // The state after the last tick as a situation (docs/situations.md), which a leg can start from.
   Json situation() const;
 
-  // {tick, clock, state, phase, left, score, decisions, stalemate_s, drill}: what a page shows
-  // beside the bodies. `decisions` are those from number `first` on.
+  // Everything but the teams and the start, with the keys of make().
+  Json setup() const;
+
+  // {tick, clock, state, phase, left, score, decisions, counts, impacts, pressing, result, drill}:
+  // what a page shows beside the bodies. `decisions` are those from number `first` on. `impacts`:
+  // of the ticks last played, [x, y, x and y of the normal, N s]; `pressing`: pairs of bodies that
+  // push each other, blue's robots from 0 on, then yellow's, then the ball; -1 is a wall. These two
+  // are empty unless the leg is watched.
   Json status(std::size_t first) const;
 
   // The record of a leg that is over; its replay has the name leg.replay.zst.
@@ -61,17 +78,24 @@ class Game {
 
  private:
   Game() = default;
-  Result<void> seat(const Json& teams);
+  void start(const match::Setup& setup);
+  Json counts() const;
+  Json contacts() const;
 
   std::unique_ptr<record::MatchRecord> past_;
   std::optional<record::PlayedOnFrom> from_;
   std::optional<drills::Drill> drill_;
+  simulator::RunStatistics touches_;
+  std::unique_ptr<field::Field> field_;
+  std::unique_ptr<simulator::World> world_;  // of the leg, which records its impacts in touches_
   std::unique_ptr<match::Leg> leg_;
   std::array<std::unique_ptr<Driver>, 2> drivers_;
-  match::ByTeam<std::string> names_;
+  match::ByTeam<std::string> seated_;  // as seat() got them
+  match::ByTeam<std::string> names_;   // for the record
   std::optional<drills::Judge> judge_;
   replay::StateTrace trace_;
   bool is_decided_ = false;  // the drill's try
+  bool is_watched_ = false;
 };
 
 }  // namespace mirocup::browser

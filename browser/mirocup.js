@@ -41,28 +41,28 @@ export class Mirocup {
   // Verifies a record as `mirocup verify` does. `record`: its text; `replay`: bytes of its replay, unpacked; `isWhole`: false if
   // a digest is not right. Returns {reproduced, tick, what, ticks, state_hash, found}: `tick` is the first one that differs.
   verify(record, replay, isWhole = true, name = 'the record') {
-    return this.#with([record, replay, name], (text, bytes, path) =>
+    return this.with([record, replay, name], (text, bytes, path) =>
       this.answer(this.#m.verify(text, bytes, isWhole ? 1 : 0, path)));
   }
 
   // The SHA-256 of bytes or a text, in hexadecimal digits.
-  sha256(bytes) { return this.#with([bytes], (text) => this.text(this.#m.sha256(text))); }
+  sha256(bytes) { return this.with([bytes], (text) => this.text(this.#m.sha256(text))); }
 
   // Makes a leg. `options`: {league, rules, stage, seed, conditions, pitch, situation, drill, teams: {blue, yellow}}, as in
   // records; a team is the name of a house team, or '' for robots that stand until they are driven.
   leg(options) {
-    const made = this.#with([JSON.stringify(options)], (text) => this.answer(this.#m.leg_make(text)));
+    const made = this.with([JSON.stringify(options)], (text) => this.answer(this.#m.leg_make(text)));
     return new Leg(this, this.#m, made.leg);
   }
 
   // Plays a recorded leg up to `tick`, from where `teams` go on: a house team each, 'recorded', or ''.
   goOn(record, replay, tick, teams) {
-    const made = this.#with([record, replay, JSON.stringify(teams)], (text, bytes, names) =>
+    const made = this.with([record, replay, JSON.stringify(teams)], (text, bytes, names) =>
       this.answer(this.#m.leg_go_on(text, bytes, tick, names)));
     return new Leg(this, this.#m, made.leg);
   }
 
-  // For Leg: a text of the module becomes a string or bytes, and is freed.
+  // The rest is for Leg. A text of the module becomes a string or bytes, and is freed.
   bytes(text) {
     const bytes = new Uint8Array(this.#m.memory.buffer, this.#m.text_data(text), this.#m.text_size(text)).slice();
     this.#m.text_free(text);
@@ -84,7 +84,7 @@ export class Mirocup {
     return text;
   }
 
-  #with(values, act) {
+  with(values, act) {
     const texts = values.map((value) => this.give(value));
     try {
       return act(...texts);
@@ -106,6 +106,9 @@ export class Leg {
     this.#leg = leg;
   }
 
+  // Keeps impacts, pairs that press and thoughts from now on, for status() and thoughts(). It costs a quarter of the speed.
+  watch() { this.#m.leg_watch(this.#leg); }
+
   // Plays so many ticks, or until the leg or the try of its drill is over. Returns the number of ticks played.
   play(ticks = 1) { return this.#m.leg_play(this.#leg, ticks); }
 
@@ -113,11 +116,24 @@ export class Leg {
   drive(team, robot, left, right) { this.#m.leg_drive(this.#leg, teamNumber(team), robot, left, right, 1); }
   release(team, robot) { this.#m.leg_drive(this.#leg, teamNumber(team), robot, 0, 0, 0); }
 
-  // {tick, time, clock, state, phase, left, score, stalemate_s, over, decisions from number `first` on, result, drill}
+  // Gives the robots to other teams from the next tick on; a team whose name stays keeps its memory.
+  seat(teams) { this.#mirocup.with([JSON.stringify(teams)], (text) => this.#mirocup.answer(this.#m.leg_seat(this.#leg, text))); }
+
+  // The number of the next tick.
+  get tick() { return this.#m.leg_tick(this.#leg) >>> 0; }
+
+  // {tick, time, clock, state, phase, left, score, over, keepers, counts, impacts, pressing, decisions from number `first` on,
+  // result, drill}; browser/game.hpp describes them.
   status(first = 0) { return this.#mirocup.answer(this.#m.leg_status(this.#leg, first)); }
 
   // The bodies: [x, y of the ball, then x, y, heading of each of blue's robots and of yellow's].
   bodies() { return new Float64Array(this.#mirocup.bytes(this.#m.leg_bodies(this.#leg)).buffer); }
+
+  // What a team drew in its last tick, as lines of mirocup/thoughts/1; watch() comes before.
+  thoughts(team) { return this.#mirocup.text(this.#m.leg_thoughts(this.#leg, teamNumber(team))); }
+
+  // Everything but teams and start, with the keys that leg() takes.
+  setup() { return this.#mirocup.answer(this.#m.leg_setup(this.#leg)); }
 
   // The situation as the text of a file (docs/situations.md), from which a leg can start.
   situation() { return this.#mirocup.text(this.#m.leg_situation(this.#leg)); }
@@ -137,6 +153,116 @@ export class Leg {
   }
 
   free() { this.#m.leg_free(this.#leg); }
+}
+
+// A leg that is played by hand: it can go back, bodies can be moved, and it goes on after it was saved. `start`: {options}, as for
+// leg(), or {record, replay, tick, teams}, as for goOn(), with `substitutes` for recorded teams, which cannot play on from a
+// situation that never was. To go back, the leg is played again from its start with the same hands on the same robots, so teams
+// are as they were.
+export class Session {
+  #mirocup;
+  #parts = [];  // {start, first, last, teams, acts: [[tick, name, arguments]]}; moving a body begins a part
+  #held = null;  // {team, robot, left, right}
+
+  constructor(mirocup, start) {
+    this.#mirocup = mirocup;
+    this.#begin(start);
+  }
+
+  get #part() { return this.#parts[this.#parts.length - 1]; }
+  get teams() { return this.#part.teams; }
+
+  #make(start) {
+    const { options, record, replay, tick, teams } = start;
+    const leg = options ? this.#mirocup.leg(options) : this.#mirocup.goOn(record, replay, tick, teams);
+    leg.watch();
+    return leg;
+  }
+
+  #begin(start) {
+    const leg = this.#make(start);
+    this.leg?.free();
+    this.leg = leg;
+    this.#held = null;
+    this.#parts.push({ start, first: leg.tick, teams: (start.options ?? start).teams, acts: [] });
+  }
+
+  #act(name, ...values) {
+    this.leg[name](...values);
+    this.#part.acts.push([this.leg.tick, name, values]);
+    if (name === 'seat') [this.#part.teams] = values;
+  }
+
+  // Plays the last part again up to a tick. What was done at that tick has not been done.
+  #again(to) {
+    const part = this.#part;
+    const acts = part.acts.filter(([tick]) => tick < to);
+    this.leg.free();
+    this.leg = this.#make(part.start);
+    this.#held = null;
+    Object.assign(part, { acts: [], teams: (part.start.options ?? part.start).teams });
+    for (const [tick, name, values] of acts) {
+      this.leg.play(tick - this.leg.tick);
+      this.#act(name, ...values);
+      if (name !== 'seat') this.#held = name === 'drive' ? values : null;
+    }
+    this.leg.play(to - this.leg.tick);
+  }
+
+  // Drives one robot from the next tick on, `hand`: [team, robot, left, right], rad/s; null gives it back to its team.
+  hold(hand) {
+    if (String(hand) === String(this.#held)) return;
+    const isOther = this.#held && (!hand || hand[0] !== this.#held[0] || hand[1] !== this.#held[1]);
+    if (isOther) this.#act('release', this.#held[0], this.#held[1]);
+    if (hand) this.#act('drive', ...hand);
+    this.#held = hand;
+  }
+
+  // Gives the robots to other teams, {blue, yellow}.
+  seat(teams) {
+    this.hold(null);
+    this.#act('seat', teams);
+  }
+
+  play(ticks = 1) { return this.leg.play(ticks); }
+
+  // Goes back by so many ticks, and from the start of a part to the end of the part before. Returns false at the very beginning.
+  back(ticks = 1) {
+    const to = this.leg.tick - ticks;
+    if (to >= this.#part.first) {
+      this.#again(to);
+    } else if (this.#parts.length > 1) {
+      this.#parts.pop();
+      this.#again(this.#part.last);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  // Puts a robot, or without `team` the ball, somewhere at rest. Play is on from there.
+  move({ team, robot, x, y, heading }) {
+    const situation = JSON.parse(this.leg.situation());
+    if (team) situation[team][robot] = { ...situation[team][robot], pose: [x, y, heading], twist: [0, 0, 0], wheels: [0, 0] };
+    else situation.ball = { position: [x, y] };
+    situation.restart = null;
+    const teams = { ...this.teams };
+    for (const colour of ['blue', 'yellow']) {
+      if (teams[colour] === 'recorded') teams[colour] = this.#part.start.substitutes?.[colour] ?? '';
+    }
+    this.#part.last = this.leg.tick;
+    this.#begin({ options: { ...this.leg.setup(), situation, teams } });
+  }
+
+  // Leg.save(); the session goes on.
+  save(name) {
+    const tick = this.leg.tick;
+    const saved = this.leg.save(name);
+    this.#again(tick);
+    return saved;
+  }
+
+  free() { this.leg.free(); }
 }
 
 // Packs a replay as blocks of zstd that are not compressed (RFC 8878, section 3.1.1).

@@ -89,15 +89,34 @@ MIROCUP_EXPORT(leg_free) void leg_free(Game* game) {
 MIROCUP_EXPORT(leg_play) int leg_play(Game* game, int ticks) {
   return game->play(ticks);
 }
+MIROCUP_EXPORT(leg_watch) void leg_watch(Game* game) {
+  game->watch();
+}
 MIROCUP_EXPORT(leg_stop) void leg_stop(Game* game) {
   game->stop();
 }
 // Drives a robot by hand, rad/s; without `is_taken` its team drives it again.
 MIROCUP_EXPORT(leg_drive)
 void leg_drive(Game* game, int team, int robot, double left, double right, int is_taken) {
-  game->driver(both_teams[team])
-      .take(robot,
-            is_taken != 0 ? std::optional(simulator::WheelSpeeds{left, right}) : std::nullopt);
+  game->take(both_teams[team], robot,
+             is_taken != 0 ? std::optional(simulator::WheelSpeeds{left, right}) : std::nullopt);
+}
+// Game::seat(); answers {} or the error.
+MIROCUP_EXPORT(leg_seat) Text* leg_seat(Game* game, const Text* teams) {
+  const auto json = parsed(*teams);
+  if (!json) return answer(error_json(json.error()));
+  const auto seated = game->seat(*json);
+  return answer(seated ? Json::object() : error_json(seated.error()));
+}
+// What a team drew in its last tick, as lines of mirocup/thoughts/1.
+MIROCUP_EXPORT(leg_thoughts) Text* leg_thoughts(const Game* game, int team) {
+  return new Text(game->driver(both_teams[team]).thoughts());
+}
+MIROCUP_EXPORT(leg_setup) Text* leg_setup(const Game* game) {
+  return answer(game->setup());
+}
+MIROCUP_EXPORT(leg_tick) std::uint32_t leg_tick(const Game* game) {
+  return game->leg().tick();
 }
 MIROCUP_EXPORT(leg_hash) std::uint64_t leg_hash(const Game* game) {
   return game->leg().state_hash();

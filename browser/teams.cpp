@@ -4,6 +4,9 @@
 #include "core/replay/recorded.hpp"
 #include "plugins/abi/convert.hpp"
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <utility>
 
 extern "C" {
@@ -37,15 +40,6 @@ constexpr std::pair<std::string_view, Entry> entries[]{
     {"drill:crowd", mirocup_entry_drill_crowd},
     {"drill:keeper", mirocup_entry_drill_keeper}};
 
-void give_host(mirocup_setup& setup) {
-  setup.log = [](void*, const char*) {};
-  setup.parameter = [](void*, const char*, double fallback) { return fallback; };
-  setup.draw_line = [](void*, const char*, std::uint32_t, double, double, double, double) {};
-  setup.draw_circle = [](void*, const char*, std::uint32_t, double, double, double) {};
-  setup.draw_polygon = [](void*, const char*, std::uint32_t, const double*, std::int32_t) {};
-  setup.draw_text = [](void*, const char*, std::uint32_t, double, double, const char*) {};
-}
-
 }  // namespace
 
 const mirocup_strategy* house_team(std::string_view name) {
@@ -61,8 +55,44 @@ Driver::Driver(const match::Briefing& briefing, const mirocup_strategy* strategy
       strategy_(strategy),
       recording_(recording),
       setup_(abi::to_setup(briefing)) {
-  give_host(setup_);
+  give_host();
   if (strategy_ != nullptr) state_ = strategy_->create(&setup_);
+}
+
+template <match::ThoughtKind kind>
+void Driver::draw(void* driver, const char* layer, std::uint32_t colour,
+                  std::span<const double> numbers, std::string_view text) {
+  auto& self = *static_cast<Driver*>(driver);
+  if (!self.is_watched_ || !match::is_complete(kind, numbers.size()) || !match::is_finite(numbers))
+    return;
+  self.thoughts_ += self.line_.write(
+      self.now_.tick,
+      {.kind = kind, .colour = colour, .layer = layer, .numbers = numbers, .text = text});
+}
+
+void Driver::give_host() {
+  using match::ThoughtKind;
+  using Layer = const char*;
+  using Colour = std::uint32_t;
+  setup_.host = this;
+  setup_.log = [](void*, const char*) {};
+  setup_.parameter = [](void*, const char*, double fallback) { return fallback; };
+  setup_.draw_line = [](void* to, Layer layer, Colour colour, double x1, double y1, double x2,
+                        double y2) {
+    draw<ThoughtKind::line>(to, layer, colour, std::array{x1, y1, x2, y2});
+  };
+  setup_.draw_circle = [](void* to, Layer layer, Colour colour, double x, double y, double r) {
+    draw<ThoughtKind::circle>(to, layer, colour, std::array{x, y, r});
+  };
+  setup_.draw_polygon = [](void* to, Layer layer, Colour colour, const double* points,
+                           std::int32_t corners) {
+    draw<ThoughtKind::polygon>(to, layer, colour,
+                               {points, 2 * static_cast<std::size_t>(std::max(corners, 0))});
+  };
+  setup_.draw_text = [](void* to, Layer layer, Colour colour, double x, double y,
+                        const char* text) {
+    draw<ThoughtKind::text>(to, layer, colour, std::array{x, y}, text);
+  };
 }
 
 Driver::~Driver() {
@@ -71,6 +101,7 @@ Driver::~Driver() {
 
 void Driver::post(const match::Observation& observation) {
   now_ = abi::to_observation(observation);
+  thoughts_.clear();
 }
 
 match::Command Driver::own_command() {

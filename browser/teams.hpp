@@ -7,9 +7,13 @@
 #include "core/match/controller.hpp"
 #include "core/replay/recording.hpp"
 #include "mirocup/strategy.h"
+#include "record/thought_line.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace mirocup::browser {
@@ -34,7 +38,15 @@ class Driver final : public match::Controller {
   // Wheel speeds of a robot, rad/s, in the place of the team's; nothing: the team's again.
   void take(int robot, std::optional<simulator::WheelSpeeds> wheels) { by_hand_[robot] = wheels; }
 
+  // What the team drew in its last tick, as lines of mirocup/thoughts/1; "" unless it is watched.
+  const std::string& thoughts() const { return thoughts_; }
+  void watch() { is_watched_ = true; }
+
  private:
+  template <match::ThoughtKind kind>
+  static void draw(void* driver, const char* layer, std::uint32_t colour,
+                   std::span<const double> numbers, std::string_view text = {});
+  void give_host();
   match::Command own_command();
 
   Team team_;
@@ -44,6 +56,9 @@ class Driver final : public match::Controller {
   mirocup_observation now_{};
   void* state_ = nullptr;
   std::array<std::optional<simulator::WheelSpeeds>, max_robots_per_team> by_hand_;
+  record::ThoughtLine line_;
+  std::string thoughts_;
+  bool is_watched_ = false;
 };
 
 }  // namespace mirocup::browser

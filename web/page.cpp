@@ -4,12 +4,11 @@
 #include "record/json_reader.hpp"
 #include "record/replay_file.hpp"
 #include "record/statistics/counter.hpp"
-#include "system/digest.hpp"
 #include "web/assets.hpp"
 #include "web/design/template.hpp"
-#include "web/markings.hpp"
 #include "web/packed_text.hpp"
 #include "web/page_json.hpp"
+#include "web/page_parts.hpp"
 #include "web/picture.hpp"
 
 #include <nlohmann/json.hpp>
@@ -23,37 +22,10 @@ namespace mirocup::web {
 namespace {
 
 // The modules of the page, each behind those that it imports.
-constexpr std::array<std::string_view, 16> modules{
+constexpr std::array<std::string_view, 17> modules{
     "text.js", "track.js", "field.js",     "actions.js",    "layers.js",   "player.js",
     "reel.js", "calls.js", "situation.js", "statistics.js", "momentum.js", "thoughts.js",
-    "clip.js", "live.js",  "proof.js",     "main.js"};
-
-// All modules as one script, without import and export: a page that is opened from disk cannot
-// import. No two modules use the same global name.
-std::string script() {
-  std::string all;
-  for (const std::string_view name : modules) {
-    std::string_view rest = asset(name);
-    while (!rest.empty()) {
-      const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
-      std::string_view line = rest.substr(0, end);
-      rest.remove_prefix(end);
-      if (line.starts_with("import ")) continue;
-      if (line.starts_with("export ")) line.remove_prefix(7);
-      all += line;
-    }
-  }
-  return all;
-}
-
-// Returns JSON text for a <script> element; no part of the text can close the element.
-std::string embedded(const Json& json) {
-  std::string text;
-  for (const char c : record::json_text(json)) {
-    c == '<' ? text += "\\u003c" : text += c;
-  }
-  return text;
-}
+    "clip.js", "live.js",  "proof.js",     "play.js",       "main.js"};
 
 // "KICK_OFF" -> "Kick off", as page/text.js has it.
 std::string words(const std::string& name) {
@@ -108,33 +80,20 @@ Json calls_as_text(const Json& decisions, const match::ByTeam<std::string>& name
   return calls;
 }
 
-Json zones_json(const field::Field& field) {
-  const Markings marks = markings(field);
-  return {{"left", marks.zones[index_of(End::left)]}, {"right", marks.zones[index_of(End::right)]}};
-}
-
 std::string field_picture(const match::Leg& leg) {
   return picture(leg.field(), leg.setup().parameters, {leg.snapshot(), {}});
 }
 
-// Nothing is loaded from elsewhere, and no code runs but this script and, in a worker, the module.
-std::string policy_of(const std::string& code, bool has_proof) {
-  std::string policy =
-      "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src 'sha256-" +
-      system::sha256_base64(code) + "'";
-  return has_proof ? policy + " 'wasm-unsafe-eval'; worker-src blob:" : policy;
-}
-
 std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
                  const Json& data, const std::string& proof = "") {
-  const std::string code = script();
+  const std::string code = page_script(modules);
   Json values{{"title", names[0] + " – " + names[1]},
               {"blue", names[0]},
               {"yellow", names[1]},
-              {"policy", policy_of(code, !proof.empty())},
+              {"policy", page_policy(code, !proof.empty())},
               {"has_proof", !proof.empty()},
               {"proof", proof},
-              {"style", std::string(design_file("design.css")) + std::string(asset("page.css"))},
+              {"style", page_style()},
               {"picture", field_picture(first_moment)},
               {"data", embedded(data)},
               {"script", code},
@@ -223,10 +182,6 @@ void add_own(Json& data, const record::OwnTexts& own) {
     if (!thoughts.empty()) data["own"][name]["thoughts"] = packed_text(thoughts);
     if (!log.empty()) data["own"][name]["log"] = log;
   }
-}
-
-Json module_json(const BrowserModule& module) {
-  return {{"script", packed_text(module.script)}, {"wasm", packed_text(module.wasm)}};
 }
 
 // The record without what a simulation does not need, and its commands and hashes.

@@ -8,6 +8,7 @@
 #include "record/match_record.hpp"
 #include "record/own_texts.hpp"
 #include "record/statistics/statistics.hpp"
+#include "web/page_parts.hpp"
 
 #include <optional>
 #include <string>
@@ -30,12 +31,6 @@ std::optional<record::Json> data_of_page(std::string_view html);
 
 // Returns the first moment of the leg as an SVG element, whose bodies page/field.js moves.
 std::string first_picture(const record::MatchRecord& record);
-
-// The module with which a page simulates its leg again in a visitor's browser: browser/.
-struct BrowserModule {
-  std::string script;  // mirocup.js
-  std::string wasm;    // mirocup.wasm
-};
 
 struct ReplayPage {
   std::string html;

@@ -3,6 +3,7 @@
 
 #include "record/json_reader.hpp"
 #include "record/match_record.hpp"
+#include "system/locations.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/former_pages.hpp"
@@ -11,6 +12,7 @@
 #include "tournaments/publish/release.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
+#include "web/playground.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +21,14 @@
 #include <vector>
 
 namespace mirocup::league {
+
+std::function<std::string()> playground_maker(system::Files& files) {
+  if (!files.exists(system::browser_folder() + "/mirocup.wasm")) return nullptr;
+  return [&files] {
+    auto page = web::playground_page(files);
+    return page && *page ? std::move(**page) : std::string();
+  };
+}
 
 // In formats in which a night is no round, what is held back of a night would show in the news.
 Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store) {
@@ -47,7 +57,8 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
                    .reports = kept_statistics(files, folder, shown),
                    .facts = read_facts(files, folder, shown),
                    .night = news.night,
-                   .feed = news.feed});
+                   .feed = news.feed,
+                   .playground = playground_maker(files)});
   const std::vector<std::string> names = site.names();
   for (const std::string& name : names) {
     if (auto written = files.write(folder.site() + "/" + name, *site.file(name)); !written)

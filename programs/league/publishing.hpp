@@ -7,6 +7,7 @@
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/night.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -21,6 +22,10 @@ struct NightNews {
 // Returns the news for the pages that show `shown`, which is all of the league or what is released
 // of it.
 Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store);
+
+// Returns what makes the page in which visitors play by hand; null if its module was not built.
+// `files` outlives it.
+std::function<std::string()> playground_maker(system::Files& files);
 
 // Writes the pages of a state to the folder's site/; `jobs` replay pages are made at once (0: one
 // for each processor).

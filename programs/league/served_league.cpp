@@ -181,7 +181,8 @@ void ServedLeague::begin_pages() {
                                             .reports = std::move(reports),
                                             .facts = facts_,
                                             .night = std::move(news.night),
-                                            .feed = std::move(news.feed)});
+                                            .feed = std::move(news.feed),
+                                            .playground = playground_maker(files_)});
   records_.clear();
   for (const FixtureState& f : site_->state().fixtures) {
     for (int leg = 1; leg <= max_legs; ++leg) {
@@ -207,7 +208,7 @@ const web::Page* ServedLeague::page_of_site(const std::string& path) {
   auto bytes = site_->file(name);
   if (!bytes) return nullptr;
   const std::string type = type_of(name);
-  const bool is_html = type.starts_with("text/html");
+  const bool is_html = type.starts_with("text/html") && name != playground_name;
   return &(pages_[path] = {type, is_html ? policy : "",
                            is_html ? with_script(std::move(*bytes), takes_hand_ins_) : *bytes});
 }

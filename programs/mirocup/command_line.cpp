@@ -53,6 +53,7 @@ std::variant<system::Run, int> read_command_line(int argc, char** argv) {
   add_verify(commands);
   add_rerun(commands);
   add_replay(commands);
+  add_playground(commands);
   add_stats(commands);
   commands.add_other(
       {"league",

@@ -30,6 +30,7 @@ void add_verify(system::Commands& commands);
 void add_rerun(system::Commands& commands);
 void add_replay(system::Commands& commands);
 void add_stats(system::Commands& commands);
+void add_playground(system::Commands& commands);
 void add_record_as_seen(system::Commands& commands);
 void add_identify(system::Commands& commands);
 void add_validate(system::Commands& commands);

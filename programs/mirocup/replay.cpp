@@ -5,7 +5,6 @@
 #include "programs/mirocup/clip.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "record/statistics/statistics_json.hpp"
-#include "system/locations.hpp"
 #include "system/printable.hpp"
 #include "web/page.hpp"
 #include "web/picture.hpp"
@@ -103,18 +102,6 @@ bool open_in_browser(const std::string& path) {
   return failed == 0;
 }
 
-// Returns the module for browsers, or nothing if it was not built.
-Result<std::optional<web::BrowserModule>> browser_module(system::Disk& disk) {
-  const std::string folder = system::browser_folder();
-  const auto read = [&disk, &folder](const char* name) {
-    return disk.read_if_there(folder + name, {.max_size = system::size_limit::page});
-  };
-  MIROCUP_TRY(auto script, read("/mirocup.js"));
-  MIROCUP_TRY(auto wasm, read("/mirocup.wasm"));
-  if (!script || !wasm) return std::nullopt;
-  return web::BrowserModule{std::move(*script), std::move(*wasm)};
-}
-
 // Says on standard error what a proof needs or takes.
 void tell_of_proof(const web::ReplayPage& page) {
   if (page.proof_size > 0) {
@@ -148,7 +135,7 @@ Result<int> run_replay(const ReplayOptions& options) {
   std::optional<web::BrowserModule> module;
   const bool has_proof = !options.svg && !options.no_proof && !options.public_page;
   if (has_proof) {
-    MIROCUP_TRY(module, browser_module(disk));
+    MIROCUP_TRY(module, web::browser_module(disk));
   }
   web::ReplayPage shown;
   const auto made =

@@ -273,6 +273,7 @@ std::string front_html(const SiteContent& c) {
       teams > max_front_crosstable_teams && teams <= max_crosstable_teams;
   values["decisions"] = decisions_values(o.state);
   values["night"] = c.has_night;
+  if (c.has_playground) values["playground"] = playground_name;
   return filled_page("index.html", values);
 }
 

@@ -19,6 +19,7 @@ struct SiteContent {
   std::vector<RoundView> rounds;
   StrengthHistory history;
   bool has_night = false;  // true: the site has night.html and feed.xml
+  bool has_playground = false;
 };
 
 // Returns the first three and how sure the first place is; false before the league is over.

@@ -48,7 +48,8 @@ std::string table_text(const LeagueState& state, bool is_for_public) {
 Site::Site(SiteSource source)
     : source_(std::move(source)),
       overview_(league::overview(source_.state, source_.facts)),
-      content_{overview_, source_.reports, rounds_of(overview_), {}, source_.night.has_value()},
+      content_{overview_, source_.reports,           rounds_of(overview_),
+               {},        source_.night.has_value(), source_.playground != nullptr},
       makers_(makers()) {
   content_.history = strength_history(overview_, content_.rounds);
 }
@@ -58,6 +59,7 @@ FileMakers Site::makers() {
   files.merge(statistics_exports(source_.reports));
   if (source_.night) files.merge(night_pages(overview_, *source_.night));
   if (!source_.feed.empty()) files["feed.xml"] = [this] { return source_.feed; };
+  if (source_.playground) files[playground_name] = source_.playground;
   files["index.html"] = [this] { return front_html(content_); };
   files["style.css"] = [] {
     return std::string(web::design_file("design.css")) + std::string(page_file("site.css"));

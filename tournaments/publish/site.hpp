@@ -16,6 +16,7 @@
 #include "tournaments/publish/night.hpp"
 #include "tournaments/publish/site_file.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,10 +26,11 @@ namespace mirocup::league {
 // The data from which a site is made.
 struct SiteSource {
   LeagueState state;
-  LegReports reports = {};          // of the played legs; without them pages say less
-  FactsOfLegs facts = {};           // likewise
-  std::optional<Night> night = {};  // adds night.html and digests/
-  std::string feed = {};            // feed.xml, if not ""
+  LegReports reports = {};                       // of the played legs; without them pages say less
+  FactsOfLegs facts = {};                        // likewise
+  std::optional<Night> night = {};               // adds night.html and digests/
+  std::string feed = {};                         // feed.xml, if not ""
+  std::function<std::string()> playground = {};  // makes playground.html; null: there is none
 };
 
 // Makes each file when it is asked for. Threads: any number at a time.

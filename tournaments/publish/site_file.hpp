@@ -14,6 +14,9 @@ struct SiteFile {
   std::string bytes;
 };
 
+// The page in which visitors play by hand. It has a policy of its own.
+inline constexpr const char* playground_name = "playground.html";
+
 // Functions that return the bytes of files, by their names inside site/. Most pages of a large
 // league are seldom read, so a server makes a page only when it is asked for. The functions refer
 // to the data from which they were made.

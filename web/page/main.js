@@ -8,12 +8,13 @@ import { Layers } from './layers.js';
 import { listen } from './live.js';
 import { momentum, MomentumView } from './momentum.js';
 import { Player } from './player.js';
+import { houseTeams, Play } from './play.js';
 import { offerProof } from './proof.js';
 import { Reel } from './reel.js';
 import { commandAt, download, situationAt } from './situation.js';
 import { heatOf, showHeat, showStatistics } from './statistics.js';
 import { element, minutes, words } from './text.js';
-import { ThoughtsView } from './thoughts.js';
+import { ThoughtsView, unpackBytes, unpackText } from './thoughts.js';
 import { Track, unpack } from './track.js';
 
 const by = (id) => document.getElementById(id);
@@ -33,6 +34,7 @@ const curve = new MomentumView(by('momentum'), (share) =>
   player.seek((track.firstTick + share * (track.lastTick - track.firstTick)) * leg.period));
 let result = null;
 let thoughts = null;  // of a replay that has any
+const play = by('hand') ? new Play(() => ({ svg: picture, field, layers }), showEnds) : null;
 
 // Where a tick is between the ends of the leg, 0 to 1.
 const shareOf = (tick) => (tick - track.firstTick) / Math.max(track.lastTick - track.firstTick, 1);
@@ -44,13 +46,14 @@ function momentAt(tick) {
 }
 
 function keepersAt(tick) {
+  if (play?.isOn) return play.keepers;
   let i = keepers.length - 1;
   while (i > 0 && keepers[i][0] > tick) --i;
   return keepers[i]?.slice(1) ?? [-1, -1];
 }
 
 function show() {
-  if (track.isEmpty) return;
+  if (track.isEmpty || play?.isOn) return;
   const tick = shownTick();
   const moment = momentAt(tick);
   const scene = field.show(track, player.time, moment.left);
@@ -172,9 +175,34 @@ async function copyLink() {
   setTimeout(() => { by('link').textContent = 'Link'; }, 1500);
 }
 
-// Shows the command that plays on from the shown moment, and copies it.
+// Plays on in this page, from the shown moment, or goes back to the replay.
+async function playHere() {
+  if (play.isOn) {
+    play.end();
+  } else {
+    const { module, record, replay } = JSON.parse(by('proof').textContent);
+    const houseTeam = (name) => (houseTeams.includes(name) ? name : 'striker');
+    await play.begin(module, {
+      record: await unpackText(record), replay: await unpackBytes(replay), tick: Math.min(shownTick(), track.lastTick - 1),
+      teams: { blue: 'recorded', yellow: 'recorded' }, substitutes: { blue: houseTeam(names.blue), yellow: houseTeam(names.yellow) },
+    });
+  }
+  document.querySelector('.stage').classList.toggle('by_hand', play.isOn);
+  pressed('play-on', play.isOn);
+  by('play-on').textContent = play.isOn ? 'Back to the replay' : 'Play on';
+  by('banner').hidden = true;
+  player.changed();
+}
+
+// Shows the command that plays on from the shown moment, and copies it; with the module, the page plays on, too. Again: back.
 async function playOn() {
   const command = by('command');
+  if (play?.isOn) {
+    command.hidden = true;
+    await playHere();
+    return;
+  }
+  player.isPlaying = player.isPlaying && !play;
   command.textContent = commandAt(shownTick(), leg.teams);
   command.hidden = false;
   try {
@@ -183,7 +211,9 @@ async function playOn() {
   } catch {
     by('play-on').textContent = 'Below';
   }
-  setTimeout(() => { by('play-on').textContent = 'Play on'; }, 1500);
+  const name = () => { by('play-on').textContent = play?.isOn ? 'Back to the replay' : 'Play on'; };
+  setTimeout(name, 1500);
+  if (play) await playHere().catch((error) => { command.textContent = `It cannot be played on here: ${error.message}.`; });
 }
 
 function saveSituation() {
@@ -286,6 +316,7 @@ const keys = {
 };
 
 function onKey(event) {
+  if (play?.isOn && event.key !== 'p') return;
   const isChoice = event.target.tagName === 'SELECT';
   const isPress = event.key === ' ' && ['BUTTON', 'INPUT', 'A'].includes(event.target.tagName) && event.target.id !== 'scrub';
   const action = leg.live && 'ps'.includes(event.key) ? undefined : keys[event.key];

@@ -18,7 +18,7 @@ onmessage = async ({ data }) => {
 };`;
 
 // Starts a worker with the module's script and `code` behind it.
-async function startWorker(module, code) {
+export async function startWorker(module, code) {
   const script = (await unpackText(module.script)).replace(/^export /gm, '');
   const address = URL.createObjectURL(new Blob([script, code], { type: 'text/javascript' }));
   const worker = new Worker(address);

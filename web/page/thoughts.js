@@ -59,7 +59,7 @@ export class Thoughts {
 }
 
 // Draws shapes on a canvas that lies over the picture of the field.
-class ThoughtsCanvas {
+export class ThoughtsCanvas {
   constructor(svg) {
     this.svg = svg;
     this.canvas = element('canvas', 'thoughts');

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// The playground: legs by house teams and by hand, without a server.
+import { FieldView } from './field.js';
+import { Layers } from './layers.js';
+import { Play } from './play.js';
+
+const by = (id) => document.getElementById(id);
+const given = JSON.parse(by('playground').textContent);  // {module, leagues: {small: {robots, zones}…}, drills: {NAME: drill}}
+const views = {};
+let file = null;  // the JSON of a situation or a drill
+
+function viewOf(league) {
+  for (const name of Object.keys(given.leagues)) by(`pitch_${name}`).hidden = name !== league;
+  if (!views[league]) {
+    const svg = document.querySelector(`#pitch_${league} .field`);
+    const { robots, zones } = given.leagues[league];
+    views[league] = { svg, field: new FieldView(svg), layers: new Layers(svg, robots, zones, () => play.keepers) };
+  }
+  for (const name of ['trails', 'velocities', 'zones', 'keepers']) views[league].layers.set(name, by(name).checked);
+  return views[league];
+}
+
+const play = new Play(viewOf, (left) => {
+  const names = { blue: play.teams.blue || 'by hand', yellow: play.teams.yellow || 'by hand' };
+  for (const [end, team] of [['left', left], ['right', left === 'blue' ? 'yellow' : 'blue']]) {
+    const place = document.querySelector(`.end.${end}`);
+    place.className = `end ${end} ${team}`;
+    place.textContent = names[team];
+    by(`${team}_name`).textContent = names[team];
+  }
+});
+
+function optionsOf(teams) {
+  const common = { seed: Number(by('seed').value), teams };
+  const drill = file?.schema === 'mirocup/drill/1' ? file : given.drills[by('start').value];
+  by('teaches').textContent = drill ? `${drill.title}. ${drill.teaches ?? ''} You are blue, and have ${drill.seconds} s.` : '';
+  if (drill) return { ...common, drill: JSON.stringify(drill) };
+  const options = {
+    ...common, league: file?.league ?? by('league').value, conditions: by('conditions').value, pitch: by('pitch').value,
+    rules: { preset: by('rules').value, half_s: Number(by('half').value) },
+  };
+  return file ? { ...options, situation: file } : options;
+}
+
+const teamOf = (colour, first) => (by(`hand_${colour}`).length === 0 ? first : by(`hand_${colour}`).value);
+
+async function start() {
+  by('hand_told').textContent = '';
+  const teams = { blue: teamOf('blue', 'striker'), yellow: teamOf('yellow', 'tactician') };
+  if (teams.yellow.startsWith('drill:')) teams.yellow = 'tactician';
+  await play.begin(given.module, { options: optionsOf(teams) });
+}
+
+async function openFile() {
+  const [chosen] = by('file').files;
+  try {
+    file = chosen ? JSON.parse(await chosen.text()) : null;
+  } catch {
+    throw new Error(`${chosen.name} is not a situation or a drill of mirocup`);
+  }
+  await start();
+}
+
+for (const [name, drill] of Object.entries(given.drills)) by('start').append(new Option(`drill: ${drill.title}`, name));
+by('options').addEventListener('submit', (event) => {
+  event.preventDefault();
+  play.try(start);
+  by('hand_play').focus();  // so that the next key plays
+});
+by('start').addEventListener('change', () => {
+  file = null;
+  by('file').value = '';
+  play.try(start);
+});
+by('file').addEventListener('change', () => play.try(openFile));
+for (const name of ['trails', 'velocities', 'zones', 'keepers']) {
+  by(name).addEventListener('change', () => {
+    for (const { layers } of Object.values(views)) layers.set(name, by(name).checked);
+    play.show();
+  });
+}
+by('pitch_small').hidden = by('hand').hidden = false;  // at once, before the module is there
+play.try(start);

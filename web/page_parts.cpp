@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "web/page_parts.hpp"
+
+#include "record/json_reader.hpp"
+#include "system/digest.hpp"
+#include "system/locations.hpp"
+#include "web/assets.hpp"
+#include "web/design/template.hpp"
+#include "web/markings.hpp"
+#include "web/packed_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace mirocup::web {
+
+Result<std::optional<BrowserModule>> browser_module(system::Files& files) {
+  const std::string folder = system::browser_folder();
+  const auto read = [&files, &folder](const char* name) {
+    return files.read_if_there(folder + name, {.max_size = system::size_limit::page});
+  };
+  MIROCUP_TRY(auto script, read("/mirocup.js"));
+  MIROCUP_TRY(auto wasm, read("/mirocup.wasm"));
+  if (!script || !wasm) return std::nullopt;
+  return BrowserModule{std::move(*script), std::move(*wasm)};
+}
+
+std::string page_script(std::span<const std::string_view> modules) {
+  std::string all;
+  for (const std::string_view name : modules) {
+    std::string_view rest = asset(name);
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
+      std::string_view line = rest.substr(0, end);
+      rest.remove_prefix(end);
+      if (line.starts_with("import ")) continue;
+      if (line.starts_with("export ")) line.remove_prefix(7);
+      all += line;
+    }
+  }
+  return all;
+}
+
+std::string page_style() {
+  return std::string(design_file("design.css")) + std::string(asset("page.css"));
+}
+
+std::string page_policy(const std::string& script, bool has_module) {
+  std::string policy =
+      "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src 'sha256-" +
+      system::sha256_base64(script) + "'";
+  return has_module ? policy + " 'wasm-unsafe-eval'; worker-src blob:" : policy;
+}
+
+std::string embedded(const record::Json& json) {
+  std::string text;
+  for (const char c : record::json_text(json)) {
+    c == '<' ? text += "\\u003c" : text += c;
+  }
+  return text;
+}
+
+record::Json module_json(const BrowserModule& module) {
+  return {{"script", packed_text(module.script)}, {"wasm", packed_text(module.wasm)}};
+}
+
+record::Json zones_json(const field::Field& field) {
+  const Markings marks = markings(field);
+  return {{"left", marks.zones[index_of(End::left)]}, {"right", marks.zones[index_of(End::right)]}};
+}
+
+}  // namespace mirocup::web

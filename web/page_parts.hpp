@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// What replay pages, live pages and the playground share: their script, style, policy and data.
+#pragma once
+
+#include "core/field/field.hpp"
+#include "record/match_record.hpp"
+#include "system/files.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace mirocup::web {
+
+// The module with which a visitor's browser simulates: browser/.
+struct BrowserModule {
+  std::string script;  // mirocup.js
+  std::string wasm;    // mirocup.wasm
+};
+
+// Returns the module that the build or the installation has, or nothing if it was not built.
+Result<std::optional<BrowserModule>> browser_module(system::Files& files);
+
+// Returns modules of page/ as one script, each behind those that it imports, without import and
+// export: a page that is opened from disk cannot import. No two modules use the same global name.
+std::string page_script(std::span<const std::string_view> modules);
+
+std::string page_style();
+
+// Returns the policy of a page with that script: nothing is loaded from elsewhere, and no code runs
+// but the script and, in a worker, the module if the page has one.
+std::string page_policy(const std::string& script, bool has_module);
+
+// Returns JSON text for a <script> element; no part of the text can close the element.
+std::string embedded(const record::Json& json);
+
+record::Json module_json(const BrowserModule& module);
+record::Json zones_json(const field::Field& field);
+
+}  // namespace mirocup::web
