@@ -157,8 +157,8 @@ class Leg:
         from mirocup._library import Batch
         first = self.record("first")
         config = {"matches": 1, "threads": 1, "blue": "agent", "yellow": self.yellow, "rules": first["rules"],
-                  "conditions": first["conditions"], "control_period": first["control_period"], "skip_stops": False, "autoreset": "disabled",
-                  "episode": {"seconds": None, "ends_at_goal": False}}
+                  "conditions": first["conditions"], "control_period": first["control_period"], "skip_stops": False,
+                  "autoreset": "disabled", "episode": {"seconds": None, "ends_at_goal": False}}
         batch = Batch(config)
         batch.reset(seeds=numpy.array([self.seed], numpy.uint64))
         batch.actions[:] = 0.0
@@ -217,8 +217,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         tests = Tests(os.path.abspath(o.build), o.seed, folder)
         bad, counts = tests.run(o.ways)
-    print(f"{counts['passed']} passed, {counts['known to fail']} known to fail, {len(bad)} failed; seen: {', '.join(sorted(tests.events))}; "
-          f"{tests.late} late answers")
+    print(f"{counts['passed']} passed, {counts['known to fail']} known to fail, {len(bad)} failed; "
+          f"seen: {', '.join(sorted(tests.events))}; {tests.late} late answers")
     for sentence in bad:
         print(sentence)
     return 1 if bad else 0
