@@ -27,7 +27,7 @@ folder = tempfile.mkdtemp(prefix="mirocup-nginx-")
 at = {name: os.path.join(folder, name) for name in ["l", "league.sock", "cert.pem", "key.pem", "nginx.conf", "token", "large", "tmp"]}
 # Of the four thousand that the first of these needs, nginx gets as many as it likes.
 resource.setrlimit(resource.RLIMIT_NOFILE, (2048, resource.getrlimit(resource.RLIMIT_NOFILE)[1]))
-most_viewers = 100  # as in the page
+viewer_limit = 100  # as in the page
 
 
 def run(*words):
@@ -41,7 +41,7 @@ def configuration(port):
                         ("/etc/ssl/league.key", at["key.pem"]), ("/run/mirocup/spring.sock", at["league.sock"])]:
         assert there in shown, there
         shown = shown.replace(there, here)
-    assert f"limit_conn viewers {most_viewers};" in shown
+    assert f"limit_conn viewers {viewer_limit};" in shown
     places = "".join(f"{kind}_temp_path {at['tmp']}/{kind};\n" for kind in ["client_body", "proxy", "fastcgi", "uwsgi", "scgi"])
     return f"user root;\npid {folder}/pid;\nevents {{ worker_connections 1000; }}\nhttp {{\naccess_log off;\n{places}{shown}}}\n"
 
@@ -102,11 +102,11 @@ def try_all(port, token):
     yield expect("another viewer is another", other.startswith(b"HTTP/1.1 401"), other)
     large = ask(port, "PUT", "/api/v1/entries?name=x.so", known, body=b"x" * (33 << 20))
     yield expect("a file that is too large", large.startswith(b"HTTP/1.1 413"), large)
-    viewers = [connect(port, "127.0.0.3") for _ in range(most_viewers)]
+    viewers = [connect(port, "127.0.0.3") for _ in range(viewer_limit)]
     for end in viewers:
         end.sendall(b"GET /events HTTP/1.1\r\nHost: x\r\n\r\n")
     opened = sum(end.recv(4096).startswith(b"HTTP/1.1 200") for end in viewers)
-    yield expect(f"a hall of {most_viewers} viewers", opened == most_viewers, opened)
+    yield expect(f"a hall of {viewer_limit} viewers", opened == viewer_limit, opened)
     refused = ask(port, "GET", "/", source="127.0.0.3")
     yield expect("one more of this address", refused.startswith(b"HTTP/1.1 503"), refused)
     page = ask(port, "GET", "/", source="127.0.0.4")

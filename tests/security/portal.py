@@ -84,7 +84,7 @@ class Server:
     def open_files(self):
         return len(os.listdir(f"/proc/{self.process.pid}/fd"))
 
-    def most_memory(self):
+    def peak_memory(self):
         with open(f"/proc/{self.process.pid}/status") as file:
             return next(int(line.split()[1]) // 1024 for line in file if line.startswith("VmHWM"))
 
@@ -515,7 +515,7 @@ def bodies(kind):
                          ("nothing of what was announced", request(*put, "Content-Length: 9"))]:
         kind.ask(attack, 400, sent, end_of_sending=True)
     answer = kind.ask("33 MB in chunks", 413, request(*put, chunked) + (b"100000\r\n" + b"x" * (1 << 20) + b"\r\n") * 33)
-    kind.holds("no memory for what is not taken", server.most_memory() < 200)
+    kind.holds("no memory for what is not taken", server.peak_memory() < 200)
     answer = kind.ask("longer than announced", 202, request(*put, "Content-Length: 3") + b"ELF and more")
     state = json.loads(talk(server, request("GET", json.loads(answer.body)["url"], put[2])).body)
     kind.holds("the announced bytes are the file", state["bytes"] == 3, answer.all)
@@ -897,7 +897,7 @@ def streams(kind):
     answer = kind.ask("a team's stream beside them", 200, request("GET", "/api/v1/entries/1/events", bearer(server.tokens["alpha"])),
                       stop=b"data: ")
     kind.ask("a hand-in beside them", 202, request("PUT", "/api/v1/entries?name=x.so", bearer(server.tokens["pins"]), body=b"no library"))
-    kind.holds("no more memory than they need", server.most_memory() < 250)
+    kind.holds("no more memory than they need", server.peak_memory() < 250)
     for end in opened + halves:
         end.close()
 
@@ -935,7 +935,7 @@ def main():
             print("  " + other)
         failed = failed or bool(kind.others)
     for server in [plain, proxied, local, safe]:
-        memory = server.most_memory() if server.process.poll() is None else 0
+        memory = server.peak_memory() if server.process.poll() is None else 0
         why = server.end()
         print(f"server {os.path.basename(server.league)}: at most {memory} MiB{', ' + why if why else ''}")
         failed = failed or why is not None
