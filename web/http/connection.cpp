@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <linux/sockios.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 
 namespace mirocup::web {
@@ -42,6 +44,19 @@ bool Connection::waits_for(short event, milliseconds most) const {
   return ready > 0 && (waiting.revents & event) != 0 && (waiting.revents & POLLERR) == 0;
 }
 
+// A socket is ready for more when a good part of what it holds has left, which a slow viewer takes
+// long for.
+bool Connection::is_taking() const {
+  int before = 0;
+  if (ioctl(socket_, SIOCOUTQ, &before) != 0) return false;
+  while (!waits_for(POLLOUT, send_patience)) {
+    int held = 0;
+    if (ioctl(socket_, SIOCOUTQ, &held) != 0 || held >= before) return false;
+    before = held;
+  }
+  return true;
+}
+
 std::size_t Connection::receive(char* bytes, std::size_t size) {
   const auto time =
       std::min(patience_, duration_cast<milliseconds>(deadline_ - steady_clock::now()));
@@ -60,13 +75,10 @@ std::size_t Connection::receive(char* bytes, std::size_t size) {
 
 bool Connection::send(std::string_view bytes) {
   while (!bytes.empty()) {
-    ssize_t count = -1;
-    if (tls_) {
-      // The patience is for each part, so that a slow viewer gets a large page.
-      count = tls_->write(bytes.substr(0, tls_record), in_ms(send_patience));
-    } else if (waits_for(POLLOUT, send_patience)) {
-      count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-    }
+    if (!is_taking()) return false;
+    const ssize_t count =
+        tls_ ? tls_->write(bytes.substr(0, tls_record), in_ms(send_patience))
+             : ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count <= 0) return false;
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }

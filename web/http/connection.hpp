@@ -35,6 +35,7 @@ class Connection {
 
  private:
   bool waits_for(short event, std::chrono::milliseconds most) const;
+  bool is_taking() const;
 
   int socket_;
   std::optional<system::TlsConnection>& tls_;
