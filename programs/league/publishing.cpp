@@ -43,8 +43,9 @@ Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store) {
 Result<void> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
                           const NightNews& news, int jobs) {
   // What was told before may not be released any more.
-  for (const char* part : {"/digests", "/night.html", "/feed.xml"}) {
-    if (auto removed = files.remove(folder.site() + part); !removed) return removed;
+  // And this program may have no playground.
+  for (const std::string part : {"digests", "night.html", "feed.xml", playground_name}) {
+    if (auto removed = files.remove(folder.site() + "/" + part); !removed) return removed;
   }
   for (const char* part : {"/teams", "/rounds", "/digests"}) {
     if (part == std::string("/digests") && !news.night) continue;
