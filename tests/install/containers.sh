@@ -67,7 +67,7 @@ mkdir "$folder/team"
 inside() { podman run --rm --volume "$folder/team:/work" mirocup-try-mirocup "$@"; }
 inside mirocup new mine >/dev/null
 inside sh -c 'cd mine && cmake --workflow --preset team' >"$folder/build.log" 2>&1 || failed "$(tail -20 "$folder/build.log")"
-inside mirocup match --blue mine/build/mine.so --yellow chaser --half 10 --json | grep -q '"isolation":"T2"' || failed "not T2"
+inside mirocup match --blue mine/build/team.so --yellow chaser --half 10 --json | grep -q '"isolation":"T2"' || failed "not T2"
 
 step "host"
 podman volume create mirocup-try >/dev/null
@@ -77,13 +77,13 @@ start_host() {
 }
 league() { podman exec mirocup-try-host mirocup league "$@"; }
 start_host
-printf 'name\nalpha\nbeta\n' | podman exec --interactive mirocup-try-host sh -c 'cat > /tmp/class.csv'
+printf 'team\nalpha\nbeta\n' | podman exec --interactive mirocup-try-host sh -c 'cat > /tmp/class.csv'
 league team /league --csv /tmp/class.csv
 for team in alpha beta; do
   token=$(league token /league "$team" 2>/dev/null | tail -1)
   portal() { curl -s --fail -H "Authorization: Bearer $token" "http://127.0.0.1:18081/api/v1/entries$1" "${@:2}"; }
   answer=$(portal "?name=team.cpp" --upload-file "$folder/team/mine/team.cpp") || failed "an entry was not taken"
-  wait_for '"accepted"' portal "/$(grep -o '"entry":[0-9]*' <<<"${answer// /}" | cut -d: -f2)"
+  wait_for '"state":"accepted"' portal "/$(grep -o '"entry":[0-9]*' <<<"${answer// /}" | cut -d: -f2)"
 done
 league nightly /league
 league health /league
