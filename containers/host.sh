@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# The image `host`: takes entries for the league in /league and shows its pages, at port 8080 or at $AT. At NIGHT (02:00, in the time of TZ) of each
-# day it plays a night and looks at the league's health; what these say is in the container's log. Options are those of
+# The image `host`: takes entries for the league in /league and shows its pages, at port 8080 or at $AT. Each day at $NIGHT (02:00, in the
+# time of $TZ) it plays a night and then looks at the league's health. The container's log has what these say. Options are those of
 # `mirocup league serve`.
 set -eu
 league=/league

@@ -16,8 +16,10 @@ modules at the top of the file. `random` is seeded with setup.seed. print() writ
 
 Frames, units, delays and limits are those of mirocup/strategy.h: metres, radians, seconds; the team
 always attacks +x; its goal is at -setup.half_length. `self.draw_line` and its neighbours draw into the
-replay, as in docs/thoughts.md. The functions below are those of
-mirocup/strategy.hpp under the same names. Needs nothing but the standard library.
+replay, as in docs/thoughts.md. The functions below do what those of
+the same names in mirocup/strategy.hpp do, and some in a simpler way: keep_goal(), free_ball() and
+without_pushing() decide otherwise in places. make_way() and avoid_own_goals() are in C++ alone.
+Needs nothing but the standard library.
 """
 
 import math
