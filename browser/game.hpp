@@ -29,22 +29,22 @@ Result<Json> verify(const std::string& text, const std::string& replay, bool is_
 class Game {
  public:
   // Makes a leg from {league, rules, stage, seed, conditions, pitch, situation, drill, teams}, each
-  // with the form and the default that it has in a record; `drill` is a drill's text, which gives
-  // everything but the seed and the tested team. `teams`: {"blue", "yellow"}, names of house teams,
-  // or "" for robots that stand. Errors: Errc::input.
+  // in the form and with the default of a record; `drill` is a drill's text, which gives everything
+  // but the seed and the tested team. `teams`: {"blue", "yellow"}, names of house teams, or "" for
+  // robots that stand. Errors: Errc::input.
   static Result<std::unique_ptr<Game>> make(const Json& options);
 
-  // Plays the record's commands up to `tick`; from there on `teams` play, of which "recorded"
+  // Plays the record's commands up to `tick`; from there on `teams` play. The team "recorded"
   // stands for the record's own commands. Errors: Errc::input, Errc::damaged.
   static Result<std::unique_ptr<Game>> go_on(record::MatchRecord past, std::uint32_t tick,
                                              const Json& teams);
 
-  // Gives the robots to other teams from the next tick on: {"blue", "yellow"}, as above; a team
+  // Gives the robots to other teams from the next tick on: {"blue", "yellow"}, as in make(). A team
   // that stays keeps its memory. Errors: Errc::input.
   Result<void> seat(const Json& teams);
 
-  // Plays at most so many ticks; stops when the leg or the drill's try is over. Returns those
-  // played.
+  // Plays at most `ticks` ticks; stops when the leg or the drill's try is over. Returns the number
+  // of played ticks.
   int play(int ticks);
 
   // Keeps impacts, pairs that press and thoughts from now on, which costs a quarter of the speed.
@@ -53,7 +53,7 @@ class Game {
   // Ends the leg, so that it has a record.
   void stop();
 
-  // Drives a robot by hand, wheel speeds in rad/s; nothing: its team drives it again.
+  // Drives a robot by hand, wheel speeds in rad/s. If `wheels` is empty, its team drives it again.
   void take(Team team, int robot, std::optional<simulator::WheelSpeeds> wheels);
 
   const Driver& driver(Team team) const { return *drivers_[index_of(team)]; }
@@ -67,10 +67,10 @@ class Game {
   Json setup() const;
 
   // {tick, clock, state, phase, left, score, decisions, counts, impacts, pressing, result, drill}:
-  // what a page shows beside the bodies. `decisions` are those from number `first` on. `impacts`:
-  // of the ticks last played, [x, y, x and y of the normal, N s]; `pressing`: pairs of bodies that
-  // push each other, blue's robots from 0 on, then yellow's, then the ball; -1 is a wall. These two
-  // are empty unless the leg is watched.
+  // what a page shows beside the bodies. `decisions` has the decisions from number `first` on.
+  // `impacts`: of the ticks last played, [x, y, x and y of the normal, N s]; `pressing`: pairs of
+  // bodies that push each other, blue's robots from 0 on, then yellow's, then the ball; -1 is a
+  // wall. These two are empty unless the leg is watched.
   Json status(std::size_t first) const;
 
   // The record of a leg that is over; its replay has the name leg.replay.zst.
@@ -90,11 +90,11 @@ class Game {
   std::unique_ptr<simulator::World> world_;  // of the leg, which records its impacts in touches_
   std::unique_ptr<match::Leg> leg_;
   std::array<std::unique_ptr<Driver>, 2> drivers_;
-  match::ByTeam<std::string> seated_;  // as seat() got them
+  match::ByTeam<std::string> seated_;  // names that seat() got
   match::ByTeam<std::string> names_;   // for the record
   std::optional<drills::Judge> judge_;
   replay::StateTrace trace_;
-  bool is_decided_ = false;  // the drill's try
+  bool is_decided_ = false;  // true: the drill's try is over
   bool is_watched_ = false;
 };
 

@@ -21,11 +21,11 @@ namespace mirocup::browser {
 // Returns the house or drill team of that name; null if the module has no such team.
 const mirocup_strategy* house_team(std::string_view name);
 
-// Steers one team. What is given to the constructor outlives it.
+// Steers one team. The constructor's arguments outlive it.
 class Driver final : public match::Controller {
  public:
-  // With a strategy its commands are driven, else those of the recording as far as it goes, else
-  // the robots stand.
+  // A strategy drives the robots. Without a strategy, the recording does. After its end, or without
+  // it, the robots stand.
   Driver(const match::Briefing& briefing, const mirocup_strategy* strategy,
          const replay::Recording* recording);
   ~Driver() override;
@@ -35,7 +35,7 @@ class Driver final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
-  // Wheel speeds of a robot, rad/s, in the place of the team's; nothing: the team's again.
+  // Drives a robot with these wheel speeds, rad/s. If `wheels` is empty, the team drives it again.
   void take(int robot, std::optional<simulator::WheelSpeeds> wheels) { by_hand_[robot] = wheels; }
 
   // What the team drew in its last tick, as lines of mirocup/thoughts/1; "" unless it is watched.

@@ -24,11 +24,11 @@ struct Piece {
   const Footage* footage = nullptr;
   Window window;
   std::vector<simulator::BodyState> start;
-  std::array<bool, unknown_count> tells{};  // the numbers that its bodies depend on
+  std::array<bool, unknown_count> tells{};  // true: its bodies depend on the number
   int states = 0;                           // unknowns of the starts
   int rows = 0;                             // residuals: 2 or 3 a sight, then sideways speeds
   double square = 0.0;                      // sum of its squared residuals, weighted
-  bool counts = true;                       // false: no start explains it
+  bool counts = true;                       // false: no start explains the pictures
   std::vector<simulator::BodyState> trial;
   Eigen::MatrixXd gain;  // of the starts on the pitch: A^-1 B
   Eigen::VectorXd own;   // A^-1 a
@@ -61,7 +61,7 @@ class Fit {
   const Noise& noise() const { return noise_; }
   void set_noise_known(bool known) { noise_is_known_ = known; }
 
-  // The unknowns that are searched. A tied lag equals the lag of driving.
+  // Sets whether an unknown is searched. A tied lag equals the lag of driving.
   void set_free(int unknown, bool free) { is_free_[unknown] = free; }
   bool is_free(int unknown) const { return is_free_[unknown]; }
   void tie_turn_lag(bool tied) { turn_is_tied_ = tied; }
@@ -79,10 +79,10 @@ class Fit {
   // Looks for better starts of windows that their present starts explain badly: a hit with the
   // other edge first is a separate minimum.
   void retry();
-  // The least cost at each of some values of an unknown, of the windows that depend on it, with the
-  // other numbers of the pitch fixed. Each window has the best starts that a sweep upwards and
-  // downwards finds. profile() sets the unknown to the best value if that is better than the
-  // present value.
+  // The least cost of the windows that depend on an unknown, at each of some values of it, with the
+  // other numbers of the pitch fixed. A sweep upwards and one downwards find the best starts of
+  // each window. If the best value is better than the present value, profile() sets the unknown to
+  // it.
   struct Profile {
     std::vector<double> values, costs;
     std::vector<std::vector<double>> parts;  // of each window, its cost at each value
@@ -135,7 +135,7 @@ class Fit {
   bool brake_is_tied_ = false;
   bool hard_ = false;
   Eigen::MatrixXd information_;
-  std::vector<Told> told_;  // by the windows that count
+  std::vector<Told> told_;  // one for each window that counts
   Eigen::VectorXd gradient_;
   double cost_ = 0.0;
   double damping_ = 1e-3;

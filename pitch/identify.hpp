@@ -9,9 +9,9 @@
 // each window and one of the size of the pitch. The reduced equations of a window are its
 // information about the pitch, and their sum is the inverse of the covariance.
 //
-// It is robust: pictures count less the further they are off (Huber), and in the end pictures
-// beyond five standard deviations do not count. Windows that no state explains, for example because
-// a hand moves a robot, are dropped and counted.
+// It is robust: a picture counts less the further it is from the simulation (Huber), and in the end
+// pictures beyond five standard deviations do not count. Windows that no state explains, for
+// example because a hand moves a robot, are dropped and counted.
 #pragma once
 
 #include "pitch/recording.hpp"
@@ -34,7 +34,7 @@ struct Identified {
   Guess guess;  // numbers that are not known are those of the pitch from which the search began
   std::array<std::optional<Estimate>, unknown_count> known;  // empty: the recording does not tell
   std::array<std::string, unknown_count> why_not;            // a sentence for each empty one
-  bool has_one_lag = true;                                   // turning lags as driving does
+  bool has_one_lag = true;                                   // turning and driving lag equally
   bool has_brake = false;
   Estimate deceleration;  // of the ball at 0.5 m/s, m/s^2; meaningless without a rolling ball
   bool has_deceleration = false;
@@ -42,8 +42,8 @@ struct Identified {
   Estimate heading_noise;   // rad
   double unseen = 0.0;      // share of bodies that a picture misses
   double outliers = 0.0;    // share of dropped sights
-  int windows = 0;          // that count
-  int unexplained = 0;      // that no state explains
+  int windows = 0;          // windows that count
+  int unexplained = 0;      // windows that no state explains
 };
 
 // Identifies from one recording or several of the same pitch, from `start` on. Errc::input if no

@@ -37,7 +37,7 @@ struct Frame {
 struct Recording {
   std::string path;  // for messages
   League league = League::small;
-  int robots = 0;                // of each team that are listed
+  int robots = 0;                // listed robots of each team
   std::optional<double> period;  // s between two pictures; empty: irregular
   std::string pitch;             // the name of the pitch; "": not known
   std::vector<Frame> frames;     // in the order of their times
@@ -51,8 +51,8 @@ struct Recording {
   double usual_period() const;
 };
 
-// The limit of pictures: a short line becomes a picture of all robots that is some hundred times as
-// large. The limit is four hours at 30 Hz, and half a GiB of memory.
+// The most pictures of a recording, four hours at 30 Hz and half a GiB of memory. In memory a
+// picture has all robots, so it may be some hundred times larger than its line.
 inline constexpr std::size_t max_pictures = 450'000;
 
 // Reads a recording. The error, Errc::input, names the file, the line, the key and the reason.

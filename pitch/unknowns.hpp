@@ -23,9 +23,9 @@ struct Unknown {
   std::string_view name;   // "wheel_radius", "restitution/ball_wall", "command_delay"
   bool is_ratio;           // found as a logarithm: it is positive, and its interval is a factor
   double least, most;      // its range
-  double widest;           // half-width of the 95 % interval beyond which it counts as not known:
-                           // of the logarithm, or of the number itself
-  std::string_view needs;  // the motion that a recording must show to tell it
+  double widest;           // a number whose 95 % interval has a larger half-width is not known;
+                           // of the logarithm if is_ratio, otherwise of the number
+  std::string_view needs;  // the motion that a recording needs to tell it
 };
 
 inline constexpr int unknown_count = 13;

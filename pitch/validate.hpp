@@ -24,8 +24,8 @@
 
 namespace mirocup::pitch {
 
-// The event of a body between the start and the picture ahead, in the simulator. The first of these
-// that applies counts.
+// The event of a body between the start and the picture ahead, in the simulator: the first of these
+// that applies.
 enum class EventKind { push, robot_and_robot, robot_and_ball, wall, slide, drive, free_roll };
 
 inline constexpr std::array<int, 5> horizons{1, 2, 5, 10, 30};  // pictures
@@ -37,7 +37,7 @@ inline constexpr int predictors = 4;
 struct ErrorCell {
   int count = 0;
   std::array<double, predictors> rms{};            // m, without the camera's noise
-  std::array<bool, predictors> beats_simulator{};  // surely: by two standard errors
+  std::array<bool, predictors> beats_simulator{};  // by two standard errors at least
 };
 
 // One prediction for a picture: where a body was seen, and where it was predicted.
@@ -56,8 +56,8 @@ struct Validation {
   double noise = 0.0;   // m, of the camera
   double period = 0.0;  // s, between two pictures
   std::array<std::array<ErrorCell, horizons.size()>, 7> cells{};  // [kind][horizon]
-  std::vector<Track> examples;  // one for each kind that was seen: of the median error
-  // Sentences: where a yardstick is better than the simulator.
+  std::vector<Track> examples;  // for each kind that was seen, one of median error
+  // Sentences about the cells in which a yardstick is better than the simulator.
   std::vector<std::string> objections;
 };
 

@@ -19,7 +19,7 @@ struct ValidationRequest {
 
 struct ValidationReport {
   std::string text;       // for standard output
-  bool is_worse = false;  // than a yardstick, somewhere
+  bool is_worse = false;  // true: a yardstick is better in some cell
 };
 
 // Reads all files, and errors name them. `peer` may be null.

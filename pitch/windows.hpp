@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Windows: short pieces of a recording in which a few bodies move by themselves. The state of each
-// body at the start of its window is unknown, and the simulator moves it from there. So an error
-// of the model shows within a window and does not add up over the recording.
+// body at the start of its window is unknown, and the simulator moves the body from there. So an
+// error of the model shows within a window and does not add up over the recording.
 #pragma once
 
 #include "core/simulator/world.hpp"
@@ -82,7 +82,7 @@ class Footage {
   std::vector<double> times_;
   std::vector<std::vector<Sight>> sights_;  // [body][frame]
   std::vector<std::vector<Told>> told_;     // [body]
-  std::vector<int> breaks_;                 // breaks_[f]: their number before frame f
+  std::vector<int> breaks_;                 // breaks_[f]: number of breaks before frame f
 };
 
 // Simulates windows under one guess. Keeps a world for each kind of window.
@@ -119,7 +119,7 @@ class Rerun {
 
   const Footage& footage_;
   Guess guess_;
-  std::array<simulator::WheelSpeeds, simulator::max_robots> kept_{};  // of unknown commands
+  std::array<simulator::WheelSpeeds, simulator::max_robots> kept_{};  // for unknown commands
   std::map<std::pair<int, bool>, std::unique_ptr<simulator::World>> worlds_;
 };
 

@@ -17,8 +17,8 @@ namespace mirocup::record {
 // Returns the value with a number in the place of each range, drawn in the order of the document.
 nlohmann::ordered_json drawn(const nlohmann::ordered_json& json, Random& random);
 
-// Draws a situation. If bodies overlap, draws again, at most a hundred times. The error of the last
-// draw is Errc::input and names `path`.
+// Draws a situation. If bodies overlap, draws again, at most a hundred times. If no draw succeeds,
+// returns the error of the last draw, Errc::input, which names `path`.
 Result<Situation> draw_situation(const nlohmann::ordered_json& ranges, League league,
                                  Random& random, const std::string& path);
 

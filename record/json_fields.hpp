@@ -11,10 +11,10 @@
 //   }
 //
 // fields_json(one) is then the object, and read_fields<Try>(json) reads it as JsonReader does: it
-// never throws, and the first problem is told. A value is a number, a bool, a text, an enum with
-// names, a struct with list_fields, or an optional or a vector of these. The numbers behind a value
-// are the least and the largest that are read, of a vector its sizes. list_fields stands in the
-// namespace of its struct or in this one, and outside of unnamed ones.
+// never throws, and reports the first problem. A value is a number, a bool, a text, an enum with
+// names, a struct with list_fields, or an optional or a vector of these. The numbers after a value
+// are its least and its largest value; for a vector, its least and its largest size. list_fields is
+// in the namespace of its struct or in this one, not in an unnamed one.
 #pragma once
 
 #include "record/json_reader.hpp"
@@ -48,7 +48,7 @@ class FieldWriter {
   void since_later(const char* key, const T& value, Limits...) {
     object_[key] = fields_json(value);
   }
-  // A key that is left out if the value is `plain`.
+  // A key that is not written if the value equals `plain`.
   template <class T, class... Limits>
   void unless(const T& plain, const char* key, const T& value, Limits...) {
     if (!(value == plain)) object_[key] = fields_json(value);
@@ -57,7 +57,7 @@ class FieldWriter {
   void if_set(const char* key, const T& value) {
     unless(T{}, key, value);
   }
-  // A value with a form of its own.
+  // A value that `write` and `read` convert.
   template <class Write, class Read>
   void as(const char* key, Write write, Read) {
     object_[key] = write();
@@ -66,7 +66,7 @@ class FieldWriter {
   void as_if_set(bool is_set, const char* key, Write write, Read) {
     if (is_set) object_[key] = write();
   }
-  // A key for readers of the file, which follows from others.
+  // A key for readers of the file, whose value follows from other keys.
   void only_written(const char* key, Json value) { object_[key] = std::move(value); }
   bool has(const char*) const { return true; }
 
@@ -145,7 +145,7 @@ JsonReader::Json fields_json(const T& value) {
     return value;
   } else {
     FieldWriter fields;
-    T copy = value;  // a list of fields is for readers, too, and these change the value
+    T copy = value;  // list_fields takes a reference, because readers change the value
     list_fields(fields, copy);
     return fields.object();
   }

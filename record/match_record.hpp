@@ -69,7 +69,7 @@ struct NetworkReport {
   std::uint64_t duplicate = 0;    // further commands for the tick that was answered last
   std::uint64_t ahead = 0;        // for a tick that had not begun
   std::uint64_t foreign = 0;      // from a process that is not the team's
-  int processes = 0;              // that played for the team, one after the other
+  int processes = 0;              // processes that played for the team in turn
   std::vector<Absence> absences;
   Durations answers;  // wall time from a tick's state to the answer in step
   std::optional<DatagramReport> datagrams = std::nullopt;  // of a firasim team
@@ -95,7 +95,7 @@ struct Software {
 // The record from which a leg was played on. This leg has the commands of that record up to `tick`;
 // its own teams played only from then on.
 struct PlayedOnFrom {
-  std::uint32_t tick = 0;            // the first one in which the teams of this leg were asked
+  std::uint32_t tick = 0;            // the first tick that the teams of this leg answered
   std::uint64_t state_hash = 0;      // of the whole leg of that record
   match::ByTeam<std::string> teams;  // the names of the teams that had played until then
 };
@@ -148,7 +148,7 @@ Result<RecordFile> parse_record(const std::string& text, const std::string& path
 std::string record_text(const MatchRecord& record, const std::string& replay_name,
                         std::string_view replay);
 
-// Gives the record what its replay holds.
+// Adds the content of its replay to the record.
 void add_replay(MatchRecord& record, Replay replay);
 
 // Whether load() checks the digest of the record's own text, which is its last key. The digest

@@ -11,9 +11,9 @@ namespace mirocup::record {
 
 class JsonReader;
 
-// Applies the keys of the object to `parameters`; others stay as they are. Complains about an
-// unknown key, a wrong type and a number without meaning. A number may also be {"value", "low",
-// "high"}, as `mirocup identify` writes it: then its "value" counts.
+// Applies the keys of the object to `parameters`; other parameters stay as they are. Complains
+// about an unknown key, a wrong type and a number without meaning. A number may also be {"value",
+// "low", "high"}, as `mirocup identify` writes it: then its "value" counts.
 void read_physics(const JsonReader& json, simulator::Parameters& parameters);
 
 // Reads the corners of a convex polygon around [0, 0], m.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The network side of a match: the topics for teams that play over DDS, the sockets for teams that
-// speak the protocol of FIRASim, and the programs of the latter that the match starts.
+// speak the protocol of FIRASim, and the programs of such teams that the match starts.
 #pragma once
 
 #include "record/thoughts_file.hpp"
@@ -23,10 +23,10 @@ struct NetworkTerms {
   int dds_domain = 0;
   std::string credentials;                         // folder; "": anybody may join
   double join_within = 60.0;                       // s that a team has to join
-  std::optional<double> away_limit;                // s of allowed absence; empty: the default
+  std::optional<double> away_limit;                // s of allowed absence; empty: default
   firasim::Addresses firasim{"", "", "", "", ""};  // "": those of the instance
   std::string firasim_instance = "0";              // a number, or "auto"
-  match::ByTeam<std::string> programs;  // commands that start firasim teams; "": people do
+  match::ByTeam<std::string> programs;  // commands that start firasim teams; "": a person starts it
   bool lockstep = false;                // true: waits for firasim teams, also in real time
 };
 
@@ -47,11 +47,12 @@ class Network {
 
   // Opens the DDS topics and FIRASim sockets that these teams need; opens nothing if both are
   // libraries. Errc::input if a program is given for a team that needs none; Errc::unavailable if a
-  // port or an interface cannot be had.
+  // port or an interface is not available.
   Result<void> open(const match::ByTeam<TeamChoice>& teams);
   bool is_open() const { return dds_ != nullptr || firasim_ != nullptr; }
 
-  // Makes room for a team of kind dds or firasim, and starts its program if the match does that.
+  // Makes room for a team of kind dds or firasim, and starts its program if the terms give a
+  // command.
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team, const SeatTerms& terms);
 
   // Announces the match to DDS teams and spectators, and publishes its first state. Teams answer
@@ -72,7 +73,7 @@ class Network {
   std::unique_ptr<firasim::Server> firasim_;  // likewise
   firasim::Addresses firasim_addresses_;
   int firasim_instance_ = 0;
-  match::ByTeam<std::optional<TeamProgram>> programs_;  // those that this match has started
+  match::ByTeam<std::optional<TeamProgram>> programs_;  // the programs that this match has started
 };
 
 }  // namespace mirocup::server

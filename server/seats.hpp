@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The seats of the two teams of a leg. A team is a library or a file of Python in a process of its
-// own or in this process, or a program on the network.
+// The seats of the two teams of a leg. A team is a library or a file of Python, in a separate
+// process or in this one, or a program on the network.
 #pragma once
 
 #include "plugins/host/process_controller.hpp"
@@ -34,9 +34,9 @@ Result<TeamChoice> choose_team(const std::string& text);
 // The place of one team in a leg: starts the team and asks it, whatever kind it is.
 class TeamSeat {
  public:
-  // Each function starts the team or makes room for it, and does not wait for it. An error is a
-  // failure of the host; wait_until_ready() returns faults of the team. A library gets the
-  // parameters of `choice.info`.
+  // Each function starts the team or makes room for it, and does not wait until it is ready. An
+  // error is a failure of the host; wait_until_ready() returns faults of the team. A library gets
+  // the parameters of `choice.info`.
   static Result<TeamSeat> take_in_process(const TeamChoice& choice, const match::Briefing& briefing,
                                           const plugins::ProcessTerms& terms);
   static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing,
@@ -48,14 +48,14 @@ class TeamSeat {
                                           Team team, firasim::Server& server,
                                           const firasim::Terms& terms);
 
-  // Waits until the team can play. The error says why it never can: a Fault of its own, or a
+  // Waits until the team can play. The error says why it never can: a Fault of the team, or a
   // HostFailure.
   tl::expected<void, match::Answer> wait_until_ready();
 
   // False if a team on the network was ready and has left since.
   bool is_there() const { return network_ == nullptr || network_->is_there(); }
 
-  // Only for a team that is ready. The seat keeps it alive.
+  // Returns the controller, which lives as long as the seat. Precondition: the team is ready.
   match::Controller& controller() {
     assert(controller_ != nullptr);
     return *controller_;

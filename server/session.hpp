@@ -29,7 +29,7 @@ struct SessionTerms {
   std::string isolation;  // "T1" or "T2"; "": the strongest that this system allows
   // True: the team keeps its present name, instead of the name that its library gives.
   match::ByTeam<bool> keeps_name{};
-  // Files for the output of programs that the match starts.
+  // The files for the output of programs that the match starts.
   match::ByTeam<std::string> logs{"/dev/null", "/dev/null"};
 };
 
@@ -54,10 +54,10 @@ struct Session {
   std::unique_ptr<web::LiveServer> live;  // null unless the leg is watched
   match::ByTeam<record::ThoughtsWriter> thoughts;
   replay::StateTrace trace;
-  std::optional<record::PlayedOnFrom> from;  // the record that is played on
+  std::optional<record::PlayedOnFrom> from;  // the record that this leg continues
 };
 
-// Plays the ticks before `until` as they are recorded. So the leg keeps its whole memory: counts of
+// Plays the ticks before `until` as they are recorded. So the leg has its whole memory: counts of
 // the laws, disturbances, the camera's view, commands on their way. `path` names the record in
 // errors: Errc::damaged if it is not reproduced.
 Result<void> play_past(Session& session, const record::MatchRecord& past, std::uint32_t until,
@@ -70,7 +70,7 @@ Result<void> seat_teams(Session& session, const match::ByTeam<TeamChoice>& teams
 // Shows the leg in browsers at [HOST:]PORT, "" for any free port, and says where.
 Result<void> open_live_page(Session& session, const std::string& where);
 
-// Plays the leg to its end. Errc::interrupted if a signal came: then nothing is decided.
+// Plays the leg to its end. Errc::interrupted if a signal came; then the leg has no result.
 Result<void> play(Session& session);
 
 record::MatchRecord record_of(const Session& session);

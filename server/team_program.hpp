@@ -37,7 +37,7 @@ class TeamProgram {
       : pid_(pid), command_(std::move(command)), log_(std::move(log)) {}
   bool has_ended();
 
-  pid_t pid_ = 0;  // 0: it has been waited for
+  pid_t pid_ = 0;  // 0: its end has been collected
   int status_ = 0;
   std::string command_, log_;
 };

@@ -22,8 +22,8 @@ std::int64_t now_s();
 std::string utc_text(std::int64_t at);
 
 // Reads a date and a time: "2026-11-30T18:00:00Z", or with an offset in place of the Z,
-// "2026-11-30T19:00:00+01:00". Without Z and offset, `is_local` is true and the number is as if the
-// text were UTC. Returns nothing if the text has another form, or names no day of the calendar.
+// "2026-11-30T19:00:00+01:00". Without Z and offset, `is_local` is true and `at` is computed as if
+// the text were UTC. Returns nothing if the text has another form, or names no day of the calendar.
 struct ParsedTime {
   std::int64_t at = 0;  // s since 1970
   bool is_local = false;
@@ -55,8 +55,8 @@ class TimeZone {
   // in a gap, the time after the gap.
   std::int64_t from_local(std::int64_t shown) const;
 
-  // If no clock in the zone shows that, because clocks are put forward over it, returns what they
-  // show one second before and then.
+  // If no clock in the zone ever shows `shown`, because clocks are put forward past it, returns the
+  // readings of a clock one second before that change and at the change.
   std::optional<std::pair<std::int64_t, std::int64_t>> gap_at(std::int64_t shown) const;
 
  private:

@@ -19,16 +19,16 @@ namespace mirocup::system {
 struct CommandHelp {
   const char* name;         // of the subcommand
   const char* group;        // the heading under which the program's help lists it; "": nowhere
-  const char* description;  // on its line there
+  const char* description;  // on its line in the program's help
   std::vector<const char*> examples;
 };
 
 // The names of values that options of any command take: {"--half", "SECONDS"}. An option that
-// declares a name itself keeps it.
+// declares a value name keeps it.
 using ValueNames = std::map<std::string, const char*>;
 
-// Returns the name of an option's value without the checks that CLI11 puts behind it: "ADDR:PORT"
-// of "ADDR:PORT", "N" of "N:INT in [1 - 10]".
+// Returns the name of an option's value without the checks that CLI11 appends: "ADDR:PORT" of
+// "ADDR:PORT", "N" of "N:INT in [1 - 10]".
 std::string own_value_name(const std::string& type);
 
 // Gives the program one layout of help, the names of values, groups and examples. Called once,

@@ -15,8 +15,8 @@ class App;
 
 namespace mirocup::system {
 
-// Returns the one of `words` that `word` probably means: at most two letters, and at most a third
-// of the word, were changed, left out, added or exchanged. "" if there is none.
+// Returns the word of `words` for which `word` is probably a misspelling: at most two letters, and
+// at most a third of the word, are changed, missing, added or exchanged. "" if there is none.
 std::string closest_word(std::string_view word, std::span<const std::string> words);
 
 // Parses the arguments from argv[1] on. The app's name is the way to call it, such as "mirocup

@@ -28,12 +28,12 @@ class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
-  // The name of its value in the help: "FILE".
+  // Sets the name of its value in the help: "FILE".
   Option named(const std::string& value) const;
   Option required() const;
   Option shows_default() const;
 
-  // The values that it accepts; others are wrong usage.
+  // Sets the range of accepted values; others are wrong usage.
   Option between(int low, int high) const;
   Option between(double low, double high) const;
   Option between_or(int low, int high, const std::string& word) const;
@@ -44,9 +44,9 @@ class Option {
   // `problem` returns why a text is wrong, or "".
   Option checked(const std::string& value, std::string (*problem)(const std::string&)) const;
 
-  // A list of values between such characters: "a,b".
+  // Makes its value a list that the separator divides: "a,b".
   Option split_at(char separator) const;
-  // The number of words after it.
+  // Sets the number of words after it.
   Option takes(int least, int most) const;
 
   Option excludes(const Option& other) const;
@@ -63,8 +63,9 @@ class Command {
  public:
   explicit Command(CLI::App* app) : app_(app) {}
 
-  // An option "-o,--output", or an argument "FILE". `value` is its default and gets what is typed.
-  // T: std::string, an integer, double, a std::optional of one of these, or a list of std::string.
+  // Adds an option "-o,--output", or an argument "FILE". `value` is its default and gets the typed
+  // value. T: std::string, an integer, double, a std::optional of one of these, or a list of
+  // std::string.
   template <class T>
   Option option(const std::string& names, T& value, const std::string& help = "") const;
   // Adds an option whose value may be missing: then `value` becomes "".
@@ -102,7 +103,7 @@ class Commands {
     return {add_run(help, [options, run] { return run(*options); }), *options};
   }
 
-  // Adds a command that another program runs before this command line is read.
+  // Adds the help of a command that another program runs, so that it never comes to read().
   void add_other(const CommandHelp& help);
 
   // Returns the subcommand that was chosen. If the command line asks for help or is wrong, prints

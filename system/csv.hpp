@@ -16,19 +16,20 @@ namespace mirocup::system {
 std::string csv_line(const std::vector<std::string>& cells);
 
 struct CsvRow {
-  int line = 1;  // in which it begins, from 1
+  int line = 1;  // the line in which it begins, from 1
   std::vector<std::string> cells;
 };
 
 struct CsvTable {
-  std::vector<CsvRow> rows;  // without those whose cells are all empty
+  std::vector<CsvRow> rows;  // without rows of empty cells
   bool was_windows_1252 = false;
 };
 
 // Reads a table that a spreadsheet or a person wrote: UTF-8 with or without its mark, or
-// Windows-1252; separated by commas, semicolons or tabs, whichever the first row has most of, or as
-// a line "sep=;" before it says; with any line ends. Blanks around a cell are left out. Errors
-// (Errc::input, a sentence): another encoding, a workbook, a quotation mark that is not closed.
+// Windows-1252; separated by commas, semicolons or tabs, whichever is most frequent in the first
+// row, or by the character that a line "sep=;" before the first row names; with any line ends.
+// Blanks around a cell are dropped. Errors (Errc::input, a sentence): another encoding, a workbook,
+// a quotation mark that is not closed.
 Result<CsvTable> read_csv(std::string_view bytes);
 
 }  // namespace mirocup::system

@@ -24,8 +24,8 @@ class FileLock {
   // Waits until the lock is free.
   static Result<FileLock> acquire(const std::string& path);
 
-  // Returns nothing if another process holds the lock for 0.2 s more. Otherwise the file names this
-  // process until the process ends, for signal_holder().
+  // Waits at most 0.2 s, and returns nothing if another process still holds the lock. Otherwise the
+  // file names this process until its end, so that signal_holder() finds it.
   static Result<std::optional<FileLock>> try_acquire(const std::string& path);
 
   // Sends the signals to the process that holds the lock. Returns false if no process does.

@@ -47,7 +47,7 @@ enum class Links {
 
 enum class Growth {
   refused,  // the file is complete: a change while it is read is an error
-  ignored,  // another process appends to it: only bytes that it has when it is opened are read
+  ignored,  // another process appends to it: only the bytes at the opening are read
 };
 
 // Limits of a file that is read.
@@ -146,9 +146,9 @@ class Files {
   virtual Result<void> remove(const std::string& path) = 0;
 };
 
-// True if the name is that of a temporary file of Files::write() or IncomingFile, which is being
-// written or was left by a process that died. Names of earlier versions have the process id instead
-// of random digits.
+// True if the name is that of a temporary file of Files::write() or IncomingFile, which a process
+// is writing, or a process that died has left. Names of earlier versions have the process id
+// instead of random digits.
 bool is_unfinished(const std::string& path);
 
 // A file that arrives in parts, for example over a network, and is hashed on its way. It has a

@@ -11,7 +11,7 @@
 
 namespace mirocup::system {
 
-// Returns the number that the whole text is, as std::from_chars() reads it with `format`: nothing,
+// Returns the number that the whole text spells, as std::from_chars() reads it. `format` is absent,
 // or the base of an integer.
 template <class Number, class... Format>
 std::optional<Number> whole_number(std::string_view text, Format... format) {
@@ -21,8 +21,8 @@ std::optional<Number> whole_number(std::string_view text, Format... format) {
   return is_number ? std::optional(number) : std::nullopt;
 }
 
-// Returns the number that the whole text is; nothing for any other text, and for a number that is
-// out of the range of its type. A sign '+' and spaces are no part of a number.
+// Returns the number that the whole text spells. Returns nothing for any other text, also with a
+// '+' or spaces, and for a number that is out of the range of its type.
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
   return whole_number<Number>(text);
@@ -41,7 +41,7 @@ inline std::optional<double> number_of<double>(std::string_view text) {
 }
 #endif
 
-// The same of an integer with hexadecimal digits.
+// The same for an integer in hexadecimal digits.
 template <std::unsigned_integral Number>
 std::optional<Number> hexadecimal_of(std::string_view text) {
   return whole_number<Number>(text, 16);

@@ -23,7 +23,8 @@ std::string printable(std::string_view text, LineEnds ends = LineEnds::escaped);
 bool is_utf8(std::string_view text);
 
 // Returns the first character of a text in UTF-8 that nobody sees, as "U+200B"; "" if there is
-// none. Joiners and variants are seen in writings from Arabic on, and in emoji.
+// none. A joiner or a variation selector counts as hidden only after a letter of a script before
+// Arabic (U+0600), or after itself.
 std::string hidden_character(std::string_view text);
 
 // Returns a stranger's words as a part of a sentence: on one line, escaped, in double quotation

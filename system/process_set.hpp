@@ -51,8 +51,8 @@ class ProcessSet {
   };
   News wait_within(double seconds);
 
-  // Waits for that time, whatever the children do. Returns true as soon as SIGINT or SIGTERM
-  // arrives. With 0 s, returns at once whether one has arrived.
+  // Waits for that time, even if children end. Returns true as soon as SIGINT or SIGTERM arrives.
+  // With 0 s, returns at once, true if a signal has arrived.
   bool is_asked_to_stop_within(double seconds);
 
   // Kills one child, and waits for its end. wait() will not report it.

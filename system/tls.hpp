@@ -54,8 +54,8 @@ class TlsServer {
   TlsServer& operator=(TlsServer&&) noexcept;
   ~TlsServer();
 
-  // Agrees on the encryption of a connection that was just made. Returns nothing if the other end
-  // does not speak TLS or needs more than `ms`.
+  // Agrees on the encryption of a new connection. Returns nothing if the other end does not speak
+  // TLS or needs more than `ms`.
   std::optional<TlsConnection> accept(int socket, int ms) const;
 
  private:

@@ -11,7 +11,7 @@
 namespace mirocup::system {
 
 // Set in the environment of a version of mirocup that another version runs, so that it does not run
-// a further one.
+// a third one.
 inline constexpr const char* asks_no_other = "MIROCUP_IS_ASKED";
 
 // Returns the real path of a file or folder, which strangers cannot change as long as root and this

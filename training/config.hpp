@@ -54,7 +54,7 @@ struct Config {
   Autoreset autoreset = Autoreset::next_step;
   double episode_s = 30.0;          // of play, after which an episode is truncated; infinite: never
   bool ends_at_goal = true;         // a goal terminates the episode
-  bool skips_stops = true;          // a step lasts until play is on: at restarts robots stand
+  bool skips_stops = true;          // a step lasts until play is on; while stopped, robots stand
   std::vector<StartRanges> starts;  // of episodes; empty: the kick-off
   nlohmann::ordered_json pitch;     // "parameters" of a scene, with ranges; null: those of a match
   int ticks_per_step = 1;           // control periods for which an action holds

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One match of a batch: an episode after the other, steered by learners and by teams.
+// One match of a batch, with one episode after the other. Learners and teams steer it.
 #pragma once
 
 #include "plugins/host/trusted_controller.hpp"

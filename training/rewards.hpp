@@ -23,7 +23,7 @@ enum class Term {
   foul,           // 1: decisions against the opponents minus those against the own team
   energy,         // s: minus the mean share of the wheel speed limit, times the time
   time,           // s: minus the time
-  // The terms of rSoccer's VSS environment, as it has them, of a step.
+  // The terms of rSoccer's VSS environment, with its definitions, for one step.
   vss_goal,
   vss_ball_grad,
   vss_move,
@@ -60,7 +60,7 @@ class RewardMeter {
   // To be called when an episode starts.
   void start(const match::Leg& leg, const Learner& learner);
 
-  // Adds the tick that the leg has played last. `command` are the wheel speeds that the learner's
+  // Adds the tick that the leg has played last. `command` has the wheel speeds that the learner's
   // team drove in the tick, rad/s. `decisions` is the number of decisions of the leg before the
   // tick.
   void add_tick(const match::Leg& leg, const Learner& learner,

@@ -21,7 +21,7 @@ struct StartRanges {
 };
 
 // Reads one start or a list of them: a situation, the name of a drill, or the file of a situation
-// or a drill. `folder` is that of the library; drills are looked for near it. Complains about a
+// or a drill. `folder` is the library's folder; drills are searched near it. Complains about a
 // start without a playable draw and, if `is_even`, about an uneven score.
 std::vector<StartRanges> read_starts(const record::JsonReader& json, League league, bool is_even,
                                      const std::string& folder);

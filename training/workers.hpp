@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The threads of a batch. They divide numbered pieces of work among themselves; which thread does
-// which piece must not matter.
+// The threads of a batch. They divide numbered pieces of work among themselves. The result must not
+// depend on which thread does a piece.
 //
 // Each thread begins with its own share of the pieces, the same share in every run, so that its
 // data stay in its processor's caches. A thread that has finished helps the others.
@@ -33,8 +33,8 @@ class Workers {
   void run(int pieces, const DoPiece& do_piece);
 
  private:
-  // The pieces that a thread begins with: from `next`, which counts on, to `end`. On a cache line
-  // of its own, because its thread counts in it all the time.
+  // The pieces that a thread begins with: from `next`, which its thread counts up, to `end`. It has
+  // a separate cache line, because its thread writes it often.
   struct alignas(64) Share {
     std::atomic<int> next{0};
     int end = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The feed of a running match for its viewers: it has always the latest state, and no queue. The
+// The feed of a running match for its viewers: it holds the latest state only, not a queue. The
 // match never waits for a viewer; a slow viewer misses states.
 //
 // Threads: the thread of the match calls publish() and close(); any other thread may call news().
@@ -43,7 +43,7 @@ class LiveFeed {
   void copy(const match::Leg& match);
 
   int robots_;
-  // Used by the thread of the match only, and up to date.
+  // Counts up to the present tick; only the thread of the match uses it.
   statistics::LegCounter counted_;
 
   mutable std::mutex mutex_;

@@ -3,7 +3,7 @@
 // The live page of one match over HTTP: the page at / and its events at /events. No request changes
 // anything, and the server reads no file.
 //
-// Threads: the server has threads of its own, with a lower priority than the match. A viewer that
+// Threads: the server runs in separate threads, with a lower priority than the match. A viewer that
 // does not read blocks its own thread only, and is dropped after a few seconds. All functions
 // belong to the thread of the match.
 #pragma once

@@ -35,13 +35,13 @@ std::string first_picture(const record::MatchRecord& record);
 struct ReplayPage {
   std::string html;
   statistics::LegStatistics statistics;  // that the page shows
-  std::size_t proof_size = 0;            // bytes of the page with which it can be proved
+  std::size_t proof_size = 0;            // bytes of the page for the proof of the leg
 };
 
-// Returns the page of the leg, with its data. Between the comments <!--league--> and
-// <!--/league--> a league may put links to its other pages.
-// A page that others see is made without `own`. With a `module`, a visitor's browser can simulate
-// the leg again; the page then has the commands of both teams.
+// Returns the page of the leg, with its data. Between the comments <!--league--> and <!--/league-->
+// a league may put links to its other pages. For a page that others may see, leave out `own`. With
+// a `module`, a visitor's browser can simulate the leg again; the page then has the commands of
+// both teams.
 tl::expected<ReplayPage, replay::Divergence> replay_page(
     const record::MatchRecord& record, Times times = Times::shown, const record::OwnTexts& own = {},
     const std::optional<BrowserModule>& module = {});

@@ -11,7 +11,7 @@ namespace mirocup::web {
 
 using record::Json;
 
-// The values that change seldom, as they are from a tick on: {state, phase, left, score}.
+// The values that change seldom, valid from a tick on: {state, phase, left, score}.
 Json moment_json(const match::Snapshot& scene);
 
 // The robots that count as keepers, blue's and yellow's; -1: the team has none.

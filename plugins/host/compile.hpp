@@ -24,7 +24,7 @@ struct CompilerKit {
 
 struct CompileLimits {
   double seconds = 60.0;      // of processor time of all processes together
-  double wall = 600.0;        // s of wall time; a longer wait of the compiler is the host's fault
+  double wall = 600.0;        // s of wall time; a longer compilation is the host's fault
   unsigned cpu_seconds = 40;  // of each process of the compiler
   std::size_t memory = std::size_t{3} << 29;    // bytes of addresses of each process
   std::size_t library = std::size_t{32} << 20;  // bytes

@@ -33,8 +33,8 @@ struct ObservationPage {
   mirocup_observation observation;
 };
 
-// The report of a team's process about its library before the first answer. The process could write
-// anything here, so the server uses the report only as the reason of a leg that the team loses.
+// The report of a team's process about its library before the first answer. The process can write
+// anything here, so the server uses the report only as the reason if the team loses the leg.
 enum class LoadState : std::uint32_t { loading, ready, no_load, bad_abi, crash };
 
 // The exit codes of a team's process that left a report on its page, and the fields that hold it.
@@ -58,7 +58,7 @@ struct CommandPage {
   std::atomic<std::uint32_t> fault_is_traced;  // 1: fault_trace is complete
   CrashTrace fault_trace;
   std::atomic<TeamCall> team_call;  // the function that runs, or ran last
-  AskedRows asked_parameters;       // of ObservationPage::parameters
+  AskedRows asked_parameters;       // rows of ObservationPage::parameters
   char name[64];                    // of the team, as its library says; any bytes
   char text[256];                   // why the team does not play, or the text of its exception
   char requests[1024];              // only of mirocup-careful-host: write_requests()

@@ -21,11 +21,11 @@
 
 namespace mirocup::plugins {
 
-// The evidence about a team's process that was killed from outside. Sizes in bytes.
+// The evidence about a team's process that was killed from outside; sizes in bytes.
 struct MemoryEvidence {
   std::optional<bool> was_out_of_memory;     // empty: the kernel does not tell
-  std::optional<std::size_t> free_at_start;  // of the leg
-  std::optional<std::size_t> free_now;       // when the process was gone
+  std::optional<std::size_t> free_at_start;  // when the leg began
+  std::optional<std::size_t> free_now;       // after the end of the process
   std::size_t own_peak = 0;
   std::size_t other_peak = 0;
 };
@@ -37,7 +37,7 @@ match::Answer judge_kill(Team team, const MemoryEvidence& evidence);
 // and remove them before they end.
 class MemoryWitness {
  public:
-  MemoryWitness();  // when the leg begins
+  MemoryWitness();  // to be called when the leg begins
 
   void add(Team team, const Child& child) { children_[index_of(team)] = &child; }
   void remove(Team team);

@@ -45,7 +45,7 @@ class Plugin {
   // Calls decide(). An exception that leaves it is a crash. The caller's floating-point mode is
   // restored after the call.
   tl::expected<mirocup_command, match::Fault> decide(const mirocup_observation& observation);
-  // The same with a place for the command, all zeros.
+  // The same, but the caller gives the place for the command, all zeros.
   tl::expected<mirocup_command, match::Fault> decide(const mirocup_observation& observation,
                                                      mirocup_command& command);
 

@@ -5,7 +5,7 @@
 // it is a failure of the host.
 //
 // Only the answers of the process affect the match. Its reports (the reason of its end, its output)
-// are labels: a team that forges them forges the reason of its own loss.
+// are labels: a team that forges a report changes only the reason of its own loss.
 #pragma once
 
 #include "core/match/controller.hpp"
@@ -29,8 +29,8 @@ namespace mirocup::plugins {
 
 // The limits of a team, in seconds. The match waits for both teams and counts their processor time.
 // A team has a bank of processor time for the whole leg; the limits of one tick only stop code that
-// would never end. The limits of wall time are against teams that sleep. They leave out the time in
-// which a team waits for a processor, so a busy machine does not end its leg.
+// would never end. The limits of wall time stop teams that sleep. Time in which a team waits for a
+// processor does not count, so a busy machine does not end its leg.
 struct Budget {
   double start_cpu = 10.0;
   double start_wall = 30.0;
@@ -162,8 +162,8 @@ class ProcessController final : public match::Controller {
   std::optional<match::Fault> find_overdraft() const;
   std::optional<match::Fault> find_overrun();
   bool has_slept_too_long();
-  // Returns the time since `begin` without that in which the process was ready to run but had no
-  // processor, s. `delay_at_begin`: its processor_delay() then.
+  // Returns the time since `begin`, less the time for which the process was ready to run but had no
+  // processor, s. `delay_at_begin`: its processor_delay() at `begin`.
   double seconds_without_delay(WallClock::time_point begin,
                                std::optional<double> delay_at_begin) const;
   void wait_for_word(std::uint32_t seen, std::chrono::nanoseconds pause);
@@ -177,7 +177,7 @@ class ProcessController final : public match::Controller {
   system::Descriptor setup_;
   system::Descriptor entry_;    // the library's bytes, sealed; for the names of its functions
   system::Descriptor loading_;  // while the process may load; see ask_before_loading()
-  bool has_loaded_ = false;     // as the process shows; it may be lying
+  bool has_loaded_ = false;     // according to the process, which may lie
   system::Descriptor log_pipe_;
   TeamLog log_;
   std::unique_ptr<ThoughtsPage> thoughts_;  // null unless they are kept
@@ -187,14 +187,14 @@ class ProcessController final : public match::Controller {
   std::shared_ptr<MemoryWitness> memory_;
   bool is_ready_ = false;
 
-  std::optional<AskedMoment> moment_;  // of the last observation that was handed over
+  std::optional<AskedMoment> moment_;  // of the last observation that the process got
   std::optional<LastWords> exit_report_;
   std::string backtrace_;
-  std::optional<WallClock::time_point> report_began_;  // when it was seen to report a crash
+  std::optional<WallClock::time_point> report_began_;  // when the server saw a crash report
   std::optional<double> delay_at_report_;              // s, processor_delay() then
   std::uint32_t ticks_ = 0;                            // observations so far
-  std::uint32_t places_ = 0;                           // those in which the team was asked to place
-  std::uint32_t request_ = 0;  // number of the last observation that was handed over
+  std::uint32_t places_ = 0;                           // observations that asked the team to place
+  std::uint32_t request_ = 0;  // number of the last observation that the process got
   bool is_awaited_ = false;    // true: it has not been answered
   bool is_placing_ = false;    // true: it also asks for poses
   WallClock::time_point posted_at_;

@@ -3,8 +3,8 @@
 // The fault of a team whose process has ended, as a sentence of the server.
 //
 // The text that the process wrote before its end is the team's own statement. The server prints it
-// as such: on one line, in quotation marks, cut. The server believes it only if it can be true: a
-// team that has played did load.
+// as such: on one line, in quotation marks, cut. The server uses it only if it can be true: a team
+// that has played has loaded.
 #pragma once
 
 #include "core/match/controller.hpp"

@@ -8,16 +8,16 @@
 // Differences between two readings and processor time are true, except in legs in which `mirocup
 // check` looks for a team whose answers depend on them.
 //
-// This is against honest mistakes. A team that asks the processor or the kernel directly sees other
-// clocks, and can only hurt itself by them.
+// This prevents honest mistakes. A team that asks the processor or the kernel directly sees other
+// clocks, and harms only itself.
 #pragma once
 
 #include <cstdint>
 
 namespace mirocup::plugins {
 
-// The readings of the clocks, s. They should never be ahead of the machine's clocks, so that no
-// wait until a time lasts longer than it should.
+// The readings of the clocks, s. They should never be ahead of the machine's clocks, or a wait
+// until a time would last too long.
 struct ClockReadings {
   std::int64_t time_of_day = 946'684'800;  // when the process starts: 1 January 2000, UTC
   std::int64_t uptime_behind = 0;          // how far the time since the machine's start lags

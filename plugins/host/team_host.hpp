@@ -20,14 +20,14 @@ struct TeamHost {
   const ParameterTable* table = nullptr;
   AskedRows* asked = nullptr;
   ThoughtsPage* thoughts = nullptr;  // null: the team's shapes are not kept
-  // What parameter_of() was asked for beside the table: so many names at most are kept.
+  // Names that parameter_of() was asked for and that are not in the table, up to this number.
   std::array<std::size_t, match::max_team_parameters + 1> names{};  // hashes
   std::size_t different_names = 0;
   bool has_told_name = false;
   std::string last_line = {};  // of the log, at most 200 bytes
 };
 
-// The team's log marks lines of the host with it; mirocup check shows them as warnings.
+// The prefix of the host's lines in the team's log; `mirocup check` shows these lines as warnings.
 inline constexpr const char* line_of_host = "mirocup: ";
 
 // Gives the setup the host and its functions.

@@ -18,7 +18,7 @@
 namespace mirocup::python {
 
 enum class Surrounding {
-  sandbox,    // output goes to the team's log and is dropped where that is full
+  sandbox,    // output goes to the team's log, and is dropped if that is full
   developer,  // input and output are those of this process, so that a debugger works
 };
 
@@ -29,9 +29,9 @@ struct LoadedTeam {
 
 // Starts the interpreter, if this process has none yet, runs the text of the file and creates its
 // team. `name` stands for the file in sentences and tracebacks. `setup` must outlive the team. The
-// interpreter hashes every text alike in every leg, and knows no folders but its library's.
-// Errors are the team's: no_load if the file is no team, crash if the team cannot be created.
-// From here on the thread that called this is the only one that may use the team.
+// interpreter hashes texts in the same way in every leg, and imports only from the folders of its
+// own library. Errors are the team's: no_load if the file is not a team, crash if the team cannot
+// be created. From here on only the calling thread may use the team.
 tl::expected<LoadedTeam, match::Fault> load_team(const std::string& text, const std::string& name,
                                                  const mirocup_setup& setup,
                                                  Surrounding surrounding);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Included before every source of an old team: what Microsoft's compilers know and others do not.
+ * Included before every source of an old team: names that Microsoft's compilers have and others
+ * lack.
  */
 #ifndef MIROCUP_SIMUROSOT_PREFIX_H
 #define MIROCUP_SIMUROSOT_PREFIX_H
@@ -50,7 +51,7 @@
 #include <time.h>
 #include <wchar.h>
 
-/* Read before names of theirs mean others. */
+/* Included before macros below change names that these headers use. */
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -80,20 +81,20 @@ using ::tanf;
 #define M_PI 3.14159265358979323846
 #endif
 
-/* Names of the team's own that the C library here has and Microsoft's has not: forward.sh. */
+/* Names of this C library that Microsoft's lacks, so a team may use them: see forward.sh. */
 #if __has_include("mirocup_own_names.h")
 #include "mirocup_own_names.h"
 #endif
 
-/* g++ defines them, and they are good names for variables. */
+/* Macros of g++ that teams use as names of variables. */
 #undef linux
 #undef unix
 #undef i386
 
-/* Only a program has a main function; a library that has one keeps it for itself. */
+/* A library that has a main function must not export it. */
 #define main mirocup_simurosot_main
 
-/* What a project of Visual C++ 6 for a library defined. */
+/* Macros that a project of Visual C++ 6 defined for a library. */
 #define WIN32 1
 #define _WINDOWS 1
 

@@ -18,7 +18,7 @@ struct HeldLeague {
   system::FileLock lock;
 };
 
-// Opens a league in order to play it, and says what was mended in it. Errors: those of
+// Opens a league in order to play it, and prints any repair of its journal. Errors: those of
 // expect_owner(); Errc::unavailable if another process plays it, with `advice` as the end of the
 // sentence.
 Result<HeldLeague> hold_league(system::Files& files, const Folder& folder,
@@ -30,7 +30,7 @@ struct PlayTerms {
   int jobs = 0;                        // legs at once; 0: one for each processor
   bool watched = false;                // league serve shows the legs of this host
   int dds_domain = 0;                  // of the legs in which a team plays over DDS
-  bool accepts_other_program = false;  // than the one that has played until now
+  bool accepts_other_program = false;  // continues a league that another program began
 };
 
 // Plays until no leg can be played, and returns the state. Errors are also those of
@@ -38,10 +38,10 @@ struct PlayTerms {
 Result<LeagueState> play_league(system::Files& files, LeagueStore store, ProgressReporter& progress,
                                 const PlayTerms& terms);
 
-// The option --other-program of those that play.
+// The option --other-program of these subcommands.
 void add_other_program(const system::Command& command, bool& accepts_other_program);
 
-// Prints to standard error what keeps the league from its end.
+// Prints to standard error why the league has not ended.
 void say_what_is_left(const LeagueState& state);
 
 }  // namespace mirocup::league

@@ -13,18 +13,17 @@
 
 namespace mirocup::league {
 
-// What pages say of nights: the last one that may be told, and the feed.
+// The nights on the pages: the last night that may be shown, and the feed.
 struct NightNews {
   std::optional<Night> night;
-  std::string feed;  // feed.xml; ""
+  std::string feed;  // feed.xml; "": none
 };
 
-// Returns the news for the pages that show `shown`, which is all of the league or what is released
-// of it.
+// Returns the news for pages that show `shown`: the whole league, or its released part.
 Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store);
 
-// Returns what makes the page in which visitors play by hand; null if its module was not built.
-// `files` outlives it.
+// Returns the function that makes the page in which visitors play by hand; null if the module for
+// browsers was not built. `files` outlives it.
 std::function<std::string()> playground_maker(system::Files& files);
 
 // Writes the pages of a state to the folder's site/; `jobs` replay pages are made at once (0: one
@@ -32,10 +31,10 @@ std::function<std::string()> playground_maker(system::Files& files);
 Result<void> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
                           const NightNews& news, int jobs = 0);
 
-// Opens the league and writes the pages of what is released.
+// Opens the league and writes the pages of its released part.
 Result<void> publish_league(system::Files& files, const Folder& folder, int jobs = 0);
 
-// Prints what is known of the teams and their entries.
+// Prints the teams and their entries.
 Result<void> print_roster(system::Files& files, const LeagueStore& store, bool is_json);
 
 }  // namespace mirocup::league

@@ -12,7 +12,7 @@ namespace mirocup::league {
 
 class ScratchFolder {
  public:
-  // `prefix`: what its name begins with.
+  // Its name begins with `prefix`.
   explicit ScratchFolder(const std::string& prefix) {
     std::string name = (std::filesystem::temp_directory_path() / (prefix + "-XXXXXX")).string();
     if (mkdtemp(name.data()) != nullptr) path_ = name;

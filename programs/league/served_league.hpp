@@ -31,7 +31,7 @@ class ServedLeague {
   std::string news(std::uint64_t& seen);
   std::optional<int> match(const std::string& name);
 
-  // Lets the pages show where teams hand in.
+  // From now on the pages link to the form for hand-ins.
   void offer_hand_in() { takes_hand_ins_ = true; }
 
   // Returns why no entry of this team is taken at a time (UTC); "" if entries are taken.
@@ -48,8 +48,8 @@ class ServedLeague {
   // teams were kept, it shows them and what the teams printed.
   std::optional<std::string> own_replay(const std::string& name, const record::Whose& whose);
 
-  // Returns the teams that have an entry which would play now, with its number. It is a few seconds
-  // old at most.
+  // Returns the teams with an entry that would play now, and the entry's number. The answer is at
+  // most a few seconds old.
   std::map<std::string, int> entries_that_play();
 
   // Returns the teams next to a team in the table, above before below; none before the start.
@@ -58,13 +58,14 @@ class ServedLeague {
   // Returns the name by which people know a team.
   std::string shown_name_of(const std::string& team);
 
-  // Returns a time of the journal as people of the league read it: shown_time().
+  // Returns a time of the journal in the league's time zone: shown_time().
   std::string time_in_words(const std::string& utc);
 
   // Returns the football statistics of a team, HTML; "" if there are none.
   std::string statistics_of(const std::string& team);
 
-  // Returns the page that replays a record, a path, likewise; nothing if it cannot be made.
+  // Returns the page that replays the record at a path, with the thoughts and output of the teams
+  // in `whose`; nothing if the page cannot be made.
   std::optional<std::string> replay_of(const std::string& record, const record::Whose& whose);
 
  private:
@@ -91,7 +92,7 @@ class ServedLeague {
   system::Files& files_;
   std::mutex mutex_;  // guards all members up to replaying_
   LeagueStore store_;
-  std::string config_;  // league.json, as long as the league has not started
+  std::string config_;  // league.json, until the league starts
   bool takes_hand_ins_ = false;
   std::chrono::steady_clock::time_point polled_at_{};
   std::uint64_t version_ = 0;  // grows with each change of the journal or of the live legs
@@ -101,14 +102,14 @@ class ServedLeague {
   std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
   std::size_t lines_of_pages_ = 0;      // lines_ then
   std::chrono::steady_clock::time_point pages_rest_until_{};
-  std::unique_ptr<Site> site_;  // of what is released; null before the first page
+  std::unique_ptr<Site> site_;  // of the released part; null before the first page
   std::string said_;            // teams.json and notice.txt
   FactsOfLegs facts_;
   KnownReports known_reports_;
-  std::map<int, std::string> statistics_;  // of teams, as far as they were asked for
+  std::map<int, std::string> statistics_;  // of teams that were asked for
   std::map<std::string, int> entries_that_play_;
   std::chrono::steady_clock::time_point entries_looked_up_at_{};
-  std::map<std::string, web::Page> pages_;  // of site_, as far as they were asked for, by path
+  std::map<std::string, web::Page> pages_;  // pages of site_ that were asked for, by path
   std::set<std::string> records_;           // names without .json
 
   std::mutex replaying_;  // held while a replay page is made: one at a time

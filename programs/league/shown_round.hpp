@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A round as `mirocup league show` shows it on a projector: the page, the legs as they were
-// recorded, the table after each of them, and the commands of a remote. The league is read once;
-// what is played meanwhile is not shown.
+// A round as `mirocup league show` shows it on a projector: the page, the recorded legs, the table
+// after each of them, and the commands of a remote. The league is read once, so legs that are
+// played later are not shown.
 //
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
@@ -57,7 +57,7 @@ class ShownRound {
   std::string league_;
   std::string title_;
   std::vector<Leg> legs_;
-  std::vector<std::string> standings_;  // HTML after 0, 1, … legs
+  std::vector<std::string> standings_;  // HTML of the table after 0, 1, … legs
   std::vector<std::string> next_;       // fixtures of the next round, in words
   std::string champion_;                // HTML; "": the league is not over after this round
 

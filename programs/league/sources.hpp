@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The sources that the teams of a league have handed in, as JPlag reads them: OUT/submissions has a
-// folder for each team, and OUT/base what the teams were given, which is nobody's own.
+// folder for each team, and OUT/base has the files that every team was given.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"

@@ -38,7 +38,7 @@ void add_scene(system::Commands& commands);
 void add_referee(system::Commands& commands);
 void add_completion(system::Commands& commands);
 
-// Options that several subcommands have.
+// Options of several subcommands.
 void add_dds_domain(const system::Command& command, int& domain);
 // KEY=VALUE for parameters of `whose` team: "the team".
 void add_parameters(const system::Command& command, const char* option,

@@ -19,8 +19,8 @@ struct Score {
   double high = 0.0;
 };
 
-// Returns the mean of the tries' marks with Wilson's interval. For marks between nothing and all it
-// is a little too wide.
+// Returns the mean of the tries' marks with Wilson's interval. If tries have marks between 0 and 1,
+// the interval is a little too wide.
 Score score_of(const std::vector<PlayedTry>& tries);
 
 // The marks of one team.

@@ -11,7 +11,7 @@
 
 namespace mirocup::app {
 
-// What is known about the end of a team's process.
+// The evidence about the end of a team's process.
 struct FaultEvidence {
   match::Fault fault;
   std::optional<plugins::LastWords> words;  // nothing if the server ended the process

@@ -31,7 +31,7 @@ struct Check {
   std::string cure = {};
 };
 
-// Something that is allowed but hardly meant.
+// Behaviour that is allowed but hardly intended.
 struct Note {
   std::string code;  // for scripts: "own_goals", "bad_values", ...
   std::string text;  // a sentence
@@ -42,23 +42,23 @@ struct EntryReport {
   plugins::Isolation isolation = plugins::Isolation::T2;
   std::vector<Check> checks;
   double start_ms = 0.0;
-  double mean_tick_ms = 0.0;     // processor time
-  double slowest_tick_ms = 0.0;  // processor time
-  double bank_share = 0.0;       // mean_tick_ms, of the time that a tick adds to the bank
-  double leg_seconds = 0.0;      // processor time that a leg of full length would take
-  double leg_share = 0.0;        // leg_seconds, of the time that such a leg gives
-  std::size_t peak_memory = 0;   // bytes
-  double used_seconds = 0.0;     // of the check, as CheckPlan counts
+  double mean_tick_ms = 0.0;                 // processor time
+  double slowest_tick_ms = 0.0;              // processor time
+  double bank_share = 0.0;                   // mean_tick_ms / the time that a tick adds to the bank
+  double leg_seconds = 0.0;                  // processor time that a leg of full length would take
+  double leg_share = 0.0;                    // leg_seconds / the time that such a leg gives
+  std::size_t peak_memory = 0;               // bytes
+  double used_seconds = 0.0;                 // of the check, as CheckPlan counts
   match::TeamParameters unknown_parameters;  // given, but the team never asked for them
   int bad_values = 0;                        // of its commands, zeroed or clamped
-  int moved_placements = 0;                  // that it asked for and were not legal
-  bool has_moved = false;                    // it turned a wheel
+  int moved_placements = 0;                  // requested places that were not legal
+  bool has_moved = false;                    // true: it turned a wheel
   std::vector<LegStory> legs;                // the whole legs against striker, as far as played
   std::vector<Note> notes;
   std::string log;
 
-  // The leg as blue against striker, or the one as yellow in which it failed; nothing if it was
-  // stopped early or not reached.
+  // The leg as blue against striker, or the leg as yellow in which the entry failed. Empty if that
+  // leg was stopped early or not played.
   std::optional<replay::Recording> gate_leg;
   Team gate_colour = Team::blue;
 
@@ -69,7 +69,7 @@ struct EntryReport {
 // The leg that an entry is for.
 struct EntryTerms {
   League league = League::small;
-  referee::Rules rules;  // with the length of a half that it will play
+  referee::Rules rules;  // with the length of a half in the league
   match::TeamParameters parameters;
 };
 
@@ -79,11 +79,11 @@ using OnCheck = std::function<void(const Check&)>;
 using OnStep = std::function<void(int number, int of, const char* name)>;
 
 // Looks at the file, then lets it play in the sandbox: whole legs against the house team striker in
-// both colours, a knock-out leg, and the first leg again where a careful heap watches its memory,
-// at other addresses and another time. Takes three seconds for a usual team. A slow team plays
+// both colours, a knock-out leg, and the first leg again, with a heap that watches its memory, at
+// other addresses and at another time. Takes three seconds for a usual team. A slow team plays
 // shorter legs, so that the check takes at most 20 s of processor time, of all its processes
-// together, and 15 s more to find out why an entry is refused. Only an entry that takes more than
-// 2 s to load needs more, since each leg loads it. An error means that there is no answer: the file
+// together, and 15 s more to find out why an entry is refused. Only an entry that takes more than 2
+// s to load needs more, since each leg loads it. An error means that there is no answer: the file
 // cannot be read, or the host failed.
 Result<EntryReport> check_entry(const std::string& path, const EntryTerms& terms,
                                 const OnCheck& on_check = {}, const OnStep& on_step = {});

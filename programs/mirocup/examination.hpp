@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The state of the checks of one entry, and what all of them use. Each kind of check is a source:
-// file_checks.cpp looks at the bytes, play_checks.cpp lets the entry play, repeat_checks.cpp lets
-// it play the same again. They run one after the other, in the order of check_names.
+// file_checks.cpp looks at the bytes, play_checks.cpp lets the entry play, and repeat_checks.cpp
+// repeats legs. They run one after the other, in the order of check_names.
 #pragma once
 
 #include "plugins/host/sealed_entry.hpp"
@@ -37,7 +37,7 @@ struct Examination {
   TrialLeg knockout{};
   std::set<MetRestart> restarts{};  // in the legs so far
   double slept = 0.0;               // s, in a leg of full length
-  std::size_t grown = 0;            // bytes that it took while a leg was played
+  std::size_t grown = 0;            // bytes that its memory grew by in a leg
   std::string requests{};           // of the team, a line each
   CheckPlan plan{};
   EntryReport report{};
@@ -54,9 +54,10 @@ Result<bool> repeat_elsewhere(Examination& e);
 // Says which check comes next.
 void tell_next(const Examination& e);
 
-// Each adds the result of the next check and returns true if it passed.
+// These functions add the result of the next check and return true if it passed.
 bool pass(Examination& e, std::string text);
-// The text says what was found and, after its last ": ", what to do.
+// Adds the failure of the next check. The text has the finding and, after its last ": ", the
+// advice.
 bool fail_with(Examination& e, const std::string& text);
 bool fail_with(Examination& e, Check failed);  // text and name follow from its parts
 // Passes with the text, or fails with the fault of the leg and advice.

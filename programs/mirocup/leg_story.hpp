@@ -10,7 +10,7 @@
 
 namespace mirocup::app {
 
-// Shares are of the time in which the ball was in play, in the mean of the entry's robots.
+// A share is the mean over the entry's robots, of the time in which the ball was in play.
 struct LegStory {
   Team team = Team::blue;        // the colour of the entry
   std::string opponent;          // a house team
@@ -22,7 +22,7 @@ struct LegStory {
   double fastest_wheel = 0.0;    // that the entry asked for, rad/s
   double towards_own_end = 0.0;  // share of the speed that its touches gave the ball
   double given_speed = 0.0;      // all of that speed, m/s
-  unsigned told_robots = 0;      // bit i: robot i was told to turn a wheel
+  unsigned told_robots = 0;      // bit i: a command turned a wheel of robot i
 };
 
 // Watches the leg of an entry tick by tick.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Projects of Visual C++, which say what of a folder is compiled.
+// Projects of Visual C++, which name the files of a folder that are compiled.
 #pragma once
 
 #include <string>

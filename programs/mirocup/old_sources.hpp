@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds what a folder with the sources of a SimuroSot team consists of: its header, what is to be
-// compiled, and the style of its interface.
+// Finds the parts of a folder with the sources of a SimuroSot team: its header, the files to
+// compile, and the style of its interface.
 #pragma once
 
 #include "core/base/error.hpp"

@@ -7,10 +7,10 @@
 
 namespace mirocup::app {
 
-// Returns the text with what g++ does not take in another form, and everything else byte for byte:
-// UTF-16 becomes UTF-8; bytes behind the end of an old file (0 and 26) go; a line that ends in two
-// or more carriage returns ends in one; in GBK a second byte that is a backslash becomes \134, so
-// that it ends no string and joins no lines. Same number of lines.
+// Returns the text in a form that g++ accepts. It changes only these bytes: UTF-16 becomes UTF-8;
+// bytes after the end of an old file (0 and 26) are dropped; a line that ends in two or more
+// carriage returns ends in one; in GBK a second byte that is a backslash becomes \134, so that it
+// ends no string and joins no lines. The number of lines stays the same.
 std::string readable(std::string text);
 
 }  // namespace mirocup::app

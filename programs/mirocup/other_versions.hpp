@@ -9,12 +9,12 @@
 
 namespace mirocup::app {
 
-// Returns the path of a program that reproduces the record at `path`; "" if there is none. Its
-// checksum has to be right: the caller has looked. Programs are looked for in the folders of
-// $MIROCUP_VERSIONS and in /opt/mirocup/*, each in bin/ and in the folder itself. One is asked if
-// no stranger can have put it there (system/trusted_program.hpp), it is called mirocup, and it
-// answers --version with the version that the record names. Standard error names each one that is
-// left out because a stranger might have put it there.
+// Returns the path of a program that reproduces the record at `path`; "" if there is none.
+// Precondition: its checksum is right. The function looks for programs in the folders of
+// $MIROCUP_VERSIONS and in /opt/mirocup/*, each in bin/ and in the folder itself. It runs a program
+// only if no stranger can have put it there (system/trusted_program.hpp), it is called mirocup, and
+// `--version` prints the version that the record names. Standard error names each program that a
+// stranger might have put there.
 std::string version_that_reproduces(const std::string& path, const record::MatchRecord& record);
 
 }  // namespace mirocup::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A look at where a file will be written, before the work that it is the result of.
+// Checks, before the work, that its result can be written.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,8 +14,7 @@ namespace mirocup::app {
 // or a pipe needs no folder: system::is_written_in_place().
 Result<void> expect_writable_folder_of(const std::string& path);
 
-// The same for an output that must not take the place of one of the files that are read. "": there
-// is none.
+// The same for an output that must not replace one of the input files. "": there is no output.
 Result<void> expect_writable_output(const std::string& path,
                                     const std::vector<std::string>& inputs);
 

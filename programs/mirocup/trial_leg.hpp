@@ -26,7 +26,7 @@ struct TrialTerms {
   Team team = Team::blue;  // the colour of the entry
   match::TeamParameters parameters;
   std::uint32_t max_ticks = UINT32_MAX;
-  double max_seconds = CheckPlan::longest;  // used while it is played; then the leg stops
+  double max_seconds = CheckPlan::longest;  // of use while it plays; then the leg stops
   plugins::Isolation isolation = plugins::Isolation::T2;
   plugins::Surroundings surroundings;
   bool is_recorded = false;
@@ -41,20 +41,20 @@ struct TrialLeg {
   std::optional<FaultEvidence> fault;
   std::vector<match::TickLog> log;
   int bad_values = 0;                          // values of commands that were zeroed or clamped
-  int moved_placements = 0;                    // placements that were asked for and not legal
-  bool has_moved = false;                      // some command turned a wheel
+  int moved_placements = 0;                    // requested places that were not legal
+  bool has_moved = false;                      // true: a command turned a wheel
   double start_seconds = 0.0;                  // to load and create
   double playing_seconds = 0.0;                // processor time
   double slowest_tick_ms = 0.0;                // processor time
   std::uint32_t places = 0;                    // times that it was asked to place
   double slept_seconds = 0.0;                  // neither computing nor waiting for a processor
   double used_seconds = 0.0;                   // as CheckPlan counts, loading included
-  double used_to_start = 0.0;                  // of these
+  double used_to_start = 0.0;                  // the part of it before the first tick
   bool is_whole = false;                       // played to the end of the leg
   std::size_t memory_at_start = 0;             // bytes, when its team was created
   std::size_t peak_memory = 0;                 // bytes
   std::set<MetRestart> restarts;               // for which it was asked to place
-  std::optional<replay::Recording> recording;  // of a leg that came to its end
+  std::optional<replay::Recording> recording;  // of a leg that was played to its end
   LegStory story;                              // without the opponent's name
   std::string output;
   std::string requests;  // lines of ProcessController::requests()

@@ -30,9 +30,9 @@ enum class EventKind { goal, no_goal, save, touch, pass, pose, in_area, no_foul 
 // the opponents' goal.
 enum class Frame { field, ball };
 
-// An event that shall happen in a try, or shall not. Which members count depends on the kind. If a
-// drill has an event that shall happen, events that shall not happen have no marks: such an event
-// costs all marks of the try.
+// An event that must happen in a try, or must not. Its kind decides which members count. If a drill
+// has an event that must happen, an event that must not happen gives no marks, but costs all marks
+// of the try if it happens.
 struct Event {
   EventKind kind = EventKind::goal;
   double marks = 1.0;
@@ -49,13 +49,13 @@ struct Event {
   double within_angle = 0.2;     // pose: rad from its heading
   double hold = 0.0;             // pose, in_area: s without a break
 
-  // False for an event that shall not happen: the end of the try decides about it.
+  // False for an event that must not happen: then the end of the try decides.
   bool has_to_happen() const { return kind != EventKind::no_goal && kind != EventKind::no_foul; }
 };
 
 // Deductions from the marks of a try, as shares of full marks.
 struct Deductions {
-  double time = 0.0;  // for a success in the last moment; an earlier one costs less, in proportion
+  double time = 0.0;  // for a success in the last moment; less for an earlier one
   double foul = 0.0;  // for each foul
 };
 
@@ -70,7 +70,7 @@ struct Drill {
   nlohmann::ordered_json situation;  // numbers may be {"from", "to"}
   std::string opponent;              // as on the command line
   std::string mates;                 // "": the tested team steers all robots
-  referee::RobotSet robots;          // that the tested team steers; the mates steer the others
+  referee::RobotSet robots;          // steered by the tested team; the mates steer the others
   match::TeamParameters parameters;  // of the tested team
   double seconds = 10.0;             // of play in a try
   int tries = 60;

@@ -12,12 +12,12 @@
 namespace mirocup::statistics {
 
 inline constexpr double min_flight_m = 0.15;    // of a pass, and of a ball that is intercepted
-inline constexpr double shot_speed = 0.5;       // m/s; a slower ball is no shot
-inline constexpr double shot_distance_m = 1.0;  // to the goal line; farther away is no shot
+inline constexpr double shot_speed = 0.5;       // m/s; a slower ball is not a shot
+inline constexpr double shot_distance_m = 1.0;  // to the goal line; farther away is not a shot
 inline constexpr double wide_goals = 2.0;       // a shot misses by at most half a goal's width
-inline constexpr double shot_pause_s = 0.5;     // after a longer time off course, it is a new shot
-inline constexpr double save_s = 0.5;           // a ball in the goal within this time is no save
-inline constexpr double duel_pause_s = 0.5;     // without a contested tick, then a duel is over
+inline constexpr double shot_pause_s = 0.5;     // after a longer pause it is a new shot
+inline constexpr double save_s = 0.5;           // a goal within this time: not a save
+inline constexpr double duel_pause_s = 0.5;     // without a contested tick, then it is over
 
 class Counter {
  public:
@@ -53,7 +53,7 @@ class Counter {
     referee::Restart kind = referee::Restart::none;
     referee::Law law = referee::Law::toss;
     Team taker = Team::blue;
-    std::uint32_t play_ticks = 0;  // before it
+    std::uint32_t play_ticks = 0;  // before the restart
   };
   enum class Course { elsewhere, wide, on_goal };
 

@@ -19,8 +19,8 @@ namespace mirocup::statistics {
 
 using match::ByTeam;
 
-// The kind of a goal, from the view of the team for which it counts: match::GoalKind, or an own
-// goal of the opponents. Attempts of a shoot-out are not goals.
+// The kind of a goal, from the view of the team the team for which it counts: match::GoalKind, or
+// an own goal of the opponents. Attempts of a shoot-out are not goals.
 enum class GoalOrigin {
   open_play,
   kick_off,
@@ -82,7 +82,7 @@ struct TeamStatistics {
   PerName<referee::Law> fouls{};
   double possession_s = 0.0;
   double opponent_half_s = 0.0;  // play with the ball in the half of the opponents
-  double distance_m = 0.0;       // that all robots of the team drove in play
+  double distance_m = 0.0;       // distance of all robots of the team in play
 
   int all_goals() const;
   int all_losses() const;
@@ -94,7 +94,7 @@ struct TeamStatistics {
 
 // The loss of the ball that came before a goal.
 struct Loss {
-  std::uint32_t tick = 0;  // in which an opponent got it
+  std::uint32_t tick = 0;  // the tick in which an opponent got the ball
   LossKind kind = LossKind::tackle;
   Vec2 place{0.0, 0.0};  // where the losing team touched it last
   Third third = Third::own;
@@ -138,9 +138,9 @@ struct PassMark {
 
 struct Foul {
   std::uint32_t tick = 0;
-  Team team = Team::blue;  // that offended
+  Team team = Team::blue;  // the team that offended
   referee::Law law = referee::Law::push;
-  referee::Restart restart = referee::Restart::none;  // that it cost
+  referee::Restart restart = referee::Restart::none;  // the restart that it cost
 };
 
 struct LegStatistics {
@@ -148,7 +148,7 @@ struct LegStatistics {
   double play_s = 0.0;
   double dead_ball_s = 0.0;  // from a decision to the whistle after it
   int stoppages = 0;         // restarts, without those that open a half
-  int duels = 0;             // also those that no team won
+  int duels = 0;             // with the duels that no team won
   std::vector<Goal> goals;   // in their order
   std::vector<Foul> fouls;   // in their order
   std::vector<ShotMark> shots;

@@ -18,12 +18,11 @@
 
 namespace mirocup::traces {
 
-// The positions from time `t` on. If a frame leaves out a value, the value of the frame before
-// holds.
+// The positions from time `t` on. A value that a frame leaves out is the value of the frame before.
 struct KeyFrame {
   double t = 0.0;
   Vec2 ball{0.0, 0.0};
-  double ball_since = 0.0;                   // the time of the frame that gave the ball
+  double ball_since = 0.0;                   // time of the last frame with a ball
   referee::ByEnd<std::vector<Pose>> robots;  // by index; unlisted robots stand far away
   // Pairs that touch: a robot and another robot or, if there is no other robot, the ball. If empty,
   // gaps decide about contacts.
@@ -80,7 +79,7 @@ struct Trace {
   referee::ByEnd<int> requested_robots{};                 // how many poses each team gave
   std::vector<TeamRequest> requests;
   std::vector<HandOnField> hands;
-  referee::ByEnd<bool> missing{};  // with state HALF_TIME: teams that are late
+  referee::ByEnd<bool> missing{};  // with state HALF_TIME: the teams that are late
   std::optional<Attempt> attempt;
 };
 

@@ -56,7 +56,8 @@ mirocup_v4_TeamCommand to_sample(const match::Command& command, Team team, std::
                                  std::uint64_t nonce);
 match::Command to_command(const mirocup_v4_TeamCommand& sample);
 
-// False if the sample has a number for which mirocup.idl has no constant; such a one is ignored.
+// False if the sample has a number for which mirocup.idl has no constant; the caller ignores such a
+// sample.
 bool is_known(const mirocup_v4_WorldState& sample);
 
 // Returns why two processes that speak these layouts cannot play together; "" if they can.

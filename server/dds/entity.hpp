@@ -64,7 +64,7 @@ Result<Entity> make_reader(const Entity& subscriber, const Entity& topic, const 
 // From now on the waitset wakes while the reader has samples.
 Result<void> attach(const Entity& waitset, const Entity& reader);
 
-// Identifies the process that a writer belongs to: DDS gives every participant a key of its own.
+// Identifies the process that a writer belongs to: DDS gives every participant another key.
 using ParticipantKey = std::array<std::uint8_t, 16>;
 
 // Returns the key of the process of a writer, or nothing if the reader is not matched with that

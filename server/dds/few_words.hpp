@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds how many sentences a stranger or a bad network can make the server print.
+// Limits the number of sentences that a stranger or a bad network can make the server print.
 #pragma once
 
 #include <functional>

@@ -33,18 +33,18 @@ class Liveliness {
   // was away.
   bool answered(std::uint32_t tick, double now);
 
-  // To be called when a late command has come: to `tick`, newer than all commands before it, while
-  // `present` is the present tick. Returns true if the team was away.
+  // To be called in the tick `present` when a late command to `tick` has come that is newer than
+  // all commands before it. Returns true if the team was away.
   bool answered_late(std::uint32_t tick, std::uint32_t present, double now);
 
-  // To be called when the answer to the present tick has come once more, as it must while the state
+  // To be called when the answer to the present tick has come again, as it must whenever the state
   // is sent again.
   void repeated(double now) {
     if (!owes_) silent_since_ = heard_ = now;
   }
 
-  // To be called while nothing has come, in the present `tick`. Returns true if the team is away
-  // from this moment on. `has_left`: its process has left the network.
+  // To be called while no answer to the present tick, `tick`, has come. Returns true if the team is
+  // away from this moment on. `has_left`: its process has left the network.
   bool silent(std::uint32_t tick, double now, bool has_left);
 
   bool is_away() const { return away_since_.has_value(); }

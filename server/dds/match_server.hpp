@@ -84,7 +84,7 @@ class MatchServer {
   bool is_settled_ = true;      // the present tick has been waited for
   std::optional<ExcusedTime> excused_;
   WallClock::time_point began_ = WallClock::now();
-  WallClock::time_point looked_;  // at the host's interface
+  WallClock::time_point looked_;  // when the server last looked at the host's interface
   bool is_up_ = true;             // the host's interface
   bool was_up_ = false;           // the interface has been up, so its state means something
   FewWords of_host_{4};

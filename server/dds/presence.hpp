@@ -23,7 +23,7 @@ struct Elsewhere {};  // it does not play over the network; its own controller r
 struct Present {
   double heard = 0.0;  // the time of its last command
 };
-struct Late {  // a tick waits for its answer, but not for long enough to call it away
+struct Late {  // it owes an answer, but has not been silent for long enough to be away
   double heard = 0.0;
 };
 struct Away {  // it has been silent for too long
@@ -51,7 +51,7 @@ struct HostAtFault {};
 using Verdict = std::variant<PlayOn, AwaitOther, Disconnected, HostAtFault>;
 
 // `host_was_down`: for how long the host's own network was down in this leg. Such time is no
-// absence of a team; longer than `limit` it makes the leg void.
+// absence of a team; if it is longer than `limit`, the leg is void.
 Verdict judge_absences(const match::ByTeam<Standing>& teams, double host_was_down, double limit);
 
 }  // namespace mirocup::dds

@@ -8,7 +8,7 @@
 // take the seat only while the first one is away.
 //
 // A seat is part of a MatchServer and is used from its thread. Its collect() settles the tick for
-// all seats of the server at once, because what one team's absence means depends on the other one.
+// all seats of the server at once, because the effect of an absence depends on the other team.
 #pragma once
 
 #include "record/durations.hpp"
@@ -30,7 +30,7 @@ namespace mirocup::dds {
 // The terms on which a team joins and stays in a match; seconds of wall time.
 struct JoinTerms {
   double to_join = 60.0;         // from the construction of the seat to the team's first answer
-  std::uint32_t first_tick = 0;  // that the team answers; above 0 if a record is played on
+  std::uint32_t first_tick = 0;  // the team answers first; above 0 if a record is played on
   // The time in which a tick must be answered (real time). If empty, the match waits without a
   // limit (lockstep).
   std::optional<double> tick;
@@ -56,7 +56,7 @@ struct SeatLink {
   // The time until which the team's credentials are valid, s since 1970 UTC; empty: not known.
   std::optional<std::int64_t> credentials_end;
   std::function<std::string()> last_error;  // the last messages of DDS, as the end of a sentence
-  std::string reach;  // where a team can come from, as the end of a sentence, for one that did not
+  std::string reach;  // the networks of teams; ends the sentence about a team that did not join
 };
 
 class Seat final : public match::Controller {
@@ -76,7 +76,7 @@ class Seat final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
-  // For the server, while it settles a tick.
+  // The server calls these functions while it settles a tick.
   bool has_answered() const { return answer_.has_value(); }
   // Seconds that are left for an answer in time; in lockstep 1, which is longer than any wait.
   double time_left() const { return terms_.tick ? posted_at_ + *terms_.tick - now() : 1.0; }
@@ -89,8 +89,8 @@ class Seat final : public match::Controller {
   double resend_after() const { return round_trip_.resend_after(); }  // s
   bool take_heard() { return std::exchange(was_heard_, false); }      // since the last call
 
-  // True if a command of the team's process has come lately. For the time before the first tick, in
-  // which the state is sent again and again.
+  // True if a command of the team's process has come lately. Used before the first tick, while the
+  // state is sent again and again.
   bool is_there() const { return !has_left() && now() - heard_at_ < terms_.notice; }
 
   Team team() const { return briefing_.team; }
@@ -131,7 +131,7 @@ class Seat final : public match::Controller {
   dds_instance_handle_t hello_writer_ = 0;
   dds_instance_handle_t command_writer_ = 0;  // 0: it has not written yet
   int processes_ = 0;
-  bool has_told_of_commands_ = false;  // of another process
+  bool has_told_of_commands_ = false;  // that another process has written
 
   Inbox inbox_;
   ThoughtsInbox thoughts_;
@@ -143,7 +143,7 @@ class Seat final : public match::Controller {
   RoundTrip round_trip_;
   std::optional<match::Command> answer_;  // to tick_
   std::optional<match::Command> late_;    // the newest late command, until it is driven
-  std::uint32_t late_tick_ = 0;           // that it answers
+  std::uint32_t late_tick_ = 0;           // the tick that it answers
   int late_in_a_row_ = 0;
   bool was_heard_ = false;
   double heard_at_ = 0.0;

@@ -60,7 +60,7 @@ class TeamClient {
   }
   int robots() const { return briefing().field->robots_per_team; }  // of each team
 
-  // True if the match keeps what the team draws. It is false for a moment after Seated, at most.
+  // True if the match keeps the shapes of the team. It may be false for a moment after Seated.
   bool keeps_thoughts() const;
 
   // Sends the shapes that the team drew for the state of `tick`. Call it before send(), so that the

@@ -9,7 +9,7 @@
 
 namespace mirocup::firasim {
 
-// The wheels of FIRASim's robot (config/Parsian.ini), which the commands of its clients mean.
+// The wheels of FIRASim's robot (config/Parsian.ini), to which the commands of its clients refer.
 inline constexpr double wheel_radius = 0.02;  // m
 inline constexpr double track = 0.08;         // m
 
@@ -17,11 +17,13 @@ inline constexpr double track = 0.08;         // m
 Vision to_vision(const match::Leg& leg);
 
 // Returns the speeds of this simulator's wheels that move a robot as FIRASim's wheels would; rad/s,
-// both scaled down together where one is beyond the limit, so that the curve stays. Both finite.
+// if one is beyond the limit, both are scaled down together, so that the curve stays. Precondition:
+// both speeds are finite.
 simulator::WheelSpeeds to_wheels(double left, double right,
                                  const simulator::Parameters& parameters);
 
-// Returns what a placement asks for, in the team's own frame; robots that it does not name stay.
+// Returns the poses that a placement asks for, in the team's own frame; robots that it does not
+// name stay.
 match::PlacementRequest to_request(const TeamPlacement& placement,
                                    const match::Observation& observation);
 

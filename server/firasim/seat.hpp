@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The seat of one team that speaks FIRASim's protocol: who may steer it, and what it last said.
+// The seat of one team that speaks FIRASim's protocol: the sender that steers it, and its last
+// commands.
 //
-// FIRASim asks nobody: every process may steer both colours. Here a colour belongs to the first
-// address and port that sends commands for it, which may have the other colour, too. An address
-// that has none may take a colour over only after the first has been silent for half of the time
-// after which the team is lost. Placements come from a socket of their own, which is bound in the
-// same way and must be of the same host.
+// In FIRASim every process may steer both colours. Here a colour belongs to the first address and
+// port that sends commands for it. That sender may also have the other colour. A sender without a
+// colour may take a colour over after its owner has been silent for half of the time after which
+// the team loses. Placements come from a separate socket of the same host, which gets the colour by
+// the same rule.
 //
 // As in FIRASim, the last command of a robot holds until there is a newer one. At a restart all
 // robots of the team stop.
@@ -28,21 +29,21 @@ namespace mirocup::firasim {
 // The terms on which a team joins and stays; seconds of a PatientClock.
 struct Terms {
   double to_join = 60.0;  // from the opening of the server to the team's first datagram
-  // The time in which a tick is answered (real time). Nothing: the match waits (lock-step).
+  // The time in which a tick must be answered (real time). If empty, the match waits (lock-step).
   std::optional<double> tick;
-  // Silent for so long while play is on, the team has lost: in real time since it was last heard,
-  // in lock-step since it was asked.
+  // A team that is silent for this long while play is on has lost. The time counts from its last
+  // datagram (real time) or from the vision that it should answer (lock-step).
   double away = 10.0;
   std::function<bool()> interrupted = [] { return false; };
-  // Says why the team will not be heard again; nothing as long as it may be. The argument ends the
-  // sentence: "before it sent anything".
+  // Returns why the team can send nothing more, or nothing while it still can. The argument ends
+  // the sentence: "before it sent anything".
   std::function<std::optional<match::Answer>(const std::string& when)> why_gone = [](auto&) {
     return std::nullopt;
   };
   std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
 };
 
-// What became of the datagrams; the record has these numbers.
+// Counts of datagrams by their fate; the record has these numbers.
 struct Counts {
   std::uint64_t in_time = 0;    // ticks that were answered in time
   std::uint64_t held = 0;       // ticks in which the last commands were held
@@ -52,9 +53,9 @@ struct Counts {
   std::uint64_t stale = 0;     // arrived before the vision that they should answer
   std::uint64_t malformed = 0;
   std::uint64_t foreign = 0;         // of another sender
-  std::uint64_t replacements = 0;    // refused: a team moves no bodies
+  std::uint64_t replacements = 0;    // refused: a team may not move bodies
   std::uint64_t not_finite = 0;      // commands with NaN or infinity
-  std::uint64_t unknown_robots = 0;  // commands to a robot that there is not
+  std::uint64_t unknown_robots = 0;  // commands to a robot that does not exist
   int senders = 0;
 };
 
@@ -68,11 +69,12 @@ class Seat final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
-  // For the server, which receives for both seats. `now`: of its PatientClock, s.
+  // The server calls these functions, since it receives for both seats. `now`: of its PatientClock,
+  // s.
   bool belongs_to(const Endpoint& sender) const { return sender_ == sender; }
   bool has_sender() const { return sender_.has_value(); }
   bool is_placed_by(const Endpoint& sender) const { return placer_ == sender; }
-  // True if the sender steers the team, or does so from now on.
+  // True if the sender steers the team, or begins to steer it now.
   bool let_in(const Endpoint& sender, double now);
   void take(const Packet& packet, double now);
   // False if the sender may not place the team.
@@ -80,16 +82,17 @@ class Seat final : public match::Controller {
   Counts& counts() { return counts_; }
   const Counts& counts() const { return counts_; }
 
-  // A vision of this step leaves now; `restart`: with a call of the referee, which stops the team.
+  // To be called when the vision of this step is sent. `restart`: the referee's call of a restart
+  // goes with it, so the team stops.
   void ask(std::uint32_t step, bool restart, double now);
   bool was_heard() const { return heard_at_.has_value(); }
   bool is_satisfied() const { return !awaits_placement() && !awaits_commands(); }
   bool awaits_placement() const;
-  // The time at which the tick is no longer waited for.
+  // Returns the time at which the server stops waiting for this tick.
   double deadline(double now) const;
   // Ends the wait for this tick.
   void give_up(double now);
-  // For how long the team has been silent in play, s.
+  // Returns how long the team has been silent in play, s.
   double silent_for(double now) const;
   bool is_lost(double now) const { return silent_for(now) >= terms_.away; }
   void end(match::Answer how) { end_ = end_ ? std::move(end_) : std::move(how); }
@@ -126,8 +129,8 @@ class Seat final : public match::Controller {
   std::array<simulator::WheelSpeeds, max_robots_per_team> wheels_{};
   std::array<int, max_robots_per_team> commands_{};  // to each robot in this tick
   referee::RobotSet ever_commanded_;
-  bool only_ever_commanded_ = false;  // the team leaves robots out, and is not waited for longer
-  int partial_ticks_ = 0;             // that were given up though some robots were commanded
+  bool only_ever_commanded_ = false;  // the team never commands some robots: do not wait for them
+  int partial_ticks_ = 0;             // given up although some robots were commanded
   int silent_ready_ticks_ = 0;        // one after the other
   int missing_placements_ = 0;        // likewise
   std::optional<TeamPlacement> placement_;  // since the last call

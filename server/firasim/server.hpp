@@ -26,7 +26,7 @@ struct Addresses {
 
 // Returns the addresses of an instance: 0 has the ports above, and instance k > 0 has 10002 + k,
 // 20011 + k, 40000 + k for the referee and 50000 + k for placements, as some clients expect.
-// What is given in `changes` (not "") counts instead.
+// Addresses in `changes` that are not "" replace these.
 Result<Addresses> addresses_of(int instance, const Addresses& changes);
 
 class Server {
@@ -37,11 +37,11 @@ class Server {
   Seat* add_seat(const match::Briefing& briefing, const std::string& name, const Terms& terms);
 
   // Shows the leg's first state again and again until the teams of all seats have sent something.
-  // The error says why a team never will.
+  // The error says why a team never can.
   tl::expected<void, match::Answer> wait_until_ready(const Seat& seat, const match::Leg& leg);
 
-  // Drops what has arrived, then sends the vision of the tick that begins, and what the referee
-  // has called since the last one.
+  // Drops datagrams that have arrived, then sends the vision of the tick that begins and the
+  // referee's calls since the last tick.
   void publish(const match::Leg& leg);
 
   // Sends HALT.
@@ -52,7 +52,7 @@ class Server {
 
  private:
   Server(Sender vision, Sender referee, Receiver commands, Receiver placements);
-  // A seat, and what its senders send, apart from what all others do.
+  // A seat with separate receivers for its own senders.
   struct Place {
     std::unique_ptr<Seat> seat;
     std::optional<Receiver> commands, placements;
@@ -80,15 +80,15 @@ class Server {
   std::vector<Place> places_;
   std::string sent_vision_, sent_call_;
   std::optional<Foul> called_;
-  std::size_t decisions_ = 0;  // number that was called already
+  std::size_t decisions_ = 0;  // number that were sent already
   std::uint32_t called_at_ = 0;
   bool is_new_call_ = false;
   bool is_settled_ = true;
-  bool was_sent_again_ = false;  // answers to the copy may still arrive
+  bool was_sent_again_ = false;  // the vision: answers to the copy may still come
   Counts strangers_;
   bool is_only_for_this_host_ = true;  // no other host may command
   std::string commands_at_;            // for messages
-  std::string refused_;                // the sender of what was not taken last, and why
+  std::string refused_;                // the sender of the last refused datagram, and why
 };
 
 }  // namespace mirocup::firasim

@@ -29,15 +29,15 @@ Result<std::vector<Endpoint>> parse_endpoints(const std::string& text, const std
 // True for an address of this host. No other host can send from one: Linux drops such datagrams.
 bool is_of_this_host(const Endpoint& endpoint);
 
-// The interface "lo" means this host only: what is sent to a group leaves the host on none.
+// The interface "lo" means this host only: datagrams to a group do not leave the host.
 inline constexpr const char* this_host = "lo";
 
 // Sends datagrams to a list of addresses.
 //
 // A socket of this host that listens to a group gets each datagram once, on whichever interface it
-// joined. Linux delivers what arrives on an interface that any socket has joined; the sender's has.
-// A client that got two copies would answer twice, and the second answer would look like that to
-// the next vision.
+// joined. Linux delivers datagrams that arrive on an interface that any socket has joined, and the
+// sender has joined its own. A client that got two copies would answer twice, and the second answer
+// would look like an answer to the next vision.
 class Sender {
  public:
   static Result<Sender> open(std::vector<Endpoint> to, const std::string& interface);
@@ -56,16 +56,16 @@ class Receiver {
   // group is joined on the interface, and on lo.
   static Result<Receiver> open(const Endpoint& at, const std::string& interface,
                                const std::string& option);
-  // Opens one at the same address that gets only what `peer` sends, into a buffer of its own: what
-  // others send cannot crowd it out. This one no longer gets that, unless it is a group's.
-  // Errc::unavailable.
+  // Opens a receiver at the same address for the datagrams of `peer` alone, with a separate buffer,
+  // so that other senders cannot crowd them out. This receiver then gets none of `peer`, unless its
+  // address is a group. Errc::unavailable.
   Result<Receiver> only_from(const Endpoint& peer) const;
 
   struct Datagram {
     Endpoint from;
     std::string bytes;
   };
-  // Returns false if none is there. One that is longer than max_size arrives empty.
+  // Returns false if no datagram is there. A datagram that is longer than max_size arrives empty.
   bool receive(Datagram& datagram) const;
   int descriptor() const { return socket_.get(); }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The messages of FIRASim and VSSReferee as bytes: protobuf's encoding, written by hand because six
-// small messages need no library. Field numbers stand beside the fields.
+// small messages need no library. Comments give the field numbers.
 //
 // The frame on the wire has its origin at the centre of the field; blue is left and attacks +x.
 // Metres and seconds; wheels in rad/s; vision has radians, placements have degrees.
@@ -22,7 +22,7 @@
 
 namespace mirocup::firasim {
 
-// No datagram that a team sends has more entries than this; one that has is malformed.
+// The most entries of a datagram of a team; a datagram with more is malformed.
 inline constexpr std::size_t max_entries = 64;
 
 // Robot of a Frame.
@@ -32,7 +32,7 @@ struct SeenRobot {
   double vx = 0.0, vy = 0.0, turn = 0.0;  // 5, 6, 7: m/s, rad/s
 };
 
-// Field; the sizes in which a client draws and plans, m.
+// Field: the sizes of the field, which a client draws and plans with, m.
 struct FieldSizes {
   double width = 0.0, length = 0.0;                 // 1, 2
   double goal_width = 0.0, goal_depth = 0.0;        // 3, 4
@@ -60,12 +60,12 @@ struct WheelCommand {
   double left = 0.0, right = 0.0;  // 6, 7
 };
 
-// Packet: what a team sends.
+// Packet: the commands of a team.
 struct Packet {
   std::vector<WheelCommand> commands;  // cmd 1: robot_commands 1
   bool has_replacement = false;        // replace 2
-  // 15, not of FIRASim, which skips it: the step of the vision that the commands answer. With it
-  // lock-step needs no guess.
+  // 15, an extension that FIRASim skips: the step of the vision that the commands answer. So
+  // lock-step need not guess it.
   std::optional<std::uint32_t> step;
 };
 // Returns nothing if the bytes are not a Packet.

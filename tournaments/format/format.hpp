@@ -20,7 +20,7 @@ struct Format {
   FormatKind kind = FormatKind::double_round_robin;
   int legs = legs_per_fixture;  // per pair in a round robin or a group; per tie in a knockout
   int groups = 2;
-  int qualifiers = 2;  // teams of each group that go on to the knockout
+  int qualifiers = 2;  // teams of each group that enter the knockout
   bool third_place = true;
   int rounds = 0;     // Swiss; 0: usual_swiss_rounds()
   int sample = 4;     // ladder: opponents of a new entry
@@ -28,8 +28,8 @@ struct Format {
 
   bool has_knockout() const { return kind == FormatKind::groups || kind == FormatKind::knockout; }
 
-  // Entries are taken after the start, too; the table counts the results of the present ones, and
-  // goes by the points of a leg.
+  // True if the league also takes entries after the start. Its table counts the results of the
+  // present entries, and ranks by points per leg.
   bool takes_entries() const { return kind == FormatKind::ladder || kind == FormatKind::nightly; }
   int swiss_rounds(int teams) const;
 };

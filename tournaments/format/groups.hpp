@@ -21,7 +21,7 @@ struct GroupsOptions {
 std::vector<std::vector<int>> deal_groups(int teams, int groups);
 
 // Returns the round robins of all groups, round by round, then the knockout. Teams of one group do
-// not meet in their first tie of the knockout where that can be avoided.
+// not meet in their first tie of the knockout if that can be avoided.
 std::vector<Fixture> groups_then_knockout(int teams, const GroupsOptions& options);
 
 }  // namespace mirocup::league

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A knockout: a bracket of ties. The winner of a tie goes on to the next round. The two best seeds
-// can meet only in the final. If the number of teams is no power of two, the best seeds have a bye
+// A knockout: a bracket of ties. The winner of a tie enters the next round. The two best seeds can
+// meet only in the final. If the number of teams is not a power of two, the best seeds have a bye
 // in the first round.
 #pragma once
 
@@ -13,12 +13,13 @@ namespace mirocup::league {
 
 struct KnockoutOptions {
   int legs = legs_per_fixture;  // of a tie
-  bool third_place = true;      // true: the losers of the semi-finals play, too
+  bool third_place = true;      // true: the losers of the semi-finals also play
 };
 
 // Returns the ties for at least two seeds, the best first. `first` is the index of the first tie in
-// the schedule; later ties name the ties that they follow from by their index there. The numbers of
-// a round run down the bracket. The tie for the third place is number 2 of the last round.
+// the schedule; later ties name the ties whose winners they need by their index in the schedule.
+// The numbers of a round run down the bracket. The tie for the third place is number 2 of the last
+// round.
 std::vector<Fixture> knockout(const std::vector<TeamSource>& seeds, const KnockoutOptions& options,
                               int first = 0);
 

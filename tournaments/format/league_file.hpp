@@ -21,13 +21,14 @@
 
 namespace mirocup::league {
 
-// How a team takes part that speaks FIRASim's protocol (docs/firasim.md).
+// How a team that speaks FIRASim's protocol takes part (docs/firasim.md).
 struct FirasimProgram {
   // The command of the shell that starts it for a leg, in `folder` (of the league, unless it is
   // absolute). "": people start it, at the addresses of the league's FirasimPlace.
   std::string run;
   std::string folder;
-  // Its legs wait for its answers instead of the clock, unless the opponent lives by the clock.
+  // True: its legs wait for its answers instead of the clock, unless the opponent is played by the
+  // clock.
   bool lockstep = false;
 };
 
@@ -36,13 +37,13 @@ struct TeamConfig {
   std::string name;
   // As written: "house:NAME", a path, "submitted" (it hands in later), or "firasim:NAME".
   std::string source;
-  bool over_dds = false;  // true: it joins over the network (mirocup join); else the server runs it
-  match::TeamParameters parameters = {};  // what each of its legs gives its library
+  bool over_dds = false;  // true: it joins by mirocup join; false: the server runs it
+  match::TeamParameters parameters = {};  // its library gets them in each leg
   FirasimProgram program = {};            // of "firasim:NAME"
   bool has_joined = false;  // true: by a line of the journal, after the start; not in the file
 
   bool is_house() const { return source.starts_with("house:"); }
-  bool hands_in() const { return source == submitted; }  // the host gives no library
+  bool hands_in() const { return source == submitted; }  // the team gives its library, not the host
   bool is_firasim() const { return source.starts_with(firasim_prefix); }
   bool is_on_network() const { return over_dds || is_firasim(); }
   bool is_started_by_people() const { return is_firasim() && program.run.empty(); }
@@ -51,7 +52,7 @@ struct TeamConfig {
   static constexpr std::string_view firasim_prefix = "firasim:";
 };
 
-// Where the programs of teams find their match that people start: options of `mirocup match`.
+// The addresses at which programs that people start find their match: options of `mirocup match`.
 struct FirasimPlace {
   int instance = 0;
   std::string interface = "lo";
@@ -59,8 +60,8 @@ struct FirasimPlace {
   double join_within = 60.0;                        // s
 };
 
-// How results become tables and pairings. A league keeps the rules with which it was made: what was
-// played and published must not change by an upgrade.
+// How results become tables and pairings. A league keeps the rules with which it was made, so that
+// an upgrade does not change played and published results.
 inline constexpr int former_rules = 1;  // of a league.json without a number
 inline constexpr int current_rules = 2;
 
@@ -76,22 +77,23 @@ struct LeagueFile {
   Points points;
   std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};
 
-  // From this time on no entry is taken: "2026-11-30T18:00:00Z". "": entries are taken until the
-  // league starts. The file may have an offset from UTC in place of the Z, or neither: then it is
-  // the time of the league's zone.
+  // From this time on the league takes no entry: "2026-11-30T18:00:00Z". If "", it takes entries
+  // until it starts. In the file, an offset from UTC may stand in place of the Z. Without either,
+  // the time is that of the league's zone.
   std::string freeze;
 
-  // The time zone in which people are told times: "Europe/Berlin". "": UTC.
+  // The time zone of the times that people read: "Europe/Berlin". "": UTC.
   std::string zone;
   system::TimeZone time_zone = {};
 
-  // The public pages show no display names: the teams' names are their aliases.
+  // True: the public pages show no display names, and the teams' names are their aliases.
   bool is_anonymous = false;
 
-  // What a team draws in a leg (docs/thoughts.md) is kept, for its own eyes and the staff's.
+  // True: the shapes that a team draws in a leg (docs/thoughts.md) are kept, for itself and the
+  // staff.
   bool keeps_thoughts = false;
 
-  // Number of legs in a row, lost by its own faults, that pauses a team; 0: no number does.
+  // After this number of legs in a row that a team loses by its own faults, it is paused; 0: never.
   int strikes = 3;
   FirasimPlace firasim;
   std::vector<TeamConfig> teams;
@@ -103,13 +105,13 @@ struct LeagueFile {
   }
 };
 
-inline constexpr std::size_t max_teams = 1000;  // whose round robin is half a million fixtures
+inline constexpr std::size_t max_teams = 1000;  // a round robin of half a million fixtures
 
 // Returns the conditions of a league that does not choose any.
 match::Conditions default_conditions();
 
-// True if a team may have that name. Names become folders, DDS partitions and pages, so they are
-// letters, digits, '-', '_' and '.', at most 40, and begin with neither '.' nor '-'.
+// True if a team may have that name: at most 40 letters, digits, '-', '_' and '.', of which the
+// first is neither '.' nor '-'. Names become folders, DDS partitions and pages.
 bool is_good_name(const std::string& name);
 
 // Returns a time, in seconds since 1970, as `freeze` and the journal have it.
@@ -130,11 +132,11 @@ std::string shown_time(const LeagueFile& file, const std::string& utc);
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path,
                                      int rules_version = former_rules);
 
-// Returns what league.json says of a team that speaks FIRASim's protocol. It is kept as the team's
-// entry, in the place of a library.
+// Returns the text of league.json about a team that speaks FIRASim's protocol. The text is the
+// team's entry, in the place of a library.
 std::string print_firasim_team(const TeamConfig& team);
 
-// Returns the text of the file: every setting, also those that have their default.
+// Returns the text of the file with every setting, also defaults.
 std::string print_league_file(const LeagueFile& league);
 
 }  // namespace mirocup::league

@@ -38,7 +38,7 @@ struct Fixture {
   int number = 1;  // within the round, from 1
   int home = 0;    // blue in the first leg; may be no_team or unknown_team
   int away = 0;
-  int legs = 2;  // a tie of the knockout that is level after them has one more
+  int legs = 2;  // a tie of the knockout that is then level has one more
   Part part = Part::table;
   int group = 0;             // from 1; Part::group only
   TeamSource home_source{};  // Part::knockout only
@@ -67,12 +67,12 @@ std::vector<Fixture> round_robin(int teams);
 std::vector<Fixture> round_robin(int teams, int legs);
 
 // Returns the fixtures of a night (from 1) among some teams, all in one round of that number: every
-// pair, or `opponents` fixtures for each team (0: all), with an odd number of teams one less for
-// some. Over the nights every pair meets equally often.
+// pair, or `opponents` fixtures for each team (0: all), with an odd number of teams, some teams
+// have one less. Over the nights every pair meets equally often.
 std::vector<Fixture> night_fixtures(int night, const std::vector<int>& teams, int opponents);
 
-// Returns the seed of all legs of a fixture, which depends on the seed of the league, the round and
-// the teams, not on when the legs are played. It has 53 bits.
+// Returns the seed of all legs of a fixture, of 53 bits, which depends only on the seed of the
+// league, the round and the teams.
 std::uint64_t fixture_seed(std::uint64_t league_seed, const Fixture& fixture);
 
 }  // namespace mirocup::league

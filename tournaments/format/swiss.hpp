@@ -12,7 +12,7 @@
 namespace mirocup::league {
 
 // Returns the number of rounds after which at most one team has won all fixtures: log2(teams),
-// rounded up, unless that many cannot be paired.
+// rounded up, or max_swiss_rounds() if that is less.
 int usual_swiss_rounds(int teams);
 
 // Returns the number of rounds that can be paired whatever the results are.
@@ -25,12 +25,13 @@ struct SwissStanding {
 };
 
 // Returns the fixtures of round `round` (from 1) of `rounds`. `standings` has all teams that still
-// play, the best first; `before` has all earlier fixtures. With an odd number of teams the lowest
-// team gets a bye that had none and without which the others can be paired: a fixture with no_team
-// as away. Within a group of equal points the upper half meets the lower half; from the top down,
-// opponents have points as equal as possible. The result is empty if no pairing avoids a second
-// meeting; that happens only beyond max_swiss_rounds() or after teams have left. `bye_first`: false
-// in leagues of the former rules, where the bye went to the team that the others left over.
+// play, the best first; `before` has all earlier fixtures. With an odd number of teams one team
+// gets a bye, a fixture with no_team as away: the lowest team that has had none and without which
+// the others can be paired. Within a group of equal points the upper half meets the lower half;
+// from the top down, opponents have points as equal as possible. The result is empty if no pairing
+// avoids a second meeting; that happens only beyond max_swiss_rounds() or after teams have left.
+// `bye_first` is false in leagues of the former rules, in which the team without an opponent got
+// the bye.
 std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
                                  const std::vector<Fixture>& before, int round, int rounds,
                                  bool bye_first = true);

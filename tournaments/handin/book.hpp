@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The book of the hand-ins of a league, hand-ins.jsonl: a journal like that of the league, with a
-// line for each file that came in over the network and a line for each answer. The server tells a
-// team that its file was taken, or the answer, only when that line is on disk. So a server that is
-// killed at any moment continues where it was.
+// line for each file that came in over the network and a line for each answer. The server confirms
+// a file, or tells its answer, only after that line is on disk. So a server that is killed at any
+// moment continues where it was.
 //
 // It is a separate file because teams hand in before the league starts, while the league's journal
-// begins with the start, and because an answer is for its team alone. journal/format.md has the
+// begins with the start, and because only the team may read an answer. journal/format.md has the
 // lines.
 //
 // Threads: one at a time. Processes: the one that holds the lock.
@@ -24,14 +24,14 @@ namespace mirocup::league {
 
 class HandInBook {
  public:
-  // Opens the book of a league, or begins it. `notice` may get a sentence that the user should
-  // read. Errors: Errc::unavailable if another process has it open, Errc::damaged.
+  // Opens the book of a league, or makes a new one. `notice` may get a sentence that the user
+  // should read. Errors: Errc::unavailable if another process has it open, Errc::damaged.
   static Result<HandInBook> open(system::Files& files, const Folder& folder, std::string* notice);
 
   const HandInQueue& queue() const { return queue_; }
 
-  // Keeps a file that has arrived as the team's next entry and writes its line. `store` moves the
-  // file to the path that it gets. After an error nothing was taken.
+  // Keeps an arrived file as the team's next entry and writes its line. `store` moves the file to a
+  // given path. After an error the book has not taken the file.
   Result<int> take(WaitingHandIn handed,
                    const std::function<Result<void>(const std::string& path)>& store);
 
@@ -39,8 +39,8 @@ class HandInBook {
   Result<void> answer(const std::string& team, int entry, HandInState state,
                       const std::string& message, std::int64_t at);
 
-  // Writes which entry a team wants to play; 0: its latest. The file of the team says so as well.
-  // If this server dies between the two, the next server repairs that file.
+  // Writes which entry a team wants to play; 0: its latest. Writes it also into the team's file. If
+  // this server dies in between, the next server repairs that file.
   Result<void> pin(const std::string& team, int entry, std::int64_t at);
   const std::map<std::string, int>& pins() const { return pins_; }
   int pins_in_last_hour(const std::string& team, std::int64_t now) const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Runs the checks of the hand-ins that wait, each in a child process: `mirocup-league
-// check-hand-in`. A child may be killed at any moment, or die with this process; then its hand-in
-// waits again. Friendlies are played when no hand-in waits, and stopped when one has come.
+// check-hand-in`. If a child is killed, or dies with this process, its hand-in waits again. The
+// runner plays friendlies while no hand-in waits, and stops them when a hand-in comes.
 //
 // The runner measures the use of each check a few times a second. If a check, with all programs
 // that it starts, uses up the processor time of CheckLimits, the runner stops it and begins it once
@@ -22,10 +22,11 @@
 namespace mirocup::league {
 
 struct CheckLimits {
-  // Processor time of a check, s, and in addition that of CompileTime for a source. A check plans
+  // Processor time of a check, s. A source gets the time of CompileTime in addition. A check plans
   // to take half of it (programs/mirocup/entry_check.hpp).
   double processor = 40.0;
-  // Wall time, s. A check that takes longer was not given a processor, which is the host's fault.
+  // Wall time, s. A check that takes longer got too little of a processor, which is the host's
+  // fault.
   double clock = 900.0;
 };
 
@@ -45,9 +46,9 @@ class CheckRunner {
     WaitingHandIn handed;
     pid_t pid = 0;
     std::chrono::steady_clock::time_point begun;
-    int compile_seconds = 0;   // that compiling it may take; 0: it is a library
-    RunningCheck used{};       // so far
-    bool is_compiled = false;  // it was seen to be checked
+    int compile_seconds = 0;                         // limit of compiling; 0: it is a library
+    RunningCheck used{};                             // so far
+    bool is_compiled = false;                        // its check was seen to begin
     std::optional<NoAnswer> stopped = std::nullopt;  // why it was stopped
   };
 

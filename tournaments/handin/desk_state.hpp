@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the parts of the portal share: the books of a league's hand-ins, and what the host says.
+// The common state of the parts of the portal: the books of a league's hand-ins, and the host's
+// options.
 #pragma once
 
 #include "tournaments/handin/book.hpp"
@@ -27,8 +28,8 @@ struct PortalOptions {
   int max_waiting = 4;           // hand-ins of one team without an answer
   int max_uploads = 2;           // of one team at once
 
-  // Returns a sentence that says why no entry of a team is taken at that time; "" if entries are
-  // taken.
+  // Returns a sentence that says why the league takes no entry of a team at that time; "" if it
+  // does.
   std::function<std::string(const std::string& team, const std::string& now)> why_not;
   // Returns the decided legs of a team.
   std::function<std::vector<OwnLeg>(const std::string& team)> legs;
@@ -63,7 +64,7 @@ struct DeskState {
   LegCosts costs;
   std::atomic<std::uint64_t> version{1};  // grows with each change that a team may see
 
-  std::mutex mutex;  // guards what follows
+  std::mutex mutex;  // guards the members below
   HandInBook book;
   std::map<std::pair<std::string, int>, CheckStep> steps;  // of the running checks
 };

@@ -3,9 +3,9 @@
 // Finds out who sends a request: by a token ("Authorization: Bearer"), by the session of a browser
 // in which a token was typed, or by the header of a trusted proxy in front of this server.
 //
-// A browser sends its cookie with every request, even if another site caused the request. So if a
-// request changes something and comes with a cookie, or through a proxy that signs people on, it
-// has to name this server as its origin.
+// A browser sends its cookie with every request, even if another site caused the request. So a
+// request that changes something must name this server as its origin, if it comes with a cookie or
+// through a proxy that signs people on.
 //
 // Threads: one at a time.
 #pragma once
@@ -39,8 +39,8 @@ enum class Purpose { reading, changing };
 
 class Doorkeeper {
  public:
-  // `team_header` is the header in which a trusted proxy names the team of a person that it has
-  // signed on; "": no such header counts. The proxy must remove it from requests of viewers.
+  // `team_header` is the header in which a trusted proxy names the team of a signed-on person; "":
+  // no header does. The proxy must remove this header from requests of viewers.
   Doorkeeper(system::Files& files, Folder folder, std::string team_header);
 
   // `now` is in s since 1970. An error means that tokens.json cannot be read.
@@ -63,7 +63,7 @@ class Doorkeeper {
   std::string cookie_of(const web::Request& request) const;
   std::string cookie_header(const web::Request& request, const std::string& value,
                             std::int64_t seconds) const;
-  // Returns why a change is refused. If it comes from a page of this server, returns nothing.
+  // Returns why a change is refused; nothing if it comes from a page of this server.
   std::optional<Refusal> foreign(const web::Request& request, bool must_have_origin) const;
   Refusal wrong_token(const web::Request& request, std::string_view token, std::int64_t now);
   std::string sessions_path() const { return folder_.path + "/sessions.json"; }

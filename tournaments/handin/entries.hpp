@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The entries of teams as the API and the pages tell them.
+// The entries of teams as the API and the pages show them.
 //
 // Threads: all functions may be called by any thread at any time.
 #pragma once
@@ -10,15 +10,15 @@
 
 namespace mirocup::league {
 
-// Where the page of an entry is: its number follows.
+// The path of the page of an entry, without the entry's number at its end.
 constexpr std::string_view entry_pages_path = "/hand-in/entries/";
 
 class Entries {
  public:
   explicit Entries(DeskState& state) : state_(state) {}
 
-  // Returns what is known of an entry; null if there is none of this number. `is_whole`: with the
-  // log and all figures, as its own page has them.
+  // Returns the report of an entry; null if the team has no entry of this number. `is_whole`: with
+  // the log and all figures, as its own page has them.
   Result<Json> report(const std::string& team, int entry, bool is_whole);
 
   // Returns the summaries of all entries of a team, the latest first.

@@ -32,7 +32,7 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
                           int entry, const WaitingHandIn* waiting, int before,
                           const CheckStep& step, bool is_whole);
 
-// Returns the first and the last lines of a log, as many as a person reads.
+// Returns the first and the last lines of a log, short enough for a person.
 std::string shortened(const std::string& log);
 
 }  // namespace mirocup::league

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A form that a browser sends, as on the page of the staff or to log in.
+// A form that a browser sends, such as a form of the staff page or the form to log in.
 #pragma once
 
 #include "web/http/request.hpp"
@@ -13,7 +13,7 @@ namespace mirocup::league {
 
 using Form = std::multimap<std::string, std::string>;
 
-// Reads a form of at most 4 KiB. Returns nothing if it is longer or was not sent to its end.
+// Reads a form of at most 4 KiB. Returns nothing if it is longer or did not arrive whole.
 std::optional<Form> read_form(const web::Body& body);
 
 // Returns the first value of that name; "" if there is none.

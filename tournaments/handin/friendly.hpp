@@ -2,8 +2,8 @@
 //
 // Friendlies: single legs that count for nothing. A team asks for one against a team that it
 // chooses, and each accepted entry plays a burst of them, against the house teams and the
-// neighbours in the table. They are played when no hand-in waits for its check, and teams take
-// turns.
+// neighbours in the table. The server plays them while no hand-in waits for its check, and teams
+// take turns.
 //
 // A pure function of the events that it is given. Threads: one at a time.
 #pragma once
@@ -25,7 +25,7 @@ enum class FriendlyState {
   waiting,
   playing,
   played,
-  void_,  // it was not played, and will not be
+  void_,  // not played, and never will be
 };
 
 // One leg. The team that has asked for it plays in blue.
@@ -35,7 +35,7 @@ struct Friendly {
   int entry = 0;              // the team's entry that plays
   std::string opponent = {};  // a team of the league, or "house:NAME"
   int opponent_entry = 0;     // 0: a house team
-  bool is_burst = false;      // belongs to the burst of an accepted entry: nobody asked for it
+  bool is_burst = false;      // belongs to the burst of an accepted entry
   std::int64_t at = 0;        // s since 1970
 
   FriendlyState state = FriendlyState::waiting;
@@ -62,18 +62,18 @@ class Friendlies {
               const std::string& end);
 
   void begin(const std::string& team, int number);
-  // Lets a leg wait again. `is_spoiled`: the host has spoiled it; otherwise it was stopped for a
-  // check.
+  // Lets a leg wait again. If `is_spoiled`, the host has spoiled it; otherwise the runner stopped
+  // it for a check.
   void wait_again(const std::string& team, int number, bool is_spoiled);
 
-  // Returns the leg that is to be played next, that of the team that has waited longest for its
-  // turn. Each team plays one leg at a time. Null if no leg may be played now.
+  // Returns the leg to play next: a leg of the team that has waited longest for its turn. A team
+  // plays one leg at a time. Null if no leg may be played now.
   const Friendly* next() const;
 
   const Friendly* find(const std::string& team, int number) const;
   int last_number(const std::string& team) const;
 
-  // Returns the legs that a team has asked for, and those that other teams have asked for against
+  // Returns the legs that a team has asked for and the legs that other teams have asked for against
   // it, the latest first.
   std::vector<const Friendly*> of_team(const std::string& team) const;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The book of the friendlies of a league, friendlies.jsonl, in the form of a journal: a line for
-// each leg that is to be played and a line for its end. After a server was killed, the next one
-// continues with the legs that have no end. journal/format.md has the lines.
+// each leg to play and a line for its end. If a server is killed, the next server continues with
+// the legs that have no end. journal/format.md has the lines.
 //
 // Threads: one at a time. Processes: the one that holds the lock of the book of hand-ins.
 #pragma once
@@ -19,7 +19,7 @@ class FriendlyBook {
 
   const Friendlies& friendlies() const { return friendlies_; }
 
-  // Writes a leg that is to be played, with the team's next number, and returns that.
+  // Writes a leg to play, with the team's next number, and returns the number.
   Result<int> add(Friendly friendly);
 
   // Writes how a leg ended.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Accepts friendlies, gives them to the runner, and shows them to the two teams that play: the
-// result, the replay, and to each team its own thoughts and the log of its own process. Only its
-// own team sees a leg of a burst.
+// result, the replay and, to each team alone, its thoughts and the log of its process. Only its own
+// team sees a leg of a burst.
 //
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
@@ -41,15 +41,15 @@ class FriendlyDesk {
   // POST: a team asks for a leg.
   web::Reply ask(const std::string& team, const std::string& opponent, std::int64_t now);
 
-  // The legs of a team, the latest first, and against whom it may play.
+  // Returns the legs of a team, the latest first, and its possible opponents.
   Json list(const std::string& team, LegCosts& costs);
   std::vector<std::string> opponents(const std::string& team);
 
   // GET below the path of friendlies, "/TEAM/NUMBER/log" or "/TEAM/NUMBER/replay".
   web::Reply show(const std::string& visitor, std::string_view rest);
 
-  // For the runner. After some failures of the host a leg is void. A leg that was stopped for a
-  // check is not spoiled: it waits again.
+  // The runner calls these functions. After some failures of the host a leg is void. A leg that was
+  // stopped for a check is not spoiled: it waits again.
   std::optional<Friendly> begin_next();
   Result<void> played(const Friendly& friendly, std::int64_t now);
   Result<void> failed(const Friendly& friendly, std::int64_t now, bool is_spoiled = true);

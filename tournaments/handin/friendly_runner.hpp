@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Plays the friendlies that wait, each in a child process of low priority: `mirocup-league
-// play-friendly`. A child may be killed at any moment; then its leg is played again.
+// play-friendly`. If a child is killed, its leg is played again.
 //
 // Threads: the one that uses the ProcessSet.
 #pragma once
@@ -19,8 +19,8 @@ class FriendlyRunner {
   FriendlyRunner(Folder folder, FriendlyDesk& desk, system::ProcessSet& processes)
       : folder_(std::move(folder)), desk_(desk), processes_(processes) {}
 
-  // Starts the next leg as a process with that tag. Returns false if none waits, or if this
-  // computer cannot start one now.
+  // Starts the next leg as a process with that tag. Returns false if no leg waits, or if this
+  // computer cannot start a process now.
   bool start_next(int tag, std::int64_t now);
 
   // Books the end of a leg. Returns false if no leg has this tag.

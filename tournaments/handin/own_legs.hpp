@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The legs of a team on its private page: result, processor time, its own faults and log. Of the
-// opponent a team sees result and replay, as everybody does.
+// The legs of a team on its private page: result, processor time, its own faults and log. A team
+// sees nothing of the opponent but the result and the replay, which everybody sees.
 #pragma once
 
 #include "record/own_texts.hpp"
@@ -61,13 +61,13 @@ class LegCosts {
   std::map<std::string, LegCost> known_;  // by record and colour
 };
 
-// Returns whose thoughts and log the team may see in its leg: its own only.
+// Returns the sides of a leg whose thoughts and log the team may see: its own side.
 record::Whose own_side(const OwnLeg& leg);
 
 // Returns the path of the file with the output of the team's process in a leg.
 std::string log_path(const Folder& folder, const OwnLeg& leg);
 
-// Returns the name by which the HTTP API knows a leg, that of its record.
+// Returns the name of a leg in the HTTP API, which is that of its record.
 std::string name_of_leg(const OwnLeg& leg);
 
 // Returns the legs as the HTTP API has them, the latest of the schedule first.

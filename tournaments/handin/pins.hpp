@@ -8,8 +8,8 @@
 
 namespace mirocup::league {
 
-// `asked` is the number of an entry, or "latest". A team may choose as long as it may hand in, and
-// ten times in an hour. Any thread may call this.
+// `asked` is the number of an entry, or "latest". A team may choose while it may hand in, ten times
+// an hour. Any thread may call this.
 web::Reply pin_version(DeskState& state, const std::string& team, const std::string& asked);
 
 }  // namespace mirocup::league

@@ -48,9 +48,9 @@ class Portal {
   Result<void> close(const std::string& team, int entry, HandInState state,
                      const std::string& message);
 
-  // To be called when a check has ended without an answer: the check is tried again. After some
-  // failures of the host the hand-in is void. A check that has used up its processor time,
-  // `seconds`, is tried once more; the second time the hand-in is refused.
+  // To be called when a check has ended without an answer: the hand-in waits for another check.
+  // After some failures of the host it is void. After a check has used up its processor time,
+  // `seconds`, for the second time, it is refused.
   Result<void> wait_again(const std::string& team, int entry, NoAnswer why = NoAnswer::host_failed,
                           double seconds = 0.0);
 

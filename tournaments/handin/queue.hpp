@@ -7,8 +7,8 @@
 //
 // A check that takes long gives way to the check of another team that waits: it is stopped, and its
 // hand-in comes in a later round, as if it were handed in anew. So that each check comes to its
-// end, one check at a time that has given way often enough may run on. All other checks still give
-// way, so on two processors a short check never waits for two long ones.
+// end, a check that has given way often enough may run to its end, one such check at a time. All
+// other checks still give way, so on two processors a short check never waits for two long ones.
 //
 // A pure function of the events that it is given. Threads: one at a time.
 #pragma once
@@ -45,7 +45,7 @@ constexpr bool is_final(HandInState state) {
 enum class SourceKind { none, c, cpp, project };
 SourceKind source_kind_of(std::string_view file);
 
-// Returns what `mirocup compile --language` calls it.
+// Returns its name in `mirocup compile --language`.
 std::string language_of(SourceKind kind);
 
 // Why a check has ended without an answer: the host has spoiled it, it gave way to the check of
@@ -62,7 +62,7 @@ struct WaitingHandIn {
   std::int64_t at = 0;  // s since 1970
 
   HandInState state = HandInState::queued;
-  std::string message = {};            // the answer to the team, once there is one
+  std::string message = {};            // the answer to the team; "": none yet
   int round = 0;                       // the round in which it is checked
   std::array<int, 3> unanswered = {};  // checks since the server started, by NoAnswer
 
@@ -77,9 +77,9 @@ struct RunningCheck {
   double asleep = 0.0;     // time in which none of them wanted a processor
 };
 
-// Processor time that the sources of each team may take to be compiled, s. If a source of a team is
-// not compiled within the short time, the team gets the short time for its next sources, until one
-// is compiled.
+// The processor time for compiling a source of each team, s. If a source of a team is not compiled
+// within the short time, the next sources of the team get only the short time, until one is
+// compiled.
 class CompileTime {
  public:
   static constexpr int usual = 60;
@@ -102,10 +102,10 @@ class CompileTime {
 
 class HandInQueue {
  public:
-  // Time that a check may use, asleep or not, before it may have to give way, s. Time for which it
-  // waits for a processor does not count.
+  // After this time, s, a check may have to give way. Its sleep counts, but not its waiting for a
+  // processor.
   static constexpr double turn = 3.0;
-  static constexpr int gives_way_at_most = 2;  // times; then it may be the one that runs on
+  static constexpr int gives_way_at_most = 2;  // times; then it may run to its end
 
   // Adds a hand-in that waits. Precondition: the team has no hand-in of this number.
   void add(WaitingHandIn handed);
@@ -113,17 +113,17 @@ class HandInQueue {
   // Sets the answer of a hand-in. Does nothing if it has an answer already.
   void answer(const std::string& team, int entry, HandInState state, const std::string& message);
 
-  // To be called when the check of a hand-in begins, or has ended without an answer. After the
-  // latter the hand-in waits again: in its old place, or behind the other teams if its check took
-  // long.
+  // begin() is to be called when the check of a hand-in begins, wait_again() when it has ended
+  // without an answer. Then the hand-in waits again: in its old place or, if its check took long,
+  // behind the other teams.
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking);
   void wait_again(const std::string& team, int entry, NoAnswer why = NoAnswer::host_failed);
 
-  // `running` are all checks that run. Returns the one that is to be stopped so that the next can
-  // begin; null if there is none. For a caller that has no processor for the next check.
+  // Returns the check that a caller without a free processor should stop so that the next can
+  // begin; null if there is none. `running` has all checks that run.
   const WaitingHandIn* to_stop(const std::vector<RunningCheck>& running) const;
 
-  // Returns the hand-in that is to be checked next; null if no check may begin.
+  // Returns the hand-in to check next; null if no check may begin.
   const WaitingHandIn* next() const;
 
   // Returns how many hand-ins are checked before this one, the running checks included.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How the routes of the portal are looked up, and who may use them. Portal::routes() is the table.
+// Looks up the routes of the portal, and says who may use them. Portal::routes() is the table.
 #pragma once
 
 #include "tournaments/handin/doorkeeper.hpp"
@@ -15,14 +15,14 @@ namespace mirocup::league {
 
 // Who may use a route.
 enum class Who {
-  everybody,  // without a token, too
+  everybody,  // also without a token
   known,      // a team, a tutor or the staff
   team,
   reader,  // a tutor or the staff
   staff,
 };
 
-// What a route is about, and how it answers somebody unknown.
+// The subject of a route, and its answer to an unknown visitor.
 enum class About {
   api,              // refusals are JSON
   team_of_token,    // as api; a team may name itself by ?team=
@@ -34,13 +34,13 @@ enum class About {
 struct Call {
   const web::Request& request;
   const web::Body& body;
-  Visitor visitor = {};                      // if the route is not for everybody
+  Visitor visitor = {};                      // unless the route is for everybody
   std::string team = {};                     // About::entries_of_team: whose entries
   std::vector<std::string_view> parts = {};  // of the path, for each star of the route
 };
 
-// Returns what stands for the stars if a path matches a pattern: "*" is one part, which is not
-// empty; "**", at the end, is whatever follows.
+// If a path matches a pattern, returns the parts of the path in the places of its stars. "*" is one
+// part that is not empty; "**", at the end, is the rest of the path.
 std::optional<std::vector<std::string_view>> match_path(std::string_view pattern,
                                                         std::string_view path);
 
@@ -48,7 +48,7 @@ std::optional<std::vector<std::string_view>> match_path(std::string_view pattern
 std::optional<web::Reply> refused_role(Who who, const Visitor& visitor);
 
 // Returns a 405 that names the methods of this path: "use PUT". If the request would change
-// something, it names those that do.
+// something, the reply names the methods that do.
 web::Reply use_reply(const web::Request& request, const std::vector<std::string_view>& methods);
 
 }  // namespace mirocup::league

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The page of a league's staff at the desk: the teams and their hand-ins, a form for each act, the
-// list of decisions, the grades. Each act is that of the command of the same name
+// list of decisions, the grades. Each act does the same as the command of its name
 // (league/acts.hpp).
 //
 // Threads: any. The league is opened for each request.
@@ -26,13 +26,13 @@ class StaffDesk {
       : files_(files), folder_(std::move(folder)), now_(std::move(now)) {}
 
   struct Shown {
-    int done = 0;           // the number of a decision that was just written; 0: none was
+    int done = 0;           // the number of the decision just written; 0: none
     std::string said = {};  // a sentence for the top of the page
     int status = 200;       // of the reply
-    Form given = {};        // what the forms already have: a form that was sent, or a leg
+    Form given = {};        // values already in the forms: of a sent form, or of a leg
   };
 
-  // Returns the page for the staff, or for a tutor without forms.
+  // Returns the page for the staff, or the page without forms for a tutor.
   web::Reply page(Role reader, const Shown& shown) const;
 
   // Returns the link to the page with forms that have this leg.

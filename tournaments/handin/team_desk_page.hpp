@@ -15,7 +15,7 @@ namespace mirocup::league {
 
 using Json = nlohmann::ordered_json;
 
-// Returns a time of a book, "2026-11-25T01:02:03Z", as people of the league read it.
+// Returns a time of a book, "2026-11-25T01:02:03Z", in the league's time zone.
 using TimeInWords = std::function<std::string(const std::string& utc)>;
 
 // The content of a team's private page.
@@ -24,7 +24,7 @@ struct TeamDesk {
   Json entries;                        // entry_report() of each, the latest first
   Json legs;                           // own_legs_json()
   Json friendlies;                     // FriendlyDesk::list()
-  std::vector<std::string> opponents;  // against whom it may play friendlies
+  std::vector<std::string> opponents;  // possible opponents in friendlies
   int playing = 0;                     // the entry that plays; 0: none yet
   bool is_pinned = false;              // that entry plays even if a later one is accepted
   std::string statistics;              // HTML
@@ -33,7 +33,7 @@ struct TeamDesk {
   std::function<std::string(const std::string& team)> shown_name;
 };
 
-// `why` is a sentence that says what was wrong with the last token; "" if nothing was.
+// `why` is a sentence that says what was wrong with the last token; "" for the first try.
 std::string log_in_page(const std::string& why);
 
 std::string team_desk_page(const TeamDesk& desk);

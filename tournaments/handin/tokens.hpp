@@ -2,7 +2,7 @@
 //
 // The tokens by which teams hand in: random words of 128 bits. tokens.json in the folder of the
 // league keeps only the SHA-256 of each, so a token is shown once, when it is made. A token of so
-// many bits cannot be guessed, so a hash that is slow to compute would protect nothing more.
+// many bits cannot be guessed, so a slow hash would give no further protection.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -37,7 +37,7 @@ struct Token {
 struct TokenList {
   std::vector<Token> tokens;
 
-  // Makes a token and returns its text, which is kept nowhere.
+  // Makes a token and returns its text, of which only the hash is kept.
   std::string add(const std::string& team, const std::string& now, const std::string& expires);
   std::string add_for(Role staff_or_tutor, const std::string& now, const std::string& expires);
 
@@ -48,7 +48,7 @@ struct TokenList {
   bool has_valid(const std::string& team, const std::string& now) const;
 
   // Returns the valid token with this text, or of this SHA-256; null if there is none. The text may
-  // have small letters and blanks, as a person may type them.
+  // have small letters and blanks.
   const Token* find(std::string_view text, const std::string& now) const;
   const Token* find_sha256(const std::string& sha256, const std::string& now) const;
 

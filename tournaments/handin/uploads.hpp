@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Files that teams send: how many, how large, and how they become hand-ins.
+// Files that teams send: their number, their size, and how they become hand-ins.
 //
 // Threads: all functions may be called by any thread at any time.
 #pragma once

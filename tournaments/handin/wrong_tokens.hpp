@@ -20,8 +20,8 @@ class WrongTokens {
   static constexpr std::size_t max_addresses = 10'000;
 
   // Notes a wrong token at a time, s on any clock that only goes forward. Returns how many seconds
-  // must pass before the next token of the address is checked; 0: none. While it waits, wrong
-  // tokens do not make the wait longer.
+  // must pass before the next token of the address is checked; 0: none. Further wrong tokens during
+  // the wait do not make it longer.
   std::int64_t note(const std::string& address, std::int64_t now);
 
   std::size_t size() const { return addresses_.size(); }

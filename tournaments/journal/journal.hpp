@@ -43,15 +43,15 @@ class Journal {
   // Reads the lines that other processes have written since the last call.
   Result<void> refresh();
 
-  // Writes a line: "n", "kind", the fields, "prev" and "hash". After an error the journal is as
-  // before. Returns an error instead of writing a line that readers would refuse.
+  // Writes a line: "n", "kind", the fields, "prev" and "hash". After an error the journal is
+  // unchanged. A line that readers would refuse is not written, and is an error.
   Result<void> append(const std::string& kind, Json fields);
 
  private:
   Journal(system::Files& files, std::string path, std::size_t most_values);
 
   Result<void> read_line(std::string_view line);
-  // Counts values of a line. Returns an error if there are too many.
+  // Counts the values of a line. Returns an error if the journal then has too many.
   Result<void> add_values(std::size_t more, const std::string& where);
 
   system::Files* files_;

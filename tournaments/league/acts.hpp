@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the staff of a league decides, the same from a terminal and from the staff page. Each act
-// becomes lines of the journal, or says in a sentence why it cannot.
+// The decisions of a league's staff, from a terminal or from the staff page. Each act becomes lines
+// of the journal, or an error with the reason.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -19,8 +19,8 @@ enum class ActKind { rule, award, void_, withdraw, pause, resume, freeze, releas
 struct Act {
   ActKind kind = ActKind::rule;
   std::string fixture = {};   // rule, award, void
-  int leg = 0;                // likewise; 0: not said, which is enough for a fixture of one leg
-  bool has_all_legs = false;  // likewise: said so
+  int leg = 0;                // likewise; 0: not given, for a fixture of one leg
+  bool has_all_legs = false;  // likewise: all legs of the fixture
   std::string team = {};      // award, withdraw, pause, resume
   bool keeps_seed = false;    // void: it is played again with the same seed
   std::string score = {};     // rule: "2:1", home before away
@@ -28,7 +28,7 @@ struct Act {
   std::string from = {};      // freeze: a time; "": now
   bool is_lifted = false;     // freeze: entries are taken again
   std::string level = {};     // release: "all", "teams" or "hidden"
-  std::string through = {};   // release: a round; "": as Released::through says
+  std::string through = {};   // release: a round; "": as for Released::through
   int decision = 0;           // undo: its number in the list of decisions
   std::string reason = {};    // of all
   std::string by = {};        // who decides; "": nobody is named
@@ -38,13 +38,13 @@ struct Act {
 // The most goals that a person can give a team in a leg.
 inline constexpr int max_ruled_goals = 100;
 
-// Returns why a text is no reason that can be published: it has a letter or a digit, is one line,
-// and at most 500 bytes. "": it is one.
+// Returns why a text cannot be published as a reason; "" if it can. A reason is one line of at most
+// 500 bytes with a letter or a digit.
 std::string objection_to_reason(const std::string& text);
 
-// Performs an act. `files` is for league.json, which has the time of a freeze before the start.
-// Returns lines for the person who acts, with what was before: "r1-f1 leg 2: a 2 : 1 b (was 0 :
-// 3)". Errors: Errc::input; then nothing is written.
+// Performs an act. `files` gives access to league.json, which has the time of a freeze before the
+// start. Returns lines for the person who acts, with the former values: "r1-f1 leg 2: a 2 : 1 b
+// (was 0 : 3)". After an error, Errc::input, nothing is written.
 Result<std::vector<std::string>> perform(system::Files& files, LeagueStore& store, const Act& act,
                                          std::int64_t now);
 

@@ -28,9 +28,9 @@ struct ClassList {
   std::vector<std::string> kept;  // names of the further columns
   bool was_windows_1252 = false;
 
-  // Puts the rows in the place of what is known of their teams; a column that the list lacks leaves
-  // that part as it is. Returns the teams that the league does not know. Errors (Errc::input) begin
-  // with the line: a name that people would take for another team's, or a team that cannot join.
+  // Replaces the data of the teams in the rows. If the list lacks a column, that part of the data
+  // stays. Returns the teams that the league does not know. Errors (Errc::input) begin with the
+  // line: a name that people could take for another team's, or a team that cannot join.
   Result<std::vector<std::string>> merge_into(PeopleOfTeams& people,
                                               const LeagueState& state) const;
 };
@@ -38,12 +38,12 @@ struct ClassList {
 // Errors: Errc::input, a sentence with the line and the reason.
 Result<ClassList> read_class_list(std::string_view bytes);
 
-// The list that a league was given last, and where: so that no command writes over it.
+// Keeps the last class list of a league and its path, so that no command overwrites the list.
 Result<void> remember_class_list(system::Files& files, const Folder& folder,
                                  const std::string& path, const std::string& bytes);
 
-// Refuses `path` if it is that list (Errc::input). A shell empties a file before the program that
-// writes into it begins: an empty list is filled again.
+// Refuses to write to `path` if it is that list (Errc::input). If the list is empty, because a
+// shell empties a file before the program runs, fills it again.
 Result<void> spare_class_list(system::Files& files, const Folder& folder, const std::string& path);
 
 }  // namespace mirocup::league

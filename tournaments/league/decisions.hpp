@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// The list of the decisions of persons, LeagueState::decisions, and which of them a later one
-// undoes.
+// The list of the decisions of persons, LeagueState::decisions, and the later decisions that undo
+// earlier ones.
 #pragma once
 
 #include "tournaments/league/league_state.hpp"
 
 namespace mirocup::league {
 
-// Appends the event to the list if it is a decision of a person, and marks those that it undoes.
-// `state` is the state before the event, which validate() accepts. `line` is the number of its
-// line.
+// If the event is a decision of a person, appends it to the list and marks the decisions that it
+// undoes. `state` is the state before the event, which validate() accepts. `line` is the number of
+// its line.
 void note_decision(LeagueState& state, const Event& event, int line);
 
 // The same for a decision that a later line undoes: it is listed, and changes nothing.

@@ -133,7 +133,7 @@ struct LegVoided {
   std::string why;
   std::string by;       // the person who decided; "" if not given
   std::string at = {};  // when the person decided, UTC: "2026-11-30T18:00:00Z"; "" if not known
-  bool has_new_seed = false;  // with the same seed, the same libraries play the same leg again
+  bool has_new_seed = false;  // false: the same libraries play the same leg again
 
   bool operator==(const LegVoided&) const = default;
 };
@@ -171,8 +171,8 @@ struct Withdrawn {
   bool operator==(const Withdrawn&) const = default;
 };
 
-// No leg of the team is started until it is resumed. The program pauses teams, too; then `by` is
-// empty, and `is_by_program` or, in lines of earlier versions, no `at` tells.
+// No leg of the team is started until it is resumed. The program also pauses teams: then `by` is
+// empty and `is_by_program` is true or, in lines of earlier versions, `at` is empty.
 struct Paused {
   static constexpr std::string_view kind = "pause";
 
@@ -196,9 +196,9 @@ struct Resumed {
   bool operator==(const Resumed&) const = default;
 };
 
-// A night begins. In a nightly league these entries, the last accepted ones of teams that have a
-// new one, play from here on, and fixtures follow; in the other formats there are none, and the
-// line marks the time from which on there is news.
+// A night begins. In a nightly league it lists the last accepted entries of teams that have a new
+// one. They play from here on, and fixtures follow. In other formats it lists no entries, and marks
+// the time from which there is news.
 struct NightBegan {
   static constexpr std::string_view kind = "night";
 
@@ -209,11 +209,11 @@ struct NightBegan {
   bool operator==(const NightBegan&) const = default;
 };
 
-// From a time on no entry is taken.
+// From a time on the league takes no entry.
 struct Frozen {
   static constexpr std::string_view kind = "freeze";
 
-  std::string from;  // UTC; "": entries are taken again
+  std::string from;  // UTC; "": the league takes entries again
   std::string why;
   std::string by;
   std::string at = {};
@@ -221,7 +221,7 @@ struct Frozen {
   bool operator==(const Frozen&) const = default;
 };
 
-// The league is over: no night follows, and no entry is taken.
+// The league is over: no night follows, and it takes no entry.
 struct Closed {
   static constexpr std::string_view kind = "close";
 
@@ -232,7 +232,7 @@ struct Closed {
   bool operator==(const Closed&) const = default;
 };
 
-// Who may see what was played last.
+// The readers of the rounds after the released one.
 enum class ReleaseLevel {
   all,     // everybody
   teams,   // the pages end with the released round; each team reads its own digest
@@ -244,7 +244,7 @@ struct Released {
   static constexpr std::string_view kind = "release";
 
   ReleaseLevel level = ReleaseLevel::all;
-  std::string through;  // the last round, "r3"; "": with `all` every round, otherwise none
+  std::string through;  // the last round, "r3"; "": every round if `all`, otherwise none
   std::string why;
   std::string by;
   std::string at = {};
@@ -290,8 +290,7 @@ std::string_view kind_of(const Event& event);
 // The other fields of the line, in the order in which the journal has them.
 Json fields_of(const Event& event);
 
-// The id of the fixture that the event is about; null if it is about none. Valid as long as the
-// event.
+// The id of the event's fixture; null if the event has none. Valid as long as the event.
 const std::string* fixture_of(const Event& event);
 
 }  // namespace mirocup::league

@@ -27,10 +27,11 @@ struct Folder {
   // The programs that have played the league, one folder for each (play/program.hpp).
   std::string programs() const { return path + "/programs"; }
 
-  // What each night tells the teams and the host (publish/digest.hpp); only the host reads it.
+  // The digests of each night for the teams and the host (publish/digest.hpp); only the host reads
+  // them.
   std::string nights() const { return path + "/nights"; }
 
-  // What came in over the network, and the answers (handin/book.hpp).
+  // The hand-ins over the network, and the answers (handin/book.hpp).
   std::string hand_in_book() const { return path + "/hand-ins.jsonl"; }
 
   // The friendlies of teams (handin/friendly_book.hpp), and their records.
@@ -56,7 +57,7 @@ struct Folder {
   // Locked while `league submit` checks an entry, so that its checks do not slow each other down.
   std::string checking() const { return path + "/.checking"; }
 
-  // Only the host reads what is below.
+  // Only the host reads the files below.
   std::string entries() const { return path + "/entries"; }
   std::string hand_ins(const std::string& team) const {
     return entries() + "/" + team + "/hand-ins.json";
@@ -102,34 +103,35 @@ struct Folder {
 Result<void> expect_league(system::Files& files, const Folder& folder);
 
 // For commands that write into the folder: Errc::unavailable if the league belongs to another user,
-// who could then not write to what this user makes. A folder without a league belongs to nobody.
+// who could not write to files of this user. A folder without a league has no owner.
 Result<void> expect_owner(const Folder& folder);
 
-// The nights whose legs have no pages, since the host has removed these to save room
-// (league_state.hpp). Nothing is noted for a league that has all its pages.
+// Reads and writes the nights whose legs have no pages, because the host has removed the pages to
+// save room (league_state.hpp). There is no file if no pages were removed.
 Result<std::set<int>> read_pruned_nights(system::Files& files, const Folder& folder);
 Result<void> write_pruned_nights(system::Files& files, const Folder& folder,
                                  const std::set<int>& nights);
 
-// What the host tells everybody at the top of the front page; "": nothing. The file may be written
-// by hand. Errors of writing: Errc::input if the text is no UTF-8 or longer than max_notice.
+// Reads and writes the host's notice at the top of the front page; "": none. The file may be
+// written by hand. Errors of writing: Errc::input if the text is not UTF-8 or longer than
+// max_notice.
 inline constexpr std::size_t max_notice = 1000;  // bytes
 Result<std::string> read_notice(system::Files& files, const Folder& folder);
 Result<void> write_notice(system::Files& files, const Folder& folder, const std::string& text);
 
-// Creates the folder with this league.json and with every team's library as its entry 1. A folder
-// that holds a league already is refused (Errc::input).
+// Creates the folder with this league.json and with every team's library as its entry 1.
+// Errc::input if the folder holds a league already.
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file);
 
 // Returns the bytes of the library that a team names: a file, or that of a house team. As in
-// `mirocup check` and `match`, a library is no link. A relative path begins at `base` ("": the
-// working folder).
+// `mirocup check` and `match`, a link is refused. A relative path begins at `base` ("": the working
+// folder).
 Result<std::string> library_of(system::Files& files, const TeamConfig& team,
                                const std::string& base = "");
 
-// Stores the libraries of teams that league.json names, and that have no entry or, of a house team,
-// another one than that. So teams may be written into the file after `init`. Paths begin at the
-// league's folder. Returns the names of these teams.
+// Stores the libraries that league.json names, for teams without an entry and for house teams whose
+// library has changed. So teams may be added to the file after `init`. Paths begin at the league's
+// folder. Returns the names of these teams.
 Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Folder& folder,
                                                  const LeagueFile& file);
 
@@ -147,21 +149,21 @@ Result<void> make_entries_folder(system::Files& files, const Folder& folder,
 Result<std::vector<int>> entries_of(system::Files& files, const Folder& folder,
                                     const std::string& team);
 
-// Returns the number of the next entry: one more than the highest for which there is a folder, even
-// of an entry that does not exist because its check has not ended.
+// Returns the number of the next entry: one more than the highest number of a folder, also of an
+// entry whose check has not ended.
 Result<int> next_entry(system::Files& files, const Folder& folder, const std::string& team);
 
 // Returns the SHA-256 of a kept entry; "" if there is none of that number.
 Result<std::string> sha256_of_entry(system::Files& files, const Folder& folder,
                                     const std::string& team, int number);
 
-// True if the entry passed its check, or was stored by the host without one. A verdict that cannot
-// be read is an error, because the entry may be the one that plays.
+// True if the entry passed its check, or if the host stored it without a check. A verdict that
+// cannot be read is an error, because the entry may be the one that plays.
 Result<bool> is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,
                                int number);
 
-// Returns the number of the last entry that was handed in, and of the last that was not rejected;
-// 0 if there is none.
+// Returns the number of the last entry that was handed in, or of the last accepted entry; 0 if
+// there is none.
 Result<int> last_entry(system::Files& files, const Folder& folder, const std::string& team);
 Result<int> last_accepted_entry(system::Files& files, const Folder& folder,
                                 const std::string& team);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether a league runs by itself or a person has to look at it: its last night, the hand-ins that
-// wait, the disk.
+// Says whether a person has to look at a league: its last night, the hand-ins that wait, the disk.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"
@@ -12,13 +11,13 @@
 
 namespace mirocup::league {
 
-// What the files of a league take of the disk, bytes.
+// The disk space of a league's files, bytes.
 struct DiskUse {
   std::uintmax_t all = 0;
   std::uintmax_t records = 0;  // with replay files and thoughts
   std::uintmax_t pages = 0;    // site/
   std::uintmax_t entries = 0;
-  std::uintmax_t left = 0;  // free for this user
+  std::uintmax_t left = 0;  // still free for this user
 };
 
 // Looks at each file of the league. Files that vanish meanwhile, or that this user cannot see,
@@ -30,7 +29,7 @@ std::string in_words(const DiskUse& disk);
 Json disk_json(const DiskUse& disk);
 
 struct Health {
-  int night = 0;                      // number of the last one; 0: there was none
+  int night = 0;                      // number of the last night; 0: there was none
   std::string night_at;               // when it began, UTC
   int open_legs = 0;                  // of the whole league
   bool is_playing = false;            // the league is being played now

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A folder into which teams copy TEAM.so. Each file is taken by itself: what is wrong with one is
-// its message and never stops another.
+// A folder into which teams copy TEAM.so. A mistake in one file is the answer to this file, and
+// never stops another file.
 #pragma once
 
 #include "tournaments/league/submission.hpp"
@@ -10,13 +10,14 @@
 
 namespace mirocup::league {
 
-// Is told what became of a file: its path, its team ("" if its name is no team's), the answer.
+// Called with the answer to a file: its path, its team ("" if its name is not a team's), the
+// answer.
 using InboxListener = std::function<void(const std::string& path, const std::string& team,
                                          const Result<Submission>& answer)>;
 
-// Hands in each TEAM.so of the inbox, and tells about those that are news. `now` is in s since
-// 1970. Files of different users take turns, so that nobody waits for all files of another. An
-// error means that the inbox cannot be read, or that the user has interrupted.
+// Hands in each TEAM.so of the inbox, and reports the files that are new. `now` is in s since 1970.
+// Files of different users take turns, so that nobody waits for all files of another. An error
+// means that the inbox cannot be read, or that the user has interrupted.
 Result<void> submit_inbox(system::Files& files, const Folder& folder, const std::string& inbox,
                           std::int64_t now, const InboxListener& tell, const Quota& quota = {});
 

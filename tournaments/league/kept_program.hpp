@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The copies of match servers in the folder of a league: each program that has played it. What a
-// leg looked like is known to the program that played it only: another one may go another way from
+// The copies of match servers in the folder of a league: each program that has played it. Only the
+// program that played a leg surely simulates it again: another program may take another course from
 // the same commands.
 //
-// A folder may come from elsewhere. So a copy is run only if this host has kept it, or has said
-// that it trusts it: a list outside the folder holds the digests of these copies.
+// A folder may come from another host. So a copy is run only if its digest is on a list outside the
+// folder: this host has kept the copy, or its user has said that it is trusted.
 #pragma once
 
 #include "system/descriptor.hpp"
@@ -17,7 +17,7 @@
 
 namespace mirocup::league {
 
-// How large a program may be, bytes: with sanitizers it is a large one.
+// The largest size of a program, bytes; with sanitizers, programs are large.
 inline constexpr std::uint64_t max_program = 256u << 20;
 
 // The path at which the copy of the match server of that behaviour (`game` in records) is kept.
@@ -29,7 +29,7 @@ std::string kept_program(const Folder& folder, const std::string& game);
 Result<std::string> game_of_record(system::Files& files, const Folder& folder,
                                    const std::string& record);
 
-// Whether this host's list holds the program with these bytes. Errors: the list cannot be read, or
+// True if this host's list holds the program with these bytes. Errors: the list cannot be read, or
 // others may write to it.
 Result<bool> is_trusted_program(const std::string& bytes);
 
@@ -42,25 +42,25 @@ Result<std::vector<std::string>> trust_kept_programs(system::Files& files, const
 // A match server that simulates records again.
 struct MatchServer {
   std::string path;                // for people
-  std::vector<std::string> words;  // what a command line begins with that runs it
-  std::string why_not_kept;        // a sentence if a kept one is there and is not run; ""
+  std::vector<std::string> words;  // the beginning of a command line that runs it
+  std::string why_not_kept;        // why a kept program is not run, a sentence; ""
 };
 
-// The match servers for the records of a league. A kept one is run from a copy in memory: its bytes
-// are those of which the digest was on the list. The object lives as long as their processes.
+// The match servers for the records of a league. A kept program is run from a copy in memory, whose
+// bytes have the digest that was on the list. The object lives as long as their processes.
 class MatchServers {
  public:
   MatchServers(system::Files& files, const Folder& folder);
 
-  // Returns the match server of that behaviour: the kept one, or that of this program if it behaves
-  // alike, if none is kept, or if this host does not trust it.
+  // Returns the match server of that behaviour: the kept program. Returns this program's own server
+  // if it behaves alike, if no program is kept, or if this host does not trust the kept one.
   const MatchServer& of_game(const std::string& game);
 
-  // The same for a record, a path inside the folder. One whose text is not what was written starts
-  // no kept program.
+  // The same for a record, a path inside the folder. If the record is damaged, returns this
+  // program's own server.
   const MatchServer& of_record(const std::string& record);
 
-  // That of this program.
+  // Returns the match server of this program.
   const MatchServer& own() const { return own_; }
 
  private:

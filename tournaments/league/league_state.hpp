@@ -30,21 +30,21 @@ inline constexpr int max_attempts = 3;
 // A leg that is decided.
 struct PlayedLeg {
   LegResult result;
-  int winner = no_team;  // of goals or of a shoot-out; no_team after a draw
+  int winner = no_team;  // by goals or a shoot-out; no_team after a draw
   LegEnd end = LegEnd::full_time;
-  std::optional<LegFault> fault;  // that ended it early
+  std::optional<LegFault> fault;  // the fault that ended it early
   std::string record;             // path inside the league folder; "" if the leg was not played
   std::string state_hash;
-  std::string ruling;  // the reason of a person who decided it, for publication; "" if none did
+  std::string ruling;  // the published reason of a person's decision; "" if there is none
 };
 
 struct LegState {
   std::shared_ptr<const PlayedLeg> played;  // null: not decided
   int voids = 0;                            // number of attempts that count for nothing
-  int host_faults = 0;  // number of these that the host caused since the last ruling
-  int version = 1;      // of its record, from 1: grows with each void that the host did not cause
-  int new_seeds = 0;    // number of voids by persons after which it is played with another seed
-  bool awaits_confirmation = false;  // the first attempt was lost by a clock; the next one counts
+  int host_faults = 0;                      // voids by the host since the last ruling
+  int version = 1;                   // of its record, from 1; voids by the host do not raise it
+  int new_seeds = 0;                 // number of voids by persons that changed its seed
+  bool awaits_confirmation = false;  // a clock decided the first attempt; the next counts
   std::shared_ptr<const std::string> void_ruling;  // why a person voided it; null if none did
 };
 
@@ -52,14 +52,14 @@ struct FixtureState {
   Fixture fixture;
   std::array<LegState, max_legs> legs;
   bool is_annulled = false;  // counts for nothing, because a team has left
-  // Of a tie of a knockout that was decided because a team had left. It stays when others leave
-  // later. Leagues of the former rules have none.
+  // The outcome of a tie of a knockout that was decided because a team had left. It stays if the
+  // other team also leaves. Leagues of the former rules have none.
   std::optional<TieOutcome> walkover;
-  int counted_needed = 0;  // its share of the counts of the league
+  int counted_needed = 0;  // its part of the league's counts
   int counted_decided = 0;
 
-  // Number of legs that it needs as far as is known (a level tie needs one more), and of those that
-  // are decided.
+  // The number of legs that it needs by present results (a level tie needs one more), and the
+  // number of its decided legs.
   int needed() const;
   int decided() const;
   bool is_decided() const;
@@ -67,7 +67,7 @@ struct FixtureState {
   int goals(int team) const;  // sum over all legs
 };
 
-// Whether a team takes part.
+// The participation of a team.
 enum class TeamStatus { playing, paused, withdrawn };
 
 struct TeamState {
@@ -75,7 +75,7 @@ struct TeamState {
   int entry = 0;       // the number of the entry that plays; 0: none yet
   std::string sha256;  // of its library
   std::string why;     // the reason why it is paused, or has withdrawn
-  int strikes = 0;     // number of legs in a row lost by its own faults
+  int strikes = 0;     // legs in a row that it lost by its own faults
 };
 
 // A decision of a person: LegVoided, Ruled, Withdrawn, Paused, Resumed, Frozen, Closed, Released or
@@ -83,16 +83,16 @@ struct TeamState {
 struct Decision {
   Event event;
   int line = 0;           // its number in the journal; 0: not known
-  std::string what = {};  // what it changed, as it was when it was made: "was 2:1"; may be ""
-  // The later decision that ended its effect, as an index of LeagueState::decisions: one on the
-  // same leg, a withdrawal that leaves nothing of it, the end of a pause, or Undone.
+  std::string what = {};  // the former value that it changed: "was 2:1"; may be ""
+  // The later decision that ended its effect, as an index of LeagueState::decisions: a decision on
+  // the same leg, a withdrawal that removes the leg, the end of a pause, or Undone.
   std::optional<std::size_t> undone_by;
 };
 
 struct LeagueState {
   LeagueFile file;
   std::vector<FixtureState> fixtures;  // in the order of the schedule
-  std::vector<TeamState> teams;        // in the order of file.teams: those that joined come last
+  std::vector<TeamState> teams;        // in the order of file.teams; late joiners come last
   std::vector<Decision> decisions;     // of persons, in the order of the journal
   bool is_started = false;
   bool is_closed = false;
@@ -102,28 +102,28 @@ struct LeagueState {
   // The program that plays the league, from the last line that names one.
   ProgramChosen program;
 
-  // The round of a Swiss tournament in which each pairing would be a second meeting, so that it is
-  // not played; 0: there is none.
+  // The round of a Swiss tournament that is not played, because each pairing would be a second
+  // meeting; 0: there is none.
   int unpaired_round = 0;
 
   std::vector<NightBegan> nights;
-  std::optional<std::string> freeze;  // Frozen::from of the last one; nothing: as league.json says
-  Released release;                   // the last one; by default everything is shown
+  std::optional<std::string> freeze;  // of the last Frozen; empty: as in league.json
+  Released release;                   // the last; the default shows all rounds
 
   // The names that pages show, in the order of the teams; empty: those of league.json.
   std::vector<std::string> shown_names;
 
-  // The colours of the marks beside them, "#c03a2b", by the team's name in league.json; a team
-  // without one has no mark.
+  // The colours of the marks beside the names, "#c03a2b", by the team's name in league.json. A team
+  // without a colour has no mark.
   std::map<std::string, std::string> shown_colours;
 
   // The nights whose legs have no replay pages any more. Their records stay.
   std::set<int> pruned_nights;
 
-  // What the host tells everybody on the front page: lines of text; "": nothing.
+  // The host's notice on the front page, lines of text; "": none.
   std::string notice;
 
-  // Numbers of the legs that the league needs by present results, and of those that are decided.
+  // The number of legs that the league needs by present results, and the number of decided legs.
   int legs() const { return needed_; }
   int played() const { return decided_; }
   bool is_over() const;
@@ -141,10 +141,10 @@ struct LeagueState {
     return shown_names.empty() ? name(team) : shown_names[team];
   }
 
-  // The same for the name of a team in league.json; a text that is none stays as it is.
+  // The same for the name of a team in league.json; any other text stays as it is.
   std::string shown_name_of(const std::string& team) const;
 
-  // The time from which no entry is taken, UTC; "": entries are taken as the format allows.
+  // The time from which the league takes no entry, UTC; "": it takes entries as the format allows.
   const std::string& frozen_from() const { return freeze ? *freeze : file.freeze; }
 
   // All fixtures before this index are decided.

@@ -41,8 +41,8 @@ class LeagueStore {
   // Reads and applies the events that other processes have written.
   Result<void> refresh();
 
-  // Writes an event to disk and then applies it to the state. Errors: Errc::input if it does not
-  // fit the league as it is now; then nothing is written.
+  // Writes an event to disk and then applies it to the state. Errc::input if the present state does
+  // not allow the event; then nothing is written.
   Result<void> write(const Event& event);
 
  private:

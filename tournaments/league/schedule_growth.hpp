@@ -17,7 +17,8 @@ class ScheduleGrowth {
   // Appends fixtures to the schedule.
   void add(const std::vector<Fixture>& fixtures);
 
-  // To be called after a leg of the fixture with that index has changed; no_fixture: others leave.
+  // To be called after a leg of the fixture with that index has changed; with no_fixture, after
+  // teams have left.
   void fixture_changed(int fixture);
 
   // Appends a team, which has no entry yet.

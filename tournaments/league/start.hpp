@@ -7,9 +7,9 @@
 
 namespace mirocup::league {
 
-// Starts the league if it has not started, and checks that the libraries are those that the journal
-// names. Errors: Errc::input if the league cannot be played as it is; Errc::damaged if a library
-// has changed.
+// Starts the league if it has not started, and checks that the libraries have the digests of the
+// journal. Errors: Errc::input if the league cannot be played; Errc::damaged if a library has
+// changed.
 Result<void> start_league(system::Files& files, LeagueStore& store);
 
 }  // namespace mirocup::league

@@ -14,12 +14,12 @@ namespace mirocup::league {
 
 struct BackupCount {
   int copied = 0;
-  int known = 0;  // records that the copy had already, since they never change
+  int known = 0;  // records that the copy already had; records never change
 };
 
-// Copies a league to a folder that is new or holds an earlier copy of it. Pages (`site`), locks and
-// files that are arriving are left out. After an error, or if this process dies, an earlier copy is
-// as whole as before. Errors: Errc::input if the folder holds something else, another league, or a
+// Copies a league to a folder that is new or holds an earlier copy of it. Does not copy pages
+// (`site`), locks and files that are arriving. After an error, or if this process dies, an earlier
+// copy is still whole. Errors: Errc::input if the folder holds something else, another league, or a
 // copy with decisions of its own, or is inside the league's own folder.
 Result<BackupCount> back_up(system::Files& files, const Folder& from, const Folder& to);
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // Plays teams against each other until the test of comparison.hpp decides about each pair. A
-// fixture is two legs of one seed with swapped colours; every fixture has a seed of its own.
-// Fixtures count in their order, so the answer does not depend on the number of jobs.
+// fixture is two legs of one seed with swapped colours; every fixture has another seed. Fixtures
+// count in their order, so the answer does not depend on the number of jobs.
 //
-// Copies prove nothing. Two legs with goals are different if their goals fell in different ticks or
-// for other colours; two legs without goals, if their state hashes differ. Nothing is claimed while
-// fewer than half of the fixtures of a pair are different. The two legs of one fixture may be
-// alike: a team that meets itself has the same luck in both.
+// Copies of a leg prove nothing. Two legs with goals differ if their goals fell in different ticks
+// or for different colours. Two legs without goals differ if their state hashes differ. There is no
+// claim while fewer than half of the fixtures of a pair differ from each other. The two legs of one
+// fixture may be equal: a team that meets itself has the same luck in both.
 //
-// A folder that is kept holds comparison.json, which describes the run, and the record of every
-// leg. The same run with the same folder uses the legs that are there and plays the others.
+// If legs are kept, the folder holds comparison.json, which describes the run, and the record of
+// every leg. The same run with the same folder uses these legs and plays the missing ones.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -40,10 +40,10 @@ struct ComparisonRun {
   std::string conditions;  // a preset; "": the default of a match
   std::uint64_t seed = 1;
   int jobs = 0;             // 0: one for each processor
-  int max_fixtures = 4000;  // of a pair; after them the answer is "undecided"
+  int max_fixtures = 4000;  // of a pair; then the answer is "undecided"
   bool plays_all = false;   // plays max_fixtures for each pair, decided or not
   std::string folder;       // for records; must exist
-  bool keeps_legs = false;  // otherwise a record is removed as soon as it has been read
+  bool keeps_legs = false;  // false: removes a record as soon as it is read
   ComparisonOptions test;
 };
 

@@ -21,11 +21,11 @@ struct LegId {
 };
 
 // Returns the legs (from 1) of a fixture that can be played now, in order. Such legs are not
-// decided, and both teams are known and neither paused nor withdrawn.
+// decided, and both teams are known, not paused and not withdrawn.
 std::vector<int> open_legs(const LeagueState& state, const FixtureState& fixture);
 
-// Returns the seed of a leg: that of its fixture, and another one for the leg that decides a tie,
-// and for one that a person has voided so.
+// Returns the seed of a leg: the seed of its fixture. The leg that decides a tie has another seed,
+// and so has a leg that a person has voided with a new seed.
 std::uint64_t leg_seed(const LeagueState& state, const LegId& id);
 
 // Returns the command line. It may run in any working folder. Teams that join over DDS find the

@@ -14,9 +14,9 @@
 namespace mirocup::league {
 
 // Refuses to play a league that another program has begun to play. With `accepts_other` it instead
-// writes a line that this program continues. A program is another one if its version or its
-// behaviour hash (`game`) is; if the journal does not name the hash, the last record does. Errors:
-// Errc::input.
+// writes a line that this program continues the league. A program is another one if its version or
+// its behaviour hash (`game`) differs. The hash is that of the journal or, if the journal has none,
+// of the last record. Errors: Errc::input.
 Result<void> expect_program(system::Files& files, LeagueStore& store,
                             const record::Software& program, bool accepts_other);
 
@@ -40,9 +40,9 @@ struct VerifiedRecords {
 };
 
 // Verifies all records of a league, `jobs` at once (0: one for each processor): the program that
-// played a record simulates it again, and a record that the journal names must be the one that the
-// journal means. If the text of a record is damaged, no program is started. Errors:
-// Errc::interrupted, or the reason why the verification cannot start.
+// played a record simulates it again, and a record must be the one that the journal names. If the
+// text of a record is damaged, no program is started. Errors: Errc::interrupted, or the reason why
+// the verification cannot start.
 Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs);
 
 }  // namespace mirocup::league

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Turns match records into events of the journal, alike for every engine that plays a league. A leg
-// gets its result. But if the host failed, or a team lost by a clock for the first time, the
+// gets its result, unless the host failed or a team lost by a clock for the first time: then the
 // attempt is void. A team that loses a number of legs in a row by its own faults is paused.
 #pragma once
 

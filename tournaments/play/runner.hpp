@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Plays the open legs of a league on this host. Each leg is a child process of the match server
-// program. As many run at once as there are jobs; the legs of a fixture run one after the other on
-// the same processor.
+// Plays the open legs of a league on this host. Each leg is a child process, a match server. As
+// many legs run at once as there are jobs; the legs of a fixture run one after the other on the
+// same processor.
 //
 // A finished leg is in the journal before anything else happens. A leg that the host spoiled is
 // void and is played again with the same seed. The same holds, once, for a leg that a clock
@@ -26,8 +26,8 @@ struct RunOptions {
   int dds_domain = 0;    // of the legs in which a team plays over DDS
 };
 
-// Returns a sentence for the host if that many legs at once may take more memory than `available`,
-// bytes; "" if they do not, or if `available` is empty.
+// Returns a sentence for the host if `jobs` legs at once may take more memory than `available`,
+// bytes; "" if not, or if `available` is empty.
 std::string memory_warning(std::optional<std::size_t> available, int jobs);
 
 class Runner {
@@ -70,7 +70,7 @@ class Runner {
   ProgressReporter& progress_;
   system::ProcessSet processes_;
   std::vector<Worker> workers_;
-  std::set<std::string> checked_records_;  // names of records that were looked for
+  std::set<std::string> checked_records_;  // names of records that run() has looked for
 };
 
 }  // namespace mirocup::league

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Plays parts of a league elsewhere: on other machines, by GNU parallel or on a cluster. A shard is
-// a fixture. It only writes records; `league start` books them and plays the legs that have none. A
-// shard that is lost counts as not played, and a shard that runs twice plays once.
+// a fixture. Playing a shard only writes records; `league start` books them and plays the legs
+// without a record. A lost shard counts as not played, and a shard that runs twice plays its legs
+// once.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"

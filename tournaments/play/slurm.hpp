@@ -22,7 +22,7 @@ struct SlurmTask {
 
 // An array of tasks, one for each line of a plan.
 struct SlurmArray {
-  std::string league;  // a word that distinguishes the jobs of this league from others
+  std::string league;  // a word in the names of the jobs of this league alone
   int plan = 0;
   int tasks = 0;
   int max_running = 0;

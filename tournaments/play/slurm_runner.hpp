@@ -5,10 +5,9 @@
 // run-shard, which writes records; this program books them. Lost legs are void and are submitted
 // again.
 //
-// Records are the truth, the queue is a hint: a fixture is submitted if it has legs without a
-// record and is not in the queue under the name of this league. So the same command starts and
-// resumes, and tasks play on without it. DIR/cluster has the plans, the logs and the script of the
-// tasks.
+// Only records prove that legs were played: a fixture is submitted if it has legs without a record
+// and is not in the queue under the name of this league. So the same command starts and resumes,
+// and tasks continue without it. DIR/cluster has the plans, the logs and the script of the tasks.
 #pragma once
 
 #include "system/process_set.hpp"
@@ -60,9 +59,9 @@ class SlurmRunner {
   int next_plan_ = 1;
   int futile_submissions_ = 0;  // arrays submitted since a record was booked
   int interrupts_ = 0;
-  bool is_silent_ = false;               // squeue did not answer the last time
+  bool is_silent_ = false;               // true: squeue did not answer last time
   std::vector<SlurmTask> tasks_;         // from the last answer of squeue
-  std::map<std::string, int> restarts_;  // by task: restarts whose lost legs are booked
+  std::map<std::string, int> restarts_;  // of each task, whose lost legs are booked
   std::map<int, PlanLines> plans_;       // the plans that were needed so far
 };
 

@@ -16,7 +16,7 @@ struct Best {
   std::string value;
   std::string who;
   std::string where;
-  std::string page;  // from the top of the site: the replay at that moment; "": there is none
+  std::string page;  // from the top of the site, the replay at that moment; "": none
 };
 
 // Returns the bests of the league so far: fastest goal, biggest win, most goals in a leg, biggest

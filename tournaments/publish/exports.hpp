@@ -21,7 +21,7 @@ std::string decisions_json(const LeagueState& state);
 // The content of table.json.
 Json table_json(const Overview& overview);
 
-// The scores of all legs between two teams, indexed by both: "2:1", the goals of the first team
+// The scores of all legs between two teams, [first][second]: "2:1", the goals of the first team
 // first.
 using Meetings = std::vector<std::vector<std::vector<std::string>>>;
 Meetings meetings(const Overview& overview);

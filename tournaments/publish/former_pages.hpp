@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Removes files of a site that it does not have any more, because rounds were hidden again.
+// Removes the files of pages that a site no longer has, because rounds were hidden again.
 #pragma once
 
 #include "system/files.hpp"

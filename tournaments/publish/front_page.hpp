@@ -22,7 +22,8 @@ struct SiteContent {
   bool has_playground = false;
 };
 
-// Returns the first three and how sure the first place is; false before the league is over.
+// Returns the first three teams and the certainty of the first place; false before the league is
+// over.
 Json champion_values(const Overview& overview);
 
 std::string front_html(const SiteContent& content);
@@ -30,7 +31,8 @@ std::string front_html(const SiteContent& content);
 // Returns the page of the round with that index.
 std::string round_html(const SiteContent& content, std::size_t round);
 
-// Returns the page of the crosstable. Precondition: has_crosstable(), that is, not too many teams.
+// crosstable_html() returns the page of the crosstable, if has_crosstable(): not with too many
+// teams.
 bool has_crosstable(const SiteContent& content);
 std::string crosstable_html(const SiteContent& content);
 

@@ -20,8 +20,8 @@ enum class GradesLayout {
   gradescope,  // likewise, as Gradescope has scores
 };
 
-// Returns grades.csv, a row for each team of the table, those that have withdrawn last, and then
-// for each other one in `people`:
+// Returns grades.csv. It has a row for each team of the table, withdrawn teams last, then a row for
+// each other team in `people`:
 //   rank, team, points, played           as in table.csv; no rank for a team that is not in it
 //   strength, strength_low, strength_high  with the ends of the interval
 //   house_beaten                         the house teams against which it has won more legs than
@@ -31,13 +31,13 @@ enum class GradesLayout {
 //   points_per_leg, state, entry         state: plays, no entry, paused, withdrawn, or not in the
 //                                        league
 // then the further columns of the class list, and its score in each drill and in all of them. A
-// cell with as many parts between ; as the team has members has one for each of them.
-// `drills_csv` is the output of `mirocup drill … --csv`, read from `path`, "" for none; a team is
-// found by its name, and has empty cells where there is no mark. For Moodle and Gradescope, the
-// score is the points in per cent of those of a team that wins each leg; students are named by
-// their mail and number, further columns of the class list, and teams without both have no row.
-// An error is Errc::input: a text that is not such an output, or one in which no team of the league
-// is named; students of whom neither is known.
+// cell with as many parts between semicolons as the team has members has one part for each member.
+// `drills_csv` is the output of `mirocup drill … --csv`, read from `path`, "" for none; teams are
+// found by their names, and a missing mark is an empty cell. For Moodle and Gradescope, the score
+// is the points in per cent of the points of a team that wins each leg. Students are named by their
+// mail and number, further columns of the class list; teams without both have no row. Errc::input
+// if `drills_csv` is not such an output or names no team of the league, or if no student has a mail
+// and a number.
 Result<SiteFile> grades(const Overview& overview, const PeopleOfTeams& people,
                         std::string_view drills_csv, const std::string& path,
                         GradesLayout layout = GradesLayout::teams);

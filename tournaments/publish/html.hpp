@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes a part of a page in which no text can become markup: every text passes through
+// Writes a part of a page so that no text can become markup: every text passes through
 // system::html_escaped(). Whole pages are templates (page/).
 #pragma once
 
@@ -21,11 +21,11 @@ class Html {
   // A table cell with a style class.
   void cell_of(std::string_view style, std::string_view text);
 
-  // A link, and a table cell with a link. Without a target it is the text alone.
+  // Adds a link, or a table cell with a link. Without a target, adds the text alone.
   void link(std::string_view target, std::string_view text);
   void link_cell(std::string_view target, std::string_view text);
 
-  // A table row of cells: "th" or "td". A head without text is a cell.
+  // Adds a table row of cells with the tag "th" or "td". A "th" without text becomes a "td".
   void row(std::string_view tag, const std::vector<std::string>& cells);
 
   // A table that scrolls if it is wider than the page.

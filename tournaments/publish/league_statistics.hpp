@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The football statistics of a league: of each leg that counts and has a record, according to the
-// journal. A leg is counted once, when its replay page is made; site/statistics/LEG.json keeps the
-// numbers.
+// The football statistics of a league, of each leg that counts and has a record by the journal. The
+// program counts a leg once, when it makes the replay page, and keeps the numbers in
+// site/statistics/LEG.json.
 #pragma once
 
 #include "record/statistics/report.hpp"
@@ -30,18 +30,18 @@ bool has_statistics(system::Files& files, const Folder& folder, const std::strin
 using KnownReports = std::map<std::string, statistics::LegReport>;
 
 // Returns the kept reports of the legs that count, in the order of the schedule. Leaves out a leg
-// whose file is missing, damaged or of another leg. `known`, if not null, has the reports that were
-// read before, which do not change, and gets those that are read now.
+// whose file is missing, damaged or of another leg. `known`, if not null, has the reports of
+// earlier calls, which do not change, and gets the reports of this call.
 LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state,
                            KnownReports* known = nullptr);
 
-// As above, but plays legs without a kept report again. Writes nothing. Errors: those of
-// statistics::count_record().
+// As kept_statistics(), but plays legs without a kept report again, and writes no file. Errors:
+// those of statistics::count_record().
 Result<LegReports> all_statistics(system::Files& files, const Folder& folder,
                                   const LeagueState& state);
 
-// Returns the team whose robots kept out the greatest share of the shots on their goal, as a best
-// of the league. Returns nothing if no team has faced least_shots of them.
+// Returns the team whose robots kept out the greatest share of the shots on their goal, for the
+// bests of the league. Returns nothing if no team has faced least_shots shots.
 inline constexpr int least_shots = 10;
 std::optional<Best> best_goalkeeper(const Overview& overview, const LegReports& reports);
 

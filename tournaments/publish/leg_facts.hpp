@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The facts of a leg on pages besides its result: goals with their times and scorers, fouls, the
-// score of a shoot-out. The journal does not have these; they are read from the match records.
+// score of a shoot-out. They are read from the match records, because the journal lacks them.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -15,7 +15,7 @@ namespace mirocup::league {
 
 struct GoalFact {
   double at = 0.0;       // s since the leg began
-  bool is_home = false;  // true: the home team gained it
+  bool is_home = false;  // true: it counts for the home team
   int scorer = -1;       // the robot of that team; -1: not known, or an own goal
   bool is_own_goal = false;
 };

@@ -67,7 +67,7 @@ Overview overview(const LeagueState& state, const FactsOfLegs& facts = no_facts)
 // "Final", "Semi-final", "Group 2, round 1", "Round 3".
 std::string round_in_words(const LeagueState& state, const Fixture& fixture);
 
-// Returns how a leg ended, with its fault and its ruling: "forfeit: a: crash: ...; ruling: ...".
+// Returns the end of a leg with its fault and its ruling: "forfeit: a: crash: ...; ruling: ...".
 std::string end_in_words(const LeagueState& state, const PlayedLeg& leg);
 
 // Returns a sentence for a fault, without its team.
@@ -80,8 +80,8 @@ std::string points_per_leg(const TableRow& row);
 // row, and before both teams have played. `next` is null for the last row.
 std::string reason_in_words(const TableRow& row, const TableRow* next);
 
-// Returns how many legs the teams of a row and of the next row would have to play against each
-// other to be told apart (legs_to_tell()): "120"; "over 1000000"; "" for the last row.
+// Returns the number of legs between the teams of a row and of the next row that would tell them
+// apart (legs_to_tell()): "120"; "over 1000000"; "" for the last row.
 std::string legs_to_tell_in_words(const Overview& o, const TableRow& row, const TableRow* next);
 
 }  // namespace mirocup::league

@@ -20,11 +20,11 @@ struct Night {
   int number = 0;
   std::string at;                 // when it began, UTC; "" if the line does not say
   LeagueState before;             // the league before its line
-  std::set<std::string> records;  // of the legs that were played in it: paths inside the league
+  std::set<std::string> records;  // paths inside the league of the legs of the night
 };
 
-// Returns the last night of a league; nothing if there was none. `shown` is the league as it is
-// shown; `journal` may have later nights. Errors: Errc::damaged.
+// Returns the last night of a league; nothing if there was none. `shown` is the league as pages
+// show it; `journal` may have later nights. Errors: Errc::damaged.
 Result<std::optional<Night>> last_night(const LeagueState& shown, const Journal& journal);
 
 // A leg as its loser sees it.

@@ -28,8 +28,8 @@ std::string digest_text(const Overview& overview, const Night& night, const Team
 
 nlohmann::ordered_json digest_json(const Overview& overview, const TeamDigest& digest);
 
-// Returns feed.xml of a league that has nights: the last of them, the latest first. The tables are
-// those after each night.
+// Returns feed.xml of a league that has nights: its last nights, the latest first, each with the
+// table after it.
 Result<std::string> feed_xml(const LeagueState& shown, const Journal& journal);
 
 }  // namespace mirocup::league

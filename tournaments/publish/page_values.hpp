@@ -17,7 +17,8 @@ std::string_view page_file(std::string_view name);
 std::string filled_page(std::string_view name, const Json& values);
 
 // Returns the values of head.html and top.html. `root` leads from the page to the top of the site:
-// "" or "../". `title` is the page's own; "" for the front page, which has the league's.
+// "" or "../". `title` is the title of the page; "" for the front page, whose title is the league's
+// name.
 Json page_values(const Overview& overview, const std::string& root, const std::string& title);
 
 // Returns the mark of a team's colour, as markup for the place before its name; "" if it has none.
@@ -34,7 +35,8 @@ Json fixtures_values(const Overview& overview, const RoundView& round, const std
 // The score of a leg as a team sees it, with that of a shoot-out: "1:1 (3:2 p)".
 std::string score_text(const LegView& leg, int team);
 
-// One line of leg.html, a leg that is worth a link: {score, page, home, away, where, why}.
+// Returns the values of a line of leg.html, a leg with a link: {score, page, home, away, where,
+// why}.
 Json leg_values(const Overview& overview, const LegView& leg, const std::string& root,
                 const std::string& why);
 

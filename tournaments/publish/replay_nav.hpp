@@ -13,8 +13,8 @@ namespace mirocup::league {
 
 // Returns the replay page of a record with links to the front page, the round, both teams and the
 // legs before and after, and a note if the leg does not count; title, scoreboard and calls have the
-// names by which people know the teams. `record` is the path inside the league folder. A page
-// without the comments is returned unchanged.
+// display names of the teams. `record` is the path inside the league folder. A page without the
+// comments is returned unchanged.
 std::string with_league_links(std::string page, const Overview& overview,
                               const std::string& record);
 

@@ -18,7 +18,7 @@ namespace mirocup::league {
 // Returns the path inside site/ of the page of a record ("records/x.json").
 std::string replay_page_of(const std::string& record);
 
-// The fixture of a record, "records/r1-f2-1-1.json" of "r1-f2", also of an attempt that is void.
+// Returns the fixture of a record, also of a void attempt: "r1-f2" for "records/r1-f2-1-1.json".
 const FixtureState* fixture_of_record(const LeagueState& state, const std::string& record);
 
 // Returns the path of the page of a record after `root`; "" if it was removed to save room.
@@ -28,11 +28,11 @@ std::string page_of_record(const LeagueState& state, const std::string& root,
 // The pages that could not be made. The league is published without them.
 struct FailedPages {
   int count = 0;
-  std::set<std::string> reasons;  // why programs that the league keeps were not run; sentences
+  std::set<std::string> reasons;  // sentences: why a kept program was not run
 };
 
-// Makes the missing pages, `jobs` at once (0: one for each processor), and removes those of legs
-// that this state does not hold, and of nights that are pruned, whose statistics stay.
+// Makes the missing pages, `jobs` at once (0: one for each processor), and removes the pages of
+// legs that this state does not have, and of pruned nights. The statistics of pruned nights stay.
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
                                       const Overview& overview, int jobs);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The league as a folder of pages that work without a server, and as files for other programs. Its
-// content is a pure function of the league's state: the same results give the same bytes, in
-// whatever order and on whatever machine the legs were played.
+// content depends only on the league's state: the same results give the same bytes, independently
+// of the order of the legs and of the machines that played them.
 //
 // The files are index.html, crosstable.html, a page for each round below rounds/ and for each team
 // below teams/, the style sheet and the script of these pages, and the files of exports() and
@@ -26,7 +26,7 @@ namespace mirocup::league {
 // The data from which a site is made.
 struct SiteSource {
   LeagueState state;
-  LegReports reports = {};                       // of the played legs; without them pages say less
+  LegReports reports = {};                       // of the played legs; optional
   FactsOfLegs facts = {};                        // likewise
   std::optional<Night> night = {};               // adds night.html and digests/
   std::string feed = {};                         // feed.xml, if not ""

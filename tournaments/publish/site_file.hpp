@@ -14,7 +14,7 @@ struct SiteFile {
   std::string bytes;
 };
 
-// The page in which visitors play by hand. It has a policy of its own.
+// The page in which visitors play by hand. It has a separate content security policy.
 inline constexpr const char* playground_name = "playground.html";
 
 // Functions that return the bytes of files, by their names inside site/. Most pages of a large

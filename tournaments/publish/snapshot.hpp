@@ -19,13 +19,13 @@ namespace mirocup::league {
 Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
                                   const std::string& round);
 
-// The same without any round.
+// Returns the state before the first round.
 Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal& journal);
 
 // A leg of the league: the id of its fixture and its number, from 1.
 using LegName = std::pair<std::string, int>;
 
-// The same, but of the legs of the round only those in `legs` count as played.
+// As state_through(), but only the legs of the round that are in `legs` count as played.
 Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,
                                     const std::string& round, const std::set<LegName>& legs);
 

@@ -20,8 +20,8 @@ struct StrengthHistory {
 // teams, because the fit would take too long.
 StrengthHistory strength_history(const Overview& overview, const std::vector<RoundView>& rounds);
 
-// Returns a curve for each team as an SVG element; the curves of `highlighted`, with its interval,
-// in front. `highlighted` may be no_team: then every curve has a colour and its name.
+// Returns an SVG element with a curve for each team. The curve of `highlighted` is in front, with
+// its interval. If `highlighted` is no_team, every curve has a colour and a name.
 std::string strength_picture(const Overview& overview, const StrengthHistory& history,
                              int highlighted);
 

@@ -9,8 +9,9 @@
 // fair for m. He begins with 1 and is never ruined. If m is true, his capital ever reaches 40 with
 // a probability of at most 1/40, however long he plays and whenever he stops (Ville's inequality).
 // A second gambler bets against m or more. The shares that neither has refuted are an interval; the
-// probability that it ever loses the truth is at most 5 %. A team is better once all of it is on
-// one side of 1/2; two teams are equal once all of it is within the shares of -20 and 20 Elo.
+// probability that it ever loses the truth is at most 5 %. A team is better once the whole interval
+// is on one side of 1/2; two teams are equal once the whole interval is between the shares of -20
+// and 20 Elo.
 //
 // Each gambler divides his capital among fixed bets of many sizes. So his capital depends on how
 // often each result occurred and not on its order. docs/comparisons.md has the measured errors.
@@ -50,18 +51,20 @@ class ScoreSequence {
   // The fixtures in which the first team has this many half points.
   int count(int points) const { return counts_[points]; }
 
-  // The probability that a claim is wrong is at most `error` for all fixtures together.
+  // Returns the claim after the fixtures so far. The probability of a wrong claim is at most
+  // `error` over all calls together.
   ComparisonVerdict verdict(const ComparisonOptions& options = {}) const;
 
-  // The difference in Elo. The estimate includes half a point for half a fixture, so it is finite;
-  // low is minus infinity, or high infinity, where nothing is refuted.
+  // The difference in Elo. The estimate includes half a point for half a fixture, so it is finite.
+  // If nothing is refuted on a side, `low` is minus infinity or `high` is infinity.
   ComparisonInterval difference(const ComparisonOptions& options = {}) const;
 
  private:
   std::array<int, most_points + 1> counts_{};
 };
 
-// The share of the points that a team takes which is stronger by `elo`, and its inverse.
+// Returns the share of the points that a team takes if it is stronger by `elo`; elo_of() is the
+// inverse.
 double share_of(double elo);
 double elo_of(double share);
 

@@ -10,13 +10,12 @@
 // half a win and half a loss against a virtual team of strength 0, so that a team that won all legs
 // has a finite strength.
 //
-// An interval holds the strengths of one team that the results do not contradict: those for which
-// twice the logarithm of the likelihood falls by at most 3.84, the 95 % point of chi squared with
-// one degree of freedom. The other strengths stay as fitted. What their uncertainty adds is taken
-// from the curvature of the likelihood at its maximum: the permitted fall is multiplied by the
-// variance of the strength, divided by the variance that it had if the others were known. The legs
-// of a fixture count as independent. docs/comparisons.md says how often such intervals hold the
-// truth.
+// An interval holds the strengths of one team that the results do not contradict: the strengths for
+// which twice the logarithm of the likelihood falls by at most 3.84, the 95 % point of chi squared
+// with one degree of freedom. The other strengths stay as fitted. Their uncertainty comes from the
+// curvature of the likelihood at its maximum: the permitted fall is multiplied by the variance of
+// the strength and divided by its variance if the others were known. The legs of a fixture count as
+// independent. docs/comparisons.md says how often such intervals hold the truth.
 #pragma once
 
 #include "tournaments/table/table.hpp"
@@ -34,7 +33,7 @@ struct Strength {
 
 struct Ratings {
   std::vector<Strength> strengths;  // by team
-  double draws = 1.0;  // v: how many draws there are for a win, where two equal teams meet
+  double draws = 1.0;               // v: draws per win between two equal teams
 };
 
 // The results of one fixture.

@@ -82,16 +82,16 @@ struct TableRules {
   bool by_points_per_leg = false;  // for a ladder, where teams play different numbers of legs
 
   // True: a tie-break does not depend on how many legs a team has played. Sums over legs are
-  // compared as means, head-to-head counts if all pairs of the level teams have met as often, and
-  // as an opponent a bye and a team that has left have as many points as the team itself. Teams
-  // that have left come last. False: the former rules, which took sums.
+  // compared as means, head-to-head counts if all pairs of the level teams have met equally often,
+  // and a bye or a team that has left counts as an opponent with as many points as the team itself.
+  // Teams that have left come last. False: the former rules, which took sums.
   bool evens_out = true;
   std::vector<bool> has_left = {};  // by team; empty: none has
 };
 
-// Returns the rows of these teams, best first. Only results between two of them count, and byes.
-// `stage_reached` is indexed by team and grows with the progress in a knockout; it is empty if
-// there is no knockout.
+// Returns the rows of these teams, best first. Only results between two of these teams and byes
+// count. `stage_reached` is indexed by team and grows with the progress in a knockout; it is empty
+// if there is no knockout.
 std::vector<TableRow> make_table(const std::vector<int>& teams,
                                  const std::vector<LegResult>& results, const TableRules& rules,
                                  const std::vector<int>& stage_reached = {});

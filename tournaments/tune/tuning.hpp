@@ -3,10 +3,10 @@
 // Finds better numbers for a team: CMA-ES over its parameters, whose candidates play fixtures, and
 // at the end a test on seeds that the search has not seen.
 //
-// Noise. All candidates of a generation play the same seeds, so their differences say more than
-// their results. If the differences between candidates are hardly larger than those of chance, the
-// next generation plays more fixtures; if they are much larger, it plays fewer. The result is the
-// mean of the distribution, not the luckiest candidate.
+// Noise. All candidates of a generation play the same seeds, so their differences have less noise
+// than their results. If the differences between candidates are hardly larger than those of chance,
+// the next generation plays more fixtures; if they are much larger, it plays fewer. The result is
+// the mean of the distribution, not the luckiest candidate.
 //
 // The claim. The team with the found numbers and the team without parameters play the same fresh
 // fixtures. The gain is the mean of the differences; its 95 % interval is Student's. A gain is
@@ -36,7 +36,7 @@ struct TuningOptions {
   std::uint64_t seed = 1;
   int generations = 12;
   int fixtures = 4;        // of a candidate in the first generation, against each opponent
-  int most_fixtures = 32;  // when there is much noise
+  int most_fixtures = 32;  // if there is much noise
   int test_fixtures = 60;  // of the test, against each opponent
 };
 
@@ -84,7 +84,7 @@ struct TuningResult {
 using TellGeneration = std::function<Result<void>(const std::vector<Generation>& course)>;
 
 // Returns the first error of `play` or `tell`. The same options and marks give the same result,
-// also after a former run was stopped: `play` may know marks already.
+// also if `play` returns marks of an earlier run that was stopped.
 Result<TuningResult> tune(const TuningOptions& options, const PlayFixtures& play,
                           const TellGeneration& tell);
 

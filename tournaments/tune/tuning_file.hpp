@@ -24,7 +24,7 @@ class TuningFile {
 
   // The marks of a candidate; null if they are not known.
   const std::vector<Mark>* find(const std::string& key) const;
-  // Keeps them, on disk before it returns.
+  // Keeps the marks of a candidate, on disk before it returns.
   Result<void> keep(const std::string& key, std::vector<Mark> marks);
 
   int known() const { return static_cast<int>(marks_.size()); }

@@ -25,7 +25,7 @@ Result<Address> parse_address(const std::string& text, const std::string& option
 std::string url_of(const Address& address, bool is_encrypted);
 
 // Returns the address by which connections are counted. A viewer with IPv6 has 2^64 addresses, so
-// the first half of such an address counts.
+// only the first half of an IPv6 address counts.
 std::string counted_address(const std::string& address);
 
 // Returns the address of the other end of a connection, without the zone of IPv6; "" if it has

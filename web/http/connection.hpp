@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One connection with limits: how much may come, and until when. It knows sockets and TLS, and no
-// HTTP.
+// One connection with limits: how many bytes may come, and until when. It knows sockets and TLS,
+// and no HTTP.
 #pragma once
 
 #include "system/tls.hpp"
@@ -28,9 +28,9 @@ class Connection {
   // Sends all bytes. Returns false after an error, or if the other end takes nothing for 5 s.
   bool send(std::string_view bytes);
 
-  // Tells the other end that nothing more is sent, and takes what it still sends, for 1 s at most.
-  // A connection that is closed before that is reset, and a client that still sends its file would
-  // not see why it was refused.
+  // Tells the other end that nothing more is sent, and receives its remaining bytes for at most 1
+  // s. Without that, closing would reset the connection, and a client that is still sending its
+  // file would not see why it was refused.
   void drain();
 
  private:

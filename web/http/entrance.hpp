@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Who may come in, who waits and who gives way, when many connections come. It only counts: the
-// server owns the sockets, and names connections by them.
+// Decides which connections enter, wait or give way if many come. It only counts: the server owns
+// the sockets, whose numbers name the connections.
 //
 // As long as at most half of the capacity is taken, everybody may enter. Above that, an address
-// that has many streams or connections waits: its further requests are served a few at a time,
-// and it gets no further stream. Connections that were there before stay. When all is taken, the
-// oldest request that has not arrived gives way.
+// that has many streams or connections waits: its further requests are served a few at a time, and
+// it gets no further stream. Its earlier connections stay. If no capacity is left, the oldest
+// request that has not arrived completely gives way.
 //
 // Threads: one at a time.
 #pragma once
@@ -26,7 +26,7 @@ struct EntranceLimits {
   int capacity = 256;         // connections in all
   int many_streams = 8;       // of an address
   int many_connections = 32;  // of an address
-  int at_once = 4;            // requests of an address that has many
+  int at_once = 4;            // served requests of an address that has many connections
   int most_waiting = 32;      // connections of an address
   std::chrono::milliseconds longest_wait{5000};
   std::chrono::milliseconds request_time{10'000};
@@ -54,12 +54,13 @@ class Entrance {
   // refused.
   Stage arrive(int connection, const std::string& address, Instant now);
 
-  // The address of the viewer for whom a proxy has made this connection.
+  // Sets the address of the viewer for whom a proxy has made this connection.
   void name(int connection, const std::string& address);
 
   void set_stage(int connection, Stage stage, Instant now);
 
-  // Makes it a stream, if there is room for one. A stream `is_for_known` viewers has more room.
+  // Makes the connection a stream, if there is room for one. With `is_for_known`, the viewer has
+  // shown who it is, and has more room.
   bool begin_stream(int connection, bool is_for_known, Instant now);
 
   void leave(int connection);
@@ -67,11 +68,11 @@ class Entrance {
   // Returns connections that waited and may enter now; they are in Stage::receiving.
   std::vector<int> let_in(Instant now);
 
-  // Returns connections that have to end now: they waited or took too long, or gave way. Each is
-  // returned once, and is in Stage::leaving.
+  // Returns connections that have to end now, because they waited or took too long, or gave way.
+  // Each is returned once, and is in Stage::leaving.
   std::vector<int> to_end(Instant now);
 
-  // True if a thread serves it: it waits for nothing, and did not give way while it waited.
+  // True if a thread serves the connection: it does not wait, and did not give way while it waited.
   bool has_entered(int connection) const { return guests_.at(connection).has_entered; }
 
   std::vector<int> all() const;

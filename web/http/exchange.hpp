@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // One request on a connection and its reply: the only code that knows the HTTP library of the
-// server, Boost.Beast. Beast parses; what its parser lets through and a proxy could read in another
-// way is refused here.
+// server, Boost.Beast. Beast parses. This class also refuses requests that Beast accepts but that a
+// proxy could read in another way.
 #pragma once
 
 #include "web/http/connection.hpp"
@@ -26,8 +26,9 @@ class Exchange {
   Exchange(const Exchange&) = delete;
   Exchange& operator=(const Exchange&) = delete;
 
-  // Receives the line and the headers of the request into request(). Returns a reply if the request
-  // is refused already. Returns false as the second value if the connection broke before its end.
+  // Receives the line and the headers of the request into request(). Returns a reply if the head
+  // alone makes the server refuse the request. Returns false as the second value if the connection
+  // broke before its end.
   std::pair<std::optional<Reply>, bool> receive_head();
 
   Request& request() { return request_; }

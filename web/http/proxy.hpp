@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The proxies between this server and its viewers: how they are told from other programs, and what
-// they are believed.
+// The proxies between this server and its viewers: how the server knows them, and which of their
+// headers it trusts.
 #pragma once
 
 #include "web/http/request.hpp"
@@ -15,15 +15,15 @@ namespace mirocup::web {
 struct ProxyTrust {
   std::set<std::string> addresses = {};
 
-  // What these proxies send in the header X-Mirocup-Proxy. An address alone proves nothing, because
-  // each program of a computer has it. "": there are no proxies.
+  // The value that these proxies send in the header X-Mirocup-Proxy. An address alone proves
+  // nothing, because each program of a computer has it. "": there are no proxies.
   std::string secret = {};
 
-  // This server listens at a Unix socket: who may open that is the proxy.
+  // True if this server listens at a Unix socket: any program that may open it counts as the proxy.
   bool is_unix_socket = false;
 };
 
-// Finds out whether the request comes from a proxy, and for whom (X-Forwarded-For,
+// Finds out whether the request comes from a proxy, and for which viewer (X-Forwarded-For,
 // X-Forwarded-Proto).
 void apply(const ProxyTrust& trust, Request& request);
 

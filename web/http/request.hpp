@@ -19,15 +19,14 @@ struct Request {
   std::string path;              // without the query, percent signs decoded
   std::string address;           // of the other end of the connection; "": a Unix socket
   bool is_encrypted = false;     // by this server, or by a trusted proxy
-  bool is_from_proxy = false;    // of which this server believes whom it asks for
+  bool is_from_proxy = false;    // a trusted proxy, which names the viewer
   std::string viewer = address;  // the address of the viewer, as far as it can be trusted
 
   std::multimap<std::string, std::string> query{};
   std::multimap<std::string, std::string> headers{};  // names in lower case
 
   // Returns the value of a header or of a part of the query; "" if there is none, or if there are
-  // several. So nobody can make this server believe one of two values, and a proxy before it the
-  // other.
+  // several. So this server and a proxy before it cannot use two different values.
   std::string header(const std::string& name) const { return only(headers, name); }
   std::string asked(const std::string& name) const { return only(query, name); }
 
@@ -65,7 +64,8 @@ struct Reply {
   // returns false or the stream has ended.
   std::function<void(const std::function<bool(std::string_view part)>& write)> passed_events = {};
 
-  // The sender has shown who it is, so under load its stream comes before those of strangers.
+  // True if the sender has shown who it is. Under load its stream comes before the streams of
+  // strangers.
   bool is_for_known = false;
 };
 

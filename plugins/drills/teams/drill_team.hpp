@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What the drill teams share: the driving, the laws and the goalkeeping of strategy.hpp and
-// skills/shoot.hpp as they were when the drills were measured. These are copies, so that a better
-// skill makes no drill harder. docs/drills.md says when they may change ("The opponents").
+// The common functions of the drill teams: the driving, the laws and the goalkeeping of
+// strategy.hpp and skills/shoot.hpp as they were when the drills were measured. These are copies,
+// so that a better skill makes no drill harder. docs/drills.md says when they may change ("The
+// opponents").
 //
 // Frames and units are those of strategy.h. The teams know the laws of the small league alone.
 #pragma once
@@ -62,7 +63,8 @@ inline Point nose(const Robot& robot) {
   return {mirocup_cos(robot.heading), mirocup_sin(robot.heading)};
 }
 
-// A drill team: robot 0 keeps the goal, steer() moves another one. In both, `now` is the tick.
+// A drill team: robot 0 keeps the goal, and steer() moves each other robot. In both, `now` is the
+// observation of the tick.
 class DrillTeam {
  public:
   explicit DrillTeam(const mirocup_setup& setup) : setup(setup), state_(setup.seed) {}
@@ -139,7 +141,7 @@ class DrillTeam {
     return steady(direction, wanted * std::max(0.0, mirocup_cos(error)), turn);
   }
 
-  // A robot that turns faster than its wheels grip does not steer.
+  // Slows the robot down so that its wheels grip, because sliding wheels do not steer.
   Wheels steady(double direction, double speed, double turn) const {
     const double most = 0.8 * setup.grip * 9.81;
     if (std::abs(speed * turn) > most) speed = most / std::abs(turn);
@@ -205,7 +207,7 @@ class DrillTeam {
     return p;
   }
 
-  // A place that is not before a ball which the own keeper has to clear.
+  // Returns the place, moved aside if a ball that the own keeper clears would hit a robot there.
   Point make_way(Point p) const {
     const bool is_in_front = ball.x < -setup.half_length + setup.goal_area_depth + 0.15 &&
                              p.x > ball.x + 0.02 && p.x < ball.x + 0.5;
@@ -344,7 +346,7 @@ class DrillTeam {
     return false;
   }
 
-  // Turns robots square, or out of the way, from which the ball would go into the own goal.
+  // Turns a robot square, or moves it away, if the ball would rebound from it into the own goal.
   void avoid_own_goals(mirocup_command& command) const {
     if (ball.x > 0.0 || length(velocity) < 0.25) return;
     if (rolls_into_own_goal(ball, velocity, -0.02)) return;

@@ -25,9 +25,9 @@ void fill_as_freed(void* bytes, std::size_t size);
 // Fills the part of the stack that the next call will use.
 void fill_stack();
 
-// Looks at some hundred blocks: at those that were freed last, and in turn at all others. So if a
-// team has few blocks, a mistake is found in the same call; if it has thousands, some calls later.
-// Returns a sentence about the first mistake since the start of the process, or null.
+// Looks at some hundred blocks: at the blocks that were freed last, and in turn at all others. If a
+// team has few blocks, this finds a mistake in the same call; if it has thousands, some calls
+// later. Returns a sentence about the first mistake since the start of the process, or null.
 const char* find_memory_mistake();
 
 }  // namespace mirocup::plugins

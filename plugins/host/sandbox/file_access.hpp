@@ -14,8 +14,8 @@ enum class Folders { hidden, listed };
 int landlock_version();
 
 // allow_libraries_only(): from here on this process may only read files below the library folders
-// and, if it is not null, `entry_path`. allow_no_files(), on top of it: no files at all. Neither
-// can be undone. They return false on failure; errno says why.
+// and, if it is not null, `entry_path`. After allow_no_files(), which is called later, it may read
+// no file at all. Neither can be undone. They return false on failure; errno says why.
 bool allow_libraries_only(const char* entry_path, Folders folders);
 bool allow_no_files();
 

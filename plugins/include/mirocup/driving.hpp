@@ -154,8 +154,8 @@ inline Wheels drive_clear(const Setup& setup, const Observation& now, const Robo
 }
 
 // Drives along the goal line to a y, forwards or backwards, and looks along the line all the time:
-// a keeper that turns away from it throws the ball into its goal. It brakes early by the way that
-// it still rolls while its motors follow, because a keeper that runs past its place meets the ball
+// a keeper that turns away from it throws the ball into its goal. It brakes early, by the distance
+// that it rolls while its motors follow, because a keeper that runs past its place meets the ball
 // with a side that turns it into the goal.
 inline Wheels slide_to(const Setup& setup, const Robot& robot, double y, double fastest = 1.5) {
   const bool is_up = robot.heading > 0.0;

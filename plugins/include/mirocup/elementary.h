@@ -24,7 +24,7 @@
  *   expm1, log, log1p, atan2, tan             5
  *   asin, acos                                8; near 0 and near pi, 8 ulp of 0.01
  *
- * All functions are pure and stand in this header; they need no library but -lm. C11 and C++.
+ * All functions are pure and inline; they need no library but -lm. C11 and C++.
  */
 #ifndef MIROCUP_ELEMENTARY_H
 #define MIROCUP_ELEMENTARY_H

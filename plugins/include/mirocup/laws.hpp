@@ -14,7 +14,7 @@ namespace mirocup::strategy {
 // which only the keeper may be, and for robots 3 and higher also the penalty area. Not for the
 // keeper.
 inline Point keep_out(const Setup& setup, int i, Point p) {
-  // For the arc in front of the area and half a robot, m.
+  // The margin of the area, for its arc and half a robot, m.
   const double margin = setup.robot_side + (setup.league == MIROCUP_LARGE ? 0.075 : 0.02);
   const bool is_crowd = i >= 3 && setup.penalty_area_depth > 0.0;
   const double depth = (is_crowd ? setup.penalty_area_depth : setup.goal_area_depth) + margin;
@@ -64,8 +64,8 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
     const Point to = position(now.opponent[j]) - here;
     if (dot(to, direction) <= 0.0 || std::abs(to.x * direction.y - to.y * direction.x) > wide)
       continue;
-    // The ball is between the robot and the opponent: pushing both is playing the ball. So is
-    // driving to a stuck ball.
+    // If the ball is between the robot and the opponent, pushing both is playing the ball. Driving
+    // to a stuck ball is also playing the ball.
     const double nearer = is_stuck(now, 1.0) && length(to_ball) < 0.2 ? 0.04 : 0.0;
     if (ball_ahead && dot(to_ball, direction) < dot(to, direction) + nearer) continue;
     const double gap = length(to) - (setup.robot_side + 0.025);
@@ -146,7 +146,7 @@ inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const
 inline void avoid_own_goals(const Setup& setup, const Observation& now, Command& command) {
   const Point velocity = ball_velocity(now);
   if (now.ball_x > 0.0 || length(velocity) < 0.25) return;
-  if (rolls_into_own_goal(setup, ball(now), velocity, -0.02)) return;  // worse it cannot get
+  if (rolls_into_own_goal(setup, ball(now), velocity, -0.02)) return;  // no rebound is worse
   for (int i = 1; i < now.robots; ++i) {
     const Robot& robot = now.own[i];
     if (!would_turn_ball_in(setup, now, robot)) continue;

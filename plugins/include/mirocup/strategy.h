@@ -103,8 +103,8 @@
  *   A library with another MIROCUP_ABI_VERSION is refused: build it again with today's strategy.h.
  *   Within a version, structures with a `size` grow at their end, and `size` tells how many bytes
  *   exist: missing members of your mirocup_strategy count as null, and a library that should also
- *   run on older hosts reads no member behind `size`. What stands in arrays never changes, so new
- *   facts of a robot come as arrays of their own. docs/interfaces.md has the conventions.
+ *   run on older hosts reads no member behind `size`. Elements of arrays never change, so new facts
+ *   of a robot come as separate arrays. docs/interfaces.md has the conventions.
  *
  * This header is C11 and C++ and needs nothing else. strategy.hpp is a C++ layer on top of it.
  */
@@ -259,7 +259,7 @@ typedef struct mirocup_observation {
   uint32_t size;       /* of this structure, bytes */
   uint32_t tick;       /* counts up from 0 */
   double time;         /* simulated seconds since the match began */
-  double clock;        /* s of the half; stands while play is stopped */
+  double clock;        /* s of the half; stops while play is stopped */
   int32_t state;       /* enum mirocup_state */
   int32_t phase;       /* enum mirocup_phase */
   int32_t restart;     /* enum mirocup_restart */

@@ -15,17 +15,17 @@
 //   MIROCUP_EXPORT_TEAM(Mine, "mine")
 //
 // Frames, units, delays and limits are those of strategy.h. All functions are inline and keep
-// nothing between two calls. They stand in types.hpp, driving.hpp, laws.hpp and here; this header
-// has all.
+// nothing between two calls. They are in types.hpp, driving.hpp, laws.hpp and here; this header
+// includes all.
 //
 //   numbers     math::sin and its family, with the same bits everywhere, math::min, max, clamp
 //   points      Point, + - *, dot, length, unit, inside; of an angle: wrapped
-//   observation ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
+//   observation  ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
 //   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
 //   the laws    keep_out (of the goal area), out_of_area, without_pushing, keep_laws
 //   own goals   make_way, avoid_own_goals
 //   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
-//   stuck balls is_stuck, free_ball
+//   stuck balls  is_stuck, free_ball
 //   a team      Team: decide(), place(), setup(), random(), parameter("name", default),
 //               log("format", values...), draw_line, draw_circle, draw_polygon, draw_text,
 //               draw_value
@@ -70,17 +70,18 @@ inline Wheels kick_to(const Setup& setup, const Observation& now, const Robot& r
                      pace);
 }
 
-// True if the ball is still on the spot of your own kick-off. It has to go backwards first.
+// True if the ball is still on the spot of your own kick-off. The ball has to go backwards first.
 inline bool must_kick_off(const Observation& now) {
   return now.restart == MIROCUP_KICK_OFF && now.own_restart != 0 &&
          math::hypot(now.ball_x, now.ball_y) < 0.055;
 }
 
-// Takes a kick-off: rolls the ball straight back to the team-mates. Left alone, it stops before the
-// own goal line. A ball that stays near the centre would belong to the opponents: their kicker
-// waits on the side of the ball from which it can shoot, and the taker has to go round it first.
+// Takes a kick-off: rolls the ball straight back to the team-mates. If no robot touches it, the
+// ball stops before the own goal line. A ball that stays near the centre would belong to the
+// opponents: their kicker waits on the side of the ball from which it can shoot, and the taker has
+// to go round it first.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
-  // Through the ball, from wherever the robot was put down; opponents come fast.
+  // Drives through the ball from wherever the robot was put, and fast: opponents come.
   const double near = setup.robot_side + 0.025;                     // m
   const double pace = length(position(robot)) > near ? 0.8 : 0.28;  // m/s
   return drive_to(setup, robot, -0.1 * unit(position(robot)), pace, pace);
@@ -95,7 +96,7 @@ inline double middle_of_goal_view(const Setup& setup, Point ball) {
 }
 
 // Gets a stuck ball free: drives at it, and spins beside it, so that a corner of the robot throws
-// it forward; before the opponents' goal, towards its middle.
+// it forward; before the opponents' goal the corner throws it towards the middle of the goal.
 inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot& robot) {
   const Point to = ball(now) - position(robot);
   const double beside = setup.robot_side / 2.0 + 0.0325;  // m
@@ -194,7 +195,7 @@ class Team {
   explicit Team(const Setup& setup) : setup_(copy_of(setup)), random_(setup.seed) {}
   virtual ~Team() = default;
 
-  // Sets the wheel speeds of this tick; they are 0 when it is called.
+  // Sets the wheel speeds of this tick; all are 0 when decide() is called.
   virtual void decide(const Observation& now, Command& command) = 0;
 
   // Chooses the places of the robots at a restart, and of the ball at an own kick-off or goal kick.

@@ -122,7 +122,7 @@ class CObject {
  public:
   virtual ~CObject() {}
 };
-/* The object of a library of its own, which is never started here. */
+/* The application object of a library, which is never started here. */
 class CWinApp : public CObject {
  public:
   virtual BOOL InitInstance() { return TRUE; }

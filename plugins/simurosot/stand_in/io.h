@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Folders and files that are not there. */
+/* Functions for folders and files, which are all missing here. */
 #ifndef MIROCUP_SIMUROSOT_IO_H
 #define MIROCUP_SIMUROSOT_IO_H
 struct _finddata_t {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the header of this name declared, and no more: a team has names of its own. */
+/* Only the names of the old header of this name: a team may use other names of std itself. */
 #ifndef MIROCUP_SIMUROSOT_IOSTREAM_H
 #define MIROCUP_SIMUROSOT_IOSTREAM_H
 #include <fstream>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A thread that is asked for is never run. */
+/* A requested thread is never started. */
 #ifndef MIROCUP_SIMUROSOT_PROCESS_H
 #define MIROCUP_SIMUROSOT_PROCESS_H
 static inline unsigned long _beginthread(void (*)(void*), unsigned, void*) {

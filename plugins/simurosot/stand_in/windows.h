@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stands in for <windows.h>: the names that teams of SimuroSot use. Nothing here does anything that
- * a match would notice, and all clocks stand still between two calls of the strategy.
+ * Stands in for <windows.h>: the names that teams of SimuroSot use. No function here has an effect
+ * on a match, and all clocks stop between two calls of the strategy.
  */
 #ifndef MIROCUP_SIMUROSOT_WINDOWS_H
 #define MIROCUP_SIMUROSOT_WINDOWS_H
@@ -301,7 +301,7 @@ static inline LONG InterlockedExchange(LONG volatile* number, LONG value) {
   return old;
 }
 
-/* They take what they are given, do nothing, and say what Windows says when all went well. */
+/* They accept any arguments, do nothing, and return what Windows returns for success. */
 #define MIROCUP_DOES_NOTHING(type, name, value) \
   static inline type name(...) {                \
     return value;                               \
@@ -440,7 +440,7 @@ MIROCUP_DOES_NOTHING(HBRUSH, CreateSolidBrush, 0)
 #define lstrcmpi strcasecmp
 }
 
-/* Macros there; functions here, because the C++ library has functions of the same names. */
+/* Macros on Windows, but functions here, because the C++ library has functions of these names. */
 #ifndef NOMINMAX
 template <class A, class B>
 struct mirocup_wider {

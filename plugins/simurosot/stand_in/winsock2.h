@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A network that has no one else in it: sockets are opened and bound, and nothing arrives. */
+/* An empty network: sockets can be opened and bound, and nothing arrives. */
 #ifndef MIROCUP_SIMUROSOT_WINSOCK2_H
 #define MIROCUP_SIMUROSOT_WINSOCK2_H
 #include "windows.h"

@@ -105,8 +105,8 @@ int32_t mirocup_training_bind(mirocup_training* training, const mirocup_training
 
 /* Starts an episode in each match whose `mask` is not 0 (null: in all), writes its observations and
  * sets its rewards and ends to 0. `seeds` (null: none) has a seed for each match, from which all
- * later episodes of the match follow, too; without, the match goes on with its next episode. Both
- * have `matches` entries. */
+ * later episodes of the match follow as well. Without seeds, the match continues with its next
+ * episode. Both have `matches` entries. */
 int32_t mirocup_training_reset(mirocup_training* training, const uint8_t* mask,
                                const uint64_t* seeds);
 

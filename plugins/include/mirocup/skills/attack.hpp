@@ -13,8 +13,8 @@
 //   shooting_aim    the open corner of the goal, or along a wall
 //   is_on_line      whether a robot is behind the ball, on the line of the shot
 //   attack_ball     1, 2 and 3
-//   attack_ball_at the same, if the caller knows the place at which it meets the ball
-//   supporting_place   between the ball and the own goal, on alternate sides
+//   attack_ball_at  the same, for a caller that knows where the robot meets the ball
+//   supporting_place  between the ball and the own goal, on alternate sides
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -70,7 +70,7 @@ inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
 struct Attack {
   double speed = 1.8;    // m/s
   double sight = 1e9;    // m: robots that are farther off are no obstacles
-  double lead_s = 0.08;  // s: reads the field at the robot's place in this time
+  double lead_s = 0.08;  // s: the field is read at the robot's place after this time
 };
 
 // Shoots the ball that robot `me` meets at `at` to `aim`: the robot comes in along a field of
@@ -120,7 +120,7 @@ inline Point supporting_place(const Setup& setup, const Observation& now, int me
   const double part = (x + setup.half_length) / (now.ball_x + setup.half_length + 0.01);
   const double spread = rank % 2 == 0 ? 0.0 : side * (0.3 + 0.1 * row);
   const double y = math::clamp(part, 0.0, 1.0) * now.ball_y + spread;
-  // In the opponents' goal area there is room for one.
+  // Only one robot may be in the opponents' goal area.
   const double front = setup.half_length - setup.goal_area_depth - (setup.robot_side + 0.055);
   return make_way(setup, now, keep_out(setup, me, inside(setup, {math::min(x, front), y})));
 }

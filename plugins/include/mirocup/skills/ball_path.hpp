@@ -8,7 +8,7 @@
 // of predict.hpp, which gives the same path to 1e-6 m if the ball meets no robot.
 //
 //   rolled       the ball after some seconds
-//   BallPath the same for a team that asks often: it finds the walls once
+//   BallPath     the same for a team that asks often: it finds the walls once
 //   time_at_x    when and where it reaches a line across the field
 //
 // The goals are open: a ball that passes between the posts rolls on to the wall behind them. Posts
@@ -26,11 +26,11 @@ struct Rolling {
   double bounce = 0.8;                   // part of the speed towards a wall that comes back
 };
 
-// Returns the floor and the walls of this leg. On hosts that do not tell them, returns the values
-// above.
+// Returns the floor and the walls of this leg. Returns the values above on hosts that do not give
+// them.
 inline Rolling rolling_of(const Setup& setup) {
   if (setup.size < offsetof(Setup, corners)) return {};
-  // If only one of the two slows the ball down: the formulas below divide by both.
+  // The formulas below divide by both, also if only one of the two slows the ball down.
   constexpr double least = 1e-5;
   return {math::max(setup.rolling_resistance * 9.81 / 1.4, least),
           math::max(setup.viscous_friction / (1.4 * setup.ball_mass), least),

@@ -68,8 +68,8 @@ inline Wheels wheels_turning_first(const Setup& setup, double forward, double tu
   return {(mean - side) / setup.wheel_radius, (mean + side) / setup.wheel_radius};
 }
 
-// Returns the turn (rad/s) to command so that a robot that turns at `turn` ends `error` rad
-// farther. Robots do not follow commands exactly, so later ticks correct a part of the error.
+// Returns the turn (rad/s) to command so that a robot that now turns at `turn` rad/s ends `error`
+// rad farther. Robots do not follow commands exactly, so later ticks correct a part of the error.
 inline double turn_for(const Setup& setup, double turn, double error, double part = 0.9) {
   return (part * error - setup.motor_time_constant * turn) / setup.control_period;
 }
@@ -113,7 +113,8 @@ inline Wheels drive_quickly(const Setup& setup, const Robot& robot, Point target
   return head_for(setup, robot, math::atan2(to.y, to.x), speed, distance + beyond);
 }
 
-// Drives to a point and turns to a heading there; a square robot may have it backwards as well.
+// Drives to a point and turns to a heading there; a square robot may arrive with its back to that
+// heading as well.
 inline Wheels take_pose(const Setup& setup, const Robot& robot, Point target, double heading,
                         double near = 0.012, double speed = 1.8) {
   if (length(target - position(robot)) > near)

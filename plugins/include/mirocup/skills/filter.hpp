@@ -15,11 +15,11 @@
 //     filter_.sent(command);
 //   }
 //
-// Each body has a Kalman filter: a prediction of its motion, corrected by each new picture, the
-// less the better the prediction has become. Own robots are predicted with the motors' law from the
-// commands of the team, opponents at constant speed and turn, the ball as in ball_path.hpp. A
-// picture far from the prediction means that something was hit, and the filter starts anew. A body
-// that is not seen (`..._age_ticks`) is predicted from its last picture.
+// Each body has a Kalman filter: a prediction of its motion, which each new picture corrects. The
+// better the prediction has become, the smaller is the correction. Own robots are predicted with
+// the motors' law from the commands of the team, opponents at constant speed and turn, the ball as
+// in ball_path.hpp. A picture far from the prediction means that something was hit, and the filter
+// starts anew. A body that is not seen (`..._age_ticks`) is predicted from its last picture.
 //
 // Kalman, A New Approach to Linear Filtering and Prediction Problems, 1960. Frames and units are
 // those of strategy.h. An observation without delay is exact, and is not filtered.

@@ -9,7 +9,7 @@
 //        |                +-----      and pushing outwards
 //        |                o  <- attacker
 //
-//   holding_y the y in the mouth at which the keeper has to be
+//   holding_y   the y in the mouth at which the keeper has to be
 //   hold_goal   drives there, and clears a ball that lies before it
 //
 // Pass the robot's state at its next command (drive.hpp), and the path of the ball. Frames and
@@ -38,7 +38,7 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
   const Point where = ball(now);
   const double side = where.y < 0.0 ? -1.0 : 1.0;
   const double depth = where.x + setup.half_length;
-  // Beside the goal: nothing passes the near post.
+  // Beside the goal the keeper lets nothing pass at the near post.
   if (depth < how.line + (setup.robot_side / 2.0 + 0.0225) && std::abs(where.y) > reach)
     return side * reach;
 
@@ -128,11 +128,11 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
   if (lies_in_area(setup, now, how.slow)) {
     const bool is_before = to_ball.x > 0.6 * setup.robot_side;
     const bool is_outer = to_ball.x > -0.02 && outwards * to_ball.y > -0.02;
-    // Nobody is near: push it away, not inwards.
+    // No opponent is near: push the ball away, not inwards.
     if (nearest > 0.15 && length(to_ball) < 0.25 && (is_before || is_outer)) {
       return head_for(setup, robot, math::atan2(to_ball.y, math::max(0.0, to_ball.x)), 1.8);
     }
-    // An opponent presses it against the keeper's face: spin it to the nearer side.
+    // An opponent presses the ball against the keeper's face: spin it to the nearer side.
     if (nearest <= 0.15 && is_before && length(to_ball) < setup.robot_side &&
         std::abs(now.ball_y) < width) {
       return wheels_turning_first(setup, 0.0, outwards * 25.0);
@@ -145,7 +145,7 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
   const double gap = outwards * to_ball.y;
   if (is_beside && std::abs(here.x - post.x) < 0.02 && gap > 0.4 * setup.robot_side &&
       gap < setup.robot_side) {
-    // Pressed from both sides the ball would stay there: a spin throws it along the keeper's side.
+    // A ball that is pressed from both sides stays: a spin throws it along the keeper's side.
     if (is_stuck(now, how.patience)) {
       return wheels_turning_first(setup, 0.0, -outwards * 25.0);
     }

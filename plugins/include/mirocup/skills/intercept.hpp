@@ -4,7 +4,7 @@
 // The path has walls (ball_path.hpp).
 //
 //   intercept       where and when a robot can meet the ball
-//   rough_meeting the approximate place, at a fraction of the cost
+//   rough_meeting   the approximate place, at a fraction of the cost
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -15,7 +15,7 @@ namespace mirocup::strategy {
 
 struct Interception {
   MovingBall ball;       // when the robot is there
-  double seconds = 0.0;  // until then; `most_s` if the robot does not reach it before
+  double seconds = 0.0;  // until then; `most_s` if the robot does not reach the ball
   bool is_reached = false;
 };
 

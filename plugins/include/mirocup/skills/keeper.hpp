@@ -3,7 +3,7 @@
 // Goalkeeping: the keeper stays on a line before its goal, where the ball will cross that line with
 // its rebounds from the walls, and clears a slow ball to the side, never across its own goal.
 //
-//   cover_point the place on its line at which the keeper has to be
+//   cover_point   the place on its line at which the keeper has to be
 //   guard_goal    drives there, and clears
 //   rough_guard   a keeper for predictions: cheaper, and clears nothing
 //
@@ -59,7 +59,7 @@ inline Point cover_point(const Setup& setup, const Observation& now,
   const double front = line + setup.robot_side / 2.0 + setup.ball_radius;
   const Point where = ball(now);
 
-  // The ball comes: where it will arrive.
+  // If the ball comes, the keeper covers the place where it will arrive.
   if (now.ball_vx < -0.15) {
     const Crossing crossing = time_at_x(setup, moving_ball(now), front);
     if (crossing.is_ahead && std::abs(crossing.y) < setup.goal_half_width + 0.1) {
@@ -67,7 +67,7 @@ inline Point cover_point(const Setup& setup, const Observation& now,
     }
   }
   if (const auto y = y_of_coming_shot(now, front)) return at(*y);
-  // Otherwise the bisector of the angle in which the ball sees the goal.
+  // Otherwise it covers the bisector of the angle in which the ball sees the goal.
   const double middle = middle_of_goal_view(setup, where);
   const double part = math::clamp(habits.line / (where.x + setup.half_length), 0.0, 1.0);
   return at(middle + part * (where.y - middle));

@@ -19,7 +19,7 @@ struct Distance {
   double rate = 3.5;        // 1/s: further speed for each further metre
   double slant = 0.3;       // 1: least cosine of the angle to the keeper that counts
   double with_ball = 0.45;  // m/s, allowed with the ball between the two
-  double retreat = 0.0;     // m: backs off from a nearer keeper, even if the keeper comes by itself
+  double retreat = 0.0;     // m: the robot backs off from a nearer keeper, also from one that comes
 };
 
 // Returns the distance to keep under the rules of a leg. SimuroSot rules, which the control period
@@ -40,7 +40,7 @@ inline bool has_ball(const Setup& setup, const Observation& now, const Robot& ro
 inline void spare_keeper(const Setup& setup, const Observation& now, Command& command,
                          const Distance& keep) {
   for (int j = 0; j < now.robots; ++j) {
-    // Where it will be when the command is driven.
+    // Where the robot will be when the command is driven.
     const Robot& other = now.opponent[j];
     const Point keeper = position(other) + 0.05 * Point{other.vx, other.vy};
     const bool is_home = keeper.x > setup.half_length - setup.goal_area_depth - 0.05 &&
@@ -76,8 +76,8 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
 }
 
 // True if a robot that does not attack is about to be in the opponents' goal area, in which only
-// one robot may be. Keeping away costs goals, and only SimuroSot rules, which the control period
-// shows, call it so often that this is worth it.
+// one robot may be. Keeping away costs goals. It is worth that only under SimuroSot rules, which
+// the control period shows, because they call it often.
 inline bool must_leave_area(const Setup& setup, const Robot& robot) {
   if (setup.control_period > 0.02) return false;
   return robot.x + 0.1 * robot.vx > setup.half_length - setup.goal_area_depth - 0.1 &&

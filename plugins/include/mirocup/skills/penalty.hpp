@@ -24,14 +24,14 @@ namespace mirocup::strategy {
 
 struct PenaltyHabits {
   double run_up = 0.35;     // m, from the middle of the kicker to that of the ball
-  double turn_from = 0.18;  // m from the ball: there it chooses the corner
+  double turn_from = 0.18;  // m from the ball, where it chooses the corner
   double reads_at = 0.025;  // m: a keeper this far on the side of the run-up reads it
   double margin = 0.05;     // m, from the post to the ball's path
   double speed = 1.8;       // m/s
 };
 
 // Takes the penalties of a team. Call stand() in place(), and drive() while must_take_kick() is
-// true: the ball lies where it was put.
+// true, that is, while the ball lies where it was put.
 class PenaltyTaker {
  public:
   explicit PenaltyTaker(const PenaltyHabits& habits = {}) : habits_(habits) {}

@@ -4,8 +4,9 @@
 // it in the last tick keeps it unless another robot is clearly better: robots that change places
 // all the time do nothing at all.
 //
-//   cheapest_robot the robot that takes one role time_behind the cost of attacking: how soon a
-//   robot is behind the ball assign_places the robots for several places
+//   cheapest_robot   the robot that takes one role
+//   time_behind      the cost of attacking: how soon a robot is behind the ball
+//   assign_places    the robots for several places
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -17,8 +18,8 @@
 
 namespace mirocup::strategy {
 
-// Returns the robot from `first` on with the least cost; `last` costs `bonus` less. `cost(i)`: of
-// robot i.
+// Returns the robot from `first` on with the least cost; the robot `last` costs `bonus` less.
+// `cost(i)` returns the cost of robot i.
 template <class Cost>
 int cheapest_robot(const Observation& now, int first, int last, double bonus, const Cost& cost) {
   int best = first;
@@ -43,12 +44,12 @@ inline double time_behind(const Setup& setup, const Observation& now, int i,
   return time_behind(BallPath(setup, moving_ball(now)), now.own[i], round_s);
 }
 
-// The robots of some places.
+// The robot of each place.
 using Assignment = std::array<int, MIROCUP_MAX_ROBOTS>;
 
 // Gives each place, the most important first, to the nearest robot that is still free. `free`: the
-// robots to choose from, as many as places. `last`: the assignment of the last tick, by place; its
-// robot counts as `bonus` m nearer.
+// robots to choose from, as many as places. `last`: the assignment of the last tick, by place; the
+// last robot of a place counts as `bonus` m nearer to it.
 inline Assignment assign_places(const Observation& now, std::span<const Point> places,
                                 std::span<const int> free, const Assignment& last,
                                 double bonus = 0.1) {

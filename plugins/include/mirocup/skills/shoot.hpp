@@ -4,10 +4,10 @@
 // hits it, from any part of the face. So a shot is straight if the heading is right at the touch,
 // and hard if the robot is fast then.
 //
-//   follow_line drives along a line, also from beside it
+//   follow_line   drives along a line, also from beside it
 //   shoot         drives along the line through the ball to a point
-//   open_corner the point in the opponents' goal to aim at run_up the pose before a shot at a
-//   resting ball
+//   open_corner   the point in the opponents' goal to aim at
+//   run_up        the pose before a shot at a resting ball
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -18,9 +18,9 @@ namespace mirocup::strategy {
 
 // How a robot comes back to a line.
 struct LineFollowing {
-  double aim_ahead = 0.2;  // m: it steers at the point of the line this far ahead
+  double aim_ahead = 0.2;  // m: it steers at the point of the line that is this far ahead
   double gain = 10.0;      // 1/s: rad/s of turn for each rad of error
-  double lead_s = 0.08;    // s: the turn continues so long while the motors follow a command
+  double lead_s = 0.08;    // s: a turn continues for this time after a command
 };
 
 // Drives along the line through `point` with direction `heading` (rad) at `speed` m/s, forwards or
@@ -53,8 +53,8 @@ inline Wheels shoot(const Setup& setup, const Robot& robot, Point ball, Point ai
 }
 
 // Returns the point on the opponents' goal line to aim at: near the post that their robot nearest
-// to the line leaves open. `margin`: distance of the ball inside the post, m. `y_bias`: added to
-// that robot's y, m; it decides if the robot stands in the middle.
+// to the line leaves open. `margin`: distance of the ball inside the post, m. `y_bias` is added to
+// that robot's y, m; it decides the corner if the robot stands in the middle.
 inline Point open_corner(const Setup& setup, const Observation& now, double margin = 0.05,
                          double y_bias = 0.0) {
   double farthest = -2.0 * setup.half_length;

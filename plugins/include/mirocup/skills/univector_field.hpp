@@ -61,9 +61,9 @@ struct Obstacle {
 };
 
 struct Avoidance {
-  double nearest = 0.085;  // m between the middles: if nearer, the robot only avoids
-  double width = 0.045;    // m: greater: the avoiding begins more softly
-  double lead_s = 0.15;    // s: obstacles count at their place, relative to the robot, in this time
+  double nearest = 0.085;  // m between the middles: a nearer robot only avoids the obstacle
+  double width = 0.045;    // m: with a greater width, avoiding begins more softly
+  double lead_s = 0.15;    // s: obstacles count at their relative place after this time
 };
 
 // Returns `heading`, turned aside by an obstacle on the way. `velocity`: of the robot, m/s.
@@ -105,7 +105,7 @@ inline double round_others(const Observation& now, int me, const Robot& robot, P
 // moves keeps its direction of motion if it can. `turn`: rad/s that the direction itself turns.
 inline Wheels follow_heading(const Setup& setup, const Robot& robot, double heading, double speed,
                              double turn = 0.0) {
-  const double lead_s = 0.06;  // s: the turn continues so long while the motors follow
+  const double lead_s = 0.06;  // s: a turn continues for this time after a command
   double error = wrapped(heading - robot.heading - lead_s * robot.turn);
   const double moving = robot.vx * math::cos(robot.heading) + robot.vy * math::sin(robot.heading);
   double direction = 1.0;

@@ -3,8 +3,8 @@
 // The worth of a scene for a team that tries moves before it makes them: from the place and the
 // motion of the ball, and the robot that is first behind it. About 1 is a goal, -1 a goal against.
 //
-//   worth_of             of a scene in play
-//   time_to_get_behind about how soon a robot is behind the ball
+//   worth_of             the worth of a scene in play
+//   time_to_get_behind   about how soon a robot is behind the ball
 //   out_of_reach         whether a ball that goes in passes all robots of a team
 //
 // Frames and units are those of strategy.h.
@@ -14,7 +14,7 @@
 
 namespace mirocup::strategy {
 
-// Returns how far from the robots of a team a ball passes that goes in: 0 at a robot, 1 out of
+// Returns how far a ball that goes in passes from the robots of a team: 0 at a robot, 1 out of
 // reach of all.
 inline double out_of_reach(const Robot* robots, int count, Point ball) {
   double nearest = 1.0;
