@@ -61,6 +61,7 @@ install(FILES cmake/mirocup-config.cmake cmake/mirocup_simurosot.cmake ${PROJECT
 # python3-mirocup: teams in Python, and teams that learn.
 install(DIRECTORY training/python/ DESTINATION ${MIROCUP_PYTHON_DIR} COMPONENT python3-mirocup PATTERN __pycache__ EXCLUDE)
 install(FILES plugins/python/team.py DESTINATION ${MIROCUP_PYTHON_DIR}/mirocup COMPONENT python3-mirocup)
+install(TARGETS mirocup_skills LIBRARY COMPONENT python3-mirocup NAMELINK_SKIP)
 if(TARGET mirocup-python)
   install(TARGETS mirocup-python-host RUNTIME DESTINATION libexec/mirocup COMPONENT python3-mirocup)
   install(TARGETS mirocup-python LIBRARY DESTINATION libexec/mirocup COMPONENT python3-mirocup)

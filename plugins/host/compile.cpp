@@ -59,9 +59,21 @@ const char* const cpp_command[] = {cpp_compiler,
                                    source_path,
                                    "-lmirocup_predict",
                                    nullptr};
-const char* const c_command[] = {
-    c_compiler, MIROCUP_C_OPTIONS, MIROCUP_LINK_OPTIONS, "-o",  library_path, "-x",
-    "c",        source_path,       "-lmirocup_predict",  "-lm", nullptr};
+// The simulator of skills.h needs the C++ library.
+const char* const c_command[] = {c_compiler,
+                                 MIROCUP_C_OPTIONS,
+                                 MIROCUP_LINK_OPTIONS,
+                                 "-o",
+                                 library_path,
+                                 "-x",
+                                 "c",
+                                 source_path,
+                                 "-lmirocup_predict",
+                                 "-Wl,-Bstatic",
+                                 "-lstdc++",
+                                 "-Wl,-Bdynamic",
+                                 "-lm",
+                                 nullptr};
 const char* const project_command[] = {"mirocup-project-compiler", source_path, "/compile/project",
                                        library_path, nullptr};
 

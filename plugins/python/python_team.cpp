@@ -7,6 +7,7 @@
 
 #include <Python.h>
 #include <cstring>
+#include <dlfcn.h>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -266,6 +267,14 @@ Object make_module(Surrounding surrounding) {
   const Object no_path(PyList_New(0));
   if (PyObject_SetAttrString(package.get(), "__path__", no_path.get()) != 0 ||
       PyObject_SetAttrString(package.get(), "team", module) != 0)
+    return nullptr;
+  // Where skills.h is for ctypes: in this program, or in the library that this code is part of.
+  Dl_info here{};
+  const bool is_library = surrounding == Surrounding::developer &&
+                          dladdr(reinterpret_cast<const void*>(&start_interpreter), &here) != 0;
+  const Object skills_in(is_library ? PyUnicode_DecodeFSDefault(here.dli_fname)
+                                    : Py_BuildValue(""));
+  if (skills_in == nullptr || PyModule_AddObjectRef(module, "_skills_in", skills_in.get()) != 0)
     return nullptr;
   const std::string source(team_source("team.py"));
   const Object code(Py_CompileString(source.c_str(), "mirocup/team.py", Py_file_input));

@@ -16,24 +16,39 @@ modules at the top of the file. `random` is seeded with setup.seed. print() writ
 
 Frames, units, delays and limits are those of mirocup/strategy.h: metres, radians, seconds; the team
 always attacks +x; its goal is at -setup.half_length. `self.draw_line` and its neighbours draw into the
-replay, as in docs/thoughts.md. The functions below do what those of
-the same names in mirocup/strategy.hpp do, and some in a simpler way: keep_goal(), free_ball() and
-without_pushing() decide otherwise in places. make_way() and avoid_own_goals() are in C++ alone.
+replay, as in docs/thoughts.md. The skills and the prediction are those of C++: each function calls the
+one of the same name in mirocup/skills.h, so a team decides in Python as in C++. The comment above a group
+names the header that explains it.
 Needs nothing but the standard library.
 """
 
+import ctypes
 import math
+import os
 import struct
 from collections import namedtuple
 
-__all__ = ["Team", "Placement", "Point", "Pose", "Robot", "Counts", "Setup", "Observation",
-           "SMALL", "MIDDLE", "LARGE", "BLUE", "YELLOW", "READY", "PLAY", "OVER", "FIRST_HALF",
-           "SECOND_HALF", "EXTRA_TIME", "SHOOT_OUT", "NO_RESTART", "KICK_OFF", "GOAL_KICK", "PENALTY_KICK", "FREE_BALL",
-           "FREE_KICK", "dot", "length", "unit", "ball", "ball_velocity", "position", "wrapped",
-           "wheels_for", "turn_to", "drive_to", "drive_to_pose", "ball_after", "inside",
-           "meeting_point", "keep_out", "without_pushing", "out_of_area", "keep_laws", "drive_round",
-           "drive_clear", "kick_to", "must_kick_off", "kick_off", "keep_goal", "is_stuck",
-           "free_ball", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "hypot", "exp", "log"]
+__all__ = ["Setup", "Observation", "Team", "Placement", "Point", "dot", "length", "unit", "ball",
+           "ball_velocity", "position", "wrapped", "wheels_for", "turn_to", "drive_to", "drive_to_pose",
+           "ball_after", "elbow_room", "behind_ball", "inside", "meeting_point", "squared", "drive_round",
+           "drive_clear", "slide_to", "keep_out", "make_way", "is_stuck", "without_pushing", "out_of_area",
+           "keep_laws", "rolls_into_own_goal", "would_turn_ball_in", "avoid_own_goals", "kick_to",
+           "must_kick_off", "kick_off", "middle_of_goal_view", "free_ball", "keep_goal", "nose_of",
+           "speed_ahead", "greatest_speed", "when_commanded", "wheels_turning_first", "turn_for",
+           "turn_quickly", "head_for", "drive_quickly", "take_pose", "moving_ball", "rolled", "time_at_x",
+           "intercept", "rough_meeting", "follow_line", "shoot", "open_corner", "run_up", "must_take_kick",
+           "field_heading", "around", "round_others", "follow_heading", "follow_field", "shooting_aim",
+           "shot_of", "through", "pose_at_ball", "attack_ball_at", "attack_ball", "supporting_place",
+           "y_on_line", "y_of_coming_shot", "cover_point", "guard_goal", "rough_guard", "holding_y",
+           "hold_goal", "lies_in_area", "slide_quickly", "push_outwards", "return_to", "has_ball",
+           "spare_keeper", "must_leave_area", "leave_area", "time_behind", "cheapest_robot",
+           "assign_places", "worth_of", "time_to_get_behind", "out_of_reach", "draw_role", "draw_target",
+           "draw_shot", "Filter", "PenaltyTaker", "sent_wheels", "robot_after", "driven_wheels", "Tracker",
+           "Scene", "Simulator", "Robot", "Pose", "Counts", "Wheels", "Ball", "Shot", "Crossing",
+           "Interception", "Predicted", "SMALL", "MIDDLE", "LARGE", "BLUE", "YELLOW", "READY", "PLAY",
+           "OVER", "FIRST_HALF", "SECOND_HALF", "EXTRA_TIME", "SHOOT_OUT", "NO_RESTART", "KICK_OFF",
+           "GOAL_KICK", "PENALTY_KICK", "FREE_BALL", "FREE_KICK", "sin", "cos", "tan", "asin", "acos",
+           "atan", "atan2", "hypot", "exp", "log"]
 
 SMALL, MIDDLE, LARGE = range(3)  # setup.league
 BLUE, YELLOW = range(2)  # setup.team
@@ -54,8 +69,8 @@ Robot = namedtuple("Robot", "x y heading vx vy turn")
 Pose = namedtuple("Pose", "x y heading")
 Counts = namedtuple("Counts", "defenders area_defenders attackers keeper advantage_against "
                     "two_defenders_s four_defenders_s two_attackers_s keeper_hold_s")
-Setup = namedtuple("Setup", "league team robots seed control_period half_s half_length "
-                   "half_width corner_leg goal_half_width goal_depth goal_area_depth "
+_Setup = namedtuple("Setup", "league team robots seed control_period half_s half_length "
+                    "half_width corner_leg goal_half_width goal_depth goal_area_depth "
                    "goal_area_half_width penalty_area_depth penalty_area_half_width "
                    "centre_circle_radius robot_side robot_mass wheel_distance wheel_radius "
                    "wheel_speed_limit motor_time_constant grip ball_radius ball_mass "
@@ -64,12 +79,27 @@ Setup = namedtuple("Setup", "league team robots seed control_period half_s half_
                    "robot_robot_restitution ball_wall_friction ball_robot_friction "
                    "robot_wall_friction robot_robot_friction stalemate_limit_s advantage_limit_s "
                    "keeper_hold_limit_s defenders_limit_s attackers_limit_s ready_s "
-                   "defenders_allowed area_defenders_allowed attackers_allowed",
-                   defaults=21 * (0.0,))
-Observation = namedtuple("Observation", "tick time clock state phase restart own_restart own_score "
+                   "defenders_allowed area_defenders_allowed attackers_allowed outline",
+                   defaults=18 * (0.0,) + 3 * (0,) + ((),))
+
+Wheels = namedtuple("Wheels", "left right")
+Ball = namedtuple("Ball", "at velocity")
+Shot = namedtuple("Shot", "at along aside is_on_line")
+Crossing = namedtuple("Crossing", "seconds y")
+Interception = namedtuple("Interception", "ball seconds is_reached")
+Predicted = namedtuple("Predicted", "own_touched_ball opponent_touched_ball last_touch events")
+_Observation = namedtuple("Observation", "tick time clock state phase restart own_restart own_score "
                          "opponent_score robots placing ball_x ball_y ball_vx ball_vy own opponent "
                          "own_counts opponent_counts stalemate_s advantage_s own_age_ticks "
                          "opponent_age_ticks ball_age_ticks")
+
+
+class Setup(_Setup):
+    """The facts of a leg. `outline`: the corners (x, y) of a robot that is not a square, else ()."""
+
+
+class Observation(_Observation):
+    """The observation of a tick; `own` and `opponent` are tuples of Robot."""
 
 
 class Team:
@@ -172,259 +202,7 @@ def wrapped(angle):
     return math.pi if rest <= -math.pi else rest
 
 
-def _clamp(value, low, high):
-    return min(max(value, low), high)
-
-
-def wheels_for(setup, forward, turn):
-    """Returns the wheel speeds for a forward speed (m/s) and an angular velocity (rad/s)."""
-    side = turn * setup.wheel_distance / 2.0
-    left = (forward - side) / setup.wheel_radius
-    right = (forward + side) / setup.wheel_radius
-    fastest = max(abs(left), abs(right))
-    if fastest > setup.wheel_speed_limit:
-        k = setup.wheel_speed_limit / fastest
-        return left * k, right * k
-    return left, right
-
-
-def turn_to(setup, robot, heading):
-    """Turns on the spot towards a heading, rad."""
-    return wheels_for(setup, 0.0, 8.0 * wrapped(heading - robot.heading))
-
-
-def drive_to(setup, robot, target, arrival=0.0, fastest=1.5):
-    """Drives to a point, forwards or backwards, and passes it at `arrival` m/s (0: stops there)."""
-    dx, dy = target[0] - robot.x, target[1] - robot.y
-    distance = hypot(dx, dy)
-    if distance < 0.005 and arrival == 0.0:
-        return 0.0, 0.0
-    error = wrapped(atan2(dy, dx) - robot.heading)
-    direction = 1.0
-    if abs(error) > math.pi / 2.0:
-        error = wrapped(error + math.pi)
-        direction = -1.0
-    turn = 9.0 * error
-    speed = min(fastest, arrival + 5.0 * distance) * max(0.0, cos(error))
-    steady = 0.8 * setup.grip * 9.81  # sliding wheels do not steer
-    if abs(speed * turn) > steady:
-        speed = steady / abs(turn)
-    return wheels_for(setup, direction * speed, turn)
-
-
-def drive_to_pose(setup, robot, target, heading, fastest=1.5):
-    """Drives to a point and turns to a heading there."""
-    target = Point(*target)
-    forward = Point(cos(heading), sin(heading))
-    to = target - position(robot)
-    distance = length(to)
-    if distance < 0.01:
-        return turn_to(setup, robot, heading)
-    if dot(to, forward) > 0.9 * distance:
-        return drive_to(setup, robot, target, 0.0, fastest)
-    run_up = _clamp(0.6 * distance, 0.05, 0.3)
-    return drive_to(setup, robot, target - run_up * forward, 0.2, fastest)
-
-
-def ball_after(now, seconds):
-    """Returns the place of the ball after some seconds, without robots and walls."""
-    k = seconds * (1.0 - 0.1 * seconds)
-    return Point(now.ball_x + k * now.ball_vx, now.ball_y + k * now.ball_vy)
-
-
-def inside(setup, p, margin=None):
-    """Returns the nearest point of the field at least `margin` (m; None: to turn) from the walls."""
-    margin = 0.6 * setup.robot_side if margin is None else margin
-    return Point(_clamp(p[0], -setup.half_length + margin, setup.half_length - margin),
-                 _clamp(p[1], -setup.half_width + margin, setup.half_width - margin))
-
-
-def meeting_point(setup, now, robot, pace=1.2):
-    """Returns the place where a robot that drives at `pace` m/s meets the ball."""
-    p = ball(now)
-    for _ in range(3):
-        p = ball_after(now, min(hypot(p.x - robot.x, p.y - robot.y) / pace, 0.8))
-    return inside(setup, p, setup.ball_radius)
-
-
-def keep_out(setup, i, p):
-    """Returns a target of robot `i`, moved out of the areas that the laws forbid. Not for keepers."""
-    margin = setup.robot_side + (0.075 if setup.league == LARGE else 0.02)
-    is_crowd = i >= 3 and setup.penalty_area_depth > 0.0
-    depth = (setup.penalty_area_depth if is_crowd else setup.goal_area_depth) + margin
-    half_width = (setup.penalty_area_half_width if is_crowd
-                  else setup.goal_area_half_width) + margin
-    if p[0] < -setup.half_length + depth and abs(p[1]) < half_width:
-        return Point(-setup.half_length + depth, p[1])
-    return Point(*p)
-
-
-def without_pushing(setup, now, robot, wheels):
-    """Returns the wheel speeds, or slower ones where the robot would push an opponent."""
-    nose_x, nose_y = cos(robot.heading), sin(robot.heading)
-    forward = setup.wheel_radius * (wheels[0] + wheels[1]) / 2.0
-    turn = setup.wheel_radius * (wheels[1] - wheels[0]) / setup.wheel_distance
-    if forward < 0.0:
-        nose_x, nose_y = -nose_x, -nose_y
-    ball_x, ball_y = now.ball_x - robot.x, now.ball_y - robot.y
-    wide = setup.robot_side + 0.015  # two robots side by side
-    if hypot(ball_x, ball_y) < wide:
-        return wheels
-    ball_along = ball_x * nose_x + ball_y * nose_y
-    ball_ahead = (ball_along > 0.0 and
-                  abs(ball_x * nose_y - ball_y * nose_x) < setup.robot_side / 2.0 + 0.0175)
-    allowed = abs(forward)
-    for other in now.opponent:
-        x, y = other.x - robot.x, other.y - robot.y
-        along = x * nose_x + y * nose_y
-        if along <= 0.0 or abs(x * nose_y - y * nose_x) > wide:
-            continue
-        if ball_ahead and ball_along < along:  # pushing both is playing the ball
-            continue
-        gap = hypot(x, y) - (setup.robot_side + 0.025)
-        allowed = min(allowed, 0.1 + 4.0 * gap if gap > 0.0 else -0.2)
-    if allowed == abs(forward):
-        return wheels
-    return wheels_for(setup, -allowed if forward < 0.0 else allowed, turn)
-
-
-def out_of_area(setup, i, robot, wheels):
-    """Returns the wheel speeds, or ones that take robot `i` out of an area that keep_out() forbids."""
-    is_crowd = i >= 3 and setup.penalty_area_depth > 0.0
-    depth = setup.penalty_area_depth if is_crowd else setup.goal_area_depth
-    half_width = setup.penalty_area_half_width if is_crowd else setup.goal_area_half_width
-    height = 0.0
-    if is_crowd or setup.league == SMALL:
-        height = 0.1 if setup.league == LARGE else 0.05
-    arc = height if abs(robot.y) < half_width / 2.0 else 0.0
-    margin = setup.robot_side / 2.0 + 0.0025
-    front = -setup.half_length + depth + arc + margin
-    side = half_width + margin
-    if robot.x + 0.1 * robot.vx > front or abs(robot.y + 0.1 * robot.vy) > side:
-        return wheels
-    if front - robot.x < side - abs(robot.y):
-        return drive_to(setup, robot, (front + 0.1, robot.y))
-    return drive_to(setup, robot, (robot.x, side + 0.1 if robot.y > 0.0 else -side - 0.1))
-
-
-def keep_laws(setup, now, wheels):
-    """Returns the list after without_pushing() and out_of_area(), for all robots but the keeper, 0."""
-    lawful = list(wheels)
-    for i in range(1, len(lawful)):
-        lawful[i] = without_pushing(setup, now, now.own[i], lawful[i])
-        lawful[i] = out_of_area(setup, i, now.own[i], lawful[i])
-    return lawful
-
-
-def drive_round(setup, robot, target, obstacle, arrival=0.0, fastest=1.5):
-    """Drives to a point, around an obstacle on the line to it."""
-    berth = setup.robot_side + 0.035
-    here = position(robot)
-    path = Point(*target) - here
-    to = Point(*obstacle) - here
-    along = unit(path)
-    ahead = dot(to, along)
-    aside = along.x * to.y - along.y * to.x
-    if ahead <= 0.0 or ahead >= length(path) or abs(aside) >= berth:
-        return drive_to(setup, robot, target, arrival, fastest)
-    if length(to) < setup.robot_side + 0.04:  # too near to turn past it
-        return drive_to(setup, robot, here - 0.1 * unit(to), 0.0, fastest)
-    side = (-1.0 if aside > 0.0 else 1.0) * berth * 1.2
-    beside = (obstacle[0] - side * along.y, obstacle[1] + side * along.x)
-    return drive_to(setup, robot, beside, 0.3, min(fastest, 0.9))
-
-
-def drive_clear(setup, now, robot, target, arrival=0.0, fastest=1.5):
-    """Drives to a point, around the ball or an opponent that is on the line to it."""
-    here = position(robot)
-    way = Point(*target) - here
-    if arrival == 0.0 and length(way) < 0.03:
-        quarter = math.pi / 2.0
-        return turn_to(setup, robot, quarter * math.floor(robot.heading / quarter + 0.5))
-    obstacle = ball(now)
-    nearest = length(obstacle - here)
-    for other in now.opponent:
-        to = Point(other.x - here.x, other.y - here.y)
-        distance = length(to)
-        if distance < 0.2 and distance < nearest and dot(to, way) > 0.0:
-            obstacle, nearest = position(other), distance
-    return drive_round(setup, robot, target, obstacle, arrival, fastest)
-
-
-def kick_to(setup, now, robot, point, pace=1.5):
-    """Kicks the ball towards a point: drives behind the ball first, and then through it."""
-    meet = meeting_point(setup, now, robot)
-    along = unit(Point(*point) - meet)
-    x, y = robot.x - meet.x, robot.y - meet.y
-    behind = -(x * along.x + y * along.y)
-    aside = y * along.x - x * along.y
-    if 0.0 < behind < 0.35 and abs(aside) < 0.02 + 0.35 * behind:
-        through = (meet.x + 0.3 * along.x + 2.0 * aside * along.y,
-                   meet.y + 0.3 * along.y - 2.0 * aside * along.x)
-        return drive_to(setup, robot, through, pace, pace)
-    return drive_clear(setup, now, robot, inside(setup, meet - (setup.robot_side + 0.035) * along), 0.3, pace)
-
-
-def must_kick_off(now):
-    """True if the ball is still on the spot of your own kick-off. It has to go backwards first."""
-    return (now.restart == KICK_OFF and now.own_restart != 0
-            and hypot(now.ball_x, now.ball_y) < 0.055)
-
-
-def kick_off(setup, robot):
-    """Takes a kick-off: rolls the ball straight back to the team-mates."""
-    here = position(robot)
-    pace = 0.8 if length(here) > setup.robot_side + 0.025 else 0.28
-    return drive_to(setup, robot, -0.1 * unit(here), pace, pace)
-
-
-def is_stuck(now, patience=0.6):
-    """True if the ball has got nowhere for `patience` s and nearly stands."""
-    return now.stalemate_s > patience and hypot(now.ball_vx, now.ball_vy) < 0.15
-
-
-def free_ball(setup, now, robot):
-    """Gets a stuck ball free: drives at it, and spins beside it."""
-    x, y = now.ball_x - robot.x, now.ball_y - robot.y
-    if hypot(x, y) > setup.robot_side + 0.01:
-        return drive_to(setup, robot, ball(now), 0.6, 1.2)
-    way_x, way_y = 1.0, 0.0
-    if now.ball_x > 0.3 * setup.half_length:
-        way_x, way_y = setup.half_length - 0.18 - now.ball_x, -now.ball_y
-    elif now.ball_x < -setup.half_length + 0.06:
-        way_x, way_y = 0.3, -1.0 if now.ball_y < 0.0 else 1.0
-    return wheels_for(setup, 0.0, 30.0 if x * way_y - y * way_x > 0.0 else -30.0)
-
-
-def keep_goal(setup, now, robot):
-    """Keeps the goal: stays in its mouth where the ball will cross the line, kicks a slow ball away."""
-    line = -setup.half_length + 0.4 * setup.robot_side
-    x, y = now.ball_x - robot.x, now.ball_y - robot.y
-    is_slow = hypot(now.ball_vx, now.ball_vy) < 0.4
-    if (is_slow and now.ball_x > robot.x + 0.02 and hypot(x, y) < setup.robot_side + 0.085
-            and now.ball_x < -setup.half_length + setup.goal_area_depth + 0.02):
-        return drive_to(setup, robot, ball(now) + 0.2 * unit((x, y)), 1.0)
-    # The place where the ball will cross the line, if it comes; else the middle of what it sees.
-    left = hypot(now.ball_x + setup.half_length, now.ball_y - setup.goal_half_width)
-    right = hypot(now.ball_x + setup.half_length, now.ball_y + setup.goal_half_width)
-    at = setup.goal_half_width * (right - left) / (right + left)
-    if now.ball_vx < -0.1:
-        seconds = (line - now.ball_x) / now.ball_vx
-        if 0.0 < seconds < 1.5:
-            at = now.ball_y + now.ball_vy * seconds
-    reach = setup.goal_half_width - (setup.robot_side / 2.0 + 0.001)
-    at = _clamp(at, -reach, reach)
-    if abs(line - robot.x) < 0.04 and abs(robot.y) < setup.goal_half_width + 0.05:
-        # Along the line, and looking along it: a keeper that turns away throws the ball in.
-        up = 1.0 if robot.heading > 0.0 else -1.0
-        error = wrapped(up * math.pi / 2.0 - robot.heading)
-        speed = up * _clamp(8.0 * (at - robot.y), -1.8, 1.8)
-        return wheels_for(setup, speed * max(0.0, cos(2.0 * error)), 9.0 * error)
-    return drive_round(setup, robot, (line, at), ball(now), 0.0, 1.5)
-
-
-# What follows is between the program that plays the team and the classes above: the bytes of
-# strategy.h, and errors as sentences. A team does not need it.
+# ---- the bytes of strategy.h
 
 _SETUP = struct.Struct("@I i i i Q 21d 7P 12d 2i 16d 2I 6d 4i")
 _ROBOTS = 6 * MAX_ROBOTS
@@ -436,22 +214,29 @@ _COUNTS = _OPPONENT + _ROBOTS
 _AGES = _COUNTS + 2 * 10 + 2
 _COMMAND = struct.Struct(f"@{2 * MAX_ROBOTS}d")
 _PLACEMENT = struct.Struct(f"@2d {3 * MAX_ROBOTS}d")
-_ZEROS = [0.0] * (3 * MAX_ROBOTS)
-
-
-class _host:  # the program that plays a team puts its own functions in place of these
-    def parameter(name, default):
-        return default
-
-    def draw_line(*shape):
-        pass
-
-    draw_circle = draw_polygon = draw_text = draw_line
+_ROBOT = struct.Struct("@6d")
 
 
 def _setup_of(data):
     values = _SETUP.unpack_from(data)  # newer hosts have more at the end
-    return Setup(*values[1:26], *values[33:45], *values[65:74])
+    corners = values[45]
+    outline = tuple(Point(*p) for p in zip(values[47:47 + corners], values[55:55 + corners]))
+    setup = Setup(*values[1:26], *values[33:45], *values[65:74], outline)
+    setup._bytes = data
+    return setup
+
+
+def _setup_bytes(setup):
+    """The setup as C sees it: of the host, or of a test, whose setup has no functions that draw."""
+    try:
+        return setup._bytes
+    except AttributeError:
+        pass
+    x, y = ([p[k] for p in setup.outline] + (8 - len(setup.outline)) * [0.0] for k in (0, 1))
+    whole = [int(n) for n in setup[43:46]]
+    setup._bytes = _SETUP.pack(_SETUP.size, *setup[:25], *(7 * [0]), *setup[25:37], len(setup.outline),
+                               0, *x, *y, 0, 0, *setup[37:43], *whole, 0)
+    return setup._bytes
 
 
 def _counts_of(values, at):
@@ -463,9 +248,774 @@ def _observation_of(data):
     n = v[10]
     own = tuple([Robot(*v[k:k + 6]) for k in range(_OWN, _OWN + 6 * n, 6)])
     opponent = tuple([Robot(*v[k:k + 6]) for k in range(_OPPONENT, _OPPONENT + 6 * n, 6)])
-    return Observation(*v[1:16], own, opponent, _counts_of(v, _COUNTS), _counts_of(v, _COUNTS + 10),
-                       v[_AGES - 2], v[_AGES - 1], v[_AGES:_AGES + n],
-                       v[_AGES + MAX_ROBOTS:_AGES + MAX_ROBOTS + n], v[_AGES + 2 * MAX_ROBOTS])
+    now = Observation(*v[1:16], own, opponent, _counts_of(v, _COUNTS), _counts_of(v, _COUNTS + 10),
+                      v[_AGES - 2], v[_AGES - 1], v[_AGES:_AGES + n],
+                      v[_AGES + MAX_ROBOTS:_AGES + MAX_ROBOTS + n], v[_AGES + 2 * MAX_ROBOTS])
+    now._bytes = data
+    return now
+
+
+def _observation_bytes(now):
+    """The observation as C sees it; one that a team changed with _replace() is packed again."""
+    try:
+        return now._bytes
+    except AttributeError:
+        pass
+    ages = [list(a) + (MAX_ROBOTS - len(a)) * [0] for a in (now.own_age_ticks, now.opponent_age_ticks)]
+    counts = [n for c in (now.own_counts, now.opponent_counts) for n in (*c[:5], 0, *c[5:])]
+    now._bytes = _OBSERVATION.pack(_OBSERVATION.size, *now[:15], *_robots(now.own), *_robots(now.opponent),
+                                   *counts, now.stalemate_s, now.advantage_s, *ages[0], *ages[1],
+                                   now.ball_age_ticks, 0)
+    return now._bytes
+
+
+def _robots(robots):
+    numbers = [number for robot in robots for number in robot]
+    return numbers + (_ROBOTS - len(numbers)) * [0.0]
+
+
+# ---- calling skills.h
+
+def _load_skills():
+    """The library: what a match gives as `_skills_in` (None: the program itself), or as it was built or
+    installed beside this file."""
+    if "_skills_in" in globals():
+        return ctypes.PyDLL(_skills_in)
+    name, above = "libmirocup_skills.so.0", os.path.dirname(os.path.abspath(__file__))
+    multiarch = getattr(__import__("sys").implementation, "_multiarch", "")
+    for _ in range(5):  # BUILD/python/mirocup, PREFIX/lib/python3/dist-packages/mirocup
+        above = os.path.dirname(above)
+        for folder in (above, os.path.join(above, "lib"), os.path.join(above, "lib", multiarch)):
+            if os.path.exists(os.path.join(folder, name)):
+                return ctypes.PyDLL(os.path.join(folder, name))
+    raise ImportError(f"{name} was not found: build it (cmake --build build --target mirocup_skills)")
+
+
+_c = _load_skills()
+
+
+def _structure(name, **fields):
+    return type(name, (ctypes.Structure,), {"_fields_": list(fields.items())})
+
+
+_real, _whole, _address = ctypes.c_double, ctypes.c_int32, ctypes.c_void_p
+_CPoint = _structure("_CPoint", x=_real, y=_real)
+_CWheels = _structure("_CWheels", left=_real, right=_real)
+_CPose = _structure("_CPose", x=_real, y=_real, heading=_real)
+_CRobot = _structure("_CRobot", x=_real, y=_real, heading=_real, vx=_real, vy=_real, turn=_real)
+_CBall = _structure("_CBall", at=_CPoint, velocity=_CPoint)
+_CShot = _structure("_CShot", at=_CPoint, along=_CPoint, aside=_real, is_on_line=_whole)
+_CCrossing = _structure("_CCrossing", seconds=_real, y=_real, is_ahead=_whole)
+_CInterception = _structure("_CInterception", ball=_CBall, seconds=_real, is_reached=_whole)
+_CPredicted = _structure("_CPredicted", own=ctypes.c_uint32, opponent=ctypes.c_uint32, last=_whole,
+                         events=_whole)
+_CCommand = _real * (2 * MAX_ROBOTS)
+
+
+def _point(p):
+    return Point(p.x, p.y)
+
+
+def _ball(b):
+    return Ball(_point(b.at), _point(b.velocity))
+
+
+# What a parameter is, by its name: its type in C, and how a call converts it. All others are numbers.
+_KINDS = {
+    **dict.fromkeys(("setup",), (_address, "_setup_bytes({})")),
+    **dict.fromkeys(("now", "seen"), (_address, "_observation_bytes({})")),
+    **dict.fromkeys(("robot", "before", "after"), (_address, "_ROBOT.pack(*{})")),
+    **dict.fromkeys(("target", "obstacle", "point", "p", "aim", "at", "here", "velocity", "along", "ball",
+                     "goal", "spot", "where"), (_CPoint, "_CPoint(*{})")),
+    **dict.fromkeys(("i", "me", "rank", "ticks_ahead"), (_whole, "{}")),
+    "wheels": (_CWheels, "_CWheels(*{})"),
+    "pose": (_CPose, "_CPose(*{})"),
+    "moving": (_CBall, "_CBall(_CPoint(*{0}[0]), _CPoint(*{0}[1]))"),
+    "shot": (_CShot, "_CShot(_CPoint(*{0}[0]), _CPoint(*{0}[1]), {0}[2], {0}[3])"),
+    "role": (ctypes.c_char_p, "str({}).encode()"),
+}
+# What a function returns, by its annotation: the type in C, and how a call converts it.
+_RESULTS = {
+    Wheels: (_CWheels, lambda w: Wheels(w.left, w.right)),
+    Point: (_CPoint, _point),
+    Pose: (_CPose, lambda p: Pose(p.x, p.y, p.heading)),
+    Robot: (_CRobot, lambda r: Robot(r.x, r.y, r.heading, r.vx, r.vy, r.turn)),
+    Ball: (_CBall, _ball),
+    Shot: (_CShot, lambda s: Shot(_point(s.at), _point(s.along), s.aside, bool(s.is_on_line))),
+    Crossing: (_CCrossing, lambda c: Crossing(c.seconds, c.y) if c.is_ahead else None),
+    Interception: (_CInterception, lambda i: Interception(_ball(i.ball), i.seconds, bool(i.is_reached))),
+    float: (_real, None),
+    bool: (_whole, bool),
+    None: (None, None),
+}
+
+
+def _bound(name, result, *arguments):
+    function = getattr(_c, "mirocup_" + name)
+    function.restype, function.argtypes = result, arguments
+    return function
+
+
+def _skill(declared):
+    """Makes a function of its declaration: it calls mirocup_NAME with its parameters in their order."""
+    name = declared.__name__
+    parameters = declared.__code__.co_varnames[:declared.__code__.co_argcount]
+    kinds = [_KINDS.get(p, (_real, "{}")) for p in parameters]
+    result, convert = _RESULTS[declared.__annotations__["return"]]
+    function = _bound(name, result, *[kind for kind, _ in kinds])
+    call = f"_function({', '.join(how.format(p) for p, (_, how) in zip(parameters, kinds))})"
+    names = {**globals(), "_function": function, "_convert": convert}
+    text = f"def {name}({', '.join(parameters)}): return {f'_convert({call})' if convert else call}"
+    exec(compile(text, f"<mirocup.team.{name}>", "exec"), names)
+    made = names[name]
+    made.__defaults__, made.__doc__ = declared.__defaults__, declared.__doc__
+    made.__module__ = __name__
+    return made
+
+
+def _command(wheels):
+    """A list with (left, right) or None for each robot, as C sees it."""
+    return _CCommand(*[number for pair in wheels for number in (pair or (0.0, 0.0))])
+
+
+def _pairs(command, robots):
+    return [Wheels(command[2 * i], command[2 * i + 1]) for i in range(robots)]
+
+
+def _changing(name):
+    """Returns the function that changes a command, as one that changes a list of wheel speeds."""
+    function = _bound(name, None, _address, _address, _address)
+
+    def changed(setup, now, wheels):
+        command = _command(wheels)
+        function(_setup_bytes(setup), _observation_bytes(now), command)
+        return _pairs(command, now.robots)
+    return changed
+
+
+_keep_laws, _avoid_own_goals, _spare_keeper = map(_changing, ("keep_laws", "avoid_own_goals", "spare_keeper"))
+_follow_field = _bound("follow_field", _CWheels, _address, _address, _CPose, _real, _address, _whole, _real,
+                       _real, _real)
+_cheapest_robot = _bound("cheapest_robot", _whole, _address, _whole, _whole, _real, _address)
+_assign_places = _bound("assign_places", None, _address, _address, _address, _address, _whole, _real, _address)
+_out_of_reach = _bound("out_of_reach", _real, _address, _whole, _CPoint)
+
+
+# ---- mirocup/driving.hpp: one robot drives
+
+@_skill
+def wheels_for(setup, forward, turn) -> Wheels:
+    """Returns the wheel speeds for a forward speed (m/s) and an angular velocity (rad/s)."""
+
+
+@_skill
+def turn_to(setup, robot, heading) -> Wheels:
+    """Turns on the spot towards a heading, rad."""
+
+
+@_skill
+def drive_to(setup, robot, target, arrival=0.0, fastest=1.5) -> Wheels:
+    """Drives to a point, forwards or backwards, and passes it at `arrival` m/s (0: stops there)."""
+
+
+@_skill
+def drive_to_pose(setup, robot, target, heading, fastest=1.5) -> Wheels:
+    """Drives to a point and turns to a heading there."""
+
+
+@_skill
+def ball_after(now, seconds) -> Point:
+    """Returns the place of the ball after some seconds, without robots and walls."""
+
+
+@_skill
+def elbow_room(setup) -> float:
+    """Returns how far from a wall a robot can still turn, m."""
+
+
+@_skill
+def behind_ball(setup) -> float:
+    """Returns how far behind the ball a robot can turn without touching it, m."""
+
+
+@_skill
+def inside(setup, p, margin) -> Point:
+    """Returns the nearest point of the field at least `margin` (m) from the walls."""
+
+
+_inside = inside
+
+
+def inside(setup, p, margin=None) -> Point:
+    """Returns the nearest point of the field at least `margin` (m; None: to turn) from the walls."""
+    return _inside(setup, p, elbow_room(setup) if margin is None else margin)
+
+
+@_skill
+def meeting_point(setup, now, robot, pace=1.2) -> Point:
+    """Returns the place where a robot that drives at `pace` m/s meets the ball."""
+
+
+@_skill
+def squared(heading) -> float:
+    """Returns the multiple of a right angle that is nearest to a heading, rad."""
+
+
+@_skill
+def drive_round(setup, robot, target, obstacle, arrival=0.0, fastest=1.5) -> Wheels:
+    """Drives to a point, around an obstacle on the line to it."""
+
+
+@_skill
+def drive_clear(setup, now, robot, target, arrival=0.0, fastest=1.5) -> Wheels:
+    """Drives to a point, around the ball or an opponent that is on the line to it."""
+
+
+@_skill
+def slide_to(setup, robot, y, fastest=1.5) -> Wheels:
+    """Drives along the goal line to a y, and looks along the line all the time."""
+
+
+# ---- mirocup/laws.hpp: the laws, and the ball out of the own goal
+
+@_skill
+def keep_out(setup, i, p) -> Point:
+    """Returns a target of robot `i`, moved out of the areas that the laws forbid. Not for keepers."""
+
+
+@_skill
+def make_way(setup, now, p) -> Point:
+    """Returns a place for a waiting robot, moved aside where a ball that the keeper clears would rebound."""
+
+
+@_skill
+def is_stuck(now, patience=0.6) -> bool:
+    """True if the ball has got nowhere for `patience` s and nearly stands."""
+
+
+@_skill
+def without_pushing(setup, now, robot, wheels) -> Wheels:
+    """Returns the wheel speeds, or slower ones where the robot would push an opponent."""
+
+
+@_skill
+def out_of_area(setup, i, robot, wheels) -> Wheels:
+    """Returns the wheel speeds, or ones that take robot `i` out of an area that keep_out() forbids."""
+
+
+def keep_laws(setup, now, wheels):
+    """Returns the list after without_pushing() and out_of_area(), for all robots but the keeper, 0."""
+    return _keep_laws(setup, now, wheels)
+
+
+@_skill
+def rolls_into_own_goal(setup, ball, velocity, margin) -> bool:
+    """True if a ball that rolls straight on goes in, or up to `margin` (m) beside the posts."""
+
+
+@_skill
+def would_turn_ball_in(setup, now, robot, soon_s=0.4) -> bool:
+    """True if a ball that comes to the robot within `soon_s` would rebound into the own goal."""
+
+
+def avoid_own_goals(setup, now, wheels):
+    """Returns the list, changed for robots from which a ball would rebound into the own goal."""
+    return _avoid_own_goals(setup, now, wheels)
+
+
+# ---- mirocup/strategy.hpp: roles to start from
+
+@_skill
+def kick_to(setup, now, robot, point, pace=1.5) -> Wheels:
+    """Kicks the ball towards a point: drives behind the ball first, and then through it."""
+
+
+@_skill
+def must_kick_off(now) -> bool:
+    """True if the ball is still on the spot of your own kick-off. It has to go backwards first."""
+
+
+@_skill
+def kick_off(setup, robot) -> Wheels:
+    """Takes a kick-off: rolls the ball straight back to the team-mates."""
+
+
+@_skill
+def middle_of_goal_view(setup, ball) -> float:
+    """Returns the y of the middle of the own goal, as the ball sees it, m."""
+
+
+@_skill
+def free_ball(setup, now, robot) -> Wheels:
+    """Gets a stuck ball free: drives at it, and spins beside it."""
+
+
+@_skill
+def keep_goal(setup, now, robot) -> Wheels:
+    """Keeps the goal: stays in its mouth where the ball meets its face, kicks a slow ball away."""
+
+
+# ---- mirocup/skills/drive.hpp: turning and driving in the shortest time
+
+@_skill
+def nose_of(robot) -> Point:
+    """Returns the direction in which the robot looks, of length 1."""
+
+
+@_skill
+def speed_ahead(robot) -> float:
+    """Returns the forward speed, m/s; negative if it drives backwards."""
+
+
+@_skill
+def greatest_speed(setup) -> float:
+    """Returns the greatest forward speed of a robot, m/s."""
+
+
+@_skill
+def when_commanded(setup, robot, wheels) -> Robot:
+    """Returns the robot one tick later, if it drives `wheels` until then."""
+
+
+@_skill
+def wheels_turning_first(setup, forward, turn) -> Wheels:
+    """Returns the wheel speeds: first for the turn (rad/s), with what is left for the speed (m/s)."""
+
+
+@_skill
+def turn_for(setup, turn, error, part=0.9) -> float:
+    """Returns the turn (rad/s) after which a robot that turns at `turn` ends `error` rad farther."""
+
+
+@_skill
+def turn_quickly(setup, robot, heading) -> Wheels:
+    """Turns on the spot to a heading, without overshoot."""
+
+
+@_skill
+def head_for(setup, robot, direction, speed, distance=1e9) -> Wheels:
+    """Drives at up to `speed` m/s in a direction; `distance`: to the stop, m."""
+
+
+@_skill
+def drive_quickly(setup, robot, target, arrival=0.0, speed=1.8) -> Wheels:
+    """Drives to a point and stops there, or passes it at `arrival` m/s."""
+
+
+@_skill
+def take_pose(setup, robot, target, heading, near=0.012, speed=1.8) -> Wheels:
+    """Drives to a point and turns to a heading there, forwards or backwards."""
+
+
+# ---- mirocup/skills/ball_path.hpp, intercept.hpp: where the ball goes, where a robot meets it
+
+def moving_ball(now) -> Ball:
+    return Ball(ball(now), ball_velocity(now))
+
+
+@_skill
+def rolled(setup, moving, seconds) -> Ball:
+    """Returns a Ball after `seconds`, walls included."""
+
+
+@_skill
+def time_at_x(setup, moving, x, most_s=1.5) -> Crossing:
+    """Returns when and where a Ball comes to the line x from the right; None: not within `most_s`."""
+
+
+@_skill
+def intercept(setup, now, robot, pace=1.2, most_s=1.5) -> Interception:
+    """Returns where and when a robot that drives at `pace` m/s meets the ball."""
+
+
+@_skill
+def rough_meeting(setup, now, robot, pace=1.2) -> Point:
+    """Returns about where it meets the ball, at a fraction of the cost."""
+
+
+# ---- mirocup/skills/shoot.hpp
+
+@_skill
+def follow_line(setup, robot, point, heading, speed, aim_ahead=0.2, gain=10.0, lead_s=0.08) -> Wheels:
+    """Drives along the line through `point` with direction `heading`, also from beside it."""
+
+
+@_skill
+def shoot(setup, robot, ball, aim, speed=1.8) -> Wheels:
+    """Drives through a ball so that it goes to `aim`; the robot is behind the ball."""
+
+
+@_skill
+def open_corner(setup, now, margin=0.05, y_bias=0.0) -> Point:
+    """Returns the point on the opponents' goal line to aim at."""
+
+
+@_skill
+def run_up(ball, aim, distance=0.2) -> Pose:
+    """Returns the pose from which to shoot a resting ball."""
+
+
+@_skill
+def must_take_kick(now, spot) -> bool:
+    """True while the ball of your own penalty or free kick lies where it was put, `spot`."""
+
+
+# ---- mirocup/skills/univector_field.hpp: a field of directions that leads to a pose
+
+@_skill
+def field_heading(here, pose, radius=0.075, smooth=0.07) -> float:
+    """Returns the direction at `here` that leads to the pose (x, y, heading), rad."""
+
+
+@_skill
+def around(heading, here, velocity, moving, nearest=0.085, width=0.045, lead_s=0.15) -> float:
+    """Returns `heading`, turned aside by an obstacle, a Ball (at, velocity)."""
+
+
+@_skill
+def round_others(now, me, robot, target, heading, sight=0.35) -> float:
+    """Returns `heading`, turned aside by the other robots, except those at `target`."""
+
+
+@_skill
+def follow_heading(setup, robot, heading, speed, turn=0.0) -> Wheels:
+    """Drives in a direction; `turn`: rad/s that the direction itself turns."""
+
+
+def follow_field(setup, robot, pose, speed, obstacles=(), radius=0.075, smooth=0.07, lead_s=0.08):
+    """Drives along the field to a pose, round obstacles: pairs (at, velocity)."""
+    others = (_CBall * max(1, len(obstacles)))(*[_CBall(_CPoint(*at), _CPoint(*v)) for at, v in obstacles])
+    wheels = _follow_field(_setup_bytes(setup), _ROBOT.pack(*robot), _CPose(*pose), speed, others,
+                           len(obstacles), radius, smooth, lead_s)
+    return Wheels(wheels.left, wheels.right)
+
+
+# ---- mirocup/skills/attack.hpp
+
+@_skill
+def shooting_aim(setup, now, where) -> Point:
+    """Returns where a ball at `where` shall go: to the open corner, or along a wall."""
+
+
+@_skill
+def shot_of(robot, at, aim) -> Shot:
+    """Returns the shot of a robot at the ball that will be at `at`."""
+
+
+@_skill
+def through(shot) -> Point:
+    """Returns the point to drive to for a robot that is on the line of the shot."""
+
+
+@_skill
+def pose_at_ball(setup, me, shot) -> Pose:
+    """Returns the pose that robot `me` shall have at the ball."""
+
+
+@_skill
+def attack_ball_at(setup, now, me, at, aim, speed=1.8, sight=1e9, lead_s=0.08) -> Wheels:
+    """Shoots the ball that robot `me` meets at `at` to `aim`, round all other robots."""
+
+
+@_skill
+def attack_ball(setup, now, me, aim, speed=1.8, sight=1e9, lead_s=0.08) -> Wheels:
+    """Shoots the ball to `aim` from where robot `me` meets it, and draws both points."""
+
+
+@_skill
+def supporting_place(setup, now, me, rank) -> Point:
+    """Returns the place of a robot that does not attack: between the ball and the own goal."""
+
+
+# ---- mirocup/skills/keeper.hpp, hold_goal.hpp: two ways of keeping the goal
+
+@_skill
+def y_on_line(ball, along, x) -> float:
+    """Returns the y at which the line through a ball along a direction crosses x, m."""
+
+
+@_skill
+def y_of_coming_shot(now, x) -> float:
+    """Returns the y at which a resting ball will cross x, as an opponent drives at it; NaN: none does."""
+
+
+@_skill
+def cover_point(setup, now, line=0.05, inside_post=0.0) -> Point:
+    """Returns the place on the keeper's line from which it covers the goal."""
+
+
+@_skill
+def guard_goal(setup, now, robot, line=0.05, inside_post=0.0, clear_speed=0.5, spin=25.0) -> Wheels:
+    """Guards the goal from a line before it, and clears to the side."""
+
+
+@_skill
+def rough_guard(setup, now, robot) -> Wheels:
+    """A keeper for predictions: cheaper, and clears nothing."""
+
+
+@_skill
+def holding_y(setup, now, line=0.027, inside_post=0.0385) -> float:
+    """Returns the y in the mouth of the goal at which the keeper has to be, m."""
+
+
+@_skill
+def hold_goal(setup, now, robot, line=0.027, inside_post=0.0385, slow=0.2, patience=1.0) -> Wheels:
+    """Keeps the goal from its mouth; `robot`: at its next command (when_commanded)."""
+
+
+@_skill
+def lies_in_area(setup, now, slow) -> bool:
+    """True if a ball slower than `slow` lies in the own goal area."""
+
+
+@_skill
+def slide_quickly(setup, robot, target) -> Wheels:
+    """Drives along the goal line to the y of `target` in the shortest time."""
+
+
+@_skill
+def push_outwards(setup, robot, outwards) -> Wheels:
+    """Pushes along the goal line, to y * `outwards` (1 or -1)."""
+
+
+@_skill
+def return_to(setup, robot, target, ball) -> Wheels:
+    """Drives home to the goal, round the ball."""
+
+
+# ---- mirocup/skills/laws.hpp
+
+@_skill
+def has_ball(setup, now, robot, along) -> bool:
+    """True if the ball is at the robot, on the side of the direction `along`."""
+
+
+def spare_keeper(setup, now, wheels):
+    """Returns the list, with slower robots before the opponents' keeper."""
+    return _spare_keeper(setup, now, wheels)
+
+
+@_skill
+def must_leave_area(setup, robot) -> bool:
+    """True if a robot that does not attack has to leave the opponents' goal area."""
+
+
+@_skill
+def leave_area(setup, robot) -> Wheels:
+    """Drives out of that area."""
+
+
+# ---- mirocup/skills/roles.hpp
+
+@_skill
+def time_behind(setup, now, i, round_s=0.35) -> float:
+    """Returns how soon own robot `i` is behind the ball, s."""
+
+
+def cheapest_robot(now, first, last, bonus, cost):
+    """Returns the own robot from `first` on with the least cost(i); `last` costs `bonus` less."""
+    costs = (_real * MAX_ROBOTS)(*first * [0.0], *[cost(i) for i in range(first, now.robots)])
+    return _cheapest_robot(_observation_bytes(now), first, last, bonus, costs)
+
+
+def assign_places(now, places, free, last, bonus=0.1):
+    """Returns the robot, one of `free`, for each place, the most important first; `last`: the answer
+    of the last tick, whose robots count as `bonus` m nearer."""
+    count = len(places)
+    chosen = (_whole * count)()
+    _assign_places(_observation_bytes(now), (_CPoint * count)(*[_CPoint(*p) for p in places]),
+                   (_whole * count)(*free), (_whole * count)(*last), count, bonus, chosen)
+    return list(chosen)
+
+
+# ---- mirocup/skills/worth.hpp: how good a scene is
+
+@_skill
+def worth_of(setup, now) -> float:
+    """Returns the worth of a scene: about 1 is a goal, -1 a goal against."""
+
+
+@_skill
+def time_to_get_behind(robot, ball, goal) -> float:
+    """Returns about how long a robot takes to get behind the ball, seen from a goal, s."""
+
+
+def out_of_reach(robots, ball) -> float:
+    """Returns how far from the robots a ball passes that goes in: 0 at one, 1 out of reach of all."""
+    return _out_of_reach(b"".join([_ROBOT.pack(*r) for r in robots]), len(robots), _CPoint(*ball))
+
+
+# ---- mirocup/skills/draw.hpp
+
+@_skill
+def draw_role(setup, robot, role) -> None:
+    """Writes what a robot does beside it in the replay."""
+
+
+@_skill
+def draw_target(setup, robot, target) -> None:
+    """Draws where a robot drives."""
+
+
+@_skill
+def draw_shot(setup, robot, at, aim) -> None:
+    """Draws where a robot meets the ball, and where the ball shall go."""
+
+
+# ---- what remembers: mirocup/skills/filter.hpp, penalty.hpp, mirocup/predict.hpp
+
+class _Handle:
+    """What mirocup_KIND_new() returns; freed with the object."""
+
+    _kind = ""
+
+    def __init__(self, *arguments, new="new"):
+        self._handle = _address(self._call(new, *arguments, result=_address))
+
+    def _call(self, function, *arguments, result=None):
+        called = getattr(_c, f"mirocup_{self._kind}_{function}")
+        called.restype = result
+        return called(*arguments)
+
+    def __del__(self):
+        self._call("free", self._handle)
+
+
+class Filter(_Handle):
+    """Under the conditions `camera`: where all bodies will be when the answer is driven."""
+
+    _kind = "filter"
+
+    def __init__(self, setup):
+        super().__init__(_setup_bytes(setup))
+
+    def see(self, seen, ticks_ahead=1):
+        """Returns the observation `ticks_ahead` ticks later. Once in every tick."""
+        now = ctypes.create_string_buffer(_OBSERVATION.size)
+        self._call("see", self._handle, _observation_bytes(seen), _whole(ticks_ahead), now)
+        return _observation_of(now.raw)
+
+    def sent(self, wheels):
+        """Remembers the answer to the last observation of see()."""
+        self._call("sent", self._handle, _command(wheels))
+
+
+class PenaltyTaker(_Handle):
+    """Takes a run-up, and chooses the corner when the keeper has shown its own."""
+
+    _kind = "penalty"
+
+    def stand(self, setup, now, y_bias):
+        """Returns the Pose of the kicker, for place()."""
+        pose = self._call("stand", self._handle, _setup_bytes(setup), _observation_bytes(now), _real(y_bias),
+                          result=_CPose)
+        return Pose(pose.x, pose.y, pose.heading)
+
+    def drive(self, setup, now, robot):
+        """Returns the wheel speeds of the kicker."""
+        wheels = self._call("drive", self._handle, _setup_bytes(setup), _observation_bytes(now),
+                            _ROBOT.pack(*robot), result=_CWheels)
+        return Wheels(wheels.left, wheels.right)
+
+
+@_skill
+def sent_wheels(setup, wheels) -> Wheels:
+    """Returns the wheel speeds that are driven: rounded, and clamped to the limit."""
+
+
+@_skill
+def robot_after(setup, robot, wheels, seconds) -> Robot:
+    """Returns a robot after `seconds` under these wheel speeds, if it meets nothing."""
+
+
+@_skill
+def driven_wheels(setup, before, after) -> Wheels:
+    """Returns the wheel speeds that took a robot from one observation to the next."""
+
+
+class Tracker(_Handle):
+    """What predictions need from tick to tick: saw() at the start of decide(), sent() at its end."""
+
+    _kind = "tracker"
+
+    def __init__(self, setup):
+        super().__init__(_setup_bytes(setup))
+        self._robots = setup.robots
+
+    def saw(self, now):
+        self._call("saw", self._handle, _observation_bytes(now))
+
+    def sent(self, wheels):
+        self._call("sent", self._handle, _command(wheels))
+
+    def in_flight(self):
+        """Returns your answer to the observation before, which is driven in this tick."""
+        return _pairs(self._call("in_flight", self._handle, result=ctypes.POINTER(_CCommand))[0], self._robots)
+
+    def opponents(self):
+        """Returns the wheel speeds of the opponents in the last tick."""
+        return _pairs(self._call("opponents", self._handle, result=ctypes.POINTER(_CCommand))[0], self._robots)
+
+
+class Scene(_Handle):
+    """All bodies at one instant, for a Simulator. Copy one to try several futures from it."""
+
+    _kind = "scene"
+
+    def __init__(self, now):
+        if isinstance(now, Scene):
+            super().__init__(now._handle, new="copy_new")
+        else:
+            super().__init__(_observation_bytes(now))
+
+    def copy(self):
+        return Scene(self)
+
+    def show(self, now):
+        """Returns `now` with the bodies of this scene, as your team would see them."""
+        return self._shown("show", now)
+
+    def show_to_opponents(self, now):
+        """The same in the frame of the opponents, with own and opponent exchanged."""
+        return self._shown("show_to_opponents", now)
+
+    def _shown(self, function, now):
+        seen = ctypes.create_string_buffer(_observation_bytes(now), _OBSERVATION.size)
+        self._call(function, self._handle, seen)
+        return _observation_of(seen.raw)
+
+
+class Simulator(_Handle):
+    """The physics of a match in the frame of your team. A tick costs from 1 to 100 µs in the simulator."""
+
+    _kind = "simulator"
+
+    def __init__(self, setup, coarse=False):
+        super().__init__(_setup_bytes(setup), _whole(coarse))
+
+    def advance(self, scene, own, opponent, ticks=1):
+        """Plays a tick from the scene, in place, with lists of wheel speeds; returns what happened."""
+        tick = self._call("advance", self._handle, scene._handle, _command(own), _command(opponent),
+                          _whole(ticks), result=_CPredicted)
+        return Predicted(tick.own, tick.opponent, tick.last, tick.events)
+
+
+
+# What follows is between the program that plays the team and the classes above: errors as sentences.
+# A team does not need it.
+
+_ZEROS = [0.0] * (3 * MAX_ROBOTS)
+
+
+class _host:  # the program that plays a team puts its own functions in place of these
+    def parameter(name, default):
+        return default
+
+    def draw_line(*shape):
+        pass
+
+    draw_circle = draw_polygon = draw_text = draw_line
 
 
 class _Log:

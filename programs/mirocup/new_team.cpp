@@ -44,6 +44,21 @@ std::string called_as(const std::string& program) {
   return program;
 }
 
+// Returns the name of the team in this folder: that of the folder, without what a text of C++ or
+// Python cannot hold.
+std::string named_after(const std::string& folder) {
+  std::string path = fs::absolute(folder).lexically_normal().string();
+  while (path.size() > 1 && path.back() == '/') path.pop_back();
+  std::string name;
+  for (const char c : fs::path(path).filename().string()) {
+    const bool is_plain = static_cast<unsigned char>(c) >= ' ' && c != '\x7f' && c != '"' &&
+                          c != '\\' && c != '?' && c != '@';
+    name += is_plain ? c : '_';
+  }
+  constexpr std::size_t longest = 63;  // bytes, of a team's name
+  return name.empty() || name.size() > longest ? "mine" : name;
+}
+
 using Words = std::vector<std::pair<std::string, std::string>>;
 
 // Copies a file of the installation into the folder, with other words in place of some.
@@ -118,7 +133,8 @@ Result<int> run_new(const NewOptions& options) {
   if (!old) return tl::unexpected(old.error());
   MIROCUP_TRY_VOID(disk.make_folder(folder));
 
-  const Words words{{"@MIROCUP@", system::shell_word(called_as(kit.program))},
+  const Words words{{"@NAME@", named_after(folder)},
+                    {"@MIROCUP@", system::shell_word(called_as(kit.program))},
                     {"@MIROCUP_PREFIX@", kit.prefix},
                     {"@MIROCUP_HEADERS@", kit.headers},
                     {"@MIROCUP_PYTHON@", kit.python}};

@@ -56,9 +56,8 @@ int make_library(const ProjectSources& sources, const std::string& library) {
     if (const int code = compile({cpp_compiler, MIROCUP_CPP_OPTIONS}, source, objects); code != 0)
       return code;
   }
-  std::vector<std::string> link{sources.cpp.empty() ? c_compiler : cpp_compiler,
-                                MIROCUP_LINK_OPTIONS};
-  if (!sources.cpp.empty()) link.emplace_back("-static-libstdc++");
+  // Also for C alone: the simulator of skills.h needs the C++ library.
+  std::vector<std::string> link{cpp_compiler, MIROCUP_LINK_OPTIONS, "-static-libstdc++"};
   link.insert(link.end(), {"-o", library});
   link.insert(link.end(), objects.begin(), objects.end());
   link.insert(link.end(), {"-lmirocup_predict", "-lm"});

@@ -106,7 +106,12 @@
  *   run on older hosts reads no member behind `size`. Elements of arrays never change, so new facts
  *   of a robot come as separate arrays. docs/interfaces.md has the conventions.
  *
- * This header is C11 and C++ and needs nothing else. strategy.hpp is a C++ layer on top of it.
+ * Building
+ *   gcc -std=c17 -O2 -ffp-contract=off -shared -fPIC -Iplugins/include mine.c -lm -o mine.so
+ *   With -ffp-contract=off, arithmetic rounds in the same way on every computer.
+ *
+ * This header is C11 and C++ and needs nothing else. skills.h begins with a whole team in C, and
+ * has the skills for C; strategy.hpp is a C++ layer on top.
  */
 #ifndef MIROCUP_STRATEGY_H
 #define MIROCUP_STRATEGY_H

@@ -18,18 +18,32 @@
 // nothing between two calls. They are in types.hpp, driving.hpp, laws.hpp and here; this header
 // includes all.
 //
-//   numbers     math::sin and its family, with the same bits everywhere, math::min, max, clamp
-//   points      Point, + - *, dot, length, unit, inside; of an angle: wrapped
-//   observation  ball, ball_velocity, position, ball_after, meeting_point, must_kick_off
-//   one robot   wheels_for, turn_to, drive_to, drive_to_pose, drive_round, drive_clear
-//   the laws    keep_out (of the goal area), out_of_area, without_pushing, keep_laws
-//   own goals   make_way, avoid_own_goals
-//   roles       kick_to (behind the ball, then through it), keep_goal, kick_off
-//   stuck balls  is_stuck, free_ball
+//   numbers     math::sin(x) and its family, with the same bits everywhere; math::min(a, b),
+//               max(a, b), clamp(x, low, high)
+//   points      Point{x, y} with + - *; dot(a, b), length(a), unit(a); wrapped(angle),
+//               squared(heading)
+//   the scene   ball(now), ball_velocity(now), position(robot), ball_after(now, seconds),
+//               meeting_point(setup, now, robot, pace = 1.2), must_kick_off(now),
+//               is_stuck(now, patience = 0.6), middle_of_goal_view(setup, ball),
+//               rolls_into_own_goal(setup, ball, velocity, margin),
+//               would_turn_ball_in(setup, now, robot, soon_s = 0.4)
+//   places      inside(setup, point), inside(setup, point, margin), keep_out(setup, i, point),
+//               make_way(setup, now, point); distances: elbow_room(setup), behind_ball(setup)
+//   one robot   wheels_for(setup, forward, turn), turn_to(setup, robot, heading),
+//               drive_to(setup, robot, point, arrival = 0, fastest = 1.5),
+//               drive_to_pose(setup, robot, point, heading, fastest = 1.5),
+//               drive_round(setup, robot, point, obstacle, arrival, fastest),
+//               drive_clear(setup, now, robot, point, arrival = 0, fastest = 1.5),
+//               slide_to(setup, robot, y, fastest = 1.5)
+//   its role    keep_goal(setup, now, robot), kick_to(setup, now, robot, point, pace = 1.5),
+//               kick_off(setup, robot), free_ball(setup, now, robot)
+//   the laws    keep_laws(setup, now, command), avoid_own_goals(setup, now, command); for one robot
+//               without_pushing(setup, now, robot, wheels), out_of_area(setup, i, robot, wheels)
 //   a team      Team: decide(), place(), setup(), random(), parameter("name", default),
 //               log("format", values...), draw_line, draw_circle, draw_polygon, draw_text,
 //               draw_value
 //
+// Folder skills/ beside this header has stronger ones: attack.hpp is the first to look at.
 // The functions that drive return the wheel speeds of one robot for this tick; call them again in
 // every tick. They are good enough to start from, and meant to be copied and improved.
 #pragma once

@@ -1,4 +1,5 @@
 // A keeper, one robot that kicks to the opponents' goal, and the others behind the ball.
+#include "mirocup/skills/attack.hpp"
 #include "mirocup/strategy.hpp"
 
 using namespace mirocup::strategy;
@@ -6,45 +7,22 @@ using namespace mirocup::strategy;
 class Mine : public Team {
  public:
   using Team::Team;
-
   void decide(const Observation& now, Command& command) override {
-    if (now.tick == 0) log("%d robots a side, seed %llu", now.robots, seed());
-    command.wheels[0] = keep_goal(setup(), now, now.own[0]);
-    const int kicker = nearest(now);
-    for (int i = 1; i < now.robots; ++i) {
-      command.wheels[i] = i == kicker ? kick(now, now.own[i]) : wait(now, i);
+    command.wheels[0] = keep_goal(setup(), now, now.own[0]);  // you always attack +x
+    command.wheels[1] = must_kick_off(now) ? kick_off(setup(), now.own[1])
+                        : is_stuck(now)    ? free_ball(setup(), now, now.own[1])
+                                        : attack_ball(setup(), now, 1, open_corner(setup(), now));
+    for (int i = 2; i < now.robots; ++i) {  // the others wait behind the ball
+      const Point post{now.ball_x - wait_ - 0.2 * (i - 2), -0.5 * now.ball_y};
+      const Point legal = make_way(setup(), now, keep_out(setup(), i, inside(setup(), post)));
+      command.wheels[i] = drive_clear(setup(), now, now.own[i], legal);
     }
+    avoid_own_goals(setup(), now, command);
+    keep_laws(setup(), now, command);  // no pushing
   }
 
  private:
-  // Numbers to try: mirocup match --param wait=0.4, or mirocup tune, which looks for better ones.
-  // How far behind the ball the others wait, m.
-  const double wait_ = parameter("wait", 0.45);
-  // How fast the kicker drives, m/s.
-  const double pace_ = parameter("pace", 1.5);
-
-  unsigned long long seed() const { return setup().seed; }
-
-  // Returns the robot nearest to the ball; robot 0 stays in the goal and is never chosen.
-  static int nearest(const Observation& now) {
-    int best = 1;
-    for (int i = 2; i < now.robots; ++i) {
-      if (length(position(now.own[i]) - ball(now)) < length(position(now.own[best]) - ball(now)))
-        best = i;
-    }
-    return best;
-  }
-
-  Wheels kick(const Observation& now, const Robot& robot) const {
-    if (must_kick_off(now)) return kick_off(setup(), robot);
-    return kick_to(setup(), now, robot, {setup().half_length, 0.0}, pace_);
-  }
-
-  Wheels wait(const Observation& now, int i) const {
-    const double side = i % 2 == 0 ? 0.2 : -0.2;
-    const Point post = inside(setup(), {now.ball_x - wait_, side});
-    return drive_clear(setup(), now, now.own[i], keep_out(setup(), i, post));
-  }
+  const double wait_ = parameter("wait", 0.45);  // how far behind, m
 };
 
-MIROCUP_EXPORT_TEAM(Mine, "mine")
+MIROCUP_EXPORT_TEAM(Mine, "@NAME@")

@@ -31,7 +31,11 @@ mirocup_setup setup() {
   s.wheel_radius = 0.025;
   s.wheel_speed_limit = 60.0;
   s.grip = 1.0;
+  s.motor_time_constant = 0.06;
   s.ball_radius = 0.02135;
+  s.ball_mass = 0.046;
+  s.rolling_resistance = 0.01;
+  s.ball_wall_restitution = 0.8;
   s.log = [](void*, const char* text) { std::puts(text); };
   return s;
 }

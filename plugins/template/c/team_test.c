@@ -40,7 +40,11 @@ static mirocup_setup small_league(void) {
   s.wheel_radius = 0.025;
   s.wheel_speed_limit = 60.0;
   s.grip = 1.0;
+  s.motor_time_constant = 0.06;
   s.ball_radius = 0.02135;
+  s.ball_mass = 0.046;
+  s.rolling_resistance = 0.01;
+  s.ball_wall_restitution = 0.8;
   s.log = print_line;
   s.parameter = default_of;
   return s;

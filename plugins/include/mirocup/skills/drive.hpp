@@ -11,7 +11,6 @@
 //   turn_quickly     turns on the spot
 //   drive_quickly    drives to a point, forwards or backwards
 //   take_pose        drives to a point and turns to a heading there
-//   travel_time      how long that takes
 //
 // A command is driven one tick after the team gave it. A team that remembers its last command
 // passes the state of when_commanded() to these functions. Frames and units are those of
