@@ -30,9 +30,10 @@ namespace {
 
 struct NightlyOptions {
   std::string folder;
-  bool another = false;  // one more on the same day
-  std::string on_night;  // a program that hears of the night; "": none
-  std::string address;   // what links of the digests' texts begin with
+  bool another = false;         // one more on the same day
+  std::string on_night;         // a program that hears of the night; "": none
+  int on_night_within_s = 600;  // it is stopped if it takes longer
+  std::string address;          // what links of the digests' texts begin with
   PlayTerms play;
 };
 
@@ -168,10 +169,14 @@ Result<std::string> report(system::Files& files, const LeagueStore& store, const
   return text.str();
 }
 
+// The exit code of Debian's command timeout, which ends what its program has started, too.
+constexpr int timed_out = 124;
+
 // Starts the host's program with the folder of the digests, once for each night: a file says that
 // it has ended well. While nothing is told to teams, the program is told nothing either.
-Result<void> tell_program(system::Files& files, const std::string& program, const std::string& home,
-                          const LeagueState& state) {
+Result<void> tell_program(system::Files& files, const NightlyOptions& options,
+                          const std::string& home, const LeagueState& state) {
+  const std::string& program = options.on_night;
   if (program.empty()) return {};
   if (state.release.level == ReleaseLevel::hidden) {
     std::cerr << "mirocup: " << program << " is not started: this night is hidden from teams\n";
@@ -181,11 +186,17 @@ Result<void> tell_program(system::Files& files, const std::string& program, cons
   MIROCUP_TRY(const auto mark, files.read_if_there(told, {.max_size = system::size_limit::note}));
   if (mark) return {};
   const std::string folder = std::filesystem::absolute(home);
-  MIROCUP_TRY(const auto code, system::run_child({.arguments = {program, folder}, .log = ""}));
+  const std::string limit = std::to_string(options.on_night_within_s);
+  MIROCUP_TRY(
+      const auto code,
+      system::run_child(
+          {.arguments = {"timeout", "--kill-after=10", limit, program, folder}, .log = ""}));
   if (code == system::not_found)
     return fail(Errc::unavailable, program + " cannot be started; the night itself is played");
+  const std::string why = code == timed_out ? "has not ended after " + limit + " s and was stopped"
+                                            : "exit code " + std::to_string(code);
   if (code != 0)
-    return fail(Errc::unavailable, program + " " + folder + ": exit code " + std::to_string(code) +
+    return fail(Errc::unavailable, program + " " + folder + ": " + why +
                                        "; the night itself is played, and the same command on the "
                                        "same day starts it again");
   return files.write(told, utc_text(system::now_s()) + "\n", system::Readers::owner);
@@ -214,7 +225,7 @@ Result<int> run_nightly(const NightlyOptions& options) {
   const std::string home = folder.nights() + "/" + std::to_string(night->number);
   MIROCUP_TRY_VOID(disk.write(home + "/report.txt", text, system::Readers::owner));
   std::cout << text << std::flush;
-  MIROCUP_TRY_VOID(tell_program(disk, options.on_night, home, after.state()));
+  MIROCUP_TRY_VOID(tell_program(disk, options, home, after.state()));
   if (after.state().played() == after.state().legs()) return exit_yes;
   say_what_is_left(after.state());
   return exit_no;
@@ -239,6 +250,10 @@ void add_nightly(system::Commands& commands) {
               "a program that is started after the night, once, with the folder of its digests "
               "as its argument")
       .named("PROGRAM");
+  command
+      .option("--on-night-within", o.on_night_within_s,
+              "s after which that program is stopped, as if it had failed")
+      .between(1, 86'400);
   command
       .option("--address", o.address,
               "what the links in the digests for mails begin with, as "

@@ -75,6 +75,8 @@ struct Uploads::Running {
 
 web::Reply Uploads::take(const web::Request& request, const web::Body& body,
                          const std::string& team) {
+  if (request.header("content-type").starts_with("multipart/"))
+    return problem_reply(400, "this is a form (curl -F): send the file itself (curl -T FILE)");
   const std::string length = request.header("content-length");
   if (length == "0") return problem_reply(400, "the file is empty");
   std::uint64_t announced = 0;

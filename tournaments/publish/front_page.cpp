@@ -239,7 +239,8 @@ Json champion_values(const Overview& o) {
   values["why"] = reason_in_words(first, &second);
   values["second"] = team_values(o, second.team, "");
   if (o.table.size() > 2) values["third"] = team_values(o, o.table[2].team, "");
-  values["legs_to_tell"] = legs_to_tell_in_words(o, first, &second);
+  if (const auto legs = legs_to_tell(o.ratings, first.team, second.team))
+    values["legs_to_tell"] = std::to_string(*legs);
   return values;
 }
 

@@ -215,7 +215,7 @@ std::string reason_in_words(const TableRow& row, const TableRow* next) {
 std::string legs_to_tell_in_words(const Overview& o, const TableRow& row, const TableRow* next) {
   if (next == nullptr) return "";
   const auto legs = legs_to_tell(o.ratings, row.team, next->team);
-  return legs ? std::to_string(*legs) : "over " + std::to_string(max_legs_to_tell);
+  return legs ? std::to_string(*legs) : "—";
 }
 
 }  // namespace mirocup::league

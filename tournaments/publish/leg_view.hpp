@@ -81,7 +81,7 @@ std::string points_per_leg(const TableRow& row);
 std::string reason_in_words(const TableRow& row, const TableRow* next);
 
 // Returns the number of legs between the teams of a row and of the next row that would tell them
-// apart (legs_to_tell()): "120"; "over 1000000"; "" for the last row.
+// apart (legs_to_tell()): "120"; "—" for more than max_legs_to_tell; "" for the last row.
 std::string legs_to_tell_in_words(const Overview& o, const TableRow& row, const TableRow* next);
 
 }  // namespace mirocup::league

@@ -692,7 +692,8 @@ TEST_F(Term, AFolderFromElsewhereRunsItsProgramsOnlyIfTheyAreTrusted) {
 }
 
 // Catches a program of the host that hears of a night twice, of one that is hidden, or not at all
-// after it has failed; and digests for mails whose links lead nowhere.
+// after it has failed; one that never ends, and with it the night (postfix's sendmail waits so for
+// rights that a unit does not get); and digests for mails whose links lead nowhere.
 TEST_F(Term, AProgramOfTheHostHearsOfEachNightOnce) {
   go_to_day(0);
   init();
@@ -708,17 +709,22 @@ TEST_F(Term, AProgramOfTheHostHearsOfEachNightOnce) {
   const Outcome failed = ask("nightly", hears("exit 7"), 3);
   EXPECT_TRUE(contains(failed.err, "exit code 7")) << failed.err;
   EXPECT_EQ(count_kind(folder_, "night"), 1);
+  std::vector<std::string> never = hears("sleep 1000");
+  never.insert(never.end(), {"--on-night-within", "1"});
+  const Outcome stopped = ask("nightly", never, 3);
+  EXPECT_TRUE(contains(stopped.err, "has not ended after 1 s")) << stopped.err;
   ask("nightly", hears("exit 0"));
   ask("nightly", hears("exit 0"));
   const std::string night = fs::absolute(folder_).string() + "/nights/1";
-  EXPECT_EQ(read_file(heard), night + "\n" + night + "\n") << "again after it failed, then no more";
+  const std::string thrice = night + "\n" + night + "\n" + night + "\n";
+  EXPECT_EQ(read_file(heard), thrice) << "again after it failed, then no more";
   const std::string digest = read_file(folder_ + "/nights/1/idle.txt");
   EXPECT_TRUE(contains(digest, "  https://league.example/replays/")) << digest;
 
   go_to_day(1);
   ask("release", {"--level", "hidden", "--reason", "it is a surprise"});
   EXPECT_TRUE(contains(ask("nightly", hears("exit 0")).err, "this night is hidden"));
-  EXPECT_EQ(read_file(heard), night + "\n" + night + "\n");
+  EXPECT_EQ(read_file(heard), thrice);
   ask("nightly", {"--on-night", temporary_ / "nobody"});
   ask("release", {"--level", "teams", "--reason", "it is told"});
   const Outcome missing = ask("nightly", {"--on-night", temporary_ / "nobody"}, 3);

@@ -227,6 +227,16 @@ TEST_F(Desk, SaysWhichMethodIsMeant) {
   }
 }
 
+// Catches a form whose frame is checked as if it were the library.
+TEST_F(Desk, TakesNoForm) {
+  const auto reply =
+      ask(with(put(alpha_), "content-type", "multipart/form-data; boundary=x"), "--x\r\n");
+  EXPECT_EQ(reply.status, 400);
+  EXPECT_EQ(json_of(reply)["error"],
+            "this is a form (curl -F): send the file itself (curl -T FILE)");
+  EXPECT_FALSE(is_body_read_);
+}
+
 TEST_F(Desk, TakesAFileAndSaysWhatBecomesOfIt) {
   const web::Reply taken = ask(put(alpha_), "ELF");
   ASSERT_EQ(taken.status, 202) << taken.bytes;

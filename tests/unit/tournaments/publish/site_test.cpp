@@ -284,6 +284,26 @@ TEST(Site, KeepsTheFrontPageOfThirtyTeamsSmall) {
   EXPECT_NE(page(site, "crosstable.html").find("replays/r29-f1-1-1.html"), std::string::npos);
 }
 
+// Catches a league without a goal whose page speaks of a million legs, or as if it had not begun.
+TEST(Site, SaysLittleOfALeagueOfDraws) {
+  const LeagueFile file = three_teams();
+  LeagueState state = new_league(file);
+  league::apply(state, Started{.config_sha256 = "x", .version = ""});
+  for (const Fixture& fixture : round_robin(3)) {
+    for (const int leg : {1, 2}) {
+      LegPlayed event = played(file, fixture, leg, record(0, 0));
+      event.fault.reset();
+      event.winner.reset();
+      league::apply(state, event);
+    }
+  }
+  ASSERT_TRUE(state.is_over());
+  const std::string index = page(make_site({state}), "index.html");
+  EXPECT_NE(index.find("<td class=\"number widest small\">—</td>"), std::string::npos) << index;
+  EXPECT_EQ(index.find("It would take"), std::string::npos);
+  EXPECT_NE(index.find("No leg stands out yet."), std::string::npos);
+}
+
 // Plays a tie of a knockout that is level by goals: its third leg ends in that way.
 std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner) {
   LeagueFile file;
