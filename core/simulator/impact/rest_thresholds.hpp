@@ -108,9 +108,9 @@ class RestThresholds {
   Tolerances tolerances_;
   Memory memory_;
   int budget_;                // of the tick
-  int spent_ = 0;             // of it, now
+  int spent_ = 0;             // of the budget, so far
   BodySet were_over_budget_;  // in the last tick
-  int all_impacts_ = 0;       // of pairs, now
+  int all_impacts_ = 0;       // of pairs, so far
   double last_impact_ = 0.0;  // of any pair, s
   double min_duration_ = 0.0;
 };

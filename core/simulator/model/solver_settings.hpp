@@ -157,7 +157,7 @@ inline constexpr struct RestThresholdsSettings {
   // [1] A curve is long enough if it holds for this multiple of the mean time between the impacts
   // of the tick, or of the time since the last impact, whichever is longer.
   double times_between_impacts = 2.0;
-  int bodies_of_least_budget = 7;  // a smaller world has as large a budget
+  int bodies_of_least_budget = 7;  // a smaller world has the budget of this many
   int budget_divisor = 32;     // [1] of the budget, for bodies that went over it in the last tick
   int large_island = 5;        // [bodies] then stepped from the start of the tick
   double forced_growth = 8.0;  // [1] of min_duration() where it forced the end of a curve
@@ -221,12 +221,12 @@ inline constexpr struct TimeStepperSettings {
   // removes the whole overlap.
   double max_undoing_speed = 2e-4;
   double undone_overlap = 1e-7;
-  // [1] a remembered wheel force is enlarged by it, lest rounding takes it off its bound.
+  // [1] enlarges a remembered wheel force, so that rounding does not take it off its bound.
   double force_round_off = 1.0 + 1e-12;
-  // [1] keeps a time that is a whole number of steps from being divided into one step more.
+  // [1] tolerance, so that a time of a whole number of steps is not divided into one step more.
   double count_round_off = 1.0 - 1e-9;
   double min_step_share = 1.0 / 64.0;  // [1] of Tolerances::max_step: no shorter step is proposed
-  double min_informative_share = 0.5;  // [1] of a step: cut to less, it shortens no later one
+  double min_informative_share = 0.5;  // [1] a step cut to less shortens no later step
   int friction_rounds = 10;            // in which the bounds of friction follow the normal impulses
 } time_stepper;
 

@@ -100,7 +100,8 @@ class TimeStepper {
   void recall(const Memory& memory) { copy(memory, memory_); }
 
   // Returns how many tangential impulses were left out since construction because a step had more
-  // contacts with friction than the QP has unknowns. Those contacts slid without friction.
+  // contacts with friction than the QP has unknowns. The contacts without these impulses slid
+  // without friction.
   long tangents_without_room() const { return tangents_without_room_; }
 
  private:
