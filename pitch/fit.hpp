@@ -73,7 +73,7 @@ class Fit {
   // Fits some of the windows from each guess, and keeps the best result, because the cost can have
   // several minima.
   void choose(std::span<const Guess> guesses);
-  // Steps until the cost does not fall any more. `hard`: drops outliers instead of giving them less
+  // Steps until the cost no longer falls. `hard`: drops outliers instead of giving them less
   // weight.
   void run(bool hard);
   // Looks for better starts of windows that their present starts explain badly: a hit with the

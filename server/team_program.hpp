@@ -25,7 +25,7 @@ class TeamProgram {
   TeamProgram& operator=(TeamProgram&&) = delete;
   ~TeamProgram();  // kills it, and all processes that it has started
 
-  // If the program has ended, returns why the team cannot send any more: a fault of the team, or of
+  // If the program has ended, returns why the team can no longer send: a fault of the team, or of
   // the host if there is no such program. `when` ends the sentence: "before it sent anything".
   std::optional<match::Answer> why_gone(const std::string& when);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Elementary functions that give the same bits on every machine, in the core's names. The one
-// implementation is plugins/include/mirocup/elementary.h, which teams use, too; it states errors
+// implementation is plugins/include/mirocup/elementary.h, which teams also use; it states errors
 // and domains.
 #pragma once
 

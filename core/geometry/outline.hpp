@@ -3,7 +3,7 @@
 // Outlines: a circle, or a convex polygon, in the body's own frame around its reference point.
 //
 // Lengths are in metres. The room geometry uses base and field; it knows poses but no world, so the
-// referee uses it, too.
+// referee also uses it.
 #pragma once
 
 #include "core/base/math.hpp"

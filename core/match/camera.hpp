@@ -21,7 +21,7 @@ class Camera {
   Camera(const Conditions& conditions, std::uint64_t seed, int robots, double period);
 
   // Takes the picture of a tick. To be called once a tick with the truth. `were_placed`: the bodies
-  // were put down since the last picture, so the way from there to here is no motion.
+  // were put down since the last picture, so the way from there to here is not a motion.
   void look(const Snapshot& truth, bool were_placed);
 
   // Returns the truth of the latest look() with the bodies as they are seen.

@@ -2,9 +2,9 @@
 //
 // The credit of a goal: its scorer, the team-mate who passed the ball, and how the goal came about.
 //
-// A parry that does not keep the ball out is no own goal. So a touch of a defender counts only if
-// it changed the outcome: the ball is rolled on alone from where it was before that touch, and if
-// it crosses the line all the same, the goal is the attacker's. Own goals count like any other.
+// A parry that does not keep the ball out is not an own goal. So a touch of a defender counts only
+// if it changed the outcome: the ball is rolled on alone from where it was before that touch, and
+// if it crosses the line all the same, the goal is the attacker's. Own goals count like any other.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -36,7 +36,7 @@ enum class GoalKind {
   penalty,
   free_kick,
   free_ball,
-  shoot_out,  // reserved: attempts of a shoot-out are no goals
+  shoot_out,  // reserved: an attempt of a shoot-out is not a goal
   rebound,
 };
 

@@ -62,8 +62,8 @@ struct Setup {
   simulator::Parameters parameters;
   simulator::Tolerances tolerances;
   Conditions conditions;
-  std::optional<Team> left;  // the team that defends the left end first; nothing: a toss decides
-  // Where the leg starts; nothing: with the kick-off. Nothing overlaps in it by more than a
+  std::optional<Team> left;  // the team that defends the left end first; empty: a toss decides
+  // Where the leg starts; if empty, with the kick-off. Nothing overlaps in it by more than a
   // millimetre, and with a restart everything stands where the law allows it. Its `left` counts.
   std::optional<Start> start;
 };
@@ -146,7 +146,7 @@ class Leg {
   const field::Field& field() const { return field_; }
   const referee::Pitch& pitch() const { return pitch_; }  // what the leg is judged on
 
-  // Returns what the team is told before the first tick. It points into the leg.
+  // Returns the briefing of the team before the first tick. It points into the leg.
   Briefing briefing(Team team) const;
 
   std::uint32_t tick() const { return tick_; }
@@ -175,7 +175,7 @@ class Leg {
   Snapshot snapshot() const;
   // What teams and spectators see of it: the same, unless a camera sees for them.
   Snapshot view() const { return camera_ ? camera_->view() : snapshot(); }
-  // The state of one body; cheaper than a snapshot where nothing else is needed.
+  // The state of one body; cheaper than a snapshot if nothing else is needed.
   simulator::BodyState robot(Team team, int i) const { return world_->robot(body_of(team, i)); }
   simulator::BallState ball() const { return world_->ball(); }
   const referee::Referee& referee() const { return *referee_; }

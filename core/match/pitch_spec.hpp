@@ -27,8 +27,8 @@ struct PitchSpec {
   std::string name{"mirosot"};
   std::string source;  // a sentence: where the numbers come from
   simulator::Parameters parameters;
-  std::optional<double> control_period;  // s; nothing: that of the rules
-  std::optional<Conditions> conditions;  // nothing: those of the leg
+  std::optional<double> control_period;  // s; empty: that of the rules
+  std::optional<Conditions> conditions;  // empty: those of the leg
   // s: from a command to its first effect on the pitch of a recording. A leg has a delay of its own
   // (one tick), so this is for comparisons with recordings only.
   double command_delay = 0.0;

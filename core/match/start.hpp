@@ -20,7 +20,7 @@ namespace mirocup::match {
 
 // One robot at the start.
 struct RobotStart {
-  std::optional<simulator::BodyState> state;  // nothing: at rest in its default place
+  std::optional<simulator::BodyState> state;  // empty: at rest in its default place
   // The command that it drives in the first tick, before its team's first answer takes effect.
   // rad/s.
   simulator::WheelSpeeds wheels;
@@ -36,9 +36,9 @@ struct RestartStart {
 
 struct Start {
   Team left = Team::blue;                    // the team that defends x < 0
-  std::optional<simulator::BallState> ball;  // nothing: at rest in its default place
+  std::optional<simulator::BallState> ball;  // empty: at rest in its default place
   ByTeam<std::array<RobotStart, max_robots_per_team>> robots;
-  std::optional<RestartStart> restart;  // nothing: play is on
+  std::optional<RestartStart> restart;  // empty: play is on
   referee::Phase phase = referee::Phase::FIRST_HALF;
   double clock = 0.0;  // of the phase
   ByTeam<int> score{};

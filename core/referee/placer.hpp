@@ -4,7 +4,7 @@
 // others go.
 //
 // As few robots as possible are moved. Among the choices that move equally few, the one with the
-// least way in total counts; robots with low numbers stay where that is equal, too. A robot that is
+// least way in total counts; if that is also equal, robots with low numbers stay. A robot that is
 // moved goes to the free place nearest to the one that was asked for, of those that the law allows:
 // a default place of its team, or a place on rings around the place that was asked for. So nearest
 // means: to within a tenth of the way or 5 mm, whichever is more. A robot that was asked for
@@ -36,8 +36,8 @@ class Placer {
   void keep(End team, const Placement& standing);
 
   // Lets as many robots of the team as possible stand where `asked` has them, clear of the robots
-  // that have a place already. The others have none until move_the_others(). Robots of a team that
-  // is not accepted yet are in nobody's way.
+  // that have a place already. The other robots of the team have no place until move_the_others().
+  // Robots of a team that is not accepted yet do not block places.
   void accept(End team, const Placement& asked);
 
   // Finds a place for each robot of an accepted team that has none.

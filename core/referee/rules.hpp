@@ -91,7 +91,8 @@ struct Rules {
   // Play that gets nowhere.
   double stalemate_s = 10.0;          // the ball stays within the radius for this time
   double stalemate_radius_m = 0.075;  // one robot side
-  // Above 0: the ball gets nowhere while it is no faster than this, wherever it goes; no radius.
+  // Above 0: the ball gets nowhere while it is not faster than this; then the radius does not
+  // count.
   double stalemate_speed_mps = 0.0;
   // In a goal area: a free ball if both teams have a robot at the ball (contested_m), otherwise a
   // penalty kick. False: a goal kick.

@@ -3,9 +3,9 @@
 // A played leg judged again with other parameters of the laws.
 //
 // Robots and ball move as recorded, while a second referee judges the same situations. After a
-// different decision a real leg would have gone on differently. Here the recorded motion goes on,
-// so a difference says only how that moment of the recording would have been judged. At each
-// stoppage of the leg the second referee restarts from the state of the first.
+// different decision a real leg would have taken another course. Here the recorded motion
+// continues, so a difference says only how that moment of the recording would have been judged. At
+// each stoppage of the leg the second referee restarts from the state of the first.
 #pragma once
 
 #include "core/replay/recording.hpp"

@@ -22,7 +22,7 @@ struct TickEvents {
   double deepest_overlap = 0.0;      // m, before it was corrected
 };
 
-// Adds the touches of bodies that have these contacts; contacts with obstacles are no touches.
+// Adds the touches of bodies that have these contacts; contacts with obstacles are not touches.
 inline void add_touches(const collision::StaticWorld& world,
                         std::span<const collision::Contact> contacts, TickEvents& events) {
   for (const collision::Contact& c : contacts) {

@@ -147,7 +147,7 @@ class World {
 
   collision::StaticWorld static_world_;
   // Trajectories, of three kinds. Series: the segment is complete. Closed form: the body is in
-  // closed_form_. Step: it is in step_islands_, too. These two have segments of begin and end only.
+  // closed_form_. Step: it is also in step_islands_. These two have segments of begin and end only.
   std::array<BodyState, max_bodies> bodies_{};  // each at the start of its segment
   std::array<trajectory::Segment, max_bodies> segments_{};
   BodySet closed_form_;                                // bodies without series

@@ -57,7 +57,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-/* Microsoft's <cmath> has the functions of <math.h> in std, too. */
+/* Microsoft's <cmath> also has the functions of <math.h> in std. */
 namespace std {
 using ::acosf;
 using ::asinf;

@@ -18,7 +18,7 @@ namespace mirocup::app {
 struct DrillTeams {
   server::TeamChoice tested;
   server::TeamChoice opponent;
-  std::optional<server::TeamChoice> mates;  // nothing: the tested team steers all its robots
+  std::optional<server::TeamChoice> mates;  // empty: the tested team steers all its robots
 };
 
 // One drill for one team. Drill and teams belong to the caller.

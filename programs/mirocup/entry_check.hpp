@@ -23,7 +23,7 @@ namespace mirocup::app {
 // One check and its result.
 struct Check {
   std::string name = {};            // for scripts: "file", "complete", ...
-  std::optional<bool> passed = {};  // nothing: not run, because an earlier one failed
+  std::optional<bool> passed = {};  // empty: not run, because an earlier check failed
   std::string text = {};            // the finding; after a failure, a sentence that says what to do
   // After a failure, the parts of the text, and where in the file or the leg it happened.
   std::string what = {};

@@ -71,8 +71,8 @@ struct LeagueFile {
   Format format;
   League league = League::small;
   referee::Rules rules;
-  std::optional<match::Conditions> conditions;  // nothing: `hall` for a league that starts now
-  std::optional<match::PitchSpec> pitch;        // nothing: mirosot
+  std::optional<match::Conditions> conditions;  // empty: `hall` for a league that starts now
+  std::optional<match::PitchSpec> pitch;        // empty: mirosot
   std::uint64_t seed = 1;
   Points points;
   std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};

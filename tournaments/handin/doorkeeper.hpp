@@ -72,7 +72,7 @@ class Doorkeeper {
   system::Files& files_;
   Folder folder_;
   std::string team_header_;                 // in lower case
-  std::optional<std::string> tokens_text_;  // nothing: there are no tokens
+  std::optional<std::string> tokens_text_;  // empty: there are no tokens
   TokenList tokens_;
   Sessions sessions_;
   WrongTokens wrong_;

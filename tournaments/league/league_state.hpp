@@ -117,7 +117,7 @@ struct LeagueState {
   // without a colour has no mark.
   std::map<std::string, std::string> shown_colours;
 
-  // The nights whose legs have no replay pages any more. Their records stay.
+  // The nights whose legs no longer have replay pages. Their records stay.
   std::set<int> pruned_nights;
 
   // The host's notice on the front page, lines of text; "": none.

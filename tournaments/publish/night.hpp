@@ -49,7 +49,7 @@ struct TeamDigest {
   int rank = 0;
   int rank_before = 0;  // 0: it had not played
   Strength strength;
-  std::optional<Strength> strength_before;  // nothing: it had not played
+  std::optional<Strength> strength_before;  // empty: it had not played
   int entry = 0;                            // the entry that plays; 0: none
   bool has_new_entry = false;               // since the night before
   int won = 0;                              // legs of the night

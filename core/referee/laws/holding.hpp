@@ -21,7 +21,7 @@ struct HoldingMemory {
 };
 
 // True if the robot touches the ball and hides more of it than the rules allow. The law about the
-// keeper's catch uses it, too.
+// keeper's catch also uses it.
 bool hides_ball(const Pitch& pitch, const Situation& situation, const RobotId& robot);
 
 std::optional<Decision> judge_holding(const Pitch& pitch, const Situation& situation,

@@ -22,7 +22,8 @@ struct PenaltyAttemptMemory {
   Dwell held;                // the keeper alone touches the ball
 };
 
-// Returns why the attempt is over without a goal, or nothing while it goes on. The caller ends it.
+// Returns why the attempt is over without a goal, or nothing while it continues. The caller ends
+// the attempt.
 std::optional<std::string> judge_penalty_attempt(const Pitch& pitch, const Situation& situation,
                                                  const Occupancy& occupancy, bool is_stalemate,
                                                  PenaltyAttemptMemory& memory);

@@ -45,7 +45,8 @@ struct Parameters {
   double motor_time_constant = 0.06;       // s: T in (2)
   // s: T of the angular velocity, where it is not that of the forward speed. 0: the same.
   double turn_time_constant = 0.0;
-  // s: T of the forward speed while both wheels are told to stand: motors that brake. 0: as ever.
+  // s: T of the forward speed while both wheels are told to stand: motors that brake. 0:
+  // motor_time_constant.
   double brake_time_constant = 0.0;
   double wheel_speed_limit = 80.0;  // rad/s: wheel speeds beyond +-limit are clamped
   double grip = 0.8;                // 1: lateral force of the wheels <= grip M g; see (3)

@@ -233,7 +233,7 @@ inline constexpr struct TimeStepperSettings {
 // ---- world.cpp
 
 inline constexpr struct WorldSettings {
-  // [1] of a step's length. If less than this would be left of the tick, the step takes that, too.
+  // [1] of a step's length. If less than this would be left of the tick, the step also takes that.
   double min_remaining_share = 0.5;
   int max_estimates = 2;  // refinements of a pair's contact time before the exact search
   double forced_end_round_off = 1e-3;  // [1] of min_duration(): an end this near to it is forced

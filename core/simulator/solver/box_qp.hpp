@@ -77,7 +77,7 @@ class BoxQp {
   std::unique_ptr<double[]> factor_;  // row i of the factor belongs to unknown i
   Unknowns target_, rhs_, pivot_;
   std::array<Bound, max_unknowns> bound_;
-  std::array<bool, max_unknowns> banned_;  // bounds that are not released any more
+  std::array<bool, max_unknowns> banned_;  // bounds that are no longer released
   std::array<int, max_unknowns> order_;    // the free unknowns, in the order of the factorisation
   int order_count_ = 0;
   int factorised_ = 0;  // the first unknowns of order_, whose rows of the factor are valid

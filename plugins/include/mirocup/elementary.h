@@ -5,7 +5,7 @@
  * The sin() of one C library differs from that of another in the last bit of some results. A team
  * that compares two nearly equal numbers can then decide differently on the host's computer than on
  * yours, and a leg cannot be played again there. These functions use only + - * / and sqrt(), which
- * IEEE 754 fixes to the last bit, and the simulator uses them, too. fabs(), fmod(), remainder(),
+ * IEEE 754 fixes to the last bit, and the simulator also uses them. fabs(), fmod(), remainder(),
  * floor(), round() and sqrt() of the C library are exact, so use those as they are;
  * remainder(angle, 2 * MIROCUP_PI) is the same angle in [-pi, pi].
  *

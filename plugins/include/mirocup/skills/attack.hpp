@@ -69,7 +69,7 @@ inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
 // How a robot drives at the ball.
 struct Attack {
   double speed = 1.8;    // m/s
-  double sight = 1e9;    // m: robots that are farther off are no obstacles
+  double sight = 1e9;    // m: robots farther off are not obstacles
   double lead_s = 0.08;  // s: the field is read at the robot's place after this time
 };
 
