@@ -67,9 +67,9 @@ class Game {
   Json setup() const;
 
   // {tick, clock, state, phase, left, score, decisions, counts, impacts, pressing, result, drill}:
-  // what a page shows beside the bodies. `decisions` has the decisions from number `first` on.
-  // `impacts`: of the ticks last played, [x, y, x and y of the normal, N s]; `pressing`: pairs of
-  // bodies that push each other, blue's robots from 0 on, then yellow's, then the ball; -1 is a
+  // the data that a page shows beside the bodies. `decisions` has the decisions from number `first`
+  // on. `impacts`: of the ticks last played, [x, y, x and y of the normal, N s]; `pressing`: pairs
+  // of bodies that push each other, blue's robots from 0 on, then yellow's, then the ball; -1 is a
   // wall. These two are empty unless the leg is watched.
   Json status(std::size_t first) const;
 

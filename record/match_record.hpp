@@ -97,7 +97,7 @@ struct Software {
 struct PlayedOnFrom {
   std::uint32_t tick = 0;            // the first tick that the teams of this leg answered
   std::uint64_t state_hash = 0;      // of the whole leg of that record
-  match::ByTeam<std::string> teams;  // the names of the teams that had played until then
+  match::ByTeam<std::string> teams;  // the names of the teams that had played before
 };
 
 struct MatchRecord {
@@ -105,7 +105,7 @@ struct MatchRecord {
   match::ByTeam<TeamInfo> teams;
   match::ByTeam<BudgetReport> budget;
   match::ByTeam<std::optional<NetworkReport>> network;  // written, but not read
-  std::optional<PaceReport> pace;                       // as above; empty at full speed
+  std::optional<PaceReport> pace;                       // also only written; empty at full speed
   std::string isolation;                                // "T2", "T1", "none", "network"
   std::optional<PlayedOnFrom> from;                     // empty: played from its start
   replay::Recording recording;

@@ -47,7 +47,7 @@ class ThoughtsWriter {
   void pack(bool is_end);
 
   ThoughtLine line_;
-  std::string lines_;     // that are not packed yet
+  std::string lines_;     // lines that are not packed yet
   std::size_t size_ = 0;  // bytes of all lines
   std::string packed_;
   std::unique_ptr<ZSTD_CCtx_s, Free> packer_;  // null before the first lines are packed

@@ -18,7 +18,7 @@
 namespace mirocup::server {
 
 struct NetworkTerms {
-  std::string match_id = "1";  // by which DDS teams join
+  std::string match_id = "1";  // ID by which DDS teams join
   std::string interface = "lo";
   int dds_domain = 0;
   std::string credentials;                         // folder; "": anybody may join
@@ -70,7 +70,7 @@ class Network {
 
   NetworkTerms terms_;
   std::unique_ptr<dds::MatchServer> dds_;     // null unless a team plays over it
-  std::unique_ptr<firasim::Server> firasim_;  // likewise
+  std::unique_ptr<firasim::Server> firasim_;  // null unless a team uses it
   firasim::Addresses firasim_addresses_;
   int firasim_instance_ = 0;
   match::ByTeam<std::optional<TeamProgram>> programs_;  // the programs that this match has started

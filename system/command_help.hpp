@@ -18,7 +18,7 @@ namespace mirocup::system {
 // The parts of a command's help besides its options.
 struct CommandHelp {
   const char* name;         // of the subcommand
-  const char* group;        // the heading under which the program's help lists it; "": nowhere
+  const char* group;        // its heading in the program's help; "": not in the help
   const char* description;  // on its line in the program's help
   std::vector<const char*> examples;
 };

@@ -23,8 +23,8 @@
 
 namespace mirocup::system {
 
-// How large a file of each kind may be, bytes. Each is several times what a person or a program
-// writes for good reason, and small enough to be held in memory.
+// How large a file of each kind may be, bytes. Each limit is several times larger than a useful
+// file, and small enough for memory.
 namespace size_limit {
 inline constexpr std::uint64_t entry = 32u << 20;        // a strategy as it is handed in
 inline constexpr std::uint64_t scene = 64u << 20;        // a scene, or one situation of a league
@@ -33,7 +33,7 @@ inline constexpr std::uint64_t record = 64u << 20;       // the JSON of a leg
 inline constexpr std::uint64_t replay = 256u << 20;      // the commands of a leg, compressed
 inline constexpr std::uint64_t league_file = 4u << 20;   // league.json
 inline constexpr std::uint64_t journal = 256u << 20;     // of a league
-inline constexpr std::uint64_t page = 256u << 20;        // that a program of ours has made
+inline constexpr std::uint64_t page = 256u << 20;        // a page that our programs have made
 inline constexpr std::uint64_t note = 4u << 20;          // verdicts, plans and other small JSON
 inline constexpr std::uint64_t certificate = 1u << 20;   // of one process
 inline constexpr std::uint64_t log = 16u << 20;          // the output of a child process

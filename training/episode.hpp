@@ -21,7 +21,7 @@ struct Episode {
   // match::DrivenCommand has them.
   std::vector<std::int16_t> wheels;
   std::vector<match::LoggedPlacementRequest> requests;  // in the order of the ticks
-  std::vector<match::TeamFault> faults;                 // that ended it
+  std::vector<match::TeamFault> faults;                 // the faults that ended it
 
   std::uint32_t ticks(int robots) const {
     return static_cast<std::uint32_t>(wheels.size() / (4 * static_cast<std::size_t>(robots)));

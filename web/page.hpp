@@ -34,7 +34,7 @@ std::string first_picture(const record::MatchRecord& record);
 
 struct ReplayPage {
   std::string html;
-  statistics::LegStatistics statistics;  // that the page shows
+  statistics::LegStatistics statistics;  // the statistics on the page
   std::size_t proof_size = 0;            // bytes of the page for the proof of the leg
 };
 

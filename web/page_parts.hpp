@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What replay pages, live pages and the playground share: their script, style, policy and data.
+// The common parts of replay pages, live pages and the playground: script, style, policy and data.
 #pragma once
 
 #include "core/field/field.hpp"

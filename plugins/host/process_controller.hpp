@@ -191,7 +191,7 @@ class ProcessController final : public match::Controller {
   std::optional<LastWords> exit_report_;
   std::string backtrace_;
   std::optional<WallClock::time_point> report_began_;  // when the server saw a crash report
-  std::optional<double> delay_at_report_;              // s, processor_delay() then
+  std::optional<double> delay_at_report_;              // s, processor_delay() at report_began_
   std::uint32_t ticks_ = 0;                            // observations so far
   std::uint32_t places_ = 0;                           // observations that asked the team to place
   std::uint32_t request_ = 0;  // number of the last observation that the process got

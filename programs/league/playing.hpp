@@ -29,7 +29,7 @@ struct PlayTerms {
   std::string engine = "local";        // or "slurm"
   int jobs = 0;                        // legs at once; 0: one for each processor
   bool watched = false;                // league serve shows the legs of this host
-  int dds_domain = 0;                  // of the legs in which a team plays over DDS
+  int dds_domain = 0;                  // for legs with teams over DDS
   bool accepts_other_program = false;  // continues a league that another program began
 };
 

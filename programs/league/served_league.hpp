@@ -100,7 +100,7 @@ class ServedLeague {
   std::vector<LiveLeg> live_legs_;
   std::uint64_t teams_version_ = 0;     // grows when teams or their names change
   std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
-  std::size_t lines_of_pages_ = 0;      // lines_ then
+  std::size_t lines_of_pages_ = 0;      // lines_ when the pages were made
   std::chrono::steady_clock::time_point pages_rest_until_{};
   std::unique_ptr<Site> site_;  // of the released part; null before the first page
   std::string said_;            // teams.json and notice.txt
@@ -112,7 +112,7 @@ class ServedLeague {
   std::map<std::string, web::Page> pages_;  // pages of site_ that were asked for, by path
   std::set<std::string> records_;           // names without .json
 
-  std::mutex replaying_;  // held while a replay page is made: one at a time
+  std::mutex replaying_;  // held while a replay page is made, so one at a time
 };
 
 }  // namespace mirocup::league

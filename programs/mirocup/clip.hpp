@@ -26,9 +26,9 @@ Result<ClipSpan> parse_clip(const std::string& text);
 bool is_video_name(const std::string& path);
 
 // Draws the part of the leg tick by tick and lets ffmpeg, which must be installed, make a video of
-// it, in real time. The pictures are in a folder beside `output` that is removed. Errors:
-// Errc::input if the leg has ended before `from`; Errc::damaged if the record is not reproduced;
-// Errc::unavailable if ffmpeg is missing or fails.
+// it, in real time. The pictures are in a temporary folder beside `output`. Errors: Errc::input if
+// the leg has ended before `from`; Errc::damaged if the record is not reproduced; Errc::unavailable
+// if ffmpeg is missing or fails.
 Result<void> write_clip(system::Files& files, const record::MatchRecord& record,
                         const ClipSpan& span, const std::string& output);
 

@@ -19,7 +19,7 @@ struct LegStory {
   double standing = 0.0;         // share
   double turning = 0.0;          // share: turned in place
   double backwards = 0.0;        // share: drove backwards
-  double fastest_wheel = 0.0;    // that the entry asked for, rad/s
+  double fastest_wheel = 0.0;    // commanded by the entry, rad/s
   double towards_own_end = 0.0;  // share of the speed that its touches gave the ball
   double given_speed = 0.0;      // all of that speed, m/s
   unsigned told_robots = 0;      // bit i: a command turned a wheel of robot i

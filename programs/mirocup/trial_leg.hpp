@@ -53,7 +53,7 @@ struct TrialLeg {
   bool is_whole = false;                       // played to the end of the leg
   std::size_t memory_at_start = 0;             // bytes, when its team was created
   std::size_t peak_memory = 0;                 // bytes
-  std::set<MetRestart> restarts;               // for which it was asked to place
+  std::set<MetRestart> restarts;               // restarts with a call of place()
   std::optional<replay::Recording> recording;  // of a leg that was played to its end
   LegStory story;                              // without the opponent's name
   std::string output;

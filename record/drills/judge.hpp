@@ -45,7 +45,7 @@ class Judge {
   struct Contact {
     match::Touch who;
     std::uint32_t tick = 0;  // the last one
-    Vec2 ball{0.0, 0.0};     // where the ball was then
+    Vec2 ball{0.0, 0.0};     // where the ball was in that tick
   };
 
   void see_decisions();

@@ -17,7 +17,7 @@ struct PlayTick {
   referee::Phase phase = referee::Phase::FIRST_HALF;
   Team left = Team::blue;               // the team that defends the left end
   Vec2 ball{0.0, 0.0};                  // at the end of the tick
-  Vec2 ball_velocity{0.0, 0.0};         // likewise; meaningless unless goes_on
+  Vec2 ball_velocity{0.0, 0.0};         // at the end of the tick; meaningless unless goes_on
   ByTeam<referee::RobotSet> touched{};  // the robots that touched the ball
   ByTeam<double> driven{};              // the distance that all robots of a team drove, m
   std::span<const match::LoggedDecision> decisions;  // of this tick, in their order

@@ -19,8 +19,8 @@ namespace mirocup::statistics {
 
 using match::ByTeam;
 
-// The kind of a goal, from the view of the team the team for which it counts: match::GoalKind, or
-// an own goal of the opponents. Attempts of a shoot-out are not goals.
+// The kind of a goal, from the view of the team the team the team for which it counts:
+// match::GoalKind, or an own goal of the opponents. Attempts of a shoot-out are not goals.
 enum class GoalOrigin {
   open_play,
   kick_off,
@@ -38,7 +38,7 @@ enum class Third { own, middle, opponent };
 // How a team lost the ball to the other one while play was on.
 enum class LossKind {
   interception,  // the ball was on its way, and an opponent was the next to touch it
-  save,          // likewise, and it was on its way into the goal
+  save,          // an interception of a ball on its way into the goal
   tackle,        // an opponent took it from the team's robots
 };
 
@@ -117,7 +117,7 @@ struct Goal {
 
 // A counted shot and its outcome.
 struct ShotMark {
-  std::uint32_t tick = 0;  // in which it began
+  std::uint32_t tick = 0;  // the tick in which it began
   Team team = Team::blue;
   Vec2 place{0.0, 0.0};  // where the team touched the ball before
   bool on_goal = false;
@@ -128,7 +128,7 @@ struct ShotMark {
 
 // A counted pass.
 struct PassMark {
-  std::uint32_t tick = 0;  // in which the mate touched the ball
+  std::uint32_t tick = 0;  // the tick in which the mate touched the ball
   Team team = Team::blue;
   Vec2 from{0.0, 0.0};
   Vec2 to{0.0, 0.0};

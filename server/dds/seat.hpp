@@ -131,7 +131,7 @@ class Seat final : public match::Controller {
   dds_instance_handle_t hello_writer_ = 0;
   dds_instance_handle_t command_writer_ = 0;  // 0: it has not written yet
   int processes_ = 0;
-  bool has_told_of_commands_ = false;  // that another process has written
+  bool has_told_of_commands_ = false;  // of another process, on standard error
 
   Inbox inbox_;
   ThoughtsInbox thoughts_;

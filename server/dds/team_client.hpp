@@ -113,8 +113,8 @@ class TeamClient {
   OwnedBriefing briefing_;
   std::optional<mirocup_v4_TeamCommand> answer_;  // the last one that was sent
   std::uint32_t acknowledged_commands_ = 0;       // as the server counts them
-  WallClock::time_point acknowledged_at_;         // when that count changed last
-  int unacknowledged_ = 0;                        // commands that were sent since then
+  WallClock::time_point acknowledged_at_;         // last change of that count
+  int unacknowledged_ = 0;                        // commands sent since acknowledged_at_
   std::string wait_reason_;                       // why the server said "not now"
 };
 

@@ -132,7 +132,7 @@ class Seat final : public match::Controller {
   bool only_ever_commanded_ = false;  // the team never commands some robots: do not wait for them
   int partial_ticks_ = 0;             // given up although some robots were commanded
   int silent_ready_ticks_ = 0;        // one after the other
-  int missing_placements_ = 0;        // likewise
+  int missing_placements_ = 0;        // one after the other
   std::optional<TeamPlacement> placement_;  // since the last call
   bool may_place_ = false;                  // in this tick
 

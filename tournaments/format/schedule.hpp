@@ -20,7 +20,7 @@ struct TeamSource {
   enum class Kind {
     team,    // `index` is the team, or no_team
     winner,  // of the fixture with the index `index` in the schedule
-    loser,   // likewise
+    loser,   // of that fixture
     place,   // number `place` in the table of the group `index`, both from 0
   };
   Kind kind = Kind::team;

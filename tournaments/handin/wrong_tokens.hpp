@@ -30,7 +30,7 @@ class WrongTokens {
   struct Count {
     int wrong = 0;
     std::int64_t last = 0;   // when it was counted
-    std::int64_t waits = 0;  // until then
+    std::int64_t waits = 0;  // s: end of the wait
   };
   std::map<std::string, Count> addresses_;
   std::int64_t swept_ = 0;  // when forgotten addresses were removed last

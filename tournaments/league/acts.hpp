@@ -19,8 +19,8 @@ enum class ActKind { rule, award, void_, withdraw, pause, resume, freeze, releas
 struct Act {
   ActKind kind = ActKind::rule;
   std::string fixture = {};   // rule, award, void
-  int leg = 0;                // likewise; 0: not given, for a fixture of one leg
-  bool has_all_legs = false;  // likewise: all legs of the fixture
+  int leg = 0;                // rule, award, void; 0: not given, for a fixture of one leg
+  bool has_all_legs = false;  // rule, award, void: all legs of the fixture
   std::string team = {};      // award, withdraw, pause, resume
   bool keeps_seed = false;    // void: it is played again with the same seed
   std::string score = {};     // rule: "2:1", home before away

@@ -23,7 +23,7 @@ namespace mirocup::league {
 struct RunOptions {
   int jobs = 0;          // 0: one for each processor
   bool watched = false;  // true: each leg opens a live page on this host
-  int dds_domain = 0;    // of the legs in which a team plays over DDS
+  int dds_domain = 0;    // for legs with teams over DDS
 };
 
 // Returns a sentence for the host if `jobs` legs at once may take more memory than `available`,

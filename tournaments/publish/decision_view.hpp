@@ -19,7 +19,7 @@ struct DecisionView {
   std::string what;       // "r1-f1 leg 2, a – b: 0:10"
   std::string why;
   int undone_by = 0;    // the number of the decision that ended its effect; 0: none
-  std::string undoing;  // the same in words: "overruled by 4"; "": none
+  std::string undoing;  // undone_by in words: "overruled by 4"; "": none
 };
 
 // Returns all decisions, the latest last.

@@ -17,7 +17,7 @@ enum class GradesLayout {
   teams,       // a row for each team
   members,     // a row for each member
   moodle,      // a row for each student, as Moodle's import of grades reads it
-  gradescope,  // likewise, as Gradescope has scores
+  gradescope,  // a row for each student, as Gradescope has scores
 };
 
 // Returns grades.csv. It has a row for each team of the table, withdrawn teams last, then a row for

@@ -27,7 +27,7 @@ namespace mirocup::league {
 struct SiteSource {
   LeagueState state;
   LegReports reports = {};                       // of the played legs; optional
-  FactsOfLegs facts = {};                        // likewise
+  FactsOfLegs facts = {};                        // of the played legs; optional
   std::optional<Night> night = {};               // adds night.html and digests/
   std::string feed = {};                         // feed.xml, if not ""
   std::function<std::string()> playground = {};  // makes playground.html; null: there is none

@@ -12,7 +12,7 @@ namespace mirocup::plugins {
 struct ProjectSources {
   std::string root;              // the project's folder: the one with the first source
   std::vector<std::string> c;    // paths from the root, sorted
-  std::vector<std::string> cpp;  // the same
+  std::vector<std::string> cpp;  // the same for C++
 };
 
 // Leaves out files whose names end in _test before the dot, and files in a folder test or tests.

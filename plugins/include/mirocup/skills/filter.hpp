@@ -157,7 +157,7 @@ class Filter {
     Uncertainty place;
   };
   struct Sent {
-    std::uint32_t tick = 0;  // in which the command is driven; 0: none
+    std::uint32_t tick = 0;  // the tick that drives the command; 0: none
     Command command{};
   };
 
