@@ -24,7 +24,7 @@ struct NetworkTerms {
   std::string credentials;                         // folder; "": anybody may join
   double join_within = 60.0;                       // s that a team has to join
   std::optional<double> away_limit;                // s of allowed absence; empty: default
-  firasim::Addresses firasim{"", "", "", "", ""};  // "": those of the instance
+  firasim::Addresses firasim{"", "", "", "", ""};  // "": addresses of the instance
   std::string firasim_instance = "0";              // a number, or "auto"
   match::ByTeam<std::string> programs;  // commands that start firasim teams; "": a person starts it
   bool lockstep = false;                // true: waits for firasim teams, also in real time

@@ -17,7 +17,7 @@ struct ObservedRobot {
   double heading = 0.0;  // in (-pi, pi], counter-clockwise from +x
   Vec2 velocity{0.0, 0.0};
   double turn = 0.0;
-  int age = 0;  // ticks since the robot was seen like this: 0 unless a camera sees
+  int age = 0;  // ticks since a camera saw the robot like this; 0 without a camera
 };
 
 // Returns an angle in (-pi, pi], rounded as described above.

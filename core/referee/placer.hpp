@@ -7,9 +7,9 @@
 // least way in total counts; if that is also equal, robots with low numbers stay. A robot that is
 // moved goes to the free place nearest to the one that was asked for, of those that the law allows:
 // a default place of its team, or a place on rings around the place that was asked for. So nearest
-// means: to within a tenth of the way or 5 mm, whichever is more. A robot that was asked for
-// nowhere near the field goes to its default place, or to a free place near it, and one that is
-// sent where the restart needs a robot goes to the default place for that.
+// means: to within a tenth of the way or 5 mm, whichever is more. A robot whose requested place is
+// far from the field goes to its default place, or to a free place near it. A robot that fills a
+// place which the restart needs goes to the default place for that.
 #pragma once
 
 #include "core/referee/placement_rules.hpp"

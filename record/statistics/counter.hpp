@@ -41,7 +41,7 @@ class Counter {
     Team team = Team::blue;
     std::size_t mark = 0;            // its place in LegStatistics::shots
     bool on_goal = false;            // at any time
-    std::uint32_t last = 0;          // tick in which it was on its way, past or into the goal
+    std::uint32_t last = 0;          // last tick on its way, past or into the goal
     std::uint32_t last_on_goal = 0;  // tick in which it was on its way into the goal
   };
   struct Save {

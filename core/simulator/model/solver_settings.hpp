@@ -181,10 +181,10 @@ inline constexpr struct ContactForcesSettings {
 } contact_forces;
 
 inline constexpr struct ContactMotionSettings {
-  double edge_overhang = 1e-10;    // [m] a corner leaves its edge this far beyond the edge's end
-  double closed_gap_share = 0.01;  // [1] of Tolerances::penetration: a smaller gap stays
-  double max_displacement = 1e-9;  // [m] gaps are not corrected if that needs more than this
-  double resting_speed = 1e-10;    // [m/s, rad/s] slower, and with less acceleration: at rest
+  double edge_overhang = 1e-10;        // [m] how far beyond the end of its edge a corner leaves it
+  double closed_gap_share = 0.01;      // [1] of Tolerances::penetration: a smaller gap stays
+  double max_displacement = 1e-9;      // [m] gaps are not corrected if that needs more than this
+  double resting_speed = 1e-10;        // [m/s, rad/s] slower, and with less acceleration: at rest
   double resting_acceleration = 1e-9;  // [m/s^2, rad/s^2]
 } contact_motion;
 

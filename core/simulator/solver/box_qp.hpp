@@ -47,9 +47,9 @@ class BoxQp {
   bool is_large() const;
   RegularizedQp& warm_start(std::span<const InverseMass> mass);
 
-  // Solves the problem; the solution is in x. Where A leaves it open, x is one of the solutions.
-  // Where rows contradict each other, so that there is none, x is within its bounds and the
-  // objective is not above that of the start.
+  // Solves the problem; the solution is in x. Where A leaves it open, x is one of the solutions. If
+  // rows contradict each other, so that there is no solution, x is within its bounds and the
+  // objective is at most that of the start.
   void solve();
   Unknowns x;
 

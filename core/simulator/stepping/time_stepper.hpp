@@ -61,8 +61,8 @@ class TimeStepper {
   const Vec2& correction(int member) const { return trajectories_.correction_of(member); }
 
   // Returns the twist of a member whose step is interrupted after this share (0 to 1) of it. `kept`
-  // is its twist during the step, which contains all impulses of the step; the result contains the
-  // share of them.
+  // is its twist during the step, which contains all impulses of the step; the result contains
+  // their share.
   Twist twist_after(int member, const Twist& kept, double share) const;
 
   // Returns a member of the latest step at its end. Valid until the next call of take_step().
