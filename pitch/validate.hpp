@@ -24,8 +24,8 @@
 
 namespace mirocup::pitch {
 
-// The event of a body between the start and the picture ahead, in the simulator: the first of these
-// that applies.
+// The kind of event that a body has in the simulator, between the start and the picture ahead. Of
+// several kinds, the first in this list counts.
 enum class EventKind { push, robot_and_robot, robot_and_ball, wall, slide, drive, free_roll };
 
 inline constexpr std::array<int, 5> horizons{1, 2, 5, 10, 30};  // pictures

@@ -38,7 +38,7 @@ struct TeamInfo {
 struct BudgetReport {
   double cpu_seconds = 0.0;
   double slowest_tick_ms = 0.0;
-  double bank_seconds = 0.0;  // processor time that it was allowed; 0: not counted
+  double bank_seconds = 0.0;  // allowed processor time; 0: not counted
   int late_ticks = 0;
   int bad_commands = 0;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The page that shows a leg in a browser: one HTML text that needs nothing else. A replay page
-// contains the whole leg; a live page gets it from the server that it came from.
+// contains the whole leg; a live page gets the leg from its server.
 #pragma once
 
 #include "core/replay/playback.hpp"

@@ -24,8 +24,8 @@ struct ClockReadings {
   // Time that is added on every clock between two calls of the team, ns. If it is the control
   // period, a leg that is over in a moment takes as long on its clocks as a leg in real time.
   std::int64_t between_calls = 0;
-  // If not 0: each reading advances every clock by this much, ns, and no other time passes. Then a
-  // team whose answers depend on a clock repeats them.
+  // If not 0: each reading advances every clock by this much, ns, and no other time passes. Then
+  // also a team whose answers depend on a clock repeats its answers.
   std::int64_t each_reading = 0;
 };
 

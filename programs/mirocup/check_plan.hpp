@@ -16,7 +16,7 @@ class CheckPlan {
  public:
   static constexpr double all = 20.0;        // of a check
   static constexpr double causes = 15.0;     // in addition, to find the cause of a refusal
-  static constexpr double longest = 4.0;     // of playing, of one leg
+  static constexpr double longest = 4.0;     // of playing in one leg
   static constexpr double shortest = 0.5;    // of a leg without which there is no answer
   static constexpr double most_start = 4.0;  // of processor time, to load an entry
 

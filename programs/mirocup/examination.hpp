@@ -36,7 +36,7 @@ struct Examination {
   TrialLeg blue{};  // the leg as blue
   TrialLeg knockout{};
   std::set<MetRestart> restarts{};  // in the legs so far
-  double slept = 0.0;               // s, in a leg of full length
+  double slept = 0.0;               // s of sleep, scaled to a leg of full length
   std::size_t grown = 0;            // bytes that its memory grew by in a leg
   std::string requests{};           // of the team, a line each
   CheckPlan plan{};
@@ -71,7 +71,7 @@ inline constexpr int repeated_legs = 2;  // the leg as blue, and the knock-out l
 
 // Plays a leg, and counts what it used.
 Result<TrialLeg> play(Examination& e, const TrialTerms& terms);
-// Keeps for the report what the entry used and did in a leg.
+// Adds the entry's use and play in a leg to the report.
 void note_use(Examination& e, const TrialLeg& leg, const TrialTerms& terms);
 
 // True if the text of a fault is that of the careful process, which watches memory.

@@ -24,7 +24,7 @@ Result<void> set_credentials(dds_qos_t* qos, const std::string& folder);
 std::optional<std::int64_t> credentials_end(const std::string& folder);
 
 // The same for the credentials of a team, from the team's certificate in the folder of the server's
-// credentials. Nothing if the folder has none.
+// credentials. Returns nothing if the folder has no certificate of the team.
 std::optional<std::int64_t> team_credentials_end(const std::string& server_folder,
                                                  std::string_view team);
 

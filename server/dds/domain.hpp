@@ -18,7 +18,7 @@ inline constexpr int server_ports = 10;
 
 // DDS domains are numbered from 0. Each has its own ports, so another domain moves the ports.
 inline constexpr int default_domain = 0;
-inline constexpr int last_domain = 230;  // the ports of later ones do not exist
+inline constexpr int last_domain = 230;  // later domains have no valid ports
 
 // Returns the port of discovery of the participant with an index, as DDSI-RTPS 2.2 says (9.6.1.1);
 // its data come at the next port.

@@ -26,7 +26,8 @@ std::string to_text(const Endpoint& endpoint);
 Result<Endpoint> parse_endpoint(const std::string& text, const std::string& option);
 Result<std::vector<Endpoint>> parse_endpoints(const std::string& text, const std::string& option);
 
-// True for an address of this host. No other host can send from one: Linux drops such datagrams.
+// True for an address of this host. No other host can send from such an address: Linux drops such
+// datagrams.
 bool is_of_this_host(const Endpoint& endpoint);
 
 // The interface "lo" means this host only: datagrams to a group do not leave the host.

@@ -37,8 +37,8 @@ struct Format {
 // Returns why that number of teams cannot play the format; "" if they can.
 std::string objection(const Format& format, int teams);
 
-// Returns all fixtures of a round robin, of groups and of a knockout. Returns none of a Swiss
-// tournament, a ladder or a nightly league, whose fixtures depend on results and entries.
+// Returns all fixtures of a round robin, of groups and of a knockout. Returns no fixtures for a
+// Swiss tournament, a ladder or a nightly league, because theirs depend on results and entries.
 // Precondition: objection() is "".
 std::vector<Fixture> first_schedule(const Format& format, int teams);
 

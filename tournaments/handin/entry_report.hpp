@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 // The check that is running, as `mirocup check --steps` prints it.
 struct CheckStep {
-  int number = 0;  // from 1; 0: none has begun
+  int number = 0;  // from 1; 0: no check has begun
   int of = 0;
   std::string name;
 

@@ -18,7 +18,7 @@ struct Request {
   std::string method;            // "GET", "PUT", ...
   std::string path;              // without the query, percent signs decoded
   std::string address;           // of the other end of the connection; "": a Unix socket
-  bool is_encrypted = false;     // by this server, or by a trusted proxy
+  bool is_encrypted = false;     // to this server, or to a trusted proxy
   bool is_from_proxy = false;    // a trusted proxy, which names the viewer
   std::string viewer = address;  // the address of the viewer, as far as it can be trusted
 

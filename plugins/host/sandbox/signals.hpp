@@ -2,9 +2,9 @@
 //
 // Signals in a team's process.
 //
-// The kernel shields the first process of a namespace, which a team is in tier T2, from signals
-// without a handler. So that a team ends in the same way in both tiers, every signal that ends a
-// process has a handler (fault_report), which the team cannot remove (filter).
+// In tier T2 a team is the first process of a namespace, and the kernel shields such a process from
+// signals without a handler. So that a team ends in the same way in both tiers, every signal that
+// ends a process has a handler (fault_report), which the team cannot remove (filter).
 #pragma once
 
 #include <csignal>
@@ -17,7 +17,7 @@ inline constexpr int ending_signals[] = {SIGHUP,  SIGINT,  SIGQUIT,   SIGABRT, S
                                          SIGPROF, SIGIO,   SIGSTKFLT, SIGPWR};
 
 // Signals that the processor raises. Run-time libraries of some languages handle them, which is
-// allowed. The kernel shields no process from them.
+// allowed. The kernel never shields a process from them.
 inline constexpr int processor_signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP};
 
 // Signals that stop a process, or end it as the host does. A team cannot send them.

@@ -69,8 +69,8 @@ typedef struct mirocup_training_sizes {
   int32_t threads;
 } mirocup_training_sizes;
 
-/* The caller's arrays, row after row, which must live as long as they are bound. Null: the caller
- * does not want this array. Only `actions` is read. */
+/* The caller's arrays, row after row, which must live as long as they are bound. A null array is
+ * not wanted. Only `actions` is read. */
 typedef struct mirocup_training_buffers {
   uint32_t size;             /* of this structure, bytes; it grows only at its end */
   const float* actions;      /* rows * action */

@@ -50,7 +50,7 @@ struct Uncertainty {
   double both = 0.0;   // m^2/s
   double speed = 0.0;  // m^2/s^2
 
-  // After a picture, and with a velocity that is the difference of two pictures.
+  // Returns the uncertainty after two pictures, whose difference gives the velocity.
   static Uncertainty of_two_pictures(double variance, double seconds) {
     return {variance, variance / seconds, 2.0 * variance / (seconds * seconds)};
   }
@@ -147,7 +147,7 @@ class Filter {
   static constexpr unsigned remembered = 32;  // ticks
 
   struct Tracked {
-    Robot at{};               // at the tick of the last picture
+    Robot at{};               // pose at the tick of the last picture
     std::uint32_t tick = 0;   // of that picture
     Uncertainty place, turn;  // of the heading, in rad
   };

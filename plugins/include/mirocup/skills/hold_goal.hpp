@@ -97,7 +97,7 @@ inline Wheels push_outwards(const Setup& setup, const Robot& robot, double outwa
                               turn_for(setup, robot.turn, error));
 }
 
-// Drives back to the line, round the ball, which must not go with it.
+// Drives back to the line, round the ball, so that the ball stays where it is.
 inline Wheels return_to(const Setup& setup, const Robot& robot, Point post, Point ball) {
   const Point to = post - position(robot);
   const Point to_ball = ball - position(robot);
