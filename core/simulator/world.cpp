@@ -164,8 +164,10 @@ void World::start_tick(std::span<const WheelCommand> commands, double duration) 
   });
   // Islands that are over budget from the start step before impacts: take_steps() drops their
   // contacts, so these do not bounce.
-  if (!were_set)
-    take_steps(impact::islands_of(thresholds_.over_budget(), contacts_.contacts()), 0.0, duration);
+  if (!were_set) {
+    const BodySet stepped = thresholds_.over_budget() & over_budget_or_sticking();
+    take_steps(impact::islands_of(stepped, contacts_.contacts()), 0.0, duration);
+  }
 }
 
 bool World::is_at_rest(const BodySet& bodies) const {
@@ -293,7 +295,7 @@ void World::continue_motion(const BodySet& involved, const BodySet& were_steppin
         collision::row_rate(c.row, bodies_) <= c.impact.restitution_threshold)
       lasting |= bodies_of(c.pair);
   }
-  const BodySet stepped = were_stepping | (to_be_stepped(involved) & lasting);
+  const BodySet stepped = were_stepping | (over_budget_or_sticking() & involved & lasting);
   take_steps(were_stepping | impact::islands_of(stepped, contacts_.contacts()), t, tick_end);
 
   islands_.for_each(contacts_, [this](std::span<collision::Contact> island) {
@@ -306,11 +308,32 @@ void World::continue_motion(const BodySet& involved, const BodySet& were_steppin
   update_pairs(involved, t, tick_end);
 }
 
-// Returns those of the bodies that are over budget, or all if contacts have friction: they are
-// stepped if they touch anything.
+// Returns those of the bodies that are stepped again if they were stepped: those over budget, or
+// all if contacts have friction.
 BodySet World::to_be_stepped(const BodySet& bodies) const {
   return impact::has_friction(static_world_.parameters) ? bodies
                                                         : bodies & thresholds_.over_budget();
+}
+
+// Returns the bodies over budget, and those of islands whose friction has no constant direction.
+// Where there is no budget at all, a lone robot that slides along walls has events_of_sliding.
+BodySet World::over_budget_or_sticking() {
+  BodySet found = thresholds_.over_budget();
+  if (!impact::has_friction(static_world_.parameters)) return found;
+  const std::array<BodyState, max_bodies> before = bodies_;  // deciding changes velocities
+  islands_.for_each(contacts_, [&](std::span<collision::Contact> island) {
+    const auto is_rough = [](const collision::Contact& c) { return c.material.friction > 0.0; };
+    if (std::none_of(island.begin(), island.end(), is_rough)) return;
+    const BodySet bodies = bodies_of(island);
+    if (!forces_->decide(drives_, bodies_, island)) {
+      found |= bodies;
+    } else if (static_world_.tolerances.event_budget == 0 && bodies.count() == 1 &&
+               events_.events < settings::world.events_of_sliding) {
+      found &= ~bodies;
+    }
+  });
+  bodies_ = before;
+  return found;
 }
 
 // Takes one step of each island of the candidates, and drops the contacts of all candidates.

@@ -7,8 +7,8 @@
 // ball that stops, or a contact that opens. Only the bodies that touch at an event get new
 // trajectories. A body whose events cost more than its budget in a tick is time-stepped with
 // everything that it touches, so no scene can stall the world. Large islands that went over
-// budget are stepped from the start of the next tick, and so are bodies whose contacts have
-// friction (an option). docs/algorithm.md describes the method room by room.
+// budget are stepped from the start of the next tick. Contacts with friction (an option) are
+// stepped unless they slide. docs/algorithm.md describes the method room by room.
 //
 // Uses all rooms of core/simulator. Units: m, s, rad, N; times are seconds since the start of the
 // tick. Threads: none; a world belongs to one thread. Nothing is allocated after construction.
@@ -126,6 +126,7 @@ class World {
   void continue_motion(const BodySet& involved, const BodySet& were_stepping, double t,
                        double tick_end);
   BodySet to_be_stepped(const BodySet& bodies) const;
+  BodySet over_budget_or_sticking();
   void take_steps(const BodySet& candidates, double t, double tick_end);
   void begin_step(const stepping::TimeStepper::Step& taken, double t, double tick_end);
 

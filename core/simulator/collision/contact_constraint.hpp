@@ -49,7 +49,8 @@ struct ContactImpact {
 struct RestingForce {
   bool is_active = false;
   bool is_persistent = false;
-  double force = 0.0;  // N along the normal, while it is active
+  double force = 0.0;     // N along the normal, while it is active
+  double friction = 0.0;  // N along the tangent for each N of `force`: of a contact that slides
 };
 
 // A contact point of a pair with everything that the rooms above keep for it.

@@ -178,6 +178,16 @@ inline constexpr struct ContactForcesSettings {
   double min_rate = 1e-12;               // [m/s] a slower change of a gap counts as none
   double weak_share = 1e-3;              // [1] a smaller share of the largest force is a weak force
   double min_closing = 1e-9;  // [m/s^2] a gap may close this fast where a weak force is dropped
+  // [1] Friction agrees with the normal forces if these change by at most this share of the largest
+  // one in a round. Where that takes more rounds, friction can hold itself up: bodies jam.
+  double friction_tolerance = 1e-9;
+  int friction_rounds = 64;
+  // [1] of A's diagonal: where wheels and walls hold a robot from both sides, the smallest forces
+  // count. Friction depends on them.
+  double friction_compliance = 1e-6;
+  // [m/s^2] a contact at rest that would begin to slide with less sticks: the compliance gives a
+  // wedged robot a thousandth of it.
+  double min_slide_acceleration = 1e-3;
 } contact_forces;
 
 inline constexpr struct ContactMotionSettings {
@@ -186,6 +196,7 @@ inline constexpr struct ContactMotionSettings {
   double max_displacement = 1e-9;      // [m] gaps are not corrected if that needs more than this
   double resting_speed = 1e-10;        // [m/s, rad/s] slower, and with less acceleration: at rest
   double resting_acceleration = 1e-9;  // [m/s^2, rad/s^2]
+  double friction_round_off = 1e-14;   // [1] of a force's term: a smaller change ends the rounds
 } contact_motion;
 
 inline constexpr struct ContactSeriesSettings {
@@ -241,6 +252,8 @@ inline constexpr struct WorldSettings {
   double projected_overlap = 2.0;
   double first_contact_gap = 1e-10;  // [m] bodies that did not touch before: no wider one is closed
   double resting_speed = 1e-6;       // [m/s] an island that is slower leaves time stepping
+  // [events] of a tick, in which a lone robot that slides along a wall is followed without budget.
+  int events_of_sliding = 32;
 } world;
 
 inline constexpr struct SceneSettings {

@@ -2,6 +2,7 @@
 #include "core/simulator/resting_contact/contact_forces.hpp"
 
 #include "core/simulator/impact/delassus.hpp"
+#include "core/simulator/impact/friction.hpp"
 #include "core/simulator/impact/islands.hpp"
 #include "core/simulator/model/solver_settings.hpp"
 
@@ -24,7 +25,7 @@ const solver::InverseMass& ContactForces::mass(
   return drives[body].wheels_on_ground ? world_.grounded_robot : world_.free_robot;
 }
 
-void ContactForces::decide(std::span<const trajectory::DriveReference> drives,
+bool ContactForces::decide(std::span<const trajectory::DriveReference> drives,
                            std::span<BodyState> bodies, std::span<collision::Contact> contacts) {
   // Candidates: the contacts whose gaps do not open. Members: the bodies that have one.
   candidate_count_ = 0;
@@ -32,11 +33,12 @@ void ContactForces::decide(std::span<const trajectory::DriveReference> drives,
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     collision::Contact& c = contacts[i];
     c.resting.is_active = false;
+    c.resting.friction = 0.0;
     if (collision::row_rate(c.row, bodies) > c.impact.restitution_threshold) continue;
     candidate_[candidate_count_++] = static_cast<int>(i);
     in_contact |= bodies_of(c.pair);
   }
-  if (candidate_count_ == 0) return;
+  if (candidate_count_ == 0) return true;
   member_count_ = 0;
   for (int i = 0; i < world_.bodies(); ++i) {
     if (in_contact[i]) member_[member_count_++] = i;
@@ -50,12 +52,99 @@ void ContactForces::decide(std::span<const trajectory::DriveReference> drives,
   const bool ball_rests = world_.has_ball && in_contact[ball] &&
                           bodies[ball].twist.forward == 0.0 && bodies[ball].twist.left == 0.0;
   if (ball_rests) start_ball(drives, bodies, contacts);
-  drop_weak_forces();
+  if (impact::has_friction(world_.parameters)) {
+    if (!add_friction(drives, bodies, contacts)) return false;
+  } else {
+    drop_weak_forces();
+  }
   read_solution(contacts);
   project_velocities(drives, bodies, contacts);
   // A ball at rest on which nothing presses stays at rest. The projection may leave it a speed of
   // rounding, with which it would stop at once, in event after event.
   if (ball_rests && impact::cluster_of(ball, contacts).none()) bodies[ball].twist = {};
+  return true;
+}
+
+// Gives each pressing contact the friction against its slide. One that is about to slide gets it
+// against the acceleration that it has without: it slides if that keeps its direction. False if
+// a contact sticks, is the ball's, or no forces agree.
+bool ContactForces::add_friction(std::span<const trajectory::DriveReference> drives,
+                                 std::span<const BodyState> bodies,
+                                 std::span<collision::Contact> contacts) {
+  std::array<solver::InverseMass, max_bodies> mass;
+  for (int k = 0; k < member_count_; ++k) mass[member_[k]] = this->mass(member_[k], drives);
+  for (int i = 0; i < qp_.size(); ++i)
+    qp_.a(i, i) *= 1.0 + settings::contact_forces.friction_compliance;
+  const solver::Unknowns without = qp_.b;
+  std::array<bool, collision::max_contacts> begins;
+  for (int i = 0; i < candidate_count_; ++i) {
+    collision::Contact& c = contacts[candidate_[i]];
+    tangents_[i] = impact::tangent_row(c, bodies);
+    const double speed = collision::row_rate(tangents_[i], bodies);
+    begins[i] = std::abs(speed) <= world_.tolerances.slow_motion;
+    if (!begins[i]) c.resting.friction = std::copysign(c.material.friction, -speed);
+  }
+  for (const bool decides : {true, false}) {
+    if (!find_friction(without, contacts, mass)) return false;
+    const std::array<BodyState, max_bodies> pushed = pushed_by_forces(contacts, mass, true);
+    for (int i = 0; i < candidate_count_; ++i) {
+      collision::Contact& c = contacts[candidate_[i]];
+      if (c.material.friction == 0.0 || qp_.x[i] <= settings::contact_forces.min_force) continue;
+      if (c.point.kind != collision::Touching::corner_on_edge) return false;
+      if (!begins[i]) continue;
+      const double acceleration =
+          slide_term(c, trial_, 1, rows_[i]) + collision::row_rate(tangents_[i], pushed);
+      if (decides) c.resting.friction = std::copysign(c.material.friction, -acceleration);
+      const double least = settings::contact_forces.min_slide_acceleration;
+      if (std::abs(acceleration) < least || acceleration * c.resting.friction > 0.0) return false;
+    }
+  }
+  return true;
+}
+
+// Solves the problem again, b being that `without` friction, until the tangential forces belong to
+// the normal ones. False if they do not get there.
+bool ContactForces::find_friction(const solver::Unknowns& without,
+                                  std::span<const collision::Contact> contacts,
+                                  std::span<const solver::InverseMass> mass) {
+  for (int round = 0; round < settings::contact_forces.friction_rounds; ++round) {
+    const std::array<BodyState, max_bodies> pushed = pushed_by_forces(contacts, mass, false);
+    for (int i = 0; i < qp_.size(); ++i) {
+      const solver::ConstraintRow& row = i < candidate_count_
+                                             ? contacts[candidate_[i]].row
+                                             : wheel_rows_[wheels_[i - candidate_count_]];
+      qp_.b[i] = without[i] + collision::row_rate(row, pushed);
+    }
+    const solver::Unknowns last = qp_.x;
+    qp_.solve();
+    double change = 0.0;
+    double largest = 0.0;
+    for (int i = 0; i < candidate_count_; ++i) {
+      change = std::max(change, std::abs(qp_.x[i] - last[i]));
+      largest = std::max(largest, qp_.x[i]);
+    }
+    if (change <= settings::contact_forces.friction_tolerance * largest) return true;
+  }
+  return false;
+}
+
+// Returns bodies whose twists are the accelerations by the tangential forces of the contacts, or by
+// all forces of the solution.
+std::array<BodyState, max_bodies> ContactForces::pushed_by_forces(
+    std::span<const collision::Contact> contacts, std::span<const solver::InverseMass> mass,
+    bool by_all) const {
+  std::array<BodyState, max_bodies> pushed{};
+  for (int i = 0; i < candidate_count_; ++i) {
+    const collision::Contact& c = contacts[candidate_[i]];
+    if (c.resting.friction != 0.0)
+      collision::apply_impulse(tangents_[i], c.resting.friction * qp_.x[i], mass, pushed);
+    if (by_all) collision::apply_impulse(c.row, qp_.x[i], mass, pushed);
+  }
+  for (int k = 0; by_all && k < wheel_count_; ++k) {
+    const solver::ConstraintRow& row = wheel_rows_[wheels_[k]];
+    collision::apply_impulse(row, qp_.x[candidate_count_ + k], mass, pushed);
+  }
+  return pushed;
 }
 
 // Projects the velocities of all touching bodies together onto the admissible ones: pressing gaps

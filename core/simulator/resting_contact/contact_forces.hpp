@@ -8,6 +8,9 @@
 // together with the ground's lateral force on wheels, which is at most grip M g. A ball at rest
 // stays at rest until it is pushed harder than its rolling resistance.
 //
+// Contacts with friction (an option) slide: their tangential forces are the coefficient times the
+// normal forces, against the slide. The problem is solved again with them until the forces agree.
+//
 // Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad, N. Threads: none.
 #pragma once
 
@@ -52,7 +55,11 @@ class ContactForces {
   // A gap opens if it does so faster than the contact's restitution threshold. Wheels that slide
   // and a ball that rolls no faster than Tolerances::slow_motion are stopped first. `drives` has
   // one entry per robot, `bodies` one per body.
-  void decide(std::span<const trajectory::DriveReference> drives, std::span<BodyState> bodies,
+  //
+  // Returns false if the friction of a pressing contact has no constant direction: the contact does
+  // not slide, or it is the ball's. Then there is no decision for the island, and its bodies need
+  // time steps.
+  bool decide(std::span<const trajectory::DriveReference> drives, std::span<BodyState> bodies,
               std::span<collision::Contact> contacts);
 
   // Returns what the ground does to a body, by the latest decision about it.
@@ -78,6 +85,13 @@ class ContactForces {
   void start_ball(std::span<const trajectory::DriveReference> drives,
                   std::span<const BodyState> bodies, std::span<const collision::Contact> contacts);
   Vec2 push_on_ball(std::span<const collision::Contact> contacts) const;
+  bool add_friction(std::span<const trajectory::DriveReference> drives,
+                    std::span<const BodyState> bodies, std::span<collision::Contact> contacts);
+  bool find_friction(const solver::Unknowns& without, std::span<const collision::Contact> contacts,
+                     std::span<const solver::InverseMass> mass);
+  std::array<BodyState, max_bodies> pushed_by_forces(std::span<const collision::Contact> contacts,
+                                                     std::span<const solver::InverseMass> mass,
+                                                     bool by_all) const;
   void drop_weak_forces();
   void read_solution(std::span<collision::Contact> contacts);
   void project_velocities(std::span<const trajectory::DriveReference> drives,
@@ -97,6 +111,7 @@ class ContactForces {
   std::array<int, solver::max_unknowns> candidate_;  // indices of contacts whose gaps do not open
   std::array<int, max_bodies> member_;               // bodies with a candidate
   std::array<int, max_bodies> wheels_;               // robots whose wheels may hold
+  std::array<solver::ConstraintRow, collision::max_contacts> tangents_;  // of the candidates
   int candidate_count_ = 0;
   int member_count_ = 0;
   int wheel_count_ = 0;

@@ -176,7 +176,11 @@ void ContactMotion::select_active(std::span<const collision::Contact> contacts) 
     const double of_b = contacts[b].resting.force;
     return of_a > of_b || (of_a == of_b && a < b);
   });
-  for (int i = 0; i < held_count_; ++i) held_[i] = contacts[held_index_[i]];
+  have_friction_ = false;
+  for (int i = 0; i < held_count_; ++i) {
+    held_[i] = contacts[held_index_[i]];
+    have_friction_ = have_friction_ || held_[i].resting.friction != 0.0;
+  }
 }
 
 // The gaps of pressing contacts stay zero on the whole segment if no equation is redundant. A
@@ -311,23 +315,36 @@ void ContactMotion::extend_twists(int k, std::span<trajectory::Segment> segments
 //
 // The rate of a pressing gap, and the slip of holding wheels, is zero at all times: each of its
 // terms is zero. Term k + 1 of the rate is its value without term k of the forces, plus (J M^-1
-// J' force[k]) / (k + 1). So the right-hand side is -(k + 1) times the value without.
+// J' force[k]) / (k + 1). So the right-hand side is -(k + 1) times the value without. Friction adds
+// to the rates what the next round takes away.
 void ContactMotion::solve_for_forces(int k, std::span<trajectory::Segment> segments) {
   if (k == 0) apply_redundant_forces(segments);
-  for (int i = 0; i < held_count_; ++i)
-    rhs_[i] = -(k + 1) * gap_rate_term(held_[i], segments, k + 1, rows_[i]);
-  for (int w = 0; w < wheel_count_; ++w)
-    rhs_[held_count_ + w] = -(k + 1) * segments[wheels_[w]].left[k + 1];
-  cholesky_.solve(rhs_);
-  for (int i = 0; i < held_count_; ++i) {
-    if (cholesky_.is_redundant(i)) continue;
-    rows_[i].force[k] = rhs_[i];
-    add_force(i, k, segments);
+  const int rounds = have_friction_ ? settings::contact_forces.friction_rounds : 1;
+  bool agree = false;
+  for (int round = 0; round < rounds && !agree; ++round) {
+    for (int i = 0; i < held_count_; ++i)
+      rhs_[i] = -(k + 1) * gap_rate_term(held_[i], segments, k + 1, rows_[i]);
+    for (int w = 0; w < wheel_count_; ++w)
+      rhs_[held_count_ + w] = -(k + 1) * segments[wheels_[w]].left[k + 1];
+    cholesky_.solve(rhs_);
+    agree = true;
+    for (int i = 0; i < held_count_; ++i) {
+      if (cholesky_.is_redundant(i)) continue;
+      double& force = rows_[i].force[k];
+      force = round == 0 ? rhs_[i] : force + rhs_[i];
+      add_force(i, k, rhs_[i], segments);
+      agree = agree &&
+              std::abs(rhs_[i]) <= settings::contact_motion.friction_round_off * std::abs(force);
+    }
+    for (int w = 0; w < wheel_count_; ++w) {
+      double& left = segments[wheels_[w]].left[k + 1];
+      if (cholesky_.is_redundant(held_count_ + w)) continue;
+      const double force = rhs_[held_count_ + w];
+      lateral_force_[w][k] = round == 0 ? force : lateral_force_[w][k] + force;
+      left += force * mass_[wheels_[w]].left / (k + 1);
+    }
   }
-  for (int w = 0; w < wheel_count_; ++w) {
-    if (!cholesky_.is_redundant(held_count_ + w)) lateral_force_[w][k] = rhs_[held_count_ + w];
-    segments[wheels_[w]].left[k + 1] = 0.0;
-  }
+  for (int w = 0; w < wheel_count_; ++w) segments[wheels_[w]].left[k + 1] = 0.0;
 }
 
 // The equations leave the forces of redundant ones open. They keep the constant value that
@@ -336,7 +353,7 @@ void ContactMotion::apply_redundant_forces(std::span<trajectory::Segment> segmen
   for (int i = 0; i < held_count_; ++i) {
     if (!cholesky_.is_redundant(i)) continue;
     rows_[i].force[0] = held_[i].resting.force;
-    add_force(i, 0, segments);
+    add_force(i, 0, rows_[i].force[0], segments);
   }
   for (int w = 0; w < wheel_count_; ++w) {
     if (!cholesky_.is_redundant(held_count_ + w)) continue;
@@ -346,10 +363,12 @@ void ContactMotion::apply_redundant_forces(std::span<trajectory::Segment> segmen
   }
 }
 
-// Adds to term k + 1 of the twists what term k of the contact's force gives along the first term
-// of its row.
-void ContactMotion::add_force(int i, int k, std::span<trajectory::Segment> segments) const {
-  add_to_twists(held_[i].row, rows_[i].force[k] / (k + 1), k + 1, segments);
+// Adds to term k + 1 of the twists what this much of term k of the contact's force gives along the
+// first term of its row.
+void ContactMotion::add_force(int i, int k, double force,
+                              std::span<trajectory::Segment> segments) const {
+  if (!have_friction_) return add_to_twists(held_[i].row, force / (k + 1), k + 1, segments);
+  add_to_twists(first_push(held_[i], rows_[i]), force / (k + 1), k + 1, segments);
 }
 
 void ContactMotion::add_to_twists(const solver::ConstraintRow& row, double amount, int term,
@@ -389,12 +408,22 @@ double ContactMotion::time_of_slip(double min_duration, double length) const {
   return length;
 }
 
-// Sets the common end of the segments: the earliest of convergence, release, slip, and the ends of
-// single bodies. The body that ends the segment may settle exactly there.
+// Returns when a contact ceases to slide against its friction, s after the start; at most `length`.
+double ContactMotion::time_of_stick(double length) const {
+  for (int i = 0; have_friction_ && i < held_count_; ++i) {
+    if (held_[i].resting.friction == 0.0) continue;
+    length = time_of_rest(held_[i], rows_[i], world_.tolerances.slow_motion, length);
+  }
+  return length;
+}
+
+// Sets the common end of the segments: the earliest of convergence, release, slip, stick, and the
+// ends of single bodies. The body that ends the segment may settle exactly there.
 void ContactMotion::find_end(const SegmentRequest& request,
                              std::span<trajectory::Segment> segments) const {
   double length = converged_length_of_all(segments);
   length = time_of_slip(request.min_duration, time_of_release(request.min_duration, length));
+  length = time_of_stick(length);
   int settling = no_body;
   for (int m = 0; m < member_count_; ++m) {
     const int i = members_[m];

@@ -6,8 +6,8 @@
 // same contacts press and the same wheels hold (contact_forces.hpp), the gaps of these contacts
 // stay zero: an index-1 reduction of a differential-algebraic equation, solved term by term. Term
 // k of all forces is the solution of one linear system, whose matrix J M^-1 J' is the same for
-// every k. The segment ends where a force would pull, a grip is used up, a slide ends, a ball
-// stops or starts, or a corner leaves its edge.
+// every k. Friction of contacts that slide is added in rounds. The segment ends where a force would
+// pull, a grip is used up, a slide ends, a ball stops or starts, or a corner leaves its edge.
 //
 // Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad, N. Threads: none.
 #pragma once
@@ -77,7 +77,7 @@ class ContactMotion {
   void extend_twists(int k, std::span<trajectory::Segment> segments);
   void solve_for_forces(int k, std::span<trajectory::Segment> segments);
   void apply_redundant_forces(std::span<trajectory::Segment> segments);
-  void add_force(int i, int k, std::span<trajectory::Segment> segments) const;
+  void add_force(int i, int k, double force, std::span<trajectory::Segment> segments) const;
   void add_to_twists(const solver::ConstraintRow& row, double amount, int term,
                      std::span<trajectory::Segment> segments) const;
   bool is_at_rest(std::span<const trajectory::Segment> segments) const;
@@ -93,6 +93,7 @@ class ContactMotion {
                  double min_duration) const;
   double time_of_release(double min_duration, double length) const;
   double time_of_slip(double min_duration, double length) const;
+  double time_of_stick(double length) const;
 
   const collision::StaticWorld& world_;
 
@@ -110,6 +111,7 @@ class ContactMotion {
   std::array<collision::Contact, solver::max_unknowns> held_;  // contacts that press
   std::array<int, solver::max_unknowns> held_index_;           // of held_, among all contacts
   int held_count_ = 0;
+  bool have_friction_ = false;          // some of held_
   std::vector<ContactSeries> rows_;     // of held_
   std::array<int, max_bodies> wheels_;  // robots whose wheels hold
   int wheel_count_ = 0;

@@ -4,6 +4,7 @@
 #include "core/simulator/model/solver_settings.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mirocup::simulator::resting_contact {
 
@@ -57,6 +58,7 @@ void start_on_edge(const collision::StaticWorld& world, const collision::Contact
   rows.point = a == nullptr || is_ball ? Vec2{0.0, 0.0} : world.shape(c.a).corner[c.point.corner];
   rows.normal = b == nullptr ? c.point.normal : shape->normal[c.point.edge];
   const Vec2 along = along_edge(rows.normal);
+  rows.push = rows.normal + c.resting.friction * along;
   rows.edge_begin = shape == nullptr ? -infinity : along.dot(shape->corner[c.point.edge]);
   rows.edge_end = shape == nullptr ? infinity : along.dot(shape->corner[shape->next(c.point.edge)]);
 
@@ -86,25 +88,27 @@ Vec2 point_velocity(const ContactSeries& rows, int k) {
   return rows.later_velocity + heading.to_world({rows.velocity.c[k][0], rows.velocity.c[k][1]});
 }
 
-void extend_on_edge(const collision::Contact& c, std::span<const trajectory::Segment> segments,
-                    int k, ContactSeries& rows) {
-  Vec2 velocity{0.0, 0.0};
-  rows.omega[k] = 0.0;
+double slide_on_edge(const collision::Contact& c, std::span<const trajectory::Segment> segments,
+                     int k, const ContactSeries& rows) {
   const Vec2 along = along_edge(rows.normal);
-  double speed_along = 0.0;
-  if (c.a != no_body) {
-    set_point_velocity(segments[c.a], k, rows);
-    velocity = point_velocity(rows, k);
-    rows.omega[k] += segments[c.a].omega[k];
-    speed_along = along.dot(velocity);
-  }
+  double speed = c.a != no_body ? along.dot(point_velocity(rows, k)) : 0.0;
   if (c.b != no_body) {
     const trajectory::Segment& b = segments[c.b];
-    rows.omega[k] -= b.omega[k];
-    speed_along -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.omega[k];
+    speed -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.omega[k];
   }
+  return speed;
+}
+
+void extend_on_edge(const collision::Contact& c, std::span<const trajectory::Segment> segments,
+                    int k, ContactSeries& rows) {
+  rows.omega[k] = 0.0;
+  if (c.a != no_body) {
+    set_point_velocity(segments[c.a], k, rows);
+    rows.omega[k] += segments[c.a].omega[k];
+  }
+  if (c.b != no_body) rows.omega[k] -= segments[c.b].omega[k];
   const double next = k + 1;
-  rows.lever_b[k + 1] = -speed_along / next;
+  rows.lever_b[k + 1] = -slide_on_edge(c, segments, k, rows) / next;
   const Vec2 turning = product_term(rows.heading, rows.omega, k, 0);
   rows.heading.c[k + 1] = {-turning.y() / next, turning.x() / next};
 }
@@ -204,6 +208,19 @@ double gap_rate_term(const collision::Contact& c, std::span<const trajectory::Se
                          : gap_rate_on_edge(c, segments, k, rows);
 }
 
+double slide_term(const collision::Contact& c, std::span<const trajectory::Segment> segments, int k,
+                  const ContactSeries& rows) {
+  return slide_on_edge(c, segments, k, rows);
+}
+
+solver::ConstraintRow first_push(const collision::Contact& c, const ContactSeries& rows) {
+  if (c.resting.friction == 0.0) return c.row;
+  const Vec2 on_a = Heading{rows.heading.c[0][0], rows.heading.c[0][1]}.to_body(rows.push);
+  return solver::difference_row(
+      c.a, c.b, {on_a.x(), on_a.y(), cross(rows.point, on_a)},
+      {rows.push.x(), rows.push.y(), rows.lever_b[0] + c.resting.friction * rows.distance});
+}
+
 solver::ConstraintRow later_force_term(const collision::Contact& c, const ContactSeries& rows,
                                        int k) {
   if (is_on_corner(c)) {
@@ -216,7 +233,7 @@ solver::ConstraintRow later_force_term(const collision::Contact& c, const Contac
   solver::JacobianRow on_a{}, on_b{};
   if (c.a != no_body) {
     const Vec2 turning = product_term(rows.heading, rows.force, k, 1);
-    const Vec2 seen_from_a = Heading{turning.x(), turning.y()}.to_body(rows.normal);
+    const Vec2 seen_from_a = Heading{turning.x(), turning.y()}.to_body(rows.push);
     on_a = {seen_from_a.x(), seen_from_a.y(), cross(rows.point, seen_from_a)};
   }
   if (c.b != no_body) on_b[2] = product_term(rows.lever_b, rows.force, k, 1);
@@ -239,6 +256,19 @@ double time_on_edge(const collision::Contact& c, const ContactSeries& rows, doub
     until(rows.lever_b, -rows.edge_end - margin);
   }
   return length;
+}
+
+// The speed is minus the rate of lever_b, whose last known term is that of index terms - 1.
+double time_of_rest(const collision::Contact& c, const ContactSeries& rows, double slow,
+                    double length) {
+  const double sign = c.resting.friction > 0.0 ? 1.0 : -1.0;  // of -speed
+  // A slide that begins has speed zero at the start. Divided by t, that root is left out.
+  const int first = std::abs(rows.lever_b[1]) <= slow ? 1 : 0;
+  trajectory::Series speed;
+  speed.terms = rows.lever_b.terms;
+  for (int k = first; k + 1 < speed.terms; ++k)
+    speed[k - first] = sign * (k + 1) * rows.lever_b[k + 1];
+  return std::min(length, first_crossing(speed, 0.0, 0.0, length));
 }
 
 void set_terms(ContactSeries& rows, int terms) {

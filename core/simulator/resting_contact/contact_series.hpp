@@ -38,6 +38,7 @@ struct ContactSeries {
   // For a point on an edge. The frame of a wall, and of the ball, is the field's.
   Vec2 point;                // m: contact point, in the frame of the point's side
   Vec2 normal;               // unit, in the frame of the edge's side
+  Vec2 push;                 // the force for each N along the normal, with friction, in that frame
   double distance;           // m, along the normal: from the reference point of the edge's side
   TwoSeries heading;         // cos and sin of the point's side, seen from the edge's side
   trajectory::Series omega;  // rad/s: rate of that heading
@@ -68,6 +69,15 @@ void extend_rows(const collision::StaticWorld& world, const collision::Contact& 
 double gap_rate_term(const collision::Contact& contact,
                      std::span<const trajectory::Segment> segments, int k, ContactSeries& rows);
 
+// Returns term k of the speed, m/s, at which the point slides along the edge, from the twists'
+// terms up to k. Call after gap_rate_term(k). Not for the ball on a corner.
+double slide_term(const collision::Contact& contact, std::span<const trajectory::Segment> segments,
+                  int k, const ContactSeries& rows);
+
+// Returns the row along which the contact's force acts at the start: it differs from the contact's
+// row by the friction.
+solver::ConstraintRow first_push(const collision::Contact& contact, const ContactSeries& rows);
+
 // Returns term k of the series row * force, less (term 0 of the row) * (term k of the force).
 solver::ConstraintRow later_force_term(const collision::Contact& contact, const ContactSeries& rows,
                                        int k);
@@ -76,6 +86,11 @@ solver::ConstraintRow later_force_term(const collision::Contact& contact, const 
 // a sine): s after the start, at most `length`. A point or ball that is already there at
 // the start is not reported.
 double time_on_edge(const collision::Contact& contact, const ContactSeries& rows, double margin,
+                    double length);
+
+// Returns when the point, which slides against its friction, comes to rest on the edge: s after the
+// start, at most `length`. A slide that begins, slower than `slow` (m/s), does not end at once.
+double time_of_rest(const collision::Contact& contact, const ContactSeries& rows, double slow,
                     double length);
 
 // Sets the number of terms of those series that are searched for roots. The force is known to the

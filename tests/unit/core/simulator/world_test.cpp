@@ -109,5 +109,21 @@ TEST(World, PostPushesAnOverlappingRobotOutAndChangesNoMasses) {
   EXPECT_EQ(world.static_world().grounded_robot.omega, before.omega);
 }
 
+// A robot that walls with friction wedge: wheels and walls hold it from all sides. Catches a
+// contact that seems to slide by rounding, stops, and slides again, without end at `coarse`.
+TEST(World, WedgedRobotSticksAtEveryLevel) {
+  const field::Field field = field::make_field(League::small);
+  Parameters parameters;
+  parameters.contact_friction.robot_wall = 0.3;
+  const WheelCommand command = WheelSpeeds{29.504676389409983, 44.126343720939829};
+  for (const Accuracy level : {Accuracy::coarse, Accuracy::standard}) {
+    World world(&field, parameters, tolerances_of(level), 1, false);
+    world.set_robot(0, {{0.70305351361844615, 0.55533144276592972},
+                        {0.9548672482055105, 0.29703289094717439},
+                        {}});
+    for (int k = 0; k < 3; ++k) EXPECT_LE(world.advance({&command, 1}, 0.033).events, 40);
+  }
+}
+
 }  // namespace
 }  // namespace mirocup::simulator

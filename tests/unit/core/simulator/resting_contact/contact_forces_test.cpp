@@ -86,5 +86,41 @@ TEST(ContactForces, BallAtRestHoldsAgainstAPushBelowItsRollingResistance) {
   }
 }
 
+// A robot with its face to a wall that its motors press on, and its slip to the left.
+struct AtAWall {
+  Parameters p;
+  field::Field field = field::make_field(League::small);
+  collision::StaticWorld world;
+  std::array<BodyState, 1> bodies;
+  collision::ContactList list;
+
+  explicit AtAWall(double slip) {
+    p.contact_friction.robot_wall = 0.3;
+    world = collision::make_static_world(&field, p, Tolerances{}, 1, false);
+    bodies[0] = {{0.1, field.half_width - 0.5 * p.robot_side}, Heading{0.0, 1.0}, {0.0, slip, 0.0}};
+    for (int wall = 0; wall < static_cast<int>(field.walls.size()); ++wall)
+      add_contacts(world, pair_with_obstacle(0, wall), bodies, 1e-9, list);
+  }
+
+  bool decide(double wheels) {
+    const std::array drives{trajectory::drive_reference(p, WheelSpeeds{wheels, wheels})};
+    return ContactForces(world).decide(drives, bodies, list.contacts());
+  }
+};
+
+// Catches friction along the slide, and one of a contact that sticks: it has no constant direction.
+TEST(ContactForces, FrictionIsDecidedWhereContactsSlide) {
+  for (const double slip : {0.2, -0.2}) {
+    AtAWall robot(slip);
+    ASSERT_EQ(robot.list.count, 2);
+    ASSERT_TRUE(robot.decide(20.0));
+    for (const collision::Contact& c : robot.list.contacts()) {
+      const double along = cross(1.0, c.point.normal).dot(robot.bodies[0].velocity());
+      EXPECT_EQ(c.resting.friction, along > 0.0 ? -0.3 : 0.3);
+    }
+  }
+  EXPECT_FALSE(AtAWall(0.0).decide(20.0));
+}
+
 }  // namespace
 }  // namespace mirocup::simulator::resting_contact
