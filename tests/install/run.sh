@@ -86,7 +86,7 @@ for unit in mirocup-league@spring.service mirocup-night@spring.service mirocup-n
   mirocup-health@spring.service mirocup-health@spring.timer; do
   inside systemd-analyze verify "$unit"
 done
-tests/build/units/check.sh "$folder/debian/usr/lib/systemd/system"
+tests/build/units/check.sh "$debian/usr/lib/systemd/system"
 
 step "the manual and completion"
 inside sh -ec 'man -w mirocup mirocup-match mirocup-league-start'
