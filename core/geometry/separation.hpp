@@ -62,9 +62,9 @@ struct Reference {
   bool is_a;  // the edge belongs to a
   EdgeSeparation best;
 };
-// Returns the reference edge. On a tie it is that of `a`, whatever the poses, so that a half-turn
-// of the field changes nothing. If an edge of a separates the two by more than `margin`, m, it is
-// returned, and the edges of b are not tried.
+// Returns the reference edge. On a tie it is that of `a` at any poses, so that a half-turn of the
+// field changes nothing. If an edge of a separates the two by more than `margin`, m, it is returned,
+// and the edges of b are not tried.
 Reference reference_of(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b,
                        double margin = infinity);
 

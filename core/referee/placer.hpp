@@ -62,7 +62,7 @@ class Placer {
     End team;
     const std::array<Pose, max_robots_per_team>& poses;
     RobotSet in_special_place;                           // and may hold it
-    std::array<Misplaced, max_robots_per_team> alone{};  // whatever its team-mates do
+    std::array<Misplaced, max_robots_per_team> alone{};  // regardless of team-mates
     std::array<RobotSet, max_robots_per_team> clashes;   // the team-mates that may not stay with it
   };
 

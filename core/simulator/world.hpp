@@ -72,7 +72,7 @@ class World {
     struct Touch {
       std::uint8_t a, partner;  // of a pair
     };
-    int touches = 0;                                     // in use of the array below
+    int touches = 0;                                     // elements in use of `touch`
     std::array<Touch, collision::max_contacts> touch{};  // the pairs in contact, in their order
     stepping::TimeStepper::Memory steps;                 // ends with the forces in use
   };

@@ -61,7 +61,7 @@ class RestThresholds {
   // What a tick leaves to the next one.
   struct Memory {
     BodySet over_budget;  // bodies that went over budget in it
-    int count = 0;        // in use of the array below
+    int count = 0;        // elements in use of `touched`
     std::array<Touched, collision::max_contacts> touched;
   };
   const Memory& memory() const { return memory_; }

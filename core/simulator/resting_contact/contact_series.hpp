@@ -35,7 +35,7 @@ struct ContactSeries {
   solver::JacobianRow first_a{}, first_b{};
   trajectory::Series force;  // N, along the normal
 
-  // For a point on an edge. The frame of a wall, and of the ball, is the field's.
+  // If a point touches an edge. A wall and the ball have the frame of the field.
   Vec2 point;                // m: contact point, in the frame of the point's side
   Vec2 normal;               // unit, in the frame of the edge's side
   Vec2 push;                 // the force for each N along the normal, with friction, in that frame

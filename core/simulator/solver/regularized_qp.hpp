@@ -77,7 +77,7 @@ class RegularizedQp {
   double value_ = 0.0;
   Unknowns gradient_;
   Unknowns rates_, x_at_rates_;  // A x, and that x
-  bool rates_current_ = false;   // the rows have not changed since
+  bool rates_current_ = false;   // the rows have not changed since `rates_`
 
   // The data of one round: x and its gradient at the start, and Newton's direction.
   Unknowns x_at_start_, gradient_at_start_, direction_;

@@ -92,7 +92,7 @@ class TimeStepper {
     BodySet stepped;                                   // in this tick
     std::array<double, max_robots> wheel_force{};      // N, lateral, of each robot's latest step
     std::array<double, max_bodies> proposed_length{};  // s, by each body's latest step
-    int forces = 0;                                    // in use of the array below
+    int forces = 0;                                    // elements in use of `force`
     std::array<RememberedForce, solver::max_unknowns> force;  // of each body's latest step
   };
   // Copies of it hold the forces in use only: the rest of the array keeps what it had.
