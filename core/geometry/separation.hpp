@@ -63,8 +63,8 @@ struct Reference {
   EdgeSeparation best;
 };
 // Returns the reference edge. On a tie it is that of `a` at any poses, so that a half-turn of the
-// field changes nothing. If an edge of a separates the two by more than `margin`, m, it is returned,
-// and the edges of b are not tried.
+// field changes nothing. If an edge of a separates the two by more than `margin`, m, it is
+// returned, and the edges of b are not tried.
 Reference reference_of(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b,
                        double margin = infinity);
 
