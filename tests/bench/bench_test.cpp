@@ -41,7 +41,9 @@ TEST(Bench, PrintsErrorsAndCosts) {
     EXPECT_EQ(shots["through_robot"], 0.0);
     EXPECT_EQ(shots["through_plate"], 0.0);
   }
-  EXPECT_EQ(test_support::read_file(folder / "plot.svg").rfind("<svg ", 0), 0);
+  const std::string plot = test_support::read_file(folder / "plot.svg");
+  EXPECT_EQ(plot.rfind("<svg ", 0), 0);
+  EXPECT_NE(plot.find("crowded ticks (p99), mm"), std::string::npos);
 }
 
 TEST(Bench, RefusesWhatItDoesNotKnow) {

@@ -32,6 +32,9 @@ double worst_free(const Report&, const Row& row) {
 double worst_crowd(const Report&, const Row& row) {
   return row.crowd.five_ticks.p90;
 }
+double tail_of_crowd(const Report&, const Row& row) {
+  return row.crowd.five_ticks.p99;
+}
 template <SceneKind kind>
 double overlap(const Report& report, const Row& row) {
   return report.timing(row, kind).play.deepest_overlap;
@@ -200,6 +203,8 @@ const std::vector<Plot>& plots() {
       {"Nothing touches", "error after 5 ticks (p90), mm", 1e-3, SceneKind::quiet, worst_free},
       {"Game, 3 a side", "error after 5 crowded ticks (p90), mm", 1e-3, SceneKind::game,
        worst_crowd},
+      {"Game, 3 a side: the tail", "error after 5 crowded ticks (p99), mm", 1e-3, SceneKind::game,
+       tail_of_crowd},
       {"Jams", "deepest overlap, mm", 1e-3, SceneKind::jam, overlap<SceneKind::jam>},
       {"Six robots on the ball", "deepest overlap, mm", 1e-3, SceneKind::scrum,
        overlap<SceneKind::scrum>},
