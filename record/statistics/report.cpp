@@ -2,6 +2,7 @@
 #include "record/statistics/report.hpp"
 
 #include "record/json_reader.hpp"
+#include "record/statistics/advice.hpp"
 #include "record/statistics/statistics_json.hpp"
 #include "system/csv.hpp"
 #include "system/formatted.hpp"
@@ -69,6 +70,14 @@ bool is_named(const TeamTotals& team, const std::string& name) {
 // "leg.json tick 812", to be looked at by `mirocup replay`.
 std::string place_of(const LegReport& leg, std::uint32_t tick) {
   return system::printable(leg.record) + " tick " + std::to_string(tick);
+}
+
+// What to practise, a line for each drill.
+std::string advice_text(const std::vector<LegReport>& legs, const TeamTotals& team) {
+  std::string text;
+  for (const Advice& advice : advice_for(legs, team))
+    text += "  mirocup drill " + advice.drill + ": " + advice.why + "\n";
+  return text;
 }
 
 // Goals that fell in the same way.
@@ -167,7 +176,10 @@ std::string numbers_text(const std::vector<LegReport>& legs) {
   std::vector<std::vector<std::string>> kinds{{"goals by kind"}};
   for (const auto name : enum_names<GoalOrigin>) kinds[0].emplace_back(name);
   std::string fouls;
+  std::string advice;
   for (const TeamTotals& team : totals_of(legs)) {
+    const std::string lines = advice_text(legs, team);
+    if (!lines.empty()) advice += "\n" + name_of(team) + " could practise:\n" + lines;
     const TeamStatistics& own = team.own;
     std::vector<std::string> row{
         name_of(team), std::to_string(team.legs),
@@ -187,7 +199,7 @@ std::string numbers_text(const std::vector<LegReport>& legs) {
     kinds.push_back(kind);
     fouls += "fouls of " + name_of(team) + ": " + names_text<referee::Law>(own.fouls) + "\n";
   }
-  return text + table_text(rows) + "\n" + table_text(kinds) + "\n" + fouls;
+  return text + table_text(rows) + "\n" + table_text(kinds) + "\n" + fouls + advice;
 }
 
 std::string numbers_csv(const std::vector<LegReport>& legs) {
@@ -251,6 +263,8 @@ std::string goals_text(const std::vector<LegReport>& legs, const std::string& on
             " times; thirds of the field: " + names_text<Third>(team.own.losses) + "\n";
     const std::string fouls = fouls_of(legs, team);
     text += "  fouls called against it: " + std::to_string(team.own.all_fouls()) + "\n" + fouls;
+    const std::string advice = advice_text(legs, team);
+    if (!advice.empty()) text += "  it could practise:\n" + advice;
   }
   return text;
 }

@@ -2,6 +2,7 @@
 #include "record/statistics/statistics_json.hpp"
 
 #include "record/json_fields.hpp"
+#include "record/statistics/advice.hpp"
 #include "record/touch_fields.hpp"
 #include "system/number_of.hpp"
 
@@ -229,7 +230,12 @@ Json report_json(const std::vector<LegReport>& legs) {
   Json list = Json::array();
   for (const LegReport& leg : legs) list.push_back(to_json(leg));
   Json teams = Json::array();
-  for (const TeamTotals& team : totals_of(legs)) teams.push_back(to_json(team));
+  for (const TeamTotals& team : totals_of(legs)) {
+    Json& json = teams.emplace_back(to_json(team));
+    json["advice"] = Json::array();
+    for (const Advice& one : advice_for(legs, team))
+      json["advice"].push_back({{"drill", one.drill}, {"why", one.why}});
+  }
   return {{"schema", schema}, {"legs", list}, {"teams", teams}};
 }
 
