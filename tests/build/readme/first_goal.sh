@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# docs/first-goal.md: each step is built as it is printed, in C++ and in Python, both play the leg that the page prints, and the
+# last team beats striker as the page says. Usage: first_goal.sh ROOT BUILD
+set -euo pipefail
+root=$(realpath "$1")
+build=$(realpath "$2")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+page=$root/docs/first-goal.md
+cd "$folder"
+
+# The blocks of a language as files 1.END, 2.END …
+blocks() {
+  awk -v start="^\`\`\`$1\$" -v end="$2" '$0 ~ start { inside = 1; ++n; next } /^```$/ { inside = 0 } inside { print > (n "." end) }' "$page"
+}
+blocks cpp cpp
+blocks python py
+build_line=$(grep -m1 -o '^g++ .* first\.cpp -o first\.so' "$page")
+mapfile -t matches < <(grep '^build/mirocup match --blue ./first.so .* --half 60 --seed 1$' "$page")
+mapfile -t results < <(grep '^first (blue) ' "$page")
+[[ ${#matches[@]} -eq 8 && ${#results[@]} -eq 8 && -f 8.cpp && -f 8.py && ! -f 9.py ]] || {
+  echo "first_goal: eight steps with a leg each are expected" >&2
+  exit 1
+}
+for step in {1..8}; do
+  cp "$step.cpp" first.cpp
+  cp "$step.py" first.py
+  eval "${build_line/-Iplugins/-I$root/plugins} -Wall -Wextra -Werror"
+  for team in ./first.so ./first.py; do
+    command=${matches[step - 1]/.\/first.so/$team}
+    played=$("$build/mirocup" ${command#build/mirocup } | tail -1)
+    [[ $played == "${results[step - 1]}" ]] || {
+      echo "first_goal: step $step, $team: \"$played\", and the page says \"${results[step - 1]}\"" >&2
+      exit 1
+    }
+  done
+done
+won=0
+for seed in {1..10}; do
+  score=$("$build/mirocup" match --blue ./first.so --yellow striker --half 120 --seed "$seed" | grep -oE '[0-9]+ : [0-9]+')
+  [[ ${score% : *} -le ${score#* : } ]] || won=$((won + 1))
+done
+[[ $won -eq 7 ]] || { echo "first_goal: the last team beats striker in $won of ten legs, and the page says seven" >&2; exit 1; }
