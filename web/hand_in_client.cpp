@@ -130,6 +130,10 @@ DeskReply HandInClient::pin(const std::string& entry) {
   return reply_of(result, result ? result->body : "");
 }
 
+DeskReply HandInClient::friendlies() {
+  return impl_->get("/api/v1/friendlies");
+}
+
 DeskReply HandInClient::entry(int number) {
   return impl_->get("/api/v1/entries/" + std::to_string(number));
 }

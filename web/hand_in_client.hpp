@@ -41,6 +41,8 @@ class HandInClient {
   DeskReply pin(const std::string& entry);
   // Asks for the state of an entry.
   DeskReply entry(int number);
+  // Asks for the team's friendlies, and for its progress in them.
+  DeskReply friendlies();
 
  private:
   struct Impl;  // keeps the HTTP library out of this header

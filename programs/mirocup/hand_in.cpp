@@ -5,6 +5,7 @@
 #include "programs/mirocup/commands.hpp"
 #include "record/json_reader.hpp"
 #include "system/files.hpp"
+#include "system/formatted.hpp"
 #include "system/printable.hpp"
 #include "web/hand_in_client.hpp"
 
@@ -23,6 +24,7 @@ struct HandInOptions {
   std::string token_file;
   std::string pin;        // "N" or "latest": no file is sent, and that entry plays; "": a file is
   std::string authority;  // file of the certificate that signs for the server; "": the system's
+  bool progress = false;  // no file is sent: the versions are compared
   bool json = false;
 };
 
@@ -163,8 +165,38 @@ Result<int> pin_entry(const HandInOptions& options, const std::string& token) {
   return exit_yes;
 }
 
+// A line for each version of the team, the latest first, and what the latest does otherwise.
+void print_progress(const Json& reply) {
+  const Json progress = reply.value("progress", Json::array());
+  if (progress.empty()) std::cout << "no entry has played a friendly against a house team yet\n";
+  for (const Json& entry : progress) {
+    std::cout << "entry " << number_in(entry, "entry")
+              << system::formatted(": rating %+.0f (%+.0f to %+.0f)", entry.value("rating", 0.0),
+                                   entry.value("low", 0.0), entry.value("high", 0.0));
+    const Json against = entry.value("against", Json::object());
+    for (const auto& [name, met] : against.items())
+      std::cout << ", " << system::printable(name) << ' ' << number_in(met, "goals") << " : "
+                << number_in(met, "against");
+    std::cout << '\n';
+  }
+  const std::string change = text_in(reply, "change");
+  if (!change.empty()) std::cout << system::printable(change) << '\n';
+}
+
+Result<int> show_progress(const HandInOptions& options, const std::string& token) {
+  MIROCUP_TRY(auto client, web::HandInClient::open(options.url, token, options.authority));
+  MIROCUP_TRY(const auto reply, checked(client->friendlies(), 200));
+  if (options.json) {
+    std::cout << record::json_text(reply.json) << '\n';
+  } else {
+    print_progress(reply.json);
+  }
+  return exit_yes;
+}
+
 Result<int> run_hand_in(const HandInOptions& options) {
   MIROCUP_TRY(const auto token, read_token(options.token_file));
+  if (options.progress) return show_progress(options, token);
   if (!options.pin.empty()) return pin_entry(options, token);
   if (options.path.empty()) return fail(Errc::input, "name the file to hand in, or --pin N");
   system::Disk disk;
@@ -207,6 +239,10 @@ void add_hand_in(system::Commands& commands) {
       "Library of the team, its source, its file of Python, or an archive of its project");
   command.option("--pin", o.pin, "Send no file: let this accepted entry play, or \"latest\" again")
       .named("N")
+      .excludes(file);
+  command
+      .flag("--progress", o.progress,
+            "Send no file: print goals against each house team and the rating of each version")
       .excludes(file);
   command.option("--token-file", o.token_file, "File with the token of the team")
       .named("FILE")

@@ -158,6 +158,7 @@ Json FriendlyDesk::json_of(const Friendly& one, const std::string& viewer, LegCo
     json["bank_seconds"] = cost->bank_seconds;
     json["slowest_tick_ms"] = cost->slowest_tick_ms;
     json["late_ticks"] = cost->late_ticks;
+    json["fouls"] = cost->fouls;
   }
   return json;
 }

@@ -14,6 +14,8 @@ namespace {
 
 using record::JsonReader;
 
+constexpr std::size_t max_decisions = 100'000;
+
 OwnLeg seen_from(const LeagueState& state, const FixtureState& f, int leg, int team) {
   const PlayedLeg& played = *f.legs[leg - 1].played;
   const bool is_home = f.fixture.home == team;
@@ -67,6 +69,11 @@ std::optional<LegCost> LegCosts::of(const OwnLeg& leg) {
         read.bank_seconds = budget.at("bank_seconds").as<double>();
         read.slowest_tick_ms = budget.at("slowest_tick_ms").as<double>();
         read.late_ticks = budget.at("late_ticks").integer<int>(0);
+        for (const JsonReader& call : json.at("decisions").elements(0, max_decisions)) {
+          const bool is_foul = call.has("offender") && !call.at("offender").is_null() &&
+                               call.has("restart") && !call.at("restart").is_null();
+          if (is_foul && call.at("offender").text() == leg.colour) ++read.fouls;
+        }
         return read;
       });
   if (!cost) return std::nullopt;

@@ -37,12 +37,13 @@ struct OwnLeg {
 // Returns the decided legs of a team in the order of the schedule; none if there is no such team.
 std::vector<OwnLeg> own_legs(const LeagueState& state, const std::string& team);
 
-// The time that the team's process took in a leg, from the record.
+// The time that the team's process took in a leg, and its fouls, from the record.
 struct LegCost {
   double cpu_seconds = 0.0;
   double bank_seconds = 0.0;  // processor time that it was allowed
   double slowest_tick_ms = 0.0;
   int late_ticks = 0;
+  int fouls = 0;  // decisions that name the team as offender and give a restart
 };
 
 // Reads records once. Threads: any.

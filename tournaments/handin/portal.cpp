@@ -5,6 +5,7 @@
 #include "system/printable.hpp"
 #include "tournaments/handin/form.hpp"
 #include "tournaments/handin/pins.hpp"
+#include "tournaments/handin/progress.hpp"
 #include "tournaments/handin/replies.hpp"
 #include "tournaments/league/submission.hpp"
 
@@ -273,8 +274,12 @@ web::Reply Portal::team_page(const std::string& team) {
 }
 
 web::Reply Portal::list_friendlies(const Call& call) {
+  const Json friendlies = friendlies_->list(call.team, state_.costs);
+  const Json progress = progress_of(friendlies);
   return json_reply(200, {{"team", call.team},
-                          {"friendlies", friendlies_->list(call.team, state_.costs)},
+                          {"friendlies", friendlies},
+                          {"progress", progress},
+                          {"change", change_in_words(progress)},
                           {"opponents", friendlies_->opponents(call.team)}});
 }
 

@@ -3,8 +3,10 @@
 
 #include "system/markup.hpp"
 #include "tournaments/handin/desk_html.hpp"
+#include "tournaments/handin/progress.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace mirocup::league {
 
@@ -38,18 +40,18 @@ project (.tar.gz, .zip)</label></p>
 Bearer TOKEN" ADDRESS/api/v1/entries</code></p></noscript>
 )";
 
-constexpr std::string_view script = R"(<script type="module" src="/hand_in.js"></script>
+constexpr std::string_view desk_script = R"(<script type="module" src="/hand_in.js"></script>
 )";
 
-struct Column {
+struct DeskColumn {
   const char* name;
   const char* style = "";  // "wide" and "mid" are left out on narrow windows
 };
 
 // A column without a name is headed by an empty cell, as readers of a screen expect.
-void head(Html& html, const std::vector<Column>& columns) {
+void table_head(Html& html, const std::vector<DeskColumn>& columns) {
   html.raw("<tr>");
-  for (const Column& column : columns) {
+  for (const DeskColumn& column : columns) {
     const std::string style = std::string(" class=\"") + column.style + "\">";
     html.raw(*column.name == '\0'
                  ? "<td" + style + "</td>"
@@ -83,7 +85,7 @@ void pin_cell(Html& html, const TeamDesk& desk, const Json& entry) {
 
 void entries_table(Html& html, const TeamDesk& desk) {
   html.open_table();
-  head(html, {{"Entry"}, {"State"}, {""}, {"Answer"}, {"File", "mid"}, {"Handed in", "mid"}});
+  table_head(html, {{"Entry"}, {"State"}, {""}, {"Answer"}, {"File", "mid"}, {"Handed in", "mid"}});
   for (const Json& entry : desk.entries) {
     const std::string number = std::to_string(entry.value("entry", 0));
     const std::string state = text_in(entry, "state");
@@ -164,15 +166,15 @@ void legs_table(Html& html, const TeamDesk& desk, const Json& legs) {
         "the staff only.</p>\n");
   }
   html.open_table();
-  head(html, {{"Fixture", "mid"},
-              {"Opponent"},
-              {"Result"},
-              {""},
-              {"Processor time, s", "wide"},
-              {"Slowest tick, ms", "mid"},
-              {""},
-              {""},
-              {"Own fault"}});
+  table_head(html, {{"Fixture", "mid"},
+                    {"Opponent"},
+                    {"Result"},
+                    {""},
+                    {"Processor time, s", "wide"},
+                    {"Slowest tick, ms", "mid"},
+                    {""},
+                    {""},
+                    {"Own fault"}});
   for (const Json& leg : legs) {
     const std::string result = text_in(leg, "result");
     html.open("tr");
@@ -214,15 +216,15 @@ void friendly_form(Html& html, const TeamDesk& desk) {
 
 void friendlies_table(Html& html, const TeamDesk& desk, const Json& friendlies) {
   html.open_table();
-  head(html, {{"Entry", "mid"},
-              {"Opponent"},
-              {"Result"},
-              {""},
-              {"Processor time, s", "wide"},
-              {"Slowest tick, ms", "mid"},
-              {""},
-              {""},
-              {"End", "mid"}});
+  table_head(html, {{"Entry", "mid"},
+                    {"Opponent"},
+                    {"Result"},
+                    {""},
+                    {"Processor time, s", "wide"},
+                    {"Slowest tick, ms", "mid"},
+                    {""},
+                    {""},
+                    {"End", "mid"}});
   for (const Json& leg : friendlies) {
     const std::string state = text_in(leg, "state");
     const bool is_played = state == "played";
@@ -240,6 +242,49 @@ void friendlies_table(Html& html, const TeamDesk& desk, const Json& friendlies) 
     html.close("tr");
   }
   html.close_table();
+}
+
+constexpr std::size_t shown_progress = 5;  // entries
+
+void progress_table(Html& html, const Json& progress) {
+  std::set<std::string> houses;
+  for (const Json& entry : progress) {
+    for (const auto& met : entry["against"].items()) houses.insert(met.key());
+  }
+  html.open_table();
+  std::vector<std::string> words{"Entry", "Rating"};
+  words.insert(words.end(), houses.begin(), houses.end());
+  words.insert(words.end(), {"Fouls a leg", "Slowest tick, ms"});
+  html.row("th", words);
+  for (std::size_t i = 0; i < std::min(progress.size(), shown_progress); ++i) {
+    const Json& entry = progress[i];
+    std::vector<std::string> cells{number_text(entry, "entry", "%.0f"),
+                                   number_text(entry, "rating", "%+.0f") + " (" +
+                                       number_text(entry, "low", "%+.0f") + " to " +
+                                       number_text(entry, "high", "%+.0f") + ")"};
+    for (const std::string& name : houses) {
+      const auto met = entry["against"].find(name);
+      cells.push_back(met == entry["against"].end() ? "" : score_of(*met));
+    }
+    cells.push_back(number_text(entry, "fouls", "%.1f"));
+    cells.push_back(number_text(entry, "slowest_tick_ms", "%.2f"));
+    html.row("td", cells);
+  }
+  html.close_table();
+}
+
+// What friendlies against house teams say of the versions.
+void progress_card(Html& html, const TeamDesk& desk) {
+  const Json progress = progress_of(desk.friendlies);
+  if (progress.empty()) return;
+  next_card(html, "Progress");
+  const std::string change = change_in_words(progress);
+  if (!change.empty()) html.cell("p", change);
+  progress_table(html, progress);
+  html.raw(
+      "<p class=\"small\">Goals in friendlies against each house team. The rating is the "
+      "strength above the mean of the house teams, with its interval of 95 %, and moves with each "
+      "of these legs.</p>\n");
 }
 
 void friendlies_card(Html& html, const TeamDesk& desk) {
@@ -282,6 +327,7 @@ std::string team_desk_page(const TeamDesk& desk) {
     html.raw("</section>\n<section class=\"card\">\n");
     html.raw(desk.digest);
   }
+  progress_card(html, desk);
   friendlies_card(html, desk);
   next_card(html, "Own legs");
   if (desk.legs.empty()) html.cell("p", "No leg of the league was played yet.");
@@ -290,7 +336,7 @@ std::string team_desk_page(const TeamDesk& desk) {
   processor_time(html, all);
   latest_first(html, desk, desk.legs, shown_legs, legs_table);
   html.raw(desk.statistics);
-  html.raw(script);
+  html.raw(desk_script);
   return desk_page(desk.shown_name(desk.team), html);
 }
 

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// Catches goals of another entry, a rating that does not rise with wins, one that other teams' legs
+// move, and a comparison over house teams that only one entry has met.
+#include "tournaments/handin/progress.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace mirocup::league {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json leg(int entry, const std::string& opponent, int goals, int against, int fouls = -1) {
+  Json json{{"entry", entry},
+            {"opponent", opponent},
+            {"state", "played"},
+            {"goals", goals},
+            {"against", against}};
+  if (fouls >= 0) json.update({{"fouls", fouls}, {"slowest_tick_ms", 0.1 * fouls}});
+  return json;
+}
+
+TEST(Progress, ComparesEntriesByTheirLegsAgainstHouseTeams) {
+  Json friendlies = Json::array({leg(4, "house:striker", 3, 1, 2), leg(4, "house:chaser", 5, 0, 1),
+                                 leg(4, "house:planner", 0, 9), leg(2, "house:striker", 1, 3, 4),
+                                 leg(2, "house:chaser", 2, 2, 5), leg(2, "rivals", 0, 9)});
+  friendlies.push_back({{"entry", 2}, {"opponent", "house:keeper"}, {"state", "waiting"}});
+  const Json progress = progress_of(friendlies);
+  ASSERT_EQ(progress.size(), 2u);
+  EXPECT_EQ(progress[0]["entry"], 4);
+  EXPECT_EQ(progress[0]["legs"], 3);
+  EXPECT_EQ(progress[1]["legs"], 2) << "a leg against a team and one that waits do not count";
+  EXPECT_EQ(progress[0]["against"]["striker"], (Json{{"legs", 1}, {"goals", 3}, {"against", 1}}));
+  EXPECT_GT(progress[0]["rating"].get<double>(), progress[1]["rating"].get<double>());
+  EXPECT_LT(progress[0]["low"].get<double>(), progress[0]["rating"].get<double>());
+  EXPECT_EQ(progress[1]["fouls"], 4.5);
+  const std::string change = change_in_words(progress);
+  EXPECT_NE(change.find("Entry 4 against entry 2: rating "), std::string::npos) << change;
+  EXPECT_NE(change.find("goals 8 : 1 after 3 : 5, fouls a leg 1.5 after 4.5, slowest tick 0.20 "
+                        "after 0.50 ms."),
+            std::string::npos)
+      << change;
+
+  const double before = progress[0]["rating"].get<double>();
+  friendlies.push_back(leg(4, "house:striker", 0, 4));
+  EXPECT_LT(progress_of(friendlies)[0]["rating"].get<double>(), before);
+  friendlies.push_back(leg(4, "rivals", 9, 0));
+  EXPECT_EQ(progress_of(friendlies)[0]["legs"], 4);
+}
+
+TEST(Progress, SaysNothingBeforeThereIsAny) {
+  EXPECT_EQ(progress_of(Json::array()), Json::array());
+  EXPECT_EQ(change_in_words(progress_of(Json::array({leg(1, "house:idle", 1, 0)}))), "");
+}
+
+}  // namespace
+}  // namespace mirocup::league

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "tournaments/handin/progress.hpp"
+
+#include "system/formatted.hpp"
+#include "tournaments/table/rating.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace mirocup::league {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view house = "house:";
+
+struct HouseGoals {
+  int legs = 0;
+  int goals = 0;
+  int against = 0;
+};
+
+struct EntryLegs {
+  int legs = 0;
+  std::map<std::string, HouseGoals> against;
+  int fouls = 0;
+  int known = 0;  // legs whose record tells of fouls and time
+  double slowest_ms = 0.0;
+};
+
+// A leg against a house team, by the indices of entry and house team.
+struct HouseLeg {
+  int entry = 0;
+  std::string house_team;
+  int goals = 0;
+  int against = 0;
+};
+
+std::vector<HouseLeg> house_legs(const Json& friendlies, std::map<int, EntryLegs>& entries) {
+  std::vector<HouseLeg> legs;
+  for (const Json& one : friendlies) {
+    const std::string opponent = one.value("opponent", "");
+    if (!opponent.starts_with(house) || one.value("state", "") != "played") continue;
+    HouseLeg leg{.entry = one.value("entry", 0),
+                 .house_team = opponent.substr(house.size()),
+                 .goals = one.value("goals", 0),
+                 .against = one.value("against", 0)};
+    EntryLegs& entry = entries[leg.entry];
+    ++entry.legs;
+    HouseGoals& met = entry.against[leg.house_team];
+    ++met.legs;
+    met.goals += leg.goals;
+    met.against += leg.against;
+    if (one.contains("fouls")) {
+      ++entry.known;
+      entry.fouls += one.value("fouls", 0);
+      entry.slowest_ms = std::max(entry.slowest_ms, one.value("slowest_tick_ms", 0.0));
+    }
+    legs.push_back(std::move(leg));
+  }
+  return legs;
+}
+
+// Returns the strength of each entry above the mean of the house teams, in the order of entries.
+std::vector<Strength> ratings_of(const std::vector<HouseLeg>& legs,
+                                 const std::map<int, EntryLegs>& entries) {
+  std::map<std::string, int> houses;
+  std::map<int, int> index;
+  for (const auto& entry : entries) index.emplace(entry.first, static_cast<int>(index.size()));
+  const auto count = static_cast<int>(entries.size());
+  std::vector<FixtureResults> fixtures;
+  for (const HouseLeg& leg : legs) {
+    const int other =
+        houses.emplace(leg.house_team, count + static_cast<int>(houses.size())).first->second;
+    fixtures.push_back({LegResult{.home = index.at(leg.entry),
+                                  .away = other,
+                                  .home_goals = leg.goals,
+                                  .away_goals = leg.against}});
+  }
+  std::vector<Strength> all = rate(count + static_cast<int>(houses.size()), fixtures).strengths;
+  double mean = 0.0;
+  for (std::size_t i = entries.size(); i < all.size(); ++i) mean += all[i].value;
+  mean /= static_cast<double>(std::max<std::size_t>(houses.size(), 1));
+  all.resize(entries.size());
+  for (Strength& one : all) one = {one.value - mean, one.low - mean, one.high - mean};
+  return all;
+}
+
+Json entry_json(int number, const EntryLegs& entry, const Strength& rating) {
+  Json against = Json::object();
+  for (const auto& [name, met] : entry.against)
+    against[name] = {{"legs", met.legs}, {"goals", met.goals}, {"against", met.against}};
+  const bool is_known = entry.known > 0;
+  return {{"entry", number},
+          {"legs", entry.legs},
+          {"rating", rating.value},
+          {"low", rating.low},
+          {"high", rating.high},
+          {"against", std::move(against)},
+          {"fouls", is_known ? Json(static_cast<double>(entry.fouls) / entry.known) : Json()},
+          {"slowest_tick_ms", is_known ? Json(entry.slowest_ms) : Json()}};
+}
+
+std::string after(const char* format, const Json& now, const Json& before) {
+  return system::formatted(format, now.get<double>()) + " after " +
+         system::formatted(format, before.get<double>());
+}
+
+}  // namespace
+
+Json progress_of(const Json& friendlies) {
+  std::map<int, EntryLegs> entries;
+  const std::vector<HouseLeg> legs = house_legs(friendlies, entries);
+  if (legs.empty()) return Json::array();
+  const std::vector<Strength> ratings = ratings_of(legs, entries);
+  std::vector<Json> rows;
+  for (const auto& [number, entry] : entries)
+    rows.push_back(entry_json(number, entry, ratings[rows.size()]));
+  std::reverse(rows.begin(), rows.end());
+  return Json(rows);
+}
+
+std::string change_in_words(const Json& progress) {
+  if (progress.size() < 2) return "";
+  const Json& now = progress[0];
+  const Json& before = progress[1];
+  int goals[] = {0, 0};
+  int against[] = {0, 0};
+  for (const auto& [name, met] : now["against"].items()) {
+    if (!before["against"].contains(name)) continue;
+    const Json* const both[] = {&met, &before["against"][name]};
+    for (int i = 0; i < 2; ++i) {
+      goals[i] += (*both[i])["goals"].get<int>();
+      against[i] += (*both[i])["against"].get<int>();
+    }
+  }
+  const auto score = [&](int i) {
+    return std::to_string(goals[i]) + " : " + std::to_string(against[i]);
+  };
+  std::string text = "Entry " + now["entry"].dump() + " against entry " + before["entry"].dump() +
+                     ": rating " + after("%+.0f", now["rating"], before["rating"]) + ", goals " +
+                     score(0) + " after " + score(1);
+  if (now["fouls"].is_number() && before["fouls"].is_number()) {
+    text += ", fouls a leg " + after("%.1f", now["fouls"], before["fouls"]) + ", slowest tick " +
+            after("%.2f", now["slowest_tick_ms"], before["slowest_tick_ms"]) + " ms";
+  }
+  return text + ".";
+}
+
+}  // namespace mirocup::league
