@@ -87,8 +87,10 @@ class TeamSeat {
   // Returns the process of the team; null if the team has no process of its own.
   const plugins::ProcessController* process() const { return process_; }
 
-  // The text that the team printed to standard error; "" if it has no process of its own.
-  std::string output() { return process_ != nullptr ? process_->output() : std::string(); }
+  // The text that the team printed, each line with its tick; "" if it has no process of its own.
+  std::string output() {
+    return process_ != nullptr ? process_->output_with_ticks() : std::string();
+  }
 
  private:
   explicit TeamSeat(record::TeamInfo info) : info_(std::move(info)) {}

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <vector>
 
 namespace mirocup::web {
@@ -23,10 +24,11 @@ namespace mirocup::web {
 namespace {
 
 // The modules of the page, each behind those that it imports.
-constexpr std::array<std::string_view, 17> modules{
-    "text.js", "track.js", "field.js",     "actions.js",    "layers.js",   "player.js",
-    "reel.js", "calls.js", "situation.js", "statistics.js", "momentum.js", "thoughts.js",
-    "clip.js", "live.js",  "proof.js",     "play.js",       "main.js"};
+constexpr std::array<std::string_view, 20> modules{
+    "text.js",       "track.js",    "field.js", "actions.js",  "layers.js",
+    "player.js",     "viewer.js",   "reel.js",  "calls.js",    "situation.js",
+    "statistics.js", "momentum.js", "log.js",   "thoughts.js", "inspector.js",
+    "clip.js",       "live.js",     "proof.js", "play.js",     "main.js"};
 
 // "KICK_OFF" -> "Kick off", as page/text.js has it.
 std::string words(const std::string& name) {
@@ -86,15 +88,15 @@ std::string field_picture(const match::Leg& leg) {
 }
 
 std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
-                 const Json& data, const std::string& proof = "") {
-  // Thousands of pages of leagues have no proof, and nothing in them plays on.
+                 const Json& data, const std::string& proof = "",
+                 ModulePlace module = ModulePlace::nowhere) {
   std::vector<std::string_view> parts(modules.begin(), modules.end());
   if (proof.empty()) std::erase(parts, "play.js");
   const std::string code = page_script(parts);
   Json values{{"title", names[0] + " – " + names[1]},
               {"blue", names[0]},
               {"yellow", names[1]},
-              {"policy", page_policy(code, !proof.empty())},
+              {"policy", page_policy(code, module)},
               {"has_proof", !proof.empty()},
               {"proof", proof},
               {"style", page_style()},
@@ -121,6 +123,14 @@ Json teams_json(const match::ByTeam<std::string>& names) {
   return {{"blue", {{"name", names[0]}}}, {"yellow", {{"name", names[1]}}}};
 }
 
+// The speeds that wheels have which roll along with a robot.
+simulator::WheelSpeeds rolling_wheels(const simulator::Twist& twist, const match::Leg& match) {
+  const simulator::Parameters& p = match.setup().parameters;
+  const double outer = 0.5 * p.wheel_distance * twist.omega;
+  return {.left = (twist.forward - outer) / p.wheel_radius,
+          .right = (twist.forward + outer) / p.wheel_radius};
+}
+
 // Collects the data of a replay page: the track, the changes of score, state and phase, and the
 // statistics.
 class LegTimeline {
@@ -141,10 +151,33 @@ class LegTimeline {
   const Json& keepers() const { return keepers_; }
   statistics::LegStatistics counted() const { return counter_.statistics(); }
 
+  // For each frame and robot: wheels asked in the tick before and driven now, left and right, in
+  // units of 0.1 rad/s, and the age of the picture, ticks.
+  std::string wheels() const { return packed_text(wheels_.bytes()); }
+
  private:
+  void add_wheels(const match::Leg& match) {
+    constexpr double unit = 0.1;  // rad/s; page/inspector.js has it, too
+    const match::Snapshot seen = match.view();
+    Frame row;
+    for (const Team team : both_teams) {
+      for (int i = 0; i < match.field().robots_per_team; ++i) {
+        const auto asked = match.log().empty()
+                               ? simulator::WheelSpeeds{}
+                               : match.log().back().commands[index_of(team)].speeds(i);
+        const simulator::WheelSpeeds driven = rolling_wheels(match.robot(team, i).twist, match);
+        for (const double speed : {asked.left, asked.right, driven.left, driven.right})
+          row.push_back(static_cast<std::int32_t>(std::lround(speed / unit)));
+        row.push_back(seen.robots[index_of(team)][static_cast<std::size_t>(i)].age);
+      }
+    }
+    wheels_.add(row);
+  }
+
   void show(const match::Leg& match) {
     const match::Snapshot scene = match.snapshot();
     track_.add(scene);
+    add_wheels(match);
     const Json keepers = keepers_json(scene);
     if (keepers_.empty() || keepers != last_keepers_) {
       last_keepers_ = keepers;
@@ -158,6 +191,7 @@ class LegTimeline {
   }
 
   TrackEncoder track_;
+  ColumnEncoder wheels_;
   statistics::LegCounter counter_;
   Json moments_ = Json::array();
   Json last_moment_;
@@ -202,15 +236,20 @@ Json commands_json(record::MatchRecord record) {
           {"replay", packed_text(record::plain_replay(record.recording, robots))}};
 }
 
-std::string proof_text(const record::MatchRecord& record, const BrowserModule& module) {
-  Json proof = commands_json(record);
-  proof["module"] = module_json(module);
-  return embedded(proof);
+// Returns "" if nobody can prove the page.
+std::string proof_text(const record::MatchRecord& record, const Proof& proof) {
+  if (!proof.module && proof.module_file.empty()) return "";
+  Json json = proof.commands_file.empty() ? commands_json(record)
+                                          : Json{{"commands_file", proof.commands_file}};
+  proof.module_file.empty() ? json["module"] = module_json(*proof.module)
+                            : json["module_file"] = proof.module_file;
+  return embedded(json);
 }
 
 struct ReplayData {
   Json json;
   statistics::LegStatistics statistics;
+  std::string wheels;
 };
 
 tl::expected<ReplayData, replay::Divergence> play_again(const record::MatchRecord& record,
@@ -246,7 +285,7 @@ tl::expected<ReplayData, replay::Divergence> play_again(const record::MatchRecor
             {"keepers", timeline.keepers()},
             {"statistics", statistics},
             {"track", timeline.track_json()}};
-  return ReplayData{std::move(json), counted};
+  return ReplayData{std::move(json), counted, timeline.wheels()};
 }
 
 }  // namespace
@@ -272,15 +311,24 @@ std::string first_picture(const record::MatchRecord& record) {
   return field_picture(match::Leg(record.recording.setup));
 }
 
-tl::expected<ReplayPage, replay::Divergence> replay_page(
-    const record::MatchRecord& record, Times times, const record::OwnTexts& own,
-    const std::optional<BrowserModule>& module) {
+tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
+                                                         Times times, const record::OwnTexts& own,
+                                                         const std::optional<Proof>& proof,
+                                                         Wheels wheels) {
   MIROCUP_TRY(auto data, play_again(record, times));
   add_own(data.json, own);
-  const std::string proof = module ? proof_text(record, *module) : "";
+  if (wheels == Wheels::shown) data.json["wheels"] = std::move(data.wheels);
+  const std::string text = proof ? proof_text(record, *proof) : "";
+  const ModulePlace module = text.empty()                 ? ModulePlace::nowhere
+                             : proof->module_file.empty() ? ModulePlace::in_the_page
+                                                          : ModulePlace::beside_it;
   return ReplayPage{page(match::Leg(record.recording.setup),
-                         {record.teams[0].name, record.teams[1].name}, data.json, proof),
-                    data.statistics, proof.size()};
+                         {record.teams[0].name, record.teams[1].name}, data.json, text, module),
+                    data.statistics, text.size()};
+}
+
+std::string commands_script(const record::MatchRecord& record) {
+  return "globalThis.mirocup_commands = " + record::json_text(commands_json(record)) + ";\n";
 }
 
 std::string live_page(const match::Leg& match, const LiveMatch& live) {

@@ -32,6 +32,18 @@ std::optional<record::Json> data_of_page(std::string_view html);
 // Returns the first moment of the leg as an SVG element, whose bodies page/field.js moves.
 std::string first_picture(const record::MatchRecord& record);
 
+// How a visitor's browser can simulate the leg again. It needs the module of this program, and the
+// commands of both teams.
+struct Proof {
+  std::optional<BrowserModule> module = {};  // in the page, unless it is a file
+  std::string module_file = "";    // address of module_file(), seen from the page; "": it is none
+  std::string commands_file = "";  // that of commands_script(); "": the page has the commands
+};
+
+// Whether a page shows what only the teams may see of each robot: the speeds that its wheels were
+// asked for and had, and the age of the picture by which its team saw it.
+enum class Wheels { shown, left_out };
+
 struct ReplayPage {
   std::string html;
   statistics::LegStatistics statistics;  // the statistics on the page
@@ -39,12 +51,16 @@ struct ReplayPage {
 };
 
 // Returns the page of the leg, with its data. Between the comments <!--league--> and <!--/league-->
-// a league may put links to its other pages. For a page that others may see, leave out `own`. With
-// a `module`, a visitor's browser can simulate the leg again; the page then has the commands of
-// both teams.
-tl::expected<ReplayPage, replay::Divergence> replay_page(
-    const record::MatchRecord& record, Times times = Times::shown, const record::OwnTexts& own = {},
-    const std::optional<BrowserModule>& module = {});
+// a league may put links to its other pages. For a page that others may see, leave out `own`.
+// Without `proof`, or without a module for it, nobody can prove the page.
+tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
+                                                         Times times = Times::shown,
+                                                         const record::OwnTexts& own = {},
+                                                         const std::optional<Proof>& proof = {},
+                                                         Wheels wheels = Wheels::left_out);
+
+// Returns the script file that gives a page of this record the commands of both teams.
+std::string commands_script(const record::MatchRecord& record);
 
 // The data of a live page besides the match.
 struct LiveMatch {

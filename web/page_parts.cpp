@@ -46,11 +46,12 @@ std::string page_style() {
   return std::string(design_file("design.css")) + std::string(asset("page.css"));
 }
 
-std::string page_policy(const std::string& script, bool has_module) {
+std::string page_policy(const std::string& script, ModulePlace module) {
   std::string policy =
       "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src 'sha256-" +
       system::sha256_base64(script) + "'";
-  return has_module ? policy + " 'wasm-unsafe-eval'; worker-src blob:" : policy;
+  if (module == ModulePlace::beside_it) policy += " 'self'";
+  return module == ModulePlace::nowhere ? policy : policy + " 'wasm-unsafe-eval'; worker-src blob:";
 }
 
 std::string embedded(const record::Json& json) {
@@ -63,6 +64,14 @@ std::string embedded(const record::Json& json) {
 
 record::Json module_json(const BrowserModule& module) {
   return {{"script", packed_text(module.script)}, {"wasm", packed_text(module.wasm)}};
+}
+
+ScriptFile module_file(const BrowserModule& module) {
+  constexpr std::size_t digits = 16;
+  std::string text =
+      "globalThis.mirocup_module = " + record::json_text(module_json(module)) + ";\n";
+  const std::string name = "module/" + system::sha256(text).substr(0, digits) + ".js";
+  return {name, std::move(text)};
 }
 
 record::Json zones_json(const field::Field& field) {

@@ -29,14 +29,27 @@ std::string page_script(std::span<const std::string_view> modules);
 
 std::string page_style();
 
+// Where a page has the module with which it simulates.
+enum class ModulePlace { nowhere, in_the_page, beside_it };
+
 // Returns the policy of a page with that script: nothing is loaded from elsewhere, and no code runs
-// but the script and, in a worker, the module if the page has one.
-std::string page_policy(const std::string& script, bool has_module);
+// but the script and, in a worker, the module if the page has one. Files beside a page are scripts
+// of its own host.
+std::string page_policy(const std::string& script, ModulePlace module);
 
 // Returns JSON text for a <script> element; no part of the text can close the element.
 std::string embedded(const record::Json& json);
 
 record::Json module_json(const BrowserModule& module);
+
+// A script file beside pages, which gives them data.
+struct ScriptFile {
+  std::string name;
+  std::string text;
+};
+
+// Returns the module as a file for all pages of a site; its name has a hash of its content.
+ScriptFile module_file(const BrowserModule& module);
 record::Json zones_json(const field::Field& field);
 
 }  // namespace mirocup::web

@@ -41,9 +41,9 @@ Result<std::optional<std::string>> playground_page(system::Files& files) {
   MIROCUP_TRY(const auto module, browser_module(files));
   if (!module) return std::nullopt;
   MIROCUP_TRY(auto drills, drills_json(files));
-  constexpr std::array<std::string_view, 10> modules{
-      "text.js",      "track.js",    "field.js", "actions.js", "layers.js",
-      "situation.js", "thoughts.js", "proof.js", "play.js",    "playground.js"};
+  constexpr std::array<std::string_view, 11> modules{
+      "text.js", "track.js",    "field.js", "actions.js", "layers.js",    "situation.js",
+      "log.js",  "thoughts.js", "proof.js", "play.js",    "playground.js"};
   Json data{
       {"module", module_json(*module)}, {"leagues", Json::object()}, {"drills", std::move(drills)}};
   Json pictures = Json::array();
@@ -60,7 +60,7 @@ Result<std::optional<std::string>> playground_page(system::Files& files) {
   }
   const std::string code = page_script(modules);
   return filled(asset, "playground.html",
-                {{"policy", page_policy(code, true)},
+                {{"policy", page_policy(code, ModulePlace::in_the_page)},
                  {"style", page_style()},
                  {"pictures", pictures},
                  {"own_layers", true},

@@ -61,26 +61,29 @@ Frame frame_of(const match::Snapshot& scene, int robots, const Frame& before) {
   return frame;
 }
 
-void TrackEncoder::add(const match::Snapshot& scene) {
-  const Frame frame = frame_of(scene, robots_, last_);
-  if (frames_ == 0) {
-    last_.assign(frame.size(), 0);
-    last_change_.assign(frame.size(), 0);
-    columns_.resize(frame.size());
+void ColumnEncoder::add(const Frame& row) {
+  if (rows_ == 0) {
+    last_.assign(row.size(), 0);
+    last_change_.assign(row.size(), 0);
+    columns_.resize(row.size());
   }
-  for (std::size_t i = 0; i < frame.size(); ++i) {
-    const std::int32_t change = frame[i] - last_[i];
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::int32_t change = row[i] - last_[i];
     put(columns_[i], change - last_change_[i]);
     last_change_[i] = change;
   }
-  last_ = frame;
-  ++frames_;
+  last_ = row;
+  ++rows_;
+}
+
+std::string ColumnEncoder::bytes() const {
+  std::string bytes;
+  for (const std::string& column : columns_) bytes += column;
+  return bytes;
 }
 
 std::string TrackEncoder::packed() const {
-  std::string bytes;
-  for (const std::string& column : columns_) bytes += column;
-  return system::base64(bytes);
+  return system::base64(columns_.bytes());
 }
 
 }  // namespace mirocup::web

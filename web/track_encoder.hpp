@@ -28,24 +28,40 @@ using Frame = std::vector<std::int32_t>;
 // differ from its headings by at most half a turn, so that none jumps.
 Frame frame_of(const match::Snapshot& scene, int robots, const Frame& before);
 
+// Packs rows of whole numbers, all of the same length.
+class ColumnEncoder {
+ public:
+  void add(const Frame& row);
+
+  std::size_t rows() const { return rows_; }
+  const Frame& last() const { return last_; }  // empty before the first row
+
+  // Column after column, numbers as zigzag varints (seven bits a byte, the lowest first).
+  std::string bytes() const;
+
+ private:
+  std::size_t rows_ = 0;
+  Frame last_;
+  Frame last_change_;
+  std::vector<std::string> columns_;
+};
+
 class TrackEncoder {
  public:
   explicit TrackEncoder(int robots) : robots_(robots) {}
 
-  void add(const match::Snapshot& scene);
+  void add(const match::Snapshot& scene) {
+    columns_.add(frame_of(scene, robots_, columns_.last()));
+  }
 
-  std::size_t frames() const { return frames_; }
+  std::size_t frames() const { return columns_.rows(); }
 
-  // The track: column after column, numbers as zigzag varints (seven bits a byte, the lowest
-  // first), in base64.
+  // The track in base64.
   std::string packed() const;
 
  private:
   int robots_;
-  std::size_t frames_ = 0;
-  Frame last_;
-  Frame last_change_;
-  std::vector<std::string> columns_;
+  ColumnEncoder columns_;
 };
 
 }  // namespace mirocup::web

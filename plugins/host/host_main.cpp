@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <malloc.h>
 #include <string>
@@ -132,6 +133,8 @@ int main(int argc, char** argv) {
   TeamHost host{&in->parameters, &out->asked_parameters};
   if (in->keeps_thoughts != 0) host.thoughts = &out->thoughts;
   give_host(setup, host);
+  // A line that a team prints is there at once, and so knows its tick.
+  (void)std::setvbuf(stdout, nullptr, _IOLBF, 0);
   auto plugin = with_care(*out, TeamCall::create, [&] { return load_guest(library, setup); });
   close(entry_descriptor);
   if (!allow_no_files() || !filter_for_playing())

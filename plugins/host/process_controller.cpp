@@ -41,9 +41,6 @@ constexpr std::chrono::milliseconds slice{20};
 // A server that sleeps a slice and wakes so much later, s, was stopped with its whole job.
 constexpr double min_absence = 1.0;
 
-// The team's output pipe is emptied every 32 ticks, because a full pipe refuses further output.
-constexpr std::uint32_t ticks_between_readings = 32;
-
 // The time limit for building the sandbox, s. Only a machine in great trouble needs that long.
 constexpr double max_setup_time = 60.0;
 
@@ -421,7 +418,7 @@ Answer ProcessController::collect() {
     child_.kill();
     return *fault;
   }
-  if (ticks_ % ticks_between_readings == 0) read_log();
+  read_log();  // in each tick, so that its lines know it
   // Copied once, so that the command that is checked is the one that is driven, even if the team
   // goes on writing.
   mirocup_command copy;
@@ -449,13 +446,19 @@ void ProcessController::read_log() {
   for (int i = 0; i < 4; ++i) {
     const ssize_t n = read(log_pipe_.get(), buffer.data(), buffer.size());
     if (n <= 0) return;
-    log_.append({buffer.data(), static_cast<std::size_t>(n)});
+    const std::string_view bytes(buffer.data(), static_cast<std::size_t>(n));
+    moment_ ? log_.append(bytes, moment_->tick) : log_.append(bytes);
   }
 }
 
 std::string ProcessController::output() {
   read_log();
   return log_.text();
+}
+
+std::string ProcessController::output_with_ticks() {
+  read_log();
+  return log_.text_with_ticks();
 }
 
 }  // namespace mirocup::plugins

@@ -134,6 +134,9 @@ class ProcessController final : public match::Controller {
   // Returns the output of the team so far, bounded and escaped.
   std::string output();
 
+  // The same, and "tick 606: " before each line that was printed while the team was asked.
+  std::string output_with_ticks();
+
  private:
   using WallClock = std::chrono::steady_clock;
 

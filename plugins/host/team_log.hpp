@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The output of a team in a leg, bounded and escaped.
+// The output of a team in a leg, bounded and escaped. A line may know the tick in which it began.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,14 +17,22 @@ class TeamLog {
   static constexpr std::size_t max_end = 20u << 10;
 
   void append(std::string_view bytes);
+  void append(std::string_view bytes, std::uint32_t tick);
 
   // Returns the log, escaped, at most 64 KiB.
   std::string text() const;
 
+  // The same, and "tick 606: " before each line that knows its tick: at most twice as long.
+  std::string text_with_ticks() const;
+
  private:
+  void add(std::string_view raw);
+  std::string text(bool has_ticks) const;
+
   std::string beginning_;  // raw
   std::string end_;        // raw, at most twice max_end
   std::size_t left_out_ = 0;
+  bool is_in_a_line_ = false;
 };
 
 }  // namespace mirocup::plugins

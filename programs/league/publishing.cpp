@@ -5,6 +5,7 @@
 #include "record/match_record.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
+#include "tournaments/league/kept_program.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/former_pages.hpp"
 #include "tournaments/publish/league_statistics.hpp"
@@ -27,6 +28,33 @@ std::function<std::string()> playground_maker(system::Files& files) {
   return [&files] {
     auto page = web::playground_page(files);
     return page && *page ? std::move(**page) : std::string();
+  };
+}
+
+namespace {
+
+std::optional<web::BrowserModule> kept_browser_module(system::Files& files, const Folder& folder,
+                                                      const std::string& game) {
+  std::vector<std::string> parts;
+  for (const char* file : kept_module_files) {
+    auto bytes =
+        files.read(kept_module(folder, game, file), {.max_size = system::size_limit::page});
+    if (!bytes || !is_trusted_program(*bytes).value_or(false)) return std::nullopt;
+    parts.push_back(std::move(*bytes));
+  }
+  return web::BrowserModule{.script = std::move(parts[0]), .wasm = std::move(parts[1])};
+}
+
+}  // namespace
+
+ModuleOfGame module_finder(system::Files& files, const Folder& folder, const LeagueFile& file) {
+  if (!file.has_proofs) return nullptr;
+  return [&files, folder](const std::string& game) -> std::optional<SiteModule> {
+    const auto module = game.empty() ? web::browser_module(files).value_or(std::nullopt)
+                                     : kept_browser_module(files, folder, game);
+    if (!module) return std::nullopt;
+    web::ScriptFile script = web::module_file(*module);
+    return SiteModule{std::move(script.name), std::move(script.text)};
   };
 }
 
@@ -53,7 +81,8 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
   }
   if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
   // First what takes long: the pages of league and teams show the statistics of every leg.
-  MIROCUP_TRY(const auto failed, make_replay_pages(files, folder, overview(shown), jobs));
+  MIROCUP_TRY(const auto failed, make_replay_pages(files, folder, overview(shown), jobs,
+                                                   module_finder(files, folder, shown.file)));
   const Site site({.state = shown,
                    .reports = kept_statistics(files, folder, shown),
                    .facts = read_facts(files, folder, shown),

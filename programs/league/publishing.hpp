@@ -6,6 +6,7 @@
 
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/night.hpp"
+#include "tournaments/publish/replay_pages.hpp"
 
 #include <functional>
 #include <optional>
@@ -25,6 +26,11 @@ Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store);
 // Returns the function that makes the page in which visitors play by hand; null if the module for
 // browsers was not built. `files` outlives it.
 std::function<std::string()> playground_maker(system::Files& files);
+
+// Returns what gives the modules with which browsers prove the legs of this league; null if the
+// host wants no proofs. A kept module that this host does not trust is not used. `files` outlives
+// it.
+ModuleOfGame module_finder(system::Files& files, const Folder& folder, const LeagueFile& file);
 
 // Writes the pages of a state to the folder's site/; `jobs` replay pages are made at once (0: one
 // for each processor).

@@ -219,6 +219,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
     const std::lock_guard lock(mutex_);
     poll();
     if (const web::Page* made = page_of_site(path)) return *made;
+    if (path.starts_with("/module/")) return module_page(path.substr(1));
     // Only files that the journal names are read from disk.
     const std::filesystem::path file(path);
     stem = file.filename();
@@ -226,11 +227,57 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
     if (!records_.contains(stem)) return std::nullopt;
   }
   if (path == "/replays/" + stem + ".html") return replay(stem);
+  if (path == "/replays/" + stem + ".proof.js") return commands_page(stem);
   if (path != "/records/" + stem + ".json" && path != "/records/" + stem + ".replay.zst")
     return std::nullopt;
   auto bytes = files_.read(store_.folder().path + path, {.max_size = system::size_limit::replay});
   if (!bytes) return std::nullopt;
   return web::Page{type_of(path), "", std::move(*bytes)};
+}
+
+const std::optional<SiteModule>& ServedLeague::module() {
+  std::call_once(module_made_, [this] {
+    LeagueFile any;
+    module_ = module_finder(files_, store_.folder(), any)("");
+  });
+  return module_;
+}
+
+// Returns how pages that are made now can be proved, by addresses below `root`; nothing if the host
+// wants no proofs.
+std::optional<web::Proof> ServedLeague::proof(const std::string& root,
+                                              const std::string& commands_file) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!store_.state().file.has_proofs) return std::nullopt;
+  }
+  if (!module()) return std::nullopt;
+  return web::Proof{.module_file = root + module()->name, .commands_file = commands_file};
+}
+
+// Returns a module as publish has written it, also that of a program of before, or this one's.
+std::optional<web::Page> ServedLeague::module_page(const std::string& name) {
+  if (std::filesystem::path(name).lexically_normal() != name ||
+      std::count(name.begin(), name.end(), '/') != 1)
+    return std::nullopt;
+  auto kept =
+      files_.read(store_.folder().site() + "/" + name, {.max_size = system::size_limit::page});
+  if (kept) return web::Page{type_of(name), "", std::move(*kept)};
+  if (!module() || module()->name != name) return std::nullopt;
+  return web::Page{type_of(name), "", module()->text};
+}
+
+// Returns the commands of a leg for its page.
+std::optional<web::Page> ServedLeague::commands_page(const std::string& stem) {
+  const std::string record = "records/" + stem + ".json";
+  const std::string name = commands_file_of(record);
+  auto kept =
+      files_.read(store_.folder().site() + "/" + name, {.max_size = system::size_limit::page});
+  if (kept) return web::Page{type_of(name), "", std::move(*kept)};
+  if (!proof("")) return std::nullopt;
+  const auto loaded = record::load(files_, store_.folder().path + "/" + record);
+  if (!loaded) return std::nullopt;
+  return web::Page{type_of(name), "", web::commands_script(*loaded)};
 }
 
 // Returns the page as publish has made it or would make it.
@@ -243,7 +290,8 @@ std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   const std::lock_guard one_at_a_time(replaying_);
   const auto loaded = record::load(files_, store_.folder().path + "/" + record);
   if (!loaded) return std::nullopt;
-  auto page = web::replay_page(*loaded, web::Times::left_out);
+  const std::string commands = std::filesystem::path(commands_file_of(record)).filename();
+  auto page = web::replay_page(*loaded, web::Times::left_out, {}, proof("../", commands));
   if (!page) return std::nullopt;
   return web::Page{type_of(html), "", linked(std::move(page->html), record)};
 }
@@ -286,13 +334,19 @@ std::string ServedLeague::digest_of(const std::string& team) {
 std::optional<std::string> ServedLeague::own_replay(const std::string& name,
                                                     const record::Whose& whose) {
   const std::string record = "records/" + name + ".json";
-  if (record::has_thoughts(files_, store_.folder().path + "/" + record, whose)) {
-    // A leg of an earlier version may go another way here: then its page is the one that is kept.
-    if (auto own = replay_of(store_.folder().path + "/" + record, whose))
-      return linked(std::move(*own), record);
-  }
+  // A leg of an earlier version may go another way here: then its page is the one that is kept.
+  if (auto own = replay_of(store_.folder().path + "/" + record, whose))
+    return linked(std::move(*own), record);
   auto page = replay(name);
-  return page ? std::optional(std::move(page->bytes)) : std::nullopt;
+  if (!page) return std::nullopt;
+  // The page is shown at another address than that from which it sees its files.
+  for (const auto& [from, to] :
+       {std::pair{"\"module_file\":\"../", "\"module_file\":\"/"},
+        std::pair{"\"commands_file\":\"", "\"commands_file\":\"/replays/"}}) {
+    const std::size_t at = page->bytes.find(from);
+    if (at != std::string::npos) page->bytes.replace(at, std::string_view(from).size(), to);
+  }
+  return std::move(page->bytes);
 }
 
 std::map<std::string, int> ServedLeague::entries_that_play() {
@@ -366,7 +420,9 @@ std::optional<std::string> ServedLeague::replay_of(const std::string& record,
   if (!loaded) return std::nullopt;
   const bool has_own = record::has_thoughts(files_, record, whose);
   const auto own = record::read_own_texts(files_, record, has_own ? whose : record::of_nobody);
-  auto page = web::replay_page(*loaded, web::Times::left_out, own.value_or(record::OwnTexts{}));
+  const auto proven = proof("/");
+  auto page = web::replay_page(*loaded, web::Times::left_out, own.value_or(record::OwnTexts{}),
+                               proven, proven ? web::Wheels::shown : web::Wheels::left_out);
   return page ? std::optional(std::move(page->html)) : std::nullopt;
 }
 

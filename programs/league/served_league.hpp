@@ -9,7 +9,9 @@
 
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/league/league_store.hpp"
+#include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
+#include "web/page.hpp"
 #include "web/site_server.hpp"
 
 #include <nlohmann/json.hpp>
@@ -88,6 +90,10 @@ class ServedLeague {
   bool do_pages_rest() const;
   std::optional<web::Page> replay(const std::string& stem);
   std::string linked(std::string page, const std::string& record);
+  std::optional<web::Page> module_page(const std::string& name);
+  std::optional<web::Page> commands_page(const std::string& stem);
+  std::optional<web::Proof> proof(const std::string& root, const std::string& commands_file = "");
+  const std::optional<SiteModule>& module();
 
   system::Files& files_;
   std::mutex mutex_;  // guards all members up to replaying_
@@ -113,6 +119,8 @@ class ServedLeague {
   std::set<std::string> records_;           // names without .json
 
   std::mutex replaying_;  // held while a replay page is made, so one at a time
+  std::once_flag module_made_;
+  std::optional<SiteModule> module_;  // of this program; set by module()
 };
 
 }  // namespace mirocup::league

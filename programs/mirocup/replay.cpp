@@ -30,6 +30,7 @@ struct ReplayOptions {
   bool no_times = false;
   bool public_page = false;  // without what only the teams may see
   bool no_proof = false;     // without what a browser needs to simulate the leg again
+  std::string proof_module;  // address of the module, seen from the page; "": it is in the page
   std::string statistics;    // file for the statistics of the leg; "": none
   bool open = false;         // in a browser
 };
@@ -102,9 +103,30 @@ bool open_in_browser(const std::string& path) {
   return failed == 0;
 }
 
+// The script file with the commands, beside a page whose module is a file, too.
+std::string commands_file_of(const std::string& page) {
+  return std::filesystem::path(page).replace_extension(".proof.js").string();
+}
+
+// The proof that the page is to have, if any.
+Result<std::optional<web::Proof>> proof_of(system::Files& files, const ReplayOptions& options,
+                                           const std::string& output) {
+  if (options.svg || options.no_proof) return std::nullopt;
+  if (!options.proof_module.empty()) {
+    const std::filesystem::path beside = commands_file_of(output);
+    return web::Proof{.module_file = options.proof_module, .commands_file = beside.filename()};
+  }
+  if (options.public_page) return std::nullopt;
+  MIROCUP_TRY(auto module, web::browser_module(files));
+  return web::Proof{.module = std::move(module)};
+}
+
 // Says on standard error what a proof needs or takes.
-void tell_of_proof(const web::ReplayPage& page) {
-  if (page.proof_size > 0) {
+void tell_of_proof(const web::ReplayPage& page, std::size_t beside) {
+  if (beside > 0) {
+    std::cerr << "mirocup: the page has " << page.html.size() / 1000 << " kB, and " << beside / 1000
+              << " kB beside it let a browser prove the leg\n";
+  } else if (page.proof_size > 0) {
     std::cerr << "mirocup: the page has " << page.html.size() / 1000 << " kB, of which "
               << page.proof_size / 1000
               << " kB let a browser prove the leg; --no-proof leaves them out\n";
@@ -132,19 +154,16 @@ Result<int> run_replay(const ReplayOptions& options) {
       record::read_own_texts(disk, options.record, shows_own ? record::of_both : record::of_nobody,
                              system::Links::followed));
   const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
-  std::optional<web::BrowserModule> module;
-  const bool has_proof = !options.svg && !options.no_proof && !options.public_page;
-  if (has_proof) {
-    MIROCUP_TRY(module, web::browser_module(disk));
-  }
+  MIROCUP_TRY(const auto proof, proof_of(disk, options, output));
   web::ReplayPage shown;
-  const auto made =
-      options.svg
-          ? picture_at(record->recording, *options.at)
-          : web::replay_page(*record, times, own, module).map([&shown](web::ReplayPage page) {
-              shown = std::move(page);
-              return shown.html;
-            });
+  const auto made = options.svg
+                        ? picture_at(record->recording, *options.at)
+                        : web::replay_page(*record, times, own, proof,
+                                           shows_own ? web::Wheels::shown : web::Wheels::left_out)
+                              .map([&shown](web::ReplayPage page) {
+                                shown = std::move(page);
+                                return shown.html;
+                              });
   if (!made && record::has_other_behaviour(*record)) {
     return tl::unexpected(record::behaviour_mismatch(options.record, *record, made.error().tick));
   }
@@ -155,7 +174,12 @@ Result<int> run_replay(const ReplayOptions& options) {
     return exit_no;
   }
   MIROCUP_TRY_VOID(disk.write(output, *made));
-  if (has_proof) tell_of_proof(shown);
+  std::string beside;
+  if (proof && !proof->commands_file.empty()) {
+    beside = web::commands_script(*record);
+    MIROCUP_TRY_VOID(disk.write(commands_file_of(output), beside));
+  }
+  if (proof) tell_of_proof(shown, beside.size());
   if (!options.statistics.empty()) {
     // The name alone, so that the file has the same bytes wherever the record is.
     const std::string name = std::filesystem::path(options.record).filename();
@@ -205,6 +229,12 @@ void add_replay(system::Commands& commands) {
   command.flag("--no-proof", o.no_proof,
                "Leave out the module and the commands with which a visitor's browser can simulate "
                "the leg again");
+  command
+      .option("--proof-module", o.proof_module,
+              "Address, seen from the page, of a script file with the module of this mirocup, as "
+              "leagues have one; the commands then go into a script file beside the page, also "
+              "with --public")
+      .named("ADDRESS");
   command
       .option("--statistics", o.statistics, "File to write the statistics of the leg to, as JSON")
       .named("FILE");

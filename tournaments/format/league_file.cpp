@@ -172,7 +172,7 @@ Points read_points(const JsonReader& json) {
 LeagueFile read_league(const JsonReader& json, int rules_version) {
   json.expect_object({"schema", "title", "format", "league", "rules", "conditions", "pitch", "seed",
                       "points", "tie_breaks", "rules_version", "zone", "freeze", "strikes",
-                      "anonymous", "thoughts", "firasim", "teams"});
+                      "anonymous", "thoughts", "proofs", "firasim", "teams"});
   json.expect_schema(schema);
   LeagueFile file;
   file.rules_version = rules_version;
@@ -197,6 +197,7 @@ LeagueFile read_league(const JsonReader& json, int rules_version) {
   if (json.has("freeze")) file.freeze = read_time(json.at("freeze"), file);
   json.read_if_present("anonymous", file.is_anonymous);
   json.read_if_present("thoughts", file.keeps_thoughts);
+  json.read_if_present("proofs", file.has_proofs);
   fields.since_later("strikes", file.strikes, 0, 1000);
   if (json.has("firasim")) file.firasim = read_firasim(json.at("firasim"));
   if (json.has("teams")) file.teams = read_teams(json.at("teams"));
@@ -293,6 +294,7 @@ std::string print_league_file(const LeagueFile& file) {
   if (!file.freeze.empty()) json["freeze"] = file.freeze;
   if (file.is_anonymous) json["anonymous"] = true;
   if (file.keeps_thoughts) json["thoughts"] = true;
+  if (!file.has_proofs) json["proofs"] = false;
   if (const Json firasim = record::fields_json(file.firasim); !firasim.empty())
     json["firasim"] = firasim;
   json["teams"] = record::fields_json(file.teams);

@@ -93,6 +93,10 @@ struct LeagueFile {
   // staff.
   bool keeps_thoughts = false;
 
+  // Replay pages can be proved by their readers' browsers, so the commands of each leg are beside
+  // its page: they show how a team drives.
+  bool has_proofs = true;
+
   // After this number of legs in a row that a team loses by its own faults, it is paused; 0: never.
   int strikes = 3;
   FirasimPlace firasim;

@@ -50,6 +50,10 @@ std::string kept_program(const Folder& folder, const std::string& game) {
   return folder.programs() + "/" + game + "/mirocup";
 }
 
+std::string kept_module(const Folder& folder, const std::string& game, const std::string& file) {
+  return folder.programs() + "/" + (is_game(game) ? game : "none") + "/" + file;
+}
+
 Result<std::string> game_of_record(system::Files& files, const Folder& folder,
                                    const std::string& record) {
   const std::string path = folder.path + "/" + record;
@@ -81,6 +85,12 @@ Result<std::vector<std::string>> trust_kept_programs(system::Files& files, const
     MIROCUP_TRY(const auto bytes, files.read(path, {.max_size = max_program}));
     MIROCUP_TRY_VOID(trust_program(bytes));
     trusted.push_back(path);
+    for (const char* file : kept_module_files) {
+      MIROCUP_TRY(const auto part,
+                  files.read_if_there(kept_module(folder, game, file), {.max_size = max_program}));
+      if (!part) continue;
+      MIROCUP_TRY_VOID(trust_program(*part));
+    }
   }
   return trusted;
 }

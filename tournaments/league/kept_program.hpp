@@ -23,6 +23,10 @@ inline constexpr std::uint64_t max_program = 256u << 20;
 // The path at which the copy of the match server of that behaviour (`game` in records) is kept.
 std::string kept_program(const Folder& folder, const std::string& game);
 
+// The files of that program's module for browsers (browser/), beside its copy, if they were built.
+inline constexpr const char* kept_module_files[] = {"mirocup.js", "mirocup.wasm"};
+std::string kept_module(const Folder& folder, const std::string& game, const std::string& file);
+
 // Returns the behaviour of the program that played a record, a path inside the folder; "" if there
 // is no such record, or if it is from before the behaviour was written down. Errors: the record
 // cannot be read, or is damaged.
@@ -36,7 +40,8 @@ Result<bool> is_trusted_program(const std::string& bytes);
 // Puts the program with these bytes on this host's list, if it is not there.
 Result<void> trust_program(const std::string& bytes);
 
-// Puts all programs of the league's folder on this host's list, and returns their paths.
+// Puts all programs of the league's folder, with their modules, on this host's list, and returns
+// the programs' paths.
 Result<std::vector<std::string>> trust_kept_programs(system::Files& files, const Folder& folder);
 
 // A match server that simulates records again.

@@ -115,6 +115,21 @@ Result<void> write_program(system::Files& files, const std::string& path,
   return {};
 }
 
+// Keeps the module for browsers, if this program has one. Pages of its legs are proved with it,
+// also after an upgrade. Without it, they are made without a proof.
+Result<void> keep_module(system::Files& files, const Folder& folder, const std::string& game) {
+  for (const char* file : kept_module_files) {
+    const auto bytes = files.read(system::browser_folder() + "/" + file,
+                                  {.max_size = max_program, .links = system::Links::followed});
+    if (!bytes || !trust_program(*bytes)) continue;
+    const std::string kept = kept_module(folder, game, file);
+    const auto there = files.read(kept, {.max_size = max_program});
+    if (there && is_trusted_program(*there).value_or(true)) continue;
+    MIROCUP_TRY_VOID(files.write(kept, *bytes));
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> expect_program(system::Files& files, LeagueStore& store,
@@ -152,7 +167,7 @@ Result<void> keep_program(system::Files& files, const Folder& folder,
   // In a folder from elsewhere there may be another program in its place.
   if (const auto there = files.read(kept, {.max_size = max_program});
       there && is_trusted_program(*there).value_or(true))
-    return {};
+    return keep_module(files, folder, program.behaviour_hash);
   MIROCUP_TRY(const auto host, bytes_of_sibling(files, "mirocup-plugin-host"));
   const Json about{{"version", program.version},
                    {"build", program.build},
@@ -163,7 +178,8 @@ Result<void> keep_program(system::Files& files, const Folder& folder,
       .and_then([&] { return write_program(files, home + "/mirocup-plugin-host", host); })
       .and_then(
           [&] { return files.write(home + "/program.json", record::json_text(about, 1) + "\n"); })
-      .and_then([&] { return write_program(files, kept, server); });
+      .and_then([&] { return write_program(files, kept, server); })
+      .and_then([&] { return keep_module(files, folder, program.behaviour_hash); });
 }
 
 Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs) {

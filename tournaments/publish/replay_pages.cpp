@@ -8,6 +8,7 @@
 #include "tournaments/publish/replay_nav.hpp"
 
 #include <filesystem>
+#include <map>
 #include <set>
 
 namespace mirocup::league {
@@ -46,33 +47,74 @@ bool has_page(system::Files& files, const Folder& folder, MatchServers& servers,
          servers.of_record(record).words != servers.own().words;
 }
 
+// A program that may make a page.
+struct Maker {
+  Arguments words;
+  std::string module;  // name of the file of its module; "": it has none
+};
+
 // A page that is not there, and the programs that may make it: the one that played the leg, and
 // this one if that fails, as one of an earlier version may, which knows other options.
 struct MissingPage {
   std::string record;
-  std::vector<Arguments> programs;
+  std::vector<Maker> programs;
   std::string why_not_kept;  // of the match server that played the leg
 };
 
 Arguments command_for(const Folder& folder, const MissingPage& missing, std::size_t attempt) {
-  Arguments words = missing.programs[attempt];
+  const auto& [program, module] = missing.programs[attempt];
+  Arguments words = program;
   words.insert(words.end(),
                {"replay", folder.path + "/" + missing.record, "--no-times", "--public", "-o",
                 folder.site() + "/" + replay_page_of(missing.record), "--statistics",
                 folder.site() + "/" + statistics_file_of(missing.record)});
+  if (!module.empty()) words.insert(words.end(), {"--proof-module", "../" + module});
   return words;
 }
 
-std::vector<MissingPage> missing_pages(system::Files& files, const Folder& folder,
-                                       const LeagueState& state, MatchServers& servers) {
+// Writes the modules of the programs that make pages, each once, and knows their names.
+class SiteModules {
+ public:
+  SiteModules(system::Files& files, const Folder& folder, const ModuleOfGame& module_of)
+      : files_(files), folder_(folder), module_of_(module_of) {}
+
+  // `game`: "" for this program.
+  Result<std::string> name_of(const std::string& game) {
+    if (!module_of_) return "";
+    const auto known = names_.find(game);
+    if (known != names_.end()) return known->second;
+    const auto module = module_of_(game);
+    if (module) {
+      MIROCUP_TRY_VOID(files_.make_folder(folder_.site() + "/module"));
+      MIROCUP_TRY_VOID(files_.write(folder_.site() + "/" + module->name, module->text));
+    }
+    return names_[game] = module ? module->name : "";
+  }
+
+ private:
+  system::Files& files_;
+  const Folder& folder_;
+  const ModuleOfGame& module_of_;
+  std::map<std::string, std::string> names_;
+};
+
+Result<std::vector<MissingPage>> missing_pages(system::Files& files, const Folder& folder,
+                                               const LeagueState& state, MatchServers& servers,
+                                               const ModuleOfGame& module_of) {
+  SiteModules modules(files, folder, module_of);
   std::vector<MissingPage> missing;
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
       if (has_page(files, folder, servers, record, is_pruned(state, f))) continue;
       const MatchServer& server = servers.of_record(record);
-      MissingPage page{
-          .record = record, .programs = {server.words}, .why_not_kept = server.why_not_kept};
-      if (server.words != servers.own().words) page.programs.push_back(servers.own().words);
+      MissingPage page{.record = record, .programs = {}, .why_not_kept = server.why_not_kept};
+      if (server.words != servers.own().words) {
+        const std::string game = game_of_record(files, folder, record).value_or("");
+        MIROCUP_TRY(auto kept_module, modules.name_of(game));
+        page.programs.push_back({server.words, std::move(kept_module)});
+      }
+      MIROCUP_TRY(auto own_module, modules.name_of(""));
+      page.programs.push_back({servers.own().words, std::move(own_module)});
       missing.push_back(std::move(page));
     }
   }
@@ -80,9 +122,10 @@ std::vector<MissingPage> missing_pages(system::Files& files, const Folder& folde
 }
 
 Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folder,
-                                       const LeagueState& state, int jobs) {
+                                       const LeagueState& state, int jobs,
+                                       const ModuleOfGame& module_of) {
   MatchServers servers(files, folder);
-  const std::vector<MissingPage> missing = missing_pages(files, folder, state, servers);
+  MIROCUP_TRY(const auto missing, missing_pages(files, folder, state, servers, module_of));
   FailedPages failed;
   if (missing.empty()) return failed;
   for (const char* name : {"/replays", "/statistics"}) {
@@ -116,20 +159,31 @@ Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folde
   return failed;
 }
 
-// Writes the links of each page that has others by now.
+// Returns the name of the file with the module that a page names; "" if it cannot be proved.
+std::string module_named_in(const std::string& page) {
+  constexpr std::string_view before = "\"module_file\":\"../";
+  const std::size_t at = page.find(before);
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + before.size();
+  return page.substr(begin, page.find('"', begin) - begin);
+}
+
+// Writes the links of each page that has others by now, and removes modules that no page names.
 Result<void> link_pages(system::Files& files, const Folder& folder, const Overview& overview) {
+  std::set<std::string> modules;
   for (const FixtureState& f : overview.state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
       const std::string path = folder.site() + "/" + replay_page_of(record);
       MIROCUP_TRY(const auto page,
                   files.read_if_there(path, {.max_size = system::size_limit::page}));
       if (!page) continue;
+      modules.insert(module_named_in(*page));
       const std::string linked = with_league_links(*page, overview, record);
       if (linked == *page) continue;
       if (auto written = files.write(path, linked); !written) return written;
     }
   }
-  return {};
+  return remove_former_pages(files, folder.site(), "module/", modules);
 }
 
 // Removes what was made of other legs: those of rounds that are not shown any more, and of nights
@@ -140,7 +194,9 @@ Result<void> remove_other_pages(system::Files& files, const Folder& folder,
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
       shown.insert(statistics_file_of(record));
-      if (!is_pruned(state, f)) shown.insert(replay_page_of(record));
+      if (is_pruned(state, f)) continue;
+      shown.insert(replay_page_of(record));
+      shown.insert(commands_file_of(record));
     }
   }
   for (const std::string part : {"replays/", "statistics/"}) {
@@ -169,10 +225,15 @@ std::string replay_page_of(const std::string& record) {
   return "replays/" + std::filesystem::path(record).stem().string() + ".html";
 }
 
+std::string commands_file_of(const std::string& record) {
+  return "replays/" + std::filesystem::path(record).stem().string() + ".proof.js";
+}
+
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
-                                      const Overview& overview, int jobs) {
+                                      const Overview& overview, int jobs,
+                                      const ModuleOfGame& module_of) {
   MIROCUP_TRY_VOID(remove_other_pages(files, folder, overview.state));
-  const auto failed = make_missing_pages(files, folder, overview.state, jobs);
+  const auto failed = make_missing_pages(files, folder, overview.state, jobs, module_of);
   if (!failed) return failed;
   // Statistics that were missing came with their pages.
   if (!overview.state.pruned_nights.empty()) {

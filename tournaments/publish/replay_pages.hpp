@@ -10,13 +10,28 @@
 #include "tournaments/league/folder.hpp"
 #include "tournaments/publish/leg_view.hpp"
 
+#include <functional>
+#include <optional>
 #include <set>
 #include <string>
 
 namespace mirocup::league {
 
+// The module with which browsers prove the legs of one program, as a script file of the site.
+struct SiteModule {
+  std::string name;  // "module/HASH.js"
+  std::string text;
+};
+
+// Returns the module of the program that this host has (""), or that the league keeps and whose
+// behaviour is `game`; nothing if there is none. Null: the league has no proofs.
+using ModuleOfGame = std::function<std::optional<SiteModule>(const std::string& game)>;
+
 // Returns the path inside site/ of the page of a record ("records/x.json").
 std::string replay_page_of(const std::string& record);
+
+// Returns the path of the script file with the commands of the leg, beside a page with a proof.
+std::string commands_file_of(const std::string& record);
 
 // Returns the fixture of a record, also of a void attempt: "r1-f2" for "records/r1-f2-1-1.json".
 const FixtureState* fixture_of_record(const LeagueState& state, const std::string& record);
@@ -33,7 +48,9 @@ struct FailedPages {
 
 // Makes the missing pages, `jobs` at once (0: one for each processor), and removes the pages of
 // legs that this state does not have, and of pruned nights. The statistics of pruned nights stay.
+// A page gets a proof if `module_of` has a module of the program that makes it.
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
-                                      const Overview& overview, int jobs);
+                                      const Overview& overview, int jobs,
+                                      const ModuleOfGame& module_of = nullptr);
 
 }  // namespace mirocup::league

@@ -3,61 +3,44 @@
 // Builds the page from its data (embedded in it or sent by a server), the player and the controls.
 import { Calls } from './calls.js';
 import { canRecord, Painter, record, save } from './clip.js';
-import { FieldView } from './field.js';
-import { Layers } from './layers.js';
+import { Inspector } from './inspector.js';
 import { listen } from './live.js';
 import { momentum, MomentumView } from './momentum.js';
 import { Player } from './player.js';
 import { houseTeams, Play } from './play.js';
-import { offerProof } from './proof.js';
+import { offerProof, proofData } from './proof.js';
 import { Reel } from './reel.js';
 import { commandAt, download, situationAt } from './situation.js';
 import { heatOf, showHeat, showStatistics } from './statistics.js';
 import { element, minutes, words } from './text.js';
 import { ThoughtsView, unpackBytes, unpackText } from './thoughts.js';
-import { Track, unpack } from './track.js';
+import { Viewer } from './viewer.js';
 
 const by = (id) => document.getElementById(id);
 const leg = JSON.parse(by('leg').textContent);
 const names = { blue: leg.teams.blue.name, yellow: leg.teams.yellow.name };
-const track = new Track(leg.period);
 const picture = document.querySelector('.field');
-const field = new FieldView(picture);
-const layers = new Layers(picture, leg.robots, leg.zones, keepersAt);
+const viewer = new Viewer(picture, leg, () => (play?.isOn ? play.keepers : null));
+const { track, field, layers } = viewer;
 const reel = new Reel(() => calls.goals.map((call) => call.tick * leg.period));
 const player = new Player(track, reel, show);
 const calls = new Calls(by('calls'), by('marks'), by('banner'), names, (tick) => player.seek(tick * leg.period), leg.score);
 const shownTick = () => Math.floor(player.time / leg.period + 1e-6);
-const moments = [];  // {tick, state, phase, left, score}: from that tick on
-const keepers = [];  // [tick, blue's, yellow's]: from that tick on
+const momentAt = (tick) => viewer.momentAt(tick);
+const shareOf = (tick) => viewer.shareOf(tick);
 const curve = new MomentumView(by('momentum'), (share) =>
   player.seek((track.firstTick + share * (track.lastTick - track.firstTick)) * leg.period));
 let result = null;
 let thoughts = null;  // of a replay that has any
+let inspector = null;
 const play = by('hand') ? new Play(() => ({ svg: picture, field, layers }), showEnds) : null;
-
-// Where a tick is between the ends of the leg, 0 to 1.
-const shareOf = (tick) => (tick - track.firstTick) / Math.max(track.lastTick - track.firstTick, 1);
-
-function momentAt(tick) {
-  let i = moments.length - 1;
-  while (i > 0 && moments[i].tick > tick) --i;
-  return moments[i];
-}
-
-function keepersAt(tick) {
-  if (play?.isOn) return play.keepers;
-  let i = keepers.length - 1;
-  while (i > 0 && keepers[i][0] > tick) --i;
-  return keepers[i]?.slice(1) ?? [-1, -1];
-}
 
 function show() {
   if (track.isEmpty || play?.isOn) return;
   const tick = shownTick();
   const moment = momentAt(tick);
-  const scene = field.show(track, player.time, moment.left);
-  layers.show(track, player.time, moment.left);
+  const scene = viewer.show(player.time);
+  inspector?.show(player.time);
   thoughts?.show(tick, moment.left);
   calls.show(tick);
   showEnds(moment.left);
@@ -68,7 +51,8 @@ function show() {
   by('score').textContent = `${score.blue} : ${score.yellow}`;
   by('phase').textContent = isOver ? words(result.end) : words(moment.phase);
   by('clock').textContent = minutes(scene.clock);
-  by('time').textContent = `${minutes(player.time, 2)} · tick ${tick}`;
+  by('time').textContent = `tick ${tick}`;
+  by('time').title = `${player.time.toFixed(2)} s since the leg began; the clock beside the score counts play only`;
   const scrub = by('scrub');
   scrub.value = tick;
   scrub.setAttribute('aria-valuetext', minutes(player.time, 1));
@@ -160,6 +144,7 @@ function offerBodies() {
 }
 
 function showNumbers(numbers) {
+  by('statistics_title').textContent = leg.live ? 'Statistics so far' : 'Statistics of the whole leg';
   showStatistics(by('statistics'), numbers);
   layers.actions.set(numbers);
 }
@@ -180,7 +165,7 @@ async function playHere() {
   if (play.isOn) {
     play.end();
   } else {
-    const { module, record, replay } = JSON.parse(by('proof').textContent);
+    const { module, record, replay } = await proofData();
     const houseTeam = (name) => (houseTeams.includes(name) ? name : 'striker');
     await play.begin(module, {
       record: await unpackText(record), replay: await unpackBytes(replay), tick: Math.min(shownTick(), track.lastTick - 1),
@@ -313,6 +298,8 @@ const keys = {
   h: () => toggleLayer('shots'),
   a: () => toggleLayer('passes'),
   k: () => toggleLayer('keepers'),
+  n: () => inspector?.next(),
+  x: () => inspector?.toggleKept(),
 };
 
 function onKey(event) {
@@ -348,9 +335,7 @@ function connectControls() {
 }
 
 function showReplay() {
-  unpack(leg.track.packed, leg.track.frames, 3 + 6 * leg.robots).forEach((frame, tick) => track.add(tick, frame));
-  moments.push(...leg.moments);
-  keepers.push(...leg.keepers);
+  viewer.load(leg);
   result = leg.result;
   leg.decisions.forEach((call) => calls.add(call));
   calls.addFaults(result, track.lastTick, track.lastClock);
@@ -359,6 +344,7 @@ function showReplay() {
   drawMomentum();
   offerBodies();
   showOwn();
+  inspect();
   offerProof((tick) => player.seek(tick * leg.period));
   if (!goToAddress()) player.show(0);
 }
@@ -371,6 +357,16 @@ function showOwn() {
   addEventListener('resize', show);
 }
 
+// Lets the reader ask for the numbers of a robot, by a click on it.
+function inspect() {
+  by('inspect').hidden = false;
+  inspector = new Inspector({ place: by('inspector'), body: by('inspected'), names }, viewer, leg.wheels,
+    (team, tick) => thoughts?.at(team, tick) ?? null, () => player.changed());
+  document.querySelector('figure').addEventListener('click', (event) => {
+    if (!play?.isOn) inspector.chooseAt(viewer.placeOf(event), player.time);
+  });
+}
+
 function followMatch() {
   by('live').hidden = false;
   for (const id of ['link', 'play-on', 'save']) by(id).hidden = true;
@@ -381,10 +377,8 @@ function followMatch() {
       decisions.slice(calls.calls.length).forEach((call) => calls.add(call));
       if (!player.isPlaying) player.follow();
     },
-    onFrame({ tick, frame, moment, keepers: now }) {
-      track.add(tick, frame);
-      if (String(now) !== String(keepersAt(tick))) keepers.push([tick, ...now]);
-      moments.push({ tick, ...moment });
+    onFrame(now) {
+      viewer.add(now);
       fitTimeline();
     },
     onCall(call) { calls.add(call); },

@@ -35,7 +35,7 @@ const acts = {
     while (frames.length < ticks && session.play(1) === 1) frames.push(bodies());
     return look({ frames });
   },
-  back() { return session.back() ? lookAnew({ isBack: true }) : look(); },
+  back({ ticks }) { return session.back(Math.min(ticks, session.leg.tick)) ? lookAnew({ isBack: true }) : look(); },
   seat({ teams }) {
     session.seat(teams);
     return look();
@@ -58,9 +58,14 @@ onmessage = async ({ data }) => {
 
 export const houseTeams = ['striker', 'chaser', 'keeper', 'navigator', 'tactician', 'planner', 'idle'];
 const colours = ['blue', 'yellow'];
-const handSpeed = 30;  // rad/s of a wheel
+const handSpeed = 65;  // rad/s of a wheel: house teams drive as fast
 const handTurn = 9;  // rad/s, between the wheels and their mean
+const fullSpeed = 80;  // rad/s, the limit of a wheel
+const slowMotion = '0.25';  // in which a hand begins to drive
+const firstDriven = 3;  // in the list of bodies: blue 1
 const mostTicks = 20;  // in one question, so that keys are followed soon
+const takenBack = 60;  // ticks, two seconds
+const roomAhead = 0.085;  // m, between the middles of two robots that do not push each other
 const shift = 0.02;  // m, by a key
 const turn = Math.PI / 12;  // by a key or a button
 const reach = 0.06;  // m: a body that is closer is meant
@@ -76,8 +81,36 @@ function wheelsTo({ x, y }, robot) {
   off = Math.atan2(Math.sin(off), Math.cos(off));
   const isBehind = Math.abs(off) > 0.75 * Math.PI;
   if (isBehind) off -= Math.sign(off) * Math.PI;
-  const speed = Math.min(45, 150 * distance) * Math.max(Math.cos(off), 0) * (isBehind ? -1 : 1);
-  return [speed - 14 * off, speed + 14 * off];
+  const turning = Math.min(Math.max(14 * off, -handTurn), handTurn);
+  const speed = Math.min(handSpeed, 200 * distance) * Math.max(Math.cos(off), 0) * (isBehind ? -1 : 1);
+  return [speed - turning, speed + turning];
+}
+
+// Wheel speeds with which a robot drives through the ball, as fast as it can.
+function wheelsThrough(ball, robot) {
+  let off = Math.atan2(ball.y - robot.y, ball.x - robot.x) - robot.heading;
+  off = Math.atan2(Math.sin(off), Math.cos(off));
+  const isBehind = Math.abs(off) > 0.5 * Math.PI;
+  if (isBehind) off -= Math.sign(off) * Math.PI;
+  const turning = 20 * off;
+  const speed = Math.max(fullSpeed * Math.cos(off) - Math.abs(turning), 0) * (isBehind ? -1 : 1);
+  return [speed - turning, speed + turning];
+}
+
+// Takes off the speed with which a robot would push an opponent or hit a keeper: one is close ahead, without the ball between.
+function withoutPushing([left, right], robot, ball, opponents) {
+  const speed = (left + right) / 2;
+  const [c, s] = [Math.sign(speed) * Math.cos(robot.heading), Math.sign(speed) * Math.sin(robot.heading)];
+  const ahead = ({ x, y }) => {
+    const [dx, dy] = [x - robot.x, y - robot.y];
+    const way = dx * c + dy * s;
+    return way > 0 && Math.abs(dy * c - dx * s) < roomAhead ? way : Infinity;
+  };
+  const nearest = Math.min(...opponents.map(ahead));
+  if (speed === 0 || ahead(ball) < nearest) return [left, right];
+  const kept = Math.sign(speed) * Math.min(Math.abs(speed), Math.max(300 * (nearest - roomAhead), 0));
+  const turning = (right - left) / 2;
+  return [kept - turning, kept + turning];
 }
 
 // A drill from a situation, in the frame of blue, which attacks +x.
@@ -166,7 +199,12 @@ export class Play {
     const is = (...names) => Number(names.some((name) => this.keys.has(name)));
     const speed = handSpeed * (is('ArrowUp', 'w') - is('ArrowDown', 's'));
     const turning = handTurn * (is('ArrowLeft', 'a') - is('ArrowRight', 'd'));
-    return [body.team, body.robot, ...(this.target ? wheelsTo(this.target, body) : [speed - turning, speed + turning])];
+    const ball = this.#body('-1');
+    const wheels = this.keys.has('f') ? wheelsThrough(ball, body) : this.target ? wheelsTo(this.target, body) : [speed - turning, speed + turning];
+    if (!get('fair').checked) return [body.team, body.robot, ...wheels];
+    const first = body.team === 'blue' ? this.robots : 0;
+    const opponents = Array.from({ length: this.robots }, (_, i) => this.#body(String(first + i)));
+    return [body.team, body.robot, ...withoutPushing(wheels, body, ball, opponents)];
   }
 
   // Takes over what the worker answered.
@@ -255,10 +293,12 @@ export class Play {
     set('score', `${status.score.blue} : ${status.score.yellow}`);
     set('phase', status.over ? words(status.result?.end ?? 'over') : status.state === 'READY' ? 'Restart' : words(status.phase));
     set('clock', minutes(status.clock));
-    get('time').textContent = `${minutes(this.time, 2)} · tick ${status.tick}`;
+    get('time').textContent = `tick ${status.tick}`;
     get('play').classList.toggle('playing', this.isPlaying);
     get('play').setAttribute('aria-label', this.isPlaying ? 'Pause' : 'Play');
     this.#showCounts();
+    const driven = this.#body()?.team;
+    get('aim').textContent = driven ? `It scores on the ${driven === left ? 'right' : 'left'}.` : '';
     this.shown(left);
   }
 
@@ -282,6 +322,11 @@ export class Play {
     if (!this.canvases.has(svg)) this.canvases.set(svg, new ThoughtsCanvas(svg));
     const canvas = this.canvases.get(svg);
     canvas.begin();
+    const driven = this.#body();
+    if (driven?.team) {
+      canvas.draw({ circle: [driven.x, driven.y, 0.065], colour: '#ffffff' }, false);
+      if (this.target) canvas.draw({ line: [driven.x, driven.y, this.target.x, this.target.y], colour: '#ffffffa0' }, false);
+    }
     if (get('thoughts').checked) {
       this.thoughts.forEach((lines, i) => lines.split('\n').filter(Boolean).forEach((line) => canvas.draw(JSON.parse(line), colours[i] !== left)));
     }
@@ -339,7 +384,7 @@ export class Play {
     });
   }
 
-  step(ticks) { return this.act(ticks < 0 ? { act: 'back' } : { act: 'play', ticks, hand: this.#hand() }); }
+  step(ticks) { return this.act(ticks < 0 ? { act: 'back', ticks: -ticks } : { act: 'play', ticks, hand: this.#hand() }); }
 
   // Moves a body: `change(body)` returns what is other, seen from where all earlier moves have put it.
   move(index, change) {
@@ -357,7 +402,15 @@ export class Play {
   choose(index) {
     get('body').selectedIndex = (index + get('body').length) % get('body').length;
     this.keys.clear();
+    this.#slowDown();
     this.show();
+  }
+
+  // A hand begins in slow motion, unless the visitor has chosen a speed.
+  #slowDown() {
+    if (this.hasSpeed || !this.#body()?.team) return;
+    this.hasSpeed = true;
+    get('speed').value = slowMotion;
   }
 
   async save() {
@@ -388,6 +441,7 @@ export class Play {
     on('play', () => this.toggle());
     on('back', () => this.step(-1));
     on('forward', () => this.step(1));
+    on('again', () => this.step(-takenBack));
     on('left', () => this.turnBy(turn));
     on('right', () => this.turnBy(-turn));
     on('record', () => this.try(() => this.save()));
@@ -401,7 +455,12 @@ export class Play {
     let isByMouse = false;
     get('body').addEventListener('pointerdown', () => { isByMouse = true; });
     get('body').addEventListener('keydown', () => { isByMouse = false; });
-    get('body').addEventListener('change', () => { if (isByMouse) get('play').focus(); });
+    get('body').addEventListener('change', () => {
+      this.#slowDown();
+      if (isByMouse) get('play').focus();
+      this.show();
+    });
+    get('speed').addEventListener('change', () => { this.hasSpeed = true; });
     document.addEventListener('keydown', (event) => this.#onKey(event));
     document.addEventListener('keyup', (event) => this.keys.delete(event.key.length === 1 ? event.key.toLowerCase() : event.key));
     addEventListener('blur', () => this.keys.clear());
@@ -415,7 +474,7 @@ export class Play {
     if (event.key === ' ' && ['BUTTON', 'INPUT', 'A', 'SUMMARY'].includes(target.tagName)) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const acts = {
-      ' ': () => this.toggle(), ',': () => this.step(-1), '.': () => this.step(1), q: () => this.turnBy(turn), e: () => this.turnBy(-turn),
+      ' ': () => this.toggle(), ',': () => this.step(-1), b: () => this.step(-takenBack), '.': () => this.step(1), q: () => this.turnBy(turn), e: () => this.turnBy(-turn),
       n: () => this.choose(get('body').selectedIndex + 1), '-': () => this.#speed(-1), '+': () => this.#speed(1), '=': () => this.#speed(1),
     };
     const body = this.#body();
@@ -426,8 +485,8 @@ export class Play {
     } else if (event.shiftKey && ways[key]) {
       if (!body || this.isPlaying) return;
       this.move(body.index, ({ x, y }) => ({ x: x + shift * ways[key][0], y: y + shift * ways[key][1] }));
-    } else if (ways[key] || 'wasd'.includes(key)) {
-      if (!body?.team) return;
+    } else if (ways[key] || 'wasdf'.includes(key)) {
+      if (!body?.team) this.choose(firstDriven);
       this.keys.add(key);
     } else if (acts[key]) {
       acts[key]();
@@ -438,6 +497,7 @@ export class Play {
   }
 
   #speed(direction) {
+    this.hasSpeed = true;
     const select = get('speed');
     select.selectedIndex = Math.min(Math.max(select.selectedIndex + direction, 0), select.length - 1);
   }
@@ -455,7 +515,7 @@ export class Play {
       if (!this.isOn) return;
       const place = at(event);
       if (this.isPlaying) {
-        if (!this.#body()?.team) return;
+        if (!this.#body()?.team) this.choose(firstDriven);
         this.target = place;
       } else {
         const body = nearest(place);

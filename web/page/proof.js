@@ -26,6 +26,24 @@ export async function startWorker(module, code) {
   return worker;
 }
 
+// Runs a script file beside the page, which sets a global value, and returns the value.
+function valueOf(file, name) {
+  return new Promise((resolve, reject) => {
+    const script = element('script');
+    script.src = file;
+    script.addEventListener('load', () => (globalThis[name] ? resolve(globalThis[name]) : reject(new Error(`${file} is not what it was`))));
+    script.addEventListener('error', () => reject(new Error(`the file ${file} is not beside this page`)));
+    document.head.append(script);
+  });
+}
+
+// What this page, or files beside it, have for a simulation: {module, record, replay}.
+export async function proofData() {
+  const { module_file: file, commands_file: commands, ...inside } = JSON.parse(document.getElementById('proof').textContent);
+  const module = file ? { module: await valueOf(file, 'mirocup_module') } : {};
+  return { ...inside, ...module, ...(commands ? await valueOf(commands, 'mirocup_commands') : {}) };
+}
+
 async function prove({ module, record, replay }) {
   const worker = await startWorker(module, work);
   const message = { wasm: await unpackBytes(module.wasm), record: await unpackText(record), replay: await unpackBytes(replay) };
@@ -55,15 +73,14 @@ function showAnswer(place, { found, seconds }, seek) {
 
 // Connects the button, if this page can be proved. `seek(tick)` shows a moment.
 export function offerProof(seek) {
-  const data = document.getElementById('proof');
-  if (!data) return;
+  if (!document.getElementById('proof')) return;
   const button = document.getElementById('prove');
   const place = document.getElementById('proof_found');
   button.addEventListener('click', async () => {
     button.disabled = true;
     place.replaceChildren(element('p', 'small', 'Simulating …'));
     try {
-      const answer = await prove(JSON.parse(data.textContent));
+      const answer = await prove(await proofData());
       place.replaceChildren();
       showAnswer(place, answer, seek);
     } catch (error) {

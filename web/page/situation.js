@@ -14,11 +14,16 @@ function recordName() {
   return name.endsWith('.html') ? name.replace(/\.html$/, '.json') : 'leg.json';
 }
 
-const teamWord = ({ name, kind }) => quoted(kind === 'plugin' ? `${name}.so` : kind === 'dds' ? `dds:${name}` : name);
+// A record does not know the file that a team came from.
+const fileWord = (colour) => `${colour.toUpperCase()}_FILE`;
+const teamWord = ({ name, kind }, colour) => (kind === 'plugin' ? fileWord(colour) : quoted(kind === 'dds' ? `dds:${name}` : name));
 
 export function commandAt(tick, teams) {
+  const files = ['blue', 'yellow'].filter((colour) => teams[colour].kind === 'plugin')
+    .map((colour) => `${fileWord(colour)}: the file of ${teams[colour].name.replace(/[^\w .-]/g, '?')}`);
   return `mirocup match --from ${quoted(recordName())} --tick ${tick}`
-    + ` --blue ${teamWord(teams.blue)} --yellow ${teamWord(teams.yellow)} --watch`;
+    + ` --blue ${teamWord(teams.blue, 'blue')} --yellow ${teamWord(teams.yellow, 'yellow')} --watch`
+    + (files.length > 0 ? `  # ${files.join(', ')}` : '');
 }
 
 const rounded = (value, digits) => Number(value.toFixed(digits));

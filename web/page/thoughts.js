@@ -2,6 +2,7 @@
 //
 // What a team drew in the leg (mirocup/thoughts/1): shapes over the picture, in step with time and in
 // layers that can be switched; texts such as "speed = 1.2" as curves; and what the team printed.
+import { TeamLog } from './log.js';
 import { element, shape } from './text.js';
 
 const curvePoints = 400;  // of a value over the leg, at most
@@ -114,6 +115,8 @@ export class ThoughtsCanvas {
   }
 }
 
+const shortened = (value) => String(Number(value.toPrecision(3)));
+
 function curveOf(points, firstTick, lastTick) {
   const values = points.map(([, value]) => value);
   const low = Math.min(...values);
@@ -125,7 +128,7 @@ function curveOf(points, firstTick, lastTick) {
   const svg = shape('svg', { viewBox: '0 0 1000 40', preserveAspectRatio: 'none', 'aria-hidden': 'true' });
   const now = shape('path', { class: 'now' });
   svg.append(shape('path', { class: 'value', d: 'M' + kept.map(([t, v]) => `${x(t)} ${y(v)}`).join('L') }), now);
-  return { svg, show: (tick) => now.setAttribute('d', `M${x(tick)} 0V40`) };
+  return { svg, low, high, show: (tick) => now.setAttribute('d', `M${x(tick)} 0V40`) };
 }
 
 // Returns the last point at or before a tick.
@@ -147,6 +150,7 @@ export class ThoughtsView {
     this.svg = svg;
     this.ticks = ticks;  // [first, last]
     this.teams = [];  // {team, thoughts, hidden: Set, curves: [{points, show, output}]}
+    this.logs = {};  // by team
   }
 
   async add(team, name, { thoughts, log }) {
@@ -157,7 +161,9 @@ export class ThoughtsView {
     if (thoughts) this.#addThoughts(part, team, new Thoughts(await unpackText(thoughts)));
     if (log) {
       const details = element('details');
-      details.append(element('summary', '', 'Log'), element('pre', '', log));
+      this.logs[team] = new TeamLog(log);
+      details.append(element('summary', '', 'Log'), this.logs[team].list);
+      details.addEventListener('toggle', () => this.show(this.tick, this.left));
       part.append(details);
     }
   }
@@ -183,8 +189,10 @@ export class ThoughtsView {
     for (const [name, points] of thoughts.values) {
       const row = element('div', 'curve');
       const output = element('output');
-      const { svg, show } = curveOf(points, ...this.ticks);
-      row.append(element('span', 'name', name), svg, output);
+      const { svg, low, high, show } = curveOf(points, ...this.ticks);
+      const scale = element('span', 'scale');
+      scale.append(element('span', '', shortened(high)), element('span', '', shortened(low)));
+      row.append(element('span', 'name', name), scale, svg, output);
       part.append(row);
       one.curves.push({ points, show, output });
     }
@@ -192,9 +200,19 @@ export class ThoughtsView {
     if (this.tick !== undefined) this.show(this.tick, this.left);
   }
 
+  // What a team drew and printed in a tick; null if neither is known.
+  at(team, tick) {
+    const shapes = this.teams.find((one) => one.team === team)?.thoughts.at(tick);
+    const lines = this.logs[team]?.at(tick);
+    return shapes || lines ? { shapes: shapes ?? [], lines: lines ?? [] } : null;
+  }
+
   show(tick, left) {
     this.tick = tick;
     this.left = left;
+    for (const log of Object.values(this.logs)) {
+      if (log.list.parentElement.open) log.show(tick);
+    }
     if (!this.canvas) return;
     this.canvas.begin();
     for (const { team, thoughts, hidden, curves } of this.teams) {

@@ -10,7 +10,11 @@ const jump = 400;  // units: a body that moves further within a tick was lifted,
 
 // Decodes a track of TrackEncoder: columns of zigzag numbers, each the change of a change.
 export function unpack(text, frameCount, columnCount) {
-  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  return unpackBytesOf(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)), frameCount, columnCount);
+}
+
+// The same from bytes: ColumnEncoder.
+export function unpackBytesOf(bytes, frameCount, columnCount) {
   const frames = Array.from({ length: frameCount }, () => new Int32Array(columnCount));
   let at = 0;
   for (let column = 0; column < columnCount; ++column) {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // "Prove it" in a replay page, opened from disk under its own policy. Catches a module that plays something else in a browser, a
-// policy that stops it, a changed command that is not found, and a public page that shows how a team drives.
+// policy that stops it, a changed command that is not found, a public page that shows how a team drives, a page of a league whose
+// files are not where it looks for them, from disk or from a server, and files that stay when their pages are gone.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { gunzipSync, gzipSync } from 'node:zlib';
-import { closeBrowser, folder, match, openPage, readJson, run, violations } from './support.js';
+import { closeBrowser, folder, match, mirocup, openPage, readJson, run, violations } from './support.js';
 
 after(closeBrowser);
 
@@ -67,4 +69,93 @@ test('a page for the public has no commands of a team', options, async () => {
   assert.equal(readFileSync(path, 'utf8').includes('wasm-unsafe-eval'), false);
   assert.deepEqual(page.problems, []);
   await page.close();
+});
+
+function playLeague(name, more = {}) {
+  const place = join(folder, name);
+  writeFileSync(`${place}.json`, JSON.stringify({
+    schema: 'mirocup/league/1', rules: { half_s: 3 }, ...more,
+    teams: ['striker', 'chaser'].map((team) => ({ name: `the-${team}`, entry: `house:${team}` })),
+  }));
+  run('league', 'init', place, '--config', `${place}.json`);
+  run('league', 'start', place);
+  return place;
+}
+
+const names = (place) => (existsSync(place) ? readdirSync(place).sort() : []);
+const legs = ['r1-f1-1-1', 'r1-f1-2-1'];
+
+// Starts `league serve`, and returns {url, stop}.
+async function served(place) {
+  const child = spawn(mirocup, ['league', 'serve', place]);
+  const url = await new Promise((resolve) => { child.stdout.on('data', (text) => resolve(String(text).trim())); });
+  return { url, stop: () => child.kill() };
+}
+
+test('pages of a league are proved by files beside them, from disk and from a server', options, async () => {
+  const place = playLeague('proofs');
+  const site = join(place, 'site');
+  assert.deepEqual(names(join(site, 'replays')), legs.flatMap((leg) => [`${leg}.html`, `${leg}.proof.js`]));
+  const modules = names(join(site, 'module'));
+  assert.equal(modules.length, 1);
+  const html = statSync(join(site, `replays/${legs[0]}.html`)).size;
+  const commands = statSync(join(site, `replays/${legs[0]}.proof.js`)).size;
+  console.log(`page ${html} B, its commands ${commands} B, the module ${statSync(join(site, 'module', modules[0])).size} B`);
+  assert.ok(html < 300_000, `${html}`);
+  const hash = readJson(join(place, `records/${legs[1]}.json`)).state_hash;
+  const expectProof = async (url) => {
+    for (const width of [1280, 390]) {
+      const page = await openPage(url, { width, height: 800 });
+      assert.match(await prove(page), new RegExp(`Reproduced.*found here: ${hash}`), url);
+      assert.deepEqual(page.problems, [], url);
+      assert.deepEqual(await violations(page), []);
+      await page.close();
+    }
+  };
+  await expectProof(`file://${site}/replays/${legs[1]}.html`);
+  let host = await served(place);
+  await expectProof(`${host.url}replays/${legs[1]}.html`);
+  host.stop();
+  const before = readFileSync(join(site, `replays/${legs[0]}.html`));
+  rmSync(site, { recursive: true });
+  host = await served(place);  // nothing is on disk: pages, commands and module are made when they are asked for
+  await expectProof(`${host.url}replays/${legs[1]}.html`);
+  const missing = await fetch(`${host.url}module/0123456789abcdef.js`);
+  assert.equal(missing.status, 404);
+  host.stop();
+  run('league', 'publish', place);
+  assert.deepEqual(readFileSync(join(site, `replays/${legs[0]}.html`)), before);
+  assert.deepEqual(names(join(site, 'module')), modules);
+
+  // A command that was changed is found, and a file that is away is told.
+  const file = join(site, `replays/${legs[1]}.proof.js`);
+  writeFileSync(file, readFileSync(file, 'utf8').replace(/("replay":")([^"]+)"/, (all, key, packed) => {
+    const plain = gunzipSync(Buffer.from(packed, 'base64'));
+    plain[16 + 2 * 50] ^= 8;
+    return `${key}${gzipSync(plain).toString('base64')}"`;
+  }));
+  let page = await openPage(`file://${site}/replays/${legs[1]}.html`);
+  assert.match(await prove(page), /Differs from tick 5[0-9] on/);
+  await page.close();
+  rmSync(file);
+  page = await openPage(`file://${site}/replays/${legs[1]}.html`);
+  assert.match(await prove(page), /cannot be proved here: the file r1-f1-2-1.proof.js is not beside this page/);
+  await page.close();
+
+  // Files go with their pages: a leg that is void keeps its page as evidence, and a module that no page names is removed.
+  writeFileSync(join(site, 'module/feedfeedfeedfeed.js'), '');
+  writeFileSync(join(site, 'replays/r9-f1-1-1.proof.js'), '');
+  run('league', 'publish', place);
+  assert.deepEqual(names(join(site, 'module')), modules);
+  assert.equal(existsSync(join(site, 'replays/r9-f1-1-1.proof.js')), false);
+});
+
+test('a host who says no has pages without a proof', options, async () => {
+  const place = playLeague('private', { proofs: false });
+  assert.deepEqual(names(join(place, 'site/replays')), legs.map((leg) => `${leg}.html`));
+  assert.deepEqual(names(join(place, 'site/module')), []);
+  const host = await served(place);
+  assert.equal((await fetch(`${host.url}replays/${legs[0]}.proof.js`)).status, 404);
+  assert.equal((await (await fetch(`${host.url}replays/${legs[0]}.html`)).text()).includes('id="prove"'), false);
+  host.stop();
 });

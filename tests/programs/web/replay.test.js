@@ -3,7 +3,7 @@
 // Uses the replay page as its readers do, from disk.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { readFileSync, statSync } from 'node:fs';
+import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { closeBrowser, evil, folder, inAllViews, match, openPage, readJson, run, violations } from './support.js';
 
@@ -301,6 +301,66 @@ test('without scripts the page tells the result and the calls', async () => {
   assert.equal(await page.locator('#calls .goal').count(), leg.decisions.filter((call) => call.decision === 'GOAL').length);
   assert.equal(await page.locator('.controls').first().isVisible(), false, 'no dead buttons');
   assert.equal(await page.locator('img').count(), 0);
+});
+
+// Catches numbers of another robot or tick, of the other frame, wheels that are not those of the record, lines of another tick,
+// and a kept tick that changes.
+test('a click on a robot shows its numbers, its wheels and what its team printed', async () => {
+  const printed = join(folder, 'printed.py');
+  writeFileSync(printed, `from mirocup.team import Team
+
+class Printer(Team):
+    name = "printer"
+
+    def decide(self, now):
+        if now.tick % 10 == 0:
+            print("tick is", now.tick)
+        return [(10.0, 20.0), (0.0, 0.0), (0.0, 0.0)]
+`);
+  const own = join(folder, 'printed.json');
+  run('match', '--blue', 'striker', '--yellow', printed, '--half', '5', '--seed', '1', '--record', own);
+  const log = readFileSync(`${own}.yellow.log`, 'utf8').trim().split('\n');
+  assert.ok(log.length > 10 && log.every((line) => /^tick (\d+): tick is \1$/.test(line)), log.slice(0, 3).join());
+  run('replay', own, '-o', join(folder, 'printed.html'), '--no-proof');
+  const page = await openPage(`file://${folder}/printed.html#t=${(100.01 * readJson(own).control_period).toFixed(3)}`);
+  await page.waitForFunction(() => document.getElementById('time').textContent === 'tick 100');
+  const box = await page.locator('.robot.yellow').first().boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await page.waitForFunction(() => /Wheels asked/.test(document.getElementById('inspector').textContent));
+  const numbers = () => page.$$eval('.numbers tr', (rows) => Object.fromEntries(rows.map((row) => [...row.cells].map((cell) => cell.textContent)).map(([name, ...rest]) => [name, rest])));
+  const shown = await numbers();
+  assert.deepEqual(shown['Wheels asked'], ['10.0  20.0 rad/s']);
+  assert.deepEqual(shown[''], ['tick 100']);
+  const [left, right] = shown['Wheels driven'][0].split(/[^-\d.]+/).map(Number);
+  assert.ok(Math.abs(left - 10) < 4 && Math.abs(right - 20) < 4, shown['Wheels driven'][0]);
+  assert.match(await page.textContent('#inspector caption'), /\(yellow\), as its team sees the field/);
+  const place = /translate\((\S+) (\S+)\)/.exec(await page.locator('.robot.yellow').first().getAttribute('transform')).slice(1).map(Number);
+  const [x, y] = shown['x, y'][0].split('  ').map(parseFloat);
+  const sign = (await page.locator('.end.left').getAttribute('class')).includes('yellow') ? 1 : -1;
+  assert.ok(Math.hypot(sign * place[0] / 1000 - x, -sign * place[1] / 1000 - y) < 0.002, `${place} ${x} ${y}`);
+  assert.match(await page.textContent('.said_then'), /Tick 100, printed: tick is 100/);
+  await page.keyboard.press('x');
+  for (let i = 0; i < 5; ++i) await page.keyboard.press('.');
+  const both = await numbers();
+  assert.deepEqual(both[''], ['tick 100', 'tick 105']);
+  assert.equal(both['x, y'][0], shown['x, y'][0]);
+  await page.locator('.own.yellow summary').click();
+  for (let i = 0; i < 5; ++i) await page.keyboard.press('.');
+  assert.equal(await page.textContent('.log .now'), '110 tick is 110');
+  assert.deepEqual(await violations(page), []);
+  await page.keyboard.press('n');  // the last robot of yellow is not this one
+  assert.match(await page.textContent('#inspector caption'), / 1 \(yellow\)/);
+  await page.locator('#play-on').click();
+  assert.match(await page.textContent('#command'), /--yellow YELLOW_FILE --watch {2}# YELLOW_FILE: the file of /);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+  const open = join(folder, 'open.html');
+  run('replay', own, '-o', open, '--public');
+  const others = await openPage(`file://${open}`);
+  await others.selectOption('#inspected', '3');
+  assert.match(await others.textContent('#inspector'), /Heading/);
+  assert.equal((await others.textContent('#inspector')).includes('Wheels'), false, 'commands are not for the public');
+  await others.close();
 });
 
 test('axe finds nothing, and the keyboard reaches every control', async () => {

@@ -24,6 +24,26 @@ TEST(TeamLog, StaysBoundedWhenEveryByteIsEscaped) {
   EXPECT_LE(log.text().size(), 65536u);
 }
 
+// Catches a line with the tick of another one, a tick in the middle of a line, and one that a team
+// forges by printing the mark itself.
+TEST(TeamLog, KnowsTheTickOfEachLine) {
+  TeamLog log;
+  log.append("loaded\n");
+  log.append("one\ntw", 6);
+  log.append("o\n", 7);
+  log.append(
+      "\x1e"
+      "9\x1e"
+      "forged\n",
+      8);
+  EXPECT_EQ(log.text(), "loaded\none\ntwo\n?9?forged\n");
+  EXPECT_EQ(log.text_with_ticks(), "loaded\ntick 6: one\ntick 6: two\ntick 8: ?9?forged\n");
+  for (std::uint32_t tick = 0; tick < 30000; ++tick) log.append("0123456789\n", tick);
+  EXPECT_LE(log.text().size(), 65536u);
+  EXPECT_LE(log.text_with_ticks().size(), 131072u);
+  EXPECT_TRUE(log.text_with_ticks().ends_with("tick 29999: 0123456789\n"));
+}
+
 TEST(TeamLog, KeepsAShortLogWhole) {
   TeamLog log;
   log.append("all of it");

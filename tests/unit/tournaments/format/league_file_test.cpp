@@ -63,6 +63,20 @@ TEST(LeagueFile, KeepsThoughtsWhereItSaysSo) {
   }
 }
 
+// Catches a league whose host says that nobody gets commands, and that gives them out all the same.
+TEST(LeagueFile, HasProofsUnlessItSaysNo) {
+  for (const bool has : {true, false}) {
+    const auto file = parse_league_file(
+        std::string(R"({"schema":"mirocup/league/1")") + (has ? "}" : R"(,"proofs":false})"),
+        "league.json");
+    ASSERT_TRUE(test_support::is_ok(file));
+    EXPECT_EQ(file->has_proofs, has);
+    const auto again = parse_league_file(print_league_file(*file), "league.json");
+    ASSERT_TRUE(test_support::is_ok(again));
+    EXPECT_EQ(again->has_proofs, has);
+  }
+}
+
 // Catches settings of a program for FIRASim that are lost on the way, or that a library has.
 TEST(LeagueFile, KeepsHowAProgramForFirasimPlays) {
   const auto parse = [](const std::string& team) {
