@@ -165,7 +165,7 @@ void World::start_tick(std::span<const WheelCommand> commands, double duration) 
   // Islands that are over budget from the start step before impacts: take_steps() drops their
   // contacts, so these do not bounce.
   if (!were_set) {
-    const BodySet stepped = thresholds_.over_budget() & over_budget_or_sticking();
+    const BodySet stepped = thresholds_.over_budget() & over_budget_or_sticking() & may_press();
     take_steps(impact::islands_of(stepped, contacts_.contacts()), 0.0, duration);
   }
 }
@@ -288,14 +288,8 @@ void World::resolve_collisions(double t) {
 void World::continue_motion(const BodySet& involved, const BodySet& were_stepping, double t,
                             double tick_end) {
   // Stepped are the bodies that were in a step, those that are to be stepped, and what touches
-  // either. Without any budget, bodies that only bounce are not stepped.
-  BodySet lasting;
-  for (const collision::Contact& c : contacts_.contacts()) {
-    if (static_world_.tolerances.event_budget > 0 ||
-        collision::row_rate(c.row, bodies_) <= c.impact.restitution_threshold)
-      lasting |= bodies_of(c.pair);
-  }
-  const BodySet stepped = were_stepping | (over_budget_or_sticking() & involved & lasting);
+  // either.
+  const BodySet stepped = were_stepping | (over_budget_or_sticking() & involved & may_press());
   take_steps(were_stepping | impact::islands_of(stepped, contacts_.contacts()), t, tick_end);
 
   islands_.for_each(contacts_, [this](std::span<collision::Contact> island) {
@@ -306,6 +300,18 @@ void World::continue_motion(const BodySet& involved, const BodySet& were_steppin
   if (statistics_ != nullptr) add_pressing(contacts_.contacts(), on_segments, *statistics_);
   start_segments(on_segments, t, tick_end);
   update_pairs(involved, t, tick_end);
+}
+
+// Returns the bodies with a contact that may last. Without any budget, a contact does not whose
+// bodies are about to bounce or have just bounced.
+BodySet World::may_press() const {
+  BodySet found;
+  for (const collision::Contact& c : contacts_.contacts()) {
+    if (static_world_.tolerances.event_budget > 0 ||
+        std::abs(collision::row_rate(c.row, bodies_)) <= c.impact.restitution_threshold)
+      found |= bodies_of(c.pair);
+  }
+  return found;
 }
 
 // Returns those of the bodies that are stepped again if they were stepped: those over budget, or

@@ -125,6 +125,7 @@ class World {
   void resolve_collisions(double t);
   void continue_motion(const BodySet& involved, const BodySet& were_stepping, double t,
                        double tick_end);
+  BodySet may_press() const;
   BodySet to_be_stepped(const BodySet& bodies) const;
   BodySet over_budget_or_sticking();
   void take_steps(const BodySet& candidates, double t, double tick_end);
