@@ -71,6 +71,10 @@ Result<TeamChoice> choose_team(const std::string& text) {
       const auto library = plugins::read_shared_library(entry->bytes());
       if (!library) {
         const std::string known = plugins::advice_on_file(entry->bytes());
+        // A library that turns out to be none loses the leg; a source or an archive is a mistake
+        // of the command.
+        if (!known.empty() && !choice.library.ends_with(".so"))
+          return fail(Errc::input, text + ": " + known);
         choice.fault = no_load(choice.library + ": " + (known.empty() ? library.error() : known));
       }
     }

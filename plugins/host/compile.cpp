@@ -353,7 +353,12 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
   while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
   if (!is_in_time) return tl::unexpected(is_in_time.error());
-  return judge(status, *is_in_time, work, result.get(), step.get(), std::move(done));
+  auto judged = judge(status, *is_in_time, work, result.get(), step.get(), std::move(done));
+  if (judged && !judged->why_not.empty() && language != SourceLanguage::project) {
+    if (std::string other = advice_on_no_source(source); !other.empty())
+      judged->why_not = std::move(other);
+  }
+  return judged;
 }
 
 }  // namespace mirocup::plugins

@@ -80,6 +80,9 @@ void report(int signal, siginfo_t* info, void* context) {
   CrashTrace& trace = faulted_page->fault_trace;
   trace.count = 0;
   trace_calls(traced_path, trace);
+  if (trace.count == 0 && faulted_page->fault_address == AddressKind::other &&
+      faulted_page->team_call != TeamCall::none)
+    faulted_page->fault_address = AddressKind::lost;
   faulted_page->fault_is_traced.store(1, std::memory_order_release);
   _exit(exit_faulted);
 }

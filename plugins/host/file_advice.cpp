@@ -47,10 +47,6 @@ constexpr const char* another_language =
 constexpr const char* source_of_a_library =
     "it is a source: make the library with mirocup compile SOURCE -o team.so, or with g++ "
     "-std=c++20 -O2 -shared -fPIC";
-constexpr const char* what_is_taken =
-    "hand in a library (.so), a source (.cpp, .c), a file of Python (.py), or a project as "
-    ".tar.gz, .tar or .zip";
-
 // Beginnings of lines of texts, and what such a text is, in the order in which they are looked for.
 constexpr std::array other_texts{
     Kind{"<!doctype"sv, a_page},
@@ -123,9 +119,18 @@ std::string advice_on_file(std::string_view bytes) {
   bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
   if (bytes.starts_with('{') && bytes.find("\"cells\"") != std::string_view::npos)
     return "it is a notebook: save it as a file of Python (.py)";
+  if (bytes.starts_with("# ") && bytes.find("\n```") != std::string_view::npos)
+    return std::string("it is a page in Markdown: ") + what_is_taken;
   if (const char* known = kind_of_text(bytes)) return known;
   return "it is not an ELF file but a text: hand in the shared library (.so) that the build made, "
          "or a file of Python with \"from mirocup.team import Team\"";
+}
+
+std::string advice_on_no_source(std::string_view bytes) {
+  const std::string known = advice_on_file(bytes);
+  if (known == no_team_in_python) return "it is Python, which is not compiled: hand in the file";
+  const bool is_source = known.empty() || known == source_of_a_library;
+  return is_source || bytes.find("#include") != std::string_view::npos ? "" : known;
 }
 
 std::string advice_on_missing_entry(std::string_view bytes) {

@@ -152,6 +152,7 @@ int main(int argc, char** argv) {
       request = in->request.load(std::memory_order_acquire);
     }
     if (host.thoughts != nullptr) host.thoughts->clear();
+    host.shapes = 0;
     if (in->observation.placing != 0) {
       out->placement =
           *with_care(*out, TeamCall::place, [&] { return plugin->place(lend(in->observation)); });

@@ -47,7 +47,14 @@ inline constexpr int no_call = -1;
 enum class TeamCall : std::uint32_t { none, create, decide, place };
 
 // The kind of address whose access killed a process.
-enum class AddressKind : std::uint32_t { unknown, null, end_of_stack, other, observation };
+enum class AddressKind : std::uint32_t {
+  unknown,
+  null,
+  end_of_stack,
+  other,
+  observation,
+  lost  // an address that is not valid, in code that is not the team's: it returned to nowhere
+};
 
 struct CommandPage {
   std::atomic<std::uint32_t> answer;  // the last request that was answered

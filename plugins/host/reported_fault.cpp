@@ -63,6 +63,8 @@ const char* text_of(AddressKind address) {
       return " at an address that is not valid";
     case AddressKind::observation:
       return " where it wrote to the observation";
+    case AddressKind::lost:
+      return " as it returned from a function to an address that is not valid";
   }
   return "";
 }

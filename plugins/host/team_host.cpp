@@ -54,9 +54,21 @@ void note_name(TeamHost& host, std::string_view name) {
   }
 }
 
+// Tells of more shapes than a tick has room for, which only the replay would show.
+void note_shape(void* host) {
+  if (host == nullptr) return;
+  auto& own = *static_cast<TeamHost*>(host);
+  if (++own.shapes <= match::max_thoughts || own.has_told_shapes) return;
+  own.has_told_shapes = true;
+  write_line((line_of_host + ("the team draws more than " + std::to_string(match::max_thoughts) +
+                              " shapes in a tick; the replay shows no more"))
+                 .c_str());
+}
+
 // Puts a shape on the page of the host, if there is one.
 void draw(void* host, ThoughtKind kind, const char* layer, std::uint32_t colour,
           std::span<const double> numbers, std::string_view text = {}) {
+  note_shape(host);
   ThoughtsPage* page = page_of(host);
   if (page == nullptr) return;
   const bool has_room = page->shapes < page->shape.size() &&

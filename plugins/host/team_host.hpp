@@ -24,6 +24,8 @@ struct TeamHost {
   std::array<std::size_t, match::max_team_parameters + 1> names{};  // hashes
   std::size_t different_names = 0;
   bool has_told_name = false;
+  std::uint32_t shapes = 0;  // of this tick, with those that are dropped
+  bool has_told_shapes = false;
   std::string last_line = {};  // of the log, at most 200 bytes
 };
 
@@ -48,7 +50,8 @@ double parameter_of(void* host, const char* name, double fallback);
 
 // The functions `setup.draw_line` and so on put a shape on the page of the TeamHost at `host`. A
 // shape is dropped and counted if there is no room for it, if a number is not finite, or if a
-// polygon has fewer than 3 or more than max_polygon_corners corners.
+// polygon has fewer than 3 or more than max_polygon_corners corners. A line of the log tells once
+// of more shapes in a tick than are kept, also where none are.
 void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,
                double y2);
 void draw_circle(void* host, const char* layer, std::uint32_t colour, double x, double y,

@@ -48,6 +48,7 @@ void TrustedController::post(const match::Observation& observation) {
 
 match::Answer TrustedController::collect() {
   if (facts_->thoughts) facts_->thoughts->clear();
+  facts_->host.shapes = 0;
   std::optional<match::PlacementRequest> poses;
   if (observation_.placing != 0) {
     const RunningCallMark mark({colour_.c_str(), "place()", observation_.tick});

@@ -222,21 +222,21 @@ def _setup_of(data):
     corners = values[45]
     outline = tuple(Point(*p) for p in zip(values[47:47 + corners], values[55:55 + corners]))
     setup = Setup(*values[1:26], *values[33:45], *values[65:74], outline)
-    setup._bytes = data
+    setup._bytes_of_setup = data
     return setup
 
 
 def _setup_bytes(setup):
     """The setup as C sees it: of the host, or of a test, whose setup has no functions that draw."""
     try:
-        return setup._bytes
+        return setup._bytes_of_setup
     except AttributeError:
         pass
     x, y = ([p[k] for p in setup.outline] + (8 - len(setup.outline)) * [0.0] for k in (0, 1))
     whole = [int(n) for n in setup[43:46]]
-    setup._bytes = _SETUP.pack(_SETUP.size, *setup[:25], *(7 * [0]), *setup[25:37], len(setup.outline),
+    setup._bytes_of_setup = _SETUP.pack(_SETUP.size, *setup[:25], *(7 * [0]), *setup[25:37], len(setup.outline),
                                0, *x, *y, 0, 0, *setup[37:43], *whole, 0)
-    return setup._bytes
+    return setup._bytes_of_setup
 
 
 def _counts_of(values, at):
@@ -251,22 +251,24 @@ def _observation_of(data):
     now = Observation(*v[1:16], own, opponent, _counts_of(v, _COUNTS), _counts_of(v, _COUNTS + 10),
                       v[_AGES - 2], v[_AGES - 1], v[_AGES:_AGES + n],
                       v[_AGES + MAX_ROBOTS:_AGES + MAX_ROBOTS + n], v[_AGES + 2 * MAX_ROBOTS])
-    now._bytes = data
+    now._bytes_of_now = data
     return now
 
 
 def _observation_bytes(now):
     """The observation as C sees it; one that a team changed with _replace() is packed again."""
     try:
-        return now._bytes
+        return now._bytes_of_now
     except AttributeError:
         pass
+    if not 0 <= now.robots <= MAX_ROBOTS or max(len(now.own), len(now.opponent)) > MAX_ROBOTS:
+        raise ValueError(f"an observation of {now.robots} robots; at most {MAX_ROBOTS} are possible")
     ages = [list(a) + (MAX_ROBOTS - len(a)) * [0] for a in (now.own_age_ticks, now.opponent_age_ticks)]
     counts = [n for c in (now.own_counts, now.opponent_counts) for n in (*c[:5], 0, *c[5:])]
-    now._bytes = _OBSERVATION.pack(_OBSERVATION.size, *now[:15], *_robots(now.own), *_robots(now.opponent),
+    now._bytes_of_now = _OBSERVATION.pack(_OBSERVATION.size, *now[:15], *_robots(now.own), *_robots(now.opponent),
                                    *counts, now.stalemate_s, now.advantage_s, *ages[0], *ages[1],
                                    now.ball_age_ticks, 0)
-    return now._bytes
+    return now._bytes_of_now
 
 
 def _robots(robots):
@@ -312,6 +314,13 @@ _CPredicted = _structure("_CPredicted", own=ctypes.c_uint32, opponent=ctypes.c_u
 _CCommand = _real * (2 * MAX_ROBOTS)
 
 
+def _own(i, robots=MAX_ROBOTS):
+    """A number of a robot as C may use it."""
+    if not 0 <= i < robots:
+        raise IndexError(f"there is no robot {i}")
+    return i
+
+
 def _point(p):
     return Point(p.x, p.y)
 
@@ -327,13 +336,28 @@ _KINDS = {
     **dict.fromkeys(("robot", "before", "after"), (_address, "_ROBOT.pack(*{})")),
     **dict.fromkeys(("target", "obstacle", "point", "p", "aim", "at", "here", "velocity", "along", "ball",
                      "goal", "spot", "where"), (_CPoint, "_CPoint(*{})")),
-    **dict.fromkeys(("i", "me", "rank", "ticks_ahead"), (_whole, "{}")),
+    **dict.fromkeys(("i", "me"), (_whole, "_own({})")),
+    "rank": (_whole, "{}"),
     "wheels": (_CWheels, "_CWheels(*{})"),
     "pose": (_CPose, "_CPose(*{})"),
     "moving": (_CBall, "_CBall(_CPoint(*{0}[0]), _CPoint(*{0}[1]))"),
     "shot": (_CShot, "_CShot(_CPoint(*{0}[0]), _CPoint(*{0}[1]), {0}[2], {0}[3])"),
     "role": (ctypes.c_char_p, "str({}).encode()"),
 }
+
+
+class _Expected(dict):
+    def __missing__(self, key):
+        kind, parameter = key
+        named = {"setup": "the setup of a team", "now": "an observation", "seen": "an observation",
+                 "i": "the number of an own robot", "me": "the number of an own robot"}
+        return named.get(parameter) or self[kind]
+
+
+_EXPECTED = _Expected({_real: "a number", _whole: "a whole number", _address: "a robot, such as now.own[1],",
+                       _CPoint: "a point (x, y)", _CWheels: "(left, right) in rad/s",
+                       _CPose: "a pose (x, y, heading)", _CBall: "a Ball, ((x, y), (vx, vy)),",
+                       _CShot: "a Shot", ctypes.c_char_p: "a text"})
 # What a function returns, by its annotation: the type in C, and how a call converts it.
 _RESULTS = {
     Wheels: (_CWheels, lambda w: Wheels(w.left, w.right)),
@@ -350,6 +374,24 @@ _RESULTS = {
 }
 
 
+def _kind_of(parameter, parameters):
+    kind, how = _KINDS.get(parameter, (_real, "{}"))
+    return kind, "_own({}, now.robots)" if how == "_own({})" and "now" in parameters else how
+
+
+def _explain(name, given):
+    """Raises a sentence about the first argument that its parameter does not take."""
+    for parameter, value in given.items():
+        kind, how = _kind_of(parameter, given)
+        try:
+            made = eval(how.format("_value"), {**globals(), "_value": value, "now": given.get("now")})
+            if kind in (_real, _whole):
+                kind(made)
+        except Exception:
+            raise TypeError(f"{name}(): {parameter} is {_short(value)}; {_EXPECTED[kind, parameter]} is "
+                            "expected") from None
+
+
 def _bound(name, result, *arguments):
     function = getattr(_c, "mirocup_" + name)
     function.restype, function.argtypes = result, arguments
@@ -360,12 +402,13 @@ def _skill(declared):
     """Makes a function of its declaration: it calls mirocup_NAME with its parameters in their order."""
     name = declared.__name__
     parameters = declared.__code__.co_varnames[:declared.__code__.co_argcount]
-    kinds = [_KINDS.get(p, (_real, "{}")) for p in parameters]
+    kinds = [_kind_of(p, parameters) for p in parameters]
     result, convert = _RESULTS[declared.__annotations__["return"]]
     function = _bound(name, result, *[kind for kind, _ in kinds])
     call = f"_function({', '.join(how.format(p) for p, (_, how) in zip(parameters, kinds))})"
     names = {**globals(), "_function": function, "_convert": convert}
-    text = f"def {name}({', '.join(parameters)}): return {f'_convert({call})' if convert else call}"
+    text = (f"def {name}({', '.join(parameters)}):\n  try: return {f'_convert({call})' if convert else call}\n"
+            f"  except Exception: _explain({name!r}, dict({', '.join(f'{p}={p}' for p in parameters)})); raise")
     exec(compile(text, f"<mirocup.team.{name}>", "exec"), names)
     made = names[name]
     made.__defaults__, made.__doc__ = declared.__defaults__, declared.__doc__
@@ -373,9 +416,30 @@ def _skill(declared):
     return made
 
 
-def _command(wheels):
-    """A list with (left, right) or None for each robot, as C sees it."""
-    return _CCommand(*[number for pair in wheels for number in (pair or (0.0, 0.0))])
+def _speeds(answer, robots, who):
+    """Returns the numbers of a list with (left, right), or None, for each robot."""
+    try:
+        pairs = list(answer)
+    except TypeError:
+        raise TypeError(f"{who} {_short(answer)}; a list with (left, right) for each robot is "
+                        "expected") from None
+    if pairs and all(isinstance(pair, (int, float)) for pair in pairs):
+        raise ValueError(f"{who} {len(pairs)} numbers; {robots} pairs (left, right) are expected")
+    if len(pairs) > robots:
+        raise ValueError(f"{who} {len(pairs)} pairs of speeds for {robots} robots")
+    numbers = []
+    for i, pair in enumerate(pairs):
+        try:
+            left, right = (0.0, 0.0) if pair is None else pair
+            numbers += float(left), float(right)
+        except (TypeError, ValueError):
+            raise TypeError(f"{who} {_short(pair)} for robot {i}; (left, right) in rad/s is "
+                            "expected") from None
+    return numbers
+
+
+def _command(wheels, robots=MAX_ROBOTS, who="a command is"):
+    return _CCommand(*_speeds(wheels, robots, who))
 
 
 def _pairs(command, robots):
@@ -387,7 +451,7 @@ def _changing(name):
     function = _bound(name, None, _address, _address, _address)
 
     def changed(setup, now, wheels):
-        command = _command(wheels)
+        command = _command(wheels, now.robots, name + "() was given")
         function(_setup_bytes(setup), _observation_bytes(now), command)
         return _pairs(command, now.robots)
     return changed
@@ -815,7 +879,7 @@ def time_behind(setup, now, i, round_s=0.35) -> float:
 
 def cheapest_robot(now, first, last, bonus, cost):
     """Returns the own robot from `first` on with the least cost(i); `last` costs `bonus` less."""
-    costs = (_real * MAX_ROBOTS)(*first * [0.0], *[cost(i) for i in range(first, now.robots)])
+    costs = (_real * MAX_ROBOTS)(*_own(first) * [0.0], *[cost(i) for i in range(first, now.robots)])
     return _cheapest_robot(_observation_bytes(now), first, last, bonus, costs)
 
 
@@ -823,6 +887,10 @@ def assign_places(now, places, free, last, bonus=0.1):
     """Returns the robot, one of `free`, for each place, the most important first; `last`: the answer
     of the last tick, whose robots count as `bonus` m nearer."""
     count = len(places)
+    if not len(places) == len(free) == len(last) or count > MAX_ROBOTS:
+        raise ValueError(f"assign_places(): {count} places, {len(free)} robots and {len(last)} of the last "
+                         "tick; as many of each are expected")
+    free, last = [_own(i, now.robots) for i in free], [int(i) for i in last]
     chosen = (_whole * count)()
     _assign_places(_observation_bytes(now), (_CPoint * count)(*[_CPoint(*p) for p in places]),
                    (_whole * count)(*free), (_whole * count)(*last), count, bonus, chosen)
@@ -996,6 +1064,9 @@ class Simulator(_Handle):
 
     def advance(self, scene, own, opponent, ticks=1):
         """Plays a tick from the scene, in place, with lists of wheel speeds; returns what happened."""
+        if not isinstance(scene, Scene) or ticks < 1:
+            raise TypeError(f"advance() was given {_short(scene)} and {ticks} ticks; a Scene and at least one "
+                            "are expected")
         tick = self._call("advance", self._handle, scene._handle, _command(own), _command(opponent),
                           _whole(ticks), result=_CPredicted)
         return Predicted(tick.own, tick.opponent, tick.last, tick.events)
@@ -1006,6 +1077,7 @@ class Simulator(_Handle):
 # A team does not need it.
 
 _ZEROS = [0.0] * (3 * MAX_ROBOTS)
+_MANY_PLACES = 8  # calls of place() after which it should have changed a place
 
 
 class _host:  # the program that plays a team puts its own functions in place of these
@@ -1053,6 +1125,7 @@ class _Runner:
         self._robots = robots
         self._places = type(team).place is not Team.place
         self._warned = set()
+        self._idle_places = 0  # calls of place() without an effect; -1: one had an effect
 
     def _warn(self, text):
         """Writes a line to the log, once. `mirocup check` shows it as a warning."""
@@ -1063,49 +1136,44 @@ class _Runner:
             sys.stderr.write(f"mirocup: {text}\n")
 
     def decide(self, data):
-        answer = self._team.decide(_observation_of(data))
-        try:
-            wheels = list(answer)
-        except TypeError:
-            raise TypeError(f"decide() returned {_short(answer)}; a list with (left, right) for each "
-                            "robot is expected") from None
-        if len(wheels) == 2 * self._robots and not any(isinstance(w, (tuple, list)) for w in wheels):
-            raise ValueError(f"decide() returned {len(wheels)} numbers; {self._robots} pairs (left, "
-                             "right) are expected")
-        if len(wheels) > self._robots:
-            raise ValueError(f"decide() returned {len(wheels)} pairs of speeds for {self._robots} "
-                             "robots")
-        values = _ZEROS[:2 * MAX_ROBOTS]
-        for i, pair in enumerate(wheels):
-            if pair is None:
-                continue
-            try:
-                left, right = pair
-                values[2 * i], values[2 * i + 1] = float(left), float(right)
-            except (TypeError, ValueError):
-                raise TypeError(f"decide() returned {_short(pair)} for robot {i}; (left, right) in "
-                                "rad/s is expected") from None
-        return _COMMAND.pack(*values)
+        numbers = _speeds(self._team.decide(_observation_of(data)), self._robots, "decide() returned")
+        return _COMMAND.pack(*numbers, *_ZEROS[len(numbers):2 * MAX_ROBOTS])
 
     def place(self, data):
         now = _observation_of(data)
         placement = Placement(now)
         if self._places:
             returned = self._team.place(now, placement)
-            if returned is not None and returned is not placement:
-                self._warn(f"place() returned {_short(returned)}, which is not used: change "
-                           "placement.robots and placement.ball")
-            if len(placement.robots) > self._robots:
-                self._warn(f"place() left {len(placement.robots)} poses for {self._robots} robots")
-        values = _ZEROS[:]
+            self._look_at(placement, returned, now)
+        values = [number for r in now.own for number in r[:3]]  # what it leaves out stays where it is
         try:
-            for i, (x, y, heading) in enumerate(placement.robots[:MAX_ROBOTS]):
+            for i, (x, y, heading) in enumerate(placement.robots[:self._robots]):
                 values[3 * i:3 * i + 3] = float(x), float(y), float(heading)
             ball_x, ball_y = placement.ball
-            return _PLACEMENT.pack(float(ball_x), float(ball_y), *values)
+            return _PLACEMENT.pack(float(ball_x), float(ball_y), *values, *_ZEROS[len(values):])
         except (TypeError, ValueError, struct.error):
             raise TypeError("place() left something else than (x, y, heading) for each robot and "
                             "(x, y) for the ball") from None
+
+    def _look_at(self, placement, returned, now):
+        """Warns about a place() that has no effect."""
+        if returned is not None and returned is not placement:
+            self._warn(f"place() returned {_short(returned)}, which is not used: change "
+                       "placement.robots and placement.ball")
+        before = Placement(now)
+        if placement.robots != before.robots or tuple(placement.ball) != tuple(before.ball):
+            self._idle_places = -1  # it knows how
+        elif self._idle_places >= 0:
+            self._idle_places += 1
+        if self._idle_places == _MANY_PLACES:
+            self._warn(f"place() was called {_MANY_PLACES} times and changed no place: it has to change "
+                       "placement.robots and placement.ball themselves, not copies of them")
+        try:
+            count = len(placement.robots)
+        except TypeError:
+            return
+        if count != self._robots:
+            self._warn(f"place() left {count} poses for {self._robots} robots")
 
 
 def _short(value):

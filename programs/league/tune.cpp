@@ -167,16 +167,25 @@ class Search {
     return files_.write(options_.folder + "/course.svg", course_svg(tuning_, course));
   }
 
-  // From the fixtures of this start: those that were known took no time.
+  // From the fixtures of this start: those that were known took no time. The candidates of later
+  // generations play as many fixtures as now, or twice as many each time, up to the most.
   std::string time_left(const std::vector<Generation>& course) const {
     if (fixtures_played_ == 0) return "known already";
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    const int generations = tuning_.generations - static_cast<int>(course.size());
     const double candidates = static_cast<double>(course.front().played) / course.front().fixtures;
-    const double left =
-        generations * candidates * course.back().fixtures + 2.0 * tuning_.test_fixtures;
-    return short_text(std::ceil(left * seconds / fixtures_played_ / 60.0)) + " min left";
+    double least = 2.0 * tuning_.test_fixtures, most = least;
+    int fixtures = course.back().fixtures;
+    for (int k = static_cast<int>(course.size()); k < tuning_.generations; ++k) {
+      fixtures = std::min(tuning_.most_fixtures, 2 * fixtures);
+      least += candidates * course.back().fixtures;
+      most += candidates * fixtures;
+    }
+    const auto minutes = [&](double count) {
+      return short_text(std::ceil(count * seconds / fixtures_played_ / 60.0));
+    };
+    const std::string soon = minutes(least), late = minutes(most);
+    return soon == late ? soon + " min left" : soon + " to " + late + " min left";
   }
 
   system::Files& files_;

@@ -224,6 +224,12 @@ Result<int> run_drill(const DrillOptions& options) {
     reports.push_back(std::move(report));
   }
   progress.clear();
+  if (!options.replay_folder.empty()) {
+    system::Disk disk;
+    const std::string list = options.replay_folder + "/index.html";
+    MIROCUP_TRY_VOID(disk.write(list, failed_page(reports)));
+    std::cerr << list << " lists the failed tries\n";
+  }
   if (options.json) {
     std::cout << record::json_text(json_of(reports)) << '\n';
   } else if (options.csv) {
@@ -266,7 +272,8 @@ void add_drill(system::Commands& commands) {
   add_parameters(command, "--param", o.parameters, "the teams");
   command
       .option("--replay", o.replay_folder,
-              "Folder to write a record and a page of each failed try to")
+              "Folder to write a record and a page of each failed try to, and index.html, which "
+              "lists them")
       .named("DIR");
   command
       .option("--at-least", o.at_least,

@@ -37,6 +37,9 @@ std::string text_of(const DrillReport& report);
 // One team: {"team", "drills", "score"}. Several: {"teams": [of each such an object]}.
 nlohmann::ordered_json json_of(const std::vector<DrillReport>& reports);
 
+// Returns the page that lists the failed tries, with links to their pages, which are in its folder.
+std::string failed_page(const std::vector<DrillReport>& reports);
+
 // A line for each team and drill, and one for all drills of a team, below a line of titles.
 std::string csv_of(const std::vector<DrillReport>& reports);
 

@@ -64,6 +64,9 @@ std::string advice_on_signal(const LastWords& words) {
              "as members of the team";
     case AddressKind::observation:
       return "the observation is for reading: copy what you change";
+    case AddressKind::lost:
+      return "the stack was overwritten: look for a text or an array of a function that is longer "
+             "than its room; a test that is built with -g -fsanitize=address names the line";
     default:
       return std::string("an index or a pointer was out of bounds: ") + in_a_debugger;
   }
@@ -83,6 +86,8 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
            "returns, or use a parameter";
   if (has(text, "locale"))
     return "a team's process has the locale \"C\" and no other: do without another one";
+  if (has(evidence.requests, "file ") && words.address == AddressKind::null)
+    return "it asked for a file, which no team can open: put its data into the source";
   if (has(evidence.requests, "program ") && words.address == AddressKind::null)
     return "it asked for a program, which no team can run: popen() returned null";
   if (has(evidence.requests, "file ") && has(text, "threw"))
@@ -99,32 +104,60 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
   return in_a_debugger;
 }
 
+// What the texts of Python's errors say, and the advice, in the order in which they are looked for.
+struct PythonError {
+  const char* part;
+  const char* advice;
+};
+constexpr const char* no_process = "a team starts no processes: compute in decide()";
+constexpr const char* no_file =
+    "a team opens no file and no connection: put its data into the source";
+constexpr PythonError python_errors[] = {
+    {"multiprocessing", no_process},
+    {"Too many open files", no_process},
+    {"Resource temporarily unavailable", no_process},
+    {"start new thread", "a team has one thread: compute in decide()"},
+    {"lost sys.stdin",
+     "a team has no standard input: use a parameter, or put its data into the source"},
+    {"EOFError", "a team has no standard input: use a parameter, or put its data into the source"},
+    {"'NoneType' object has no attribute 'read",
+     "a team has no standard input: use a parameter, or put its data into the source"},
+    {"unknown encoding: idna", no_file},
+    {"gaierror", no_file},
+    {"PermissionError", no_file},
+    {"FileNotFoundError", no_file},
+    {"MemoryError", "it used more than 1 GiB of memory; keep what a team needs, and free the rest"},
+    {"defines no class", "derive one: class Mine(Team), with decide(self, now)"},
+    {"defines several teams",
+     "keep one class that derives from Team, and hand in the others apart"},
+    {"super().__init__", "call super().__init__(setup) first in __init__()"},
+    {"UnicodeDecodeError", "save the file as UTF-8"},
+    {"set attribute",
+     "observation and setup are for reading: now._replace(ball_x=0.1) makes a changed copy"},
+    {"does not support item assignment",
+     "observation and setup are for reading: now._replace(ball_x=0.1) makes a changed copy"},
+    {"SystemExit", "return from decide() instead of calling exit()"}};
+
 // A team in Python: its log has the traceback.
 std::string advice_on_python(const FaultEvidence& evidence) {
   const std::string& text = evidence.fault.text;
+  const bool is_loaded = evidence.fault.code == FaultCode::crash;
+  if (is_loaded || evidence.fault.code == FaultCode::no_load) {
+    for (const PythonError& error : python_errors) {
+      if (has(text, error.part)) return error.advice;
+    }
+    if (has(text, "No module named")) {
+      return is_loaded
+                 ? "import it at the top of the file: no file can be opened while the team plays"
+                 : "use Python's library, or a module that the host has installed";
+    }
+  }
   switch (evidence.fault.code) {
     case FaultCode::no_load:
-      if (has(text, "ModuleNotFoundError") || has(text, "No module named"))
-        return "use Python's library, or a module that the host has installed";
-      if (has(text, "FileNotFoundError") || has(text, "PermissionError"))
-        return "a team opens no file: put its data into the source";
-      if (has(text, "UnicodeDecodeError")) return "save the file as UTF-8";
-      if (has(text, "f-string") || has(text, "SyntaxError"))
+      if (has(text, "SyntaxError"))
         return "mend that line; the log shows it, and the version of Python of this host";
       return "mend that line; the log shows it";
     case FaultCode::crash:
-      if (has(text, "Too many open files"))
-        return "a team starts no processes and opens no files: compute in decide()";
-      if (has(text, "lost sys.stdin"))
-        return "a team has no standard input: use a parameter, or put its data into the source";
-      if (has(text, "start new thread")) return "a team has one thread: compute in decide()";
-      if (has(text, "No module named") || has(text, "ModuleNotFoundError"))
-        return "import it at the top of the file: no file can be opened while the team plays";
-      if (has(text, "PermissionError") || has(text, "FileNotFoundError"))
-        return "a team opens no file and no connection: put its data into the source";
-      if (has(text, "MemoryError"))
-        return "it used more than 1 GiB of memory; keep what a team needs, and free the rest";
-      if (has(text, "SystemExit")) return "return from decide() instead of calling exit()";
       return "the log has the traceback; mirocup match --trusted stops at breakpoint()";
     case FaultCode::budget:
       return advice_on_time_in_python;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/examination.hpp"
 
+#include "plugins/host/file_advice.hpp"
 #include "programs/mirocup/entry_advice.hpp"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ bool fail_with(Examination& e, const std::string& text) {
   const bool has_cure = colon != std::string::npos;
   return fail_with(e, {.what = text.substr(0, colon),
                        .where = {},
-                       .cure = has_cure ? text.substr(colon + 2) : std::string()});
+                       .cure = has_cure ? text.substr(colon + 2) : plugins::what_is_taken});
 }
 
 bool fail_with(Examination& e, Check failed) {

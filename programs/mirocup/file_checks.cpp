@@ -67,7 +67,7 @@ Result<bool> examine_file(Examination& e) {
   auto entry = plugins::SealedEntry::open(e.path);
   if (!entry) {
     if (entry.error().code != Errc::input) return tl::unexpected(entry.error());
-    return fail_with(e, entry.error().what);
+    return fail_with(e, Check{.what = entry.error().what, .cure = plugins::what_is_taken});
   }
   e.report.sha256 = system::sha256(entry->bytes());
   e.entry = std::move(*entry);

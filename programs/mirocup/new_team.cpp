@@ -126,7 +126,9 @@ Result<int> run_new(const NewOptions& options) {
   const fs::path templates = fs::path(kit.templates) / options.language;
   if (!fs::is_directory(templates, none)) {
     return fail(Errc::unavailable,
-                templates.string() + ": the files of a new team are missing here");
+                templates.string() +
+                    ": the files of a new team are missing here; the preset packages installs them "
+                    "(cmake --preset packages), and so do the packages of docs/installing.md");
   }
   Result<OldSources> old = OldSources{};
   if (!options.simurosot.empty()) old = find_old_sources(options.simurosot);

@@ -140,7 +140,7 @@ Result<bool> load_and_answer(Examination& e) {
     note_use(e, first, terms);
     return fail_with(e, "it needs " + milliseconds(1e3 * max_first_seconds / first.ticks()) +
                             " for a tick, and " + milliseconds(e.report.mean_tick_ms) +
-                            " of processor time; it has 1 ms, and should neither wait nor sleep");
+                            " of processor time; it has 1 ms: do not sleep or wait in decide()");
   }
   return judge(e, first, terms, "answers " + std::to_string(first_ticks) + " observations");
 }

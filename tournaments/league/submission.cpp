@@ -506,7 +506,12 @@ Result<std::string> pin_entry(system::Files& files, const Folder& folder, const 
   MIROCUP_TRY(const auto is_accepted, is_accepted_entry(files, folder, team, number));
   const bool is_kept = number == 0 || (files.exists(folder.entry_file(team, number)) &&
                                        files.exists(folder.library(team, number)) && is_accepted);
-  if (!is_kept) return team + " has no accepted entry " + std::to_string(number) + " any more";
+  if (!is_kept) {
+    const bool is_there = files.exists(folder.entry_file(team, number));
+    return (is_there && !is_accepted
+                ? "entry " + std::to_string(number) + " of " + team + " was not accepted"
+                : team + " has no entry " + std::to_string(number) + " that could play");
+  }
   MIROCUP_TRY(auto known, read_hand_ins(files, folder, team));
   known.pinned = number;
   MIROCUP_TRY_VOID(write_hand_ins(files, folder, team, known));

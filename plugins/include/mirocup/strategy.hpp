@@ -273,10 +273,19 @@ class Team {
   Random random_;
 };
 
+// True if place() of a team is the one of Team, with a placement that it can change.
+template <class T>
+concept places_by_reference = requires {
+  static_cast<void (T::*)(const Observation&, Placement&)>(&T::place);
+};
+
 }  // namespace mirocup::strategy
 
-// Exports a class as the team of the library. Its constructor takes the setup.
+// Exports a class as the team of the library. Its constructor takes the setup. The assertion is for
+// a place() that takes a copy, which would have no effect.
 #define MIROCUP_EXPORT_TEAM(Class, Name)                                               \
+  static_assert(mirocup::strategy::places_by_reference<Class>,                         \
+                "declare it: void place(const Observation&, Placement&) override");    \
   extern "C" MIROCUP_PUBLIC const mirocup_strategy* mirocup_entry(void) {              \
     static const mirocup_strategy entry = {                                            \
         MIROCUP_ABI_VERSION,                                                           \

@@ -125,6 +125,7 @@ TEST(Check, TellsFilesThatAreNoTeamsApart) {
                {"\xef\xbb\xbf#include <cmath>\n"s, "mirocup compile"},
                {"/* mine */\n#include <math.h>\n"s, "mirocup compile"},
                {"class A:\n    pass\n"s, "from mirocup.team import Team"},
+               {"# Mine\n\n```cpp\n#include <cmath>\n```\n"s, "a page in Markdown"},
                {"package main\n\nimport \"fmt\"\n"s, "another language"},
                {"fn main() {}\n"s, "another language"},
                {"<!DOCTYPE html>\n"s, "a page of the web"},

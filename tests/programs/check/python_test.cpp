@@ -80,8 +80,9 @@ TEST_F(PythonTeams, PlayAsWindowsWritesThem) {
 TEST_F(PythonTeams, AreToldWhatTheFileLacks) {
   const Outcome outcome =
       run({program("mirocup"), "match", "--blue", file("x = 1\n"), "--yellow", "idle"});
-  EXPECT_NE(outcome.out.find("\"from mirocup.team import Team\""), std::string::npos)
-      << outcome.out;
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("\"from mirocup.team import Team\""), std::string::npos)
+      << outcome.err;
 }
 
 TEST_F(PythonTeams, AreAcceptedWithTheirParametersAndPlaces) {
@@ -131,6 +132,20 @@ TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
                  "def loop():\n    while True:\n        pass\n"),
        "ticks",
        {"in decide() of tick 30", "loop that does not end"}},
+      {team_that("now.ball_x = 1"), "ticks", {"line 4", "_replace"}},
+      {team_that("return [drive_to(self.setup, r, 0.3) for r in now.own]"),
+       "ticks",
+       {"line 4", "target is 0.3; a point (x, y)"}},
+      {team_that("return attack_ball(self.setup, now, 7, (0.7, 0.0))"),
+       "ticks",
+       {"me is 7; the number of an own robot"}},
+      {team_that("return keep_laws(self.setup, now, 4 * [(1, 1)])"),
+       "ticks",
+       {"4 pairs of speeds for 3 robots"}},
+      {team_that("return []", "from multiprocessing import Pool\nPOOL = Pool(2)\n"),
+       "loads",
+       {"line 3", "starts no processes"}},
+      {team_that("return []", "TABLE = [0.0] * 300000000\n"), "loads", {"line 2", "1 GiB"}},
       {"print('hello')\n# no team\n", "complete", {}},
       {"import os\n", "complete", {"from mirocup.team import Team"}},
   };
@@ -152,6 +167,8 @@ TEST_F(PythonTeams, AreWarned) {
                                  "class A(Team):\n"
                                  "    def decide(self, now):\n"
                                  "        self.parameter('wait time', 1.0)\n"
+                                 "        for i in range(300):\n"
+                                 "            self.draw_line('plan', 255, (0, 0), (1, 1))\n"
                                  "        for i in range(40):\n"
                                  "            self.parameter(f'p{i}', 1.0)\n"
                                  "        return [(chance, 0.5), (0.4, 0.5)]\n"
@@ -159,8 +176,8 @@ TEST_F(PythonTeams, AreWarned) {
                                  "        return [(0.0, 0.0, 0.0)]\n"),
             0);
   const std::string notes = report["notes"].dump();
-  for (const char* part : {"which is no name", "more than 32 parameters", "change placement.robots",
-                           "robot 2 was never told", "rad/s"})
+  for (const char* part : {"which is no name", "more than 32 parameters", "more than 200 shapes",
+                           "change placement.robots", "robot 2 was never told", "rad/s"})
     EXPECT_NE(notes.find(part), std::string::npos) << part << " in " << notes;
 }
 

@@ -78,6 +78,9 @@ TEST(DrillCommand, WritesAReplayOfEachFailedTry) {
   for (const char* seed : {"1", "2", "3"}) {
     const std::string path = folder / (std::string("failed/idle-mine-") + seed);
     EXPECT_TRUE(std::filesystem::exists(path + ".html"));
+    EXPECT_NE(test_support::read_file(folder / "failed/index.html")
+                  .find(std::string("href=\"./idle-mine-") + seed + ".html\""),
+              std::string::npos);
     EXPECT_EQ(run({program("mirocup"), "verify", path + ".json"}).exit_code, 0);
     EXPECT_EQ(run({program("mirocup"), "rerun", path + ".json"}).exit_code, 0);
     EXPECT_EQ(read_json(path + ".json")["isolation"], why_no_t2().empty() ? "T2" : "T1");

@@ -48,6 +48,18 @@ TEST(StrangeFiles, AreRefusedWithASentence) {
   EXPECT_NE(judged.out.find("\"NONE\""), std::string::npos) << "the next line is judged";
 }
 
+// Catches a leg that a source or an archive loses by 0 : 10: its owner named the wrong file.
+TEST(StrangeFiles, AreNoTeamOfAMatch) {
+  const TemporaryFolder folder;
+  for (const auto& [name, text] :
+       {std::pair("team.cpp", "#include <cmath>\n"), std::pair("team.rar", "Rar!\x1a\x07\x01"),
+        std::pair("README.md", "# Mine\n\n```\nx\n```\n")}) {
+    test_support::write_file(folder / name, text);
+    expect_sentence(run({program("mirocup"), "match", "--blue", folder / name, "--yellow", "idle"}),
+                    2, name);
+  }
+}
+
 TEST(StrangeFiles, MakeAJournalDamaged) {
   const TemporaryFolder folder;
   const std::string mirocup = program("mirocup");
