@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{Mistake::throws_in_a_shoot_out, "throws_in_a_shoot_out", "knockout", {"shoot-out"}},
         Refused{
             Mistake::throws_in_place, "throws_in_place", "leg_", {"place() threw", "place() of"}},
-        Refused{Mistake::sleeps, "sleeps", "ticks", {"neither wait nor sleep"}},
+        Refused{Mistake::sleeps, "sleeps", "ticks", {"do not sleep or wait"}},
         Refused{Mistake::leaks, "leaks", "leg_", {"bad_alloc", "1 GiB"}},
         Refused{Mistake::endless_loop,
                 "endless_loop",
