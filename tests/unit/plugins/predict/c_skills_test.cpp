@@ -2,6 +2,7 @@
 //
 // skills.h gives what the C++ functions give. Catches an argument at another place, a usual value
 // of the header that is not the default of C++, and a structure that is copied wrongly.
+#include "mirocup/predict.hpp"
 #include "mirocup/skills.h"
 #include "mirocup/skills/attack.hpp"
 #include "mirocup/skills/filter.hpp"
