@@ -288,7 +288,7 @@ void mirocup_filter_free(mirocup_filter* filter) {
 
 mirocup_penalty* mirocup_penalty_new(void) {
   void* room = std::malloc(sizeof(mirocup_penalty));
-  return room == nullptr ? nullptr : new (room) mirocup_penalty{};
+  return room == nullptr ? nullptr : new (room) mirocup_penalty{strategy::PenaltyTaker()};
 }
 mirocup_pose mirocup_penalty_stand(mirocup_penalty* taker, S setup, O now, D y_bias) {
   return taker->taker.stand(*setup, *now, y_bias);
