@@ -508,7 +508,7 @@ TEST_F(Desk, ShowsTheLogsOfOwnLegsOnly) {
   ASSERT_TRUE(disk_.write(temporary_ / "records/r1-f1-1-1.json.blue.log", "the other's"));
   ASSERT_TRUE(disk_.write(temporary_ / "records/r1-f1-1-1.json",
                           R"({"budget":{"yellow":{"cpu_seconds":0.5,"bank_seconds":9.0,)"
-                          R"("slowest_tick_ms":2.5,"late_ticks":0}}})"));
+                          R"("slowest_tick_ms":2.5,"late_ticks":0}},"decisions":[]})"));
   const Json legs = json_of(ask(api("/api/v1/legs", alpha_)))["legs"];
   ASSERT_EQ(legs.size(), 1u);
   EXPECT_EQ(legs[0]["slowest_tick_ms"], 2.5);
