@@ -79,6 +79,10 @@ constexpr std::array other_texts{
     Kind{"//"sv, source_of_a_library},
     Kind{"/*"sv, source_of_a_library}};
 
+constexpr const char* a_text =
+    "it is not an ELF file but a text: hand in the shared library (.so) that the build made, or a "
+    "file of Python with \"from mirocup.team import Team\"";
+
 // Returns what the first kind of other_texts says that begins a line; null if none does.
 const char* kind_of_text(std::string_view text) {
   for (const Kind& kind : other_texts) {
@@ -122,15 +126,14 @@ std::string advice_on_file(std::string_view bytes) {
   if (bytes.starts_with("# ") && bytes.find("\n```") != std::string_view::npos)
     return std::string("it is a page in Markdown: ") + what_is_taken;
   if (const char* known = kind_of_text(bytes)) return known;
-  return "it is not an ELF file but a text: hand in the shared library (.so) that the build made, "
-         "or a file of Python with \"from mirocup.team import Team\"";
+  return a_text;
 }
 
 std::string advice_on_no_source(std::string_view bytes) {
+  if (bytes.find("#include") != std::string_view::npos) return "";
   const std::string known = advice_on_file(bytes);
   if (known == no_team_in_python) return "it is Python, which is not compiled: hand in the file";
-  const bool is_source = known.empty() || known == source_of_a_library;
-  return is_source || bytes.find("#include") != std::string_view::npos ? "" : known;
+  return known == source_of_a_library || known == a_text ? "" : known;
 }
 
 std::string advice_on_missing_entry(std::string_view bytes) {

@@ -89,7 +89,8 @@ std::string TeamLog::text(bool has_ticks) const {
     left_out += end.size() - most_at_end;
     end.erase(0, end.size() - most_at_end);
   }
-  return beginning + "\n[about " + std::to_string(left_out) + " bytes are left out here]\n" + end;
+  beginning += "\n[about " + std::to_string(left_out);
+  return beginning.append(left_out_here) + end;
 }
 
 }  // namespace mirocup::plugins

@@ -15,6 +15,8 @@ class TeamLog {
  public:
   static constexpr std::size_t max_beginning = 40u << 10;  // bytes, escaped
   static constexpr std::size_t max_end = 20u << 10;
+  // The end of the line that stands for the bytes between them.
+  static constexpr std::string_view left_out_here = " bytes are left out here]\n";
 
   void append(std::string_view bytes);
   void append(std::string_view bytes, std::uint32_t tick);

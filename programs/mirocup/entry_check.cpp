@@ -4,6 +4,7 @@
 #include "core/field/field.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "plugins/host/team_host.hpp"
+#include "plugins/host/team_log.hpp"
 #include "programs/mirocup/examination.hpp"
 #include "system/locations.hpp"
 #include "system/memory.hpp"
@@ -19,8 +20,7 @@ namespace mirocup::app {
 
 namespace {
 
-// A larger log, bytes, and a larger share of a leg's time are told.
-constexpr std::size_t told_log = 60u << 10;
+// A larger share of a leg's time is told.
 constexpr double told_leg_share = 0.6;
 
 // Play that is told: own goals in a leg; the share of the speed that its touches gave the ball
@@ -114,7 +114,8 @@ void warn(Examination& e) {
           std::to_string(e.report.moved_placements) +
               " of its placements were not legal: robots were moved; the decisions of a record say "
               "which and why");
-  warn_if(e.report.log.size() > told_log, "long_log",
+  const bool is_cut = e.report.log.find(plugins::TeamLog::left_out_here) != std::string::npos;
+  warn_if(is_cut, "long_log",
           "it logs so much that the middle of the log is left out: 64 KiB of a leg are kept");
   warn_if(e.report.leg_share > told_leg_share, "slow",
           "it takes most of the time that a leg has; leave room for slower machines");
