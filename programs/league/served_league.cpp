@@ -227,7 +227,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
     if (!records_.contains(stem)) return std::nullopt;
   }
   if (path == "/replays/" + stem + ".html") return replay(stem);
-  if (path == "/replays/" + stem + ".proof.js") return commands_page(stem);
+  if (path == "/" + commands_file_of(stem)) return commands_page(stem);
   if (path != "/records/" + stem + ".json" && path != "/records/" + stem + ".replay.zst")
     return std::nullopt;
   auto bytes = files_.read(store_.folder().path + path, {.max_size = system::size_limit::replay});

@@ -88,17 +88,6 @@ Vec2 point_velocity(const ContactSeries& rows, int k) {
   return rows.later_velocity + heading.to_world({rows.velocity.c[k][0], rows.velocity.c[k][1]});
 }
 
-double slide_on_edge(const collision::Contact& c, std::span<const trajectory::Segment> segments,
-                     int k, const ContactSeries& rows) {
-  const Vec2 along = along_edge(rows.normal);
-  double speed = c.a != no_body ? along.dot(point_velocity(rows, k)) : 0.0;
-  if (c.b != no_body) {
-    const trajectory::Segment& b = segments[c.b];
-    speed -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.omega[k];
-  }
-  return speed;
-}
-
 void extend_on_edge(const collision::Contact& c, std::span<const trajectory::Segment> segments,
                     int k, ContactSeries& rows) {
   rows.omega[k] = 0.0;
@@ -108,7 +97,7 @@ void extend_on_edge(const collision::Contact& c, std::span<const trajectory::Seg
   }
   if (c.b != no_body) rows.omega[k] -= segments[c.b].omega[k];
   const double next = k + 1;
-  rows.lever_b[k + 1] = -slide_on_edge(c, segments, k, rows) / next;
+  rows.lever_b[k + 1] = -slide_term(c, segments, k, rows) / next;
   const Vec2 turning = product_term(rows.heading, rows.omega, k, 0);
   rows.heading.c[k + 1] = {-turning.y() / next, turning.x() / next};
 }
@@ -210,7 +199,13 @@ double gap_rate_term(const collision::Contact& c, std::span<const trajectory::Se
 
 double slide_term(const collision::Contact& c, std::span<const trajectory::Segment> segments, int k,
                   const ContactSeries& rows) {
-  return slide_on_edge(c, segments, k, rows);
+  const Vec2 along = along_edge(rows.normal);
+  double speed = c.a != no_body ? along.dot(point_velocity(rows, k)) : 0.0;
+  if (c.b != no_body) {
+    const trajectory::Segment& b = segments[c.b];
+    speed -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.omega[k];
+  }
+  return speed;
 }
 
 solver::ConstraintRow first_push(const collision::Contact& c, const ContactSeries& rows) {
