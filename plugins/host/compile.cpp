@@ -18,6 +18,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <poll.h>
+#include <string_view>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -25,6 +26,7 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
+#include <utility>
 #include <vector>
 
 namespace mirocup::plugins {
@@ -267,6 +269,20 @@ std::string read_all(int file, std::size_t size) {
   return bytes;
 }
 
+// Returns what to do about the compiler's words, after a colon; "" if they say so themselves.
+std::string advice_on(std::string_view words) {
+  constexpr std::pair<std::string_view, const char*> usual[] = {
+      {"No such file or directory",
+       ": it finds mirocup's headers, the standard library and the files of an archive, no others"},
+      {"-fmodules-ts", ": modules of C++20 are not taken, so write headers"},
+      {"but does not override",
+       ": a team has void decide(const Observation& now, Command& command) override"}};
+  for (const auto& [part, advice] : usual) {
+    if (words.find(part) != std::string_view::npos) return advice;
+  }
+  return "";
+}
+
 std::string last_line(std::string text) {
   while (text.ends_with('\n')) text.pop_back();
   const std::size_t end = text.rfind('\n');
@@ -288,7 +304,7 @@ Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result
     done.why_not = last_line(done.output);
     done.output.clear();
   } else if (code == not_compiled) {
-    done.why_not = "it does not compile; the log has the compiler's words";
+    done.why_not = "it does not compile; the log has the compiler's words" + advice_on(done.output);
   } else if (code != compiled) {
     done.why_not = "compiling it takes more time, memory or disk than there is for a team";
   } else {

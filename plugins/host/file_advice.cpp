@@ -47,6 +47,7 @@ constexpr const char* another_language =
 constexpr const char* source_of_a_library =
     "it is a source: make the library with mirocup compile SOURCE -o team.so, or with g++ "
     "-std=c++20 -O2 -shared -fPIC";
+constexpr const char* a_module = "it is a module of C++20, which is not taken: write a header";
 // Beginnings of lines of texts, and what such a text is, in the order in which they are looked for.
 constexpr std::array other_texts{
     Kind{"<!doctype"sv, a_page},
@@ -56,6 +57,8 @@ constexpr std::array other_texts{
     Kind{"#!/usr/bin/env python"sv, no_team_in_python},
     Kind{"#!/usr/bin/python"sv, no_team_in_python},
     Kind{"#!"sv, "it is a script: a team is a shared library, or a file of Python"},
+    Kind{"export module"sv, a_module},
+    Kind{"module;"sv, a_module},
     Kind{"#include"sv, source_of_a_library},
     Kind{"#pragma"sv, source_of_a_library},
     Kind{"<?php"sv, another_language},

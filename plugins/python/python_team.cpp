@@ -169,6 +169,26 @@ PyMethodDef elementary_functions[] = {{"sin", of_one<mirocup_sin>, METH_O, nullp
                                       {"log", of_one<mirocup_log>, METH_O, nullptr},
                                       {nullptr, nullptr, 0, nullptr}};
 
+// ---- what an observation tells of each robot
+
+// Python counts a negative index from the end, which is rarely meant of robots: the log says so.
+PyObject* item_of_robots(PyObject* robots, PyObject* index) {
+  if (PyLong_CheckExact(index) != 0 && PyLong_AsSsize_t(index) < 0) {
+    PyErr_Clear();
+    const Object told = call(PyImport_AddModule("mirocup.team"), "_warn_of_index", "O", index);
+    if (told == nullptr) return nullptr;
+  }
+  return PyTuple_Type.tp_as_mapping->mp_subscript(robots, index);
+}
+
+// Returns the kind of tuple for `own` and `opponent`; null: an exception is set.
+Object kind_of_robots() {
+  PyType_Slot slots[] = {{Py_mp_subscript, reinterpret_cast<void*>(item_of_robots)}, {0, nullptr}};
+  PyType_Spec spec{"mirocup.team._OfRobots", 0, 0, Py_TPFLAGS_DEFAULT, slots};
+  const Object bases(PyTuple_Pack(1, &PyTuple_Type));
+  return Object(bases == nullptr ? nullptr : PyType_FromSpecWithBases(&spec, bases.get()));
+}
+
 // Returns these functions by name, for this setup; null: an exception is set.
 Object host_of(const mirocup_setup& setup) {
   const Object handle(PyCapsule_New(const_cast<mirocup_setup*>(&setup), nullptr, nullptr));
@@ -264,6 +284,9 @@ Object make_module(Surrounding surrounding) {
   Object team(module);
   if (package == nullptr || team == nullptr) return nullptr;
   if (PyModule_AddFunctions(module, elementary_functions) != 0) return nullptr;
+  const Object of_robots = kind_of_robots();
+  if (of_robots == nullptr || PyModule_AddObjectRef(module, "_OfRobots", of_robots.get()) != 0)
+    return nullptr;
   const Object no_path(PyList_New(0));
   if (PyObject_SetAttrString(package.get(), "__path__", no_path.get()) != 0 ||
       PyObject_SetAttrString(package.get(), "team", module) != 0)

@@ -102,6 +102,11 @@ class Observation(_Observation):
     """The observation of a tick; `own` and `opponent` are tuples of Robot."""
 
 
+# A tuple for own or opponent. The program that plays a team gives a kind of its own, which tells the log
+# of a negative index: Python counts it from the last robot, which is rarely meant.
+_OfRobots = globals().get("_OfRobots", tuple)
+
+
 class Team:
     """Derive from it, and define decide(). `setup` holds the facts of the leg."""
 
@@ -240,17 +245,19 @@ def _setup_bytes(setup):
 
 
 def _counts_of(values, at):
-    return Counts(*values[at:at + 5], *values[at + 6:at + 10])
+    return tuple.__new__(Counts, values[at:at + 5] + values[at + 6:at + 10])
 
 
 def _observation_of(data):
     v = _OBSERVATION.unpack_from(data)
     n = v[10]
-    own = tuple([Robot(*v[k:k + 6]) for k in range(_OWN, _OWN + 6 * n, 6)])
-    opponent = tuple([Robot(*v[k:k + 6]) for k in range(_OPPONENT, _OPPONENT + 6 * n, 6)])
-    now = Observation(*v[1:16], own, opponent, _counts_of(v, _COUNTS), _counts_of(v, _COUNTS + 10),
-                      v[_AGES - 2], v[_AGES - 1], v[_AGES:_AGES + n],
-                      v[_AGES + MAX_ROBOTS:_AGES + MAX_ROBOTS + n], v[_AGES + 2 * MAX_ROBOTS])
+    new = tuple.__new__  # in half the time of Robot(*numbers)
+    own = new(_OfRobots, [new(Robot, v[k:k + 6]) for k in range(_OWN, _OWN + 6 * n, 6)])
+    opponent = new(_OfRobots, [new(Robot, v[k:k + 6]) for k in range(_OPPONENT, _OPPONENT + 6 * n, 6)])
+    now = new(Observation, (*v[1:16], own, opponent, _counts_of(v, _COUNTS), _counts_of(v, _COUNTS + 10),
+                            v[_AGES - 2], v[_AGES - 1], new(_OfRobots, v[_AGES:_AGES + n]),
+                            new(_OfRobots, v[_AGES + MAX_ROBOTS:_AGES + MAX_ROBOTS + n]),
+                            v[_AGES + 2 * MAX_ROBOTS]))
     now._bytes_of_now = data
     return now
 
@@ -420,10 +427,12 @@ def _speeds(answer, robots, who):
     """Returns the numbers of a list with (left, right), or None, for each robot."""
     try:
         pairs = list(answer)
+        if isinstance(answer, (dict, set, frozenset)):  # without an order, or without the pairs
+            raise TypeError
     except TypeError:
         raise TypeError(f"{who} {_short(answer)}; a list with (left, right) for each robot is "
                         "expected") from None
-    if pairs and all(isinstance(pair, (int, float)) for pair in pairs):
+    if pairs and isinstance(pairs[0], (int, float)):
         raise ValueError(f"{who} {len(pairs)} numbers; {robots} pairs (left, right) are expected")
     if len(pairs) > robots:
         raise ValueError(f"{who} {len(pairs)} pairs of speeds for {robots} robots")
@@ -451,6 +460,8 @@ def _changing(name):
     function = _bound(name, None, _address, _address, _address)
 
     def changed(setup, now, wheels):
+        global _unchanged
+        _unchanged = wheels, name
         command = _command(wheels, now.robots, name + "() was given")
         function(_setup_bytes(setup), _observation_bytes(now), command)
         return _pairs(command, now.robots)
@@ -1077,6 +1088,8 @@ class Simulator(_Handle):
 # A team does not need it.
 
 _ZEROS = [0.0] * (3 * MAX_ROBOTS)
+_warned = set()
+_unchanged = None, ""  # the list that keep_laws() or the like got last, and the name of that function
 _MANY_PLACES = 8  # calls of place() after which it should have changed a place
 
 
@@ -1088,6 +1101,15 @@ class _host:  # the program that plays a team puts its own functions in place of
         pass
 
     draw_circle = draw_polygon = draw_text = draw_line
+
+
+def _warn(text):
+    """Writes a line to the log, once for each kind. `mirocup check` shows it as a warning."""
+    import sys
+    kind = text.split("[")[0]
+    if kind not in _warned:
+        _warned.add(kind)
+        sys.stderr.write(f"mirocup: {text}\n")
 
 
 class _Log:
@@ -1124,19 +1146,14 @@ class _Runner:
         self._team = team
         self._robots = robots
         self._places = type(team).place is not Team.place
-        self._warned = set()
         self._idle_places = 0  # calls of place() without an effect; -1: one had an effect
 
-    def _warn(self, text):
-        """Writes a line to the log, once. `mirocup check` shows it as a warning."""
-        import sys
-        kind = text.split("[")[0]
-        if kind not in self._warned:
-            self._warned.add(kind)
-            sys.stderr.write(f"mirocup: {text}\n")
-
     def decide(self, data):
-        numbers = _speeds(self._team.decide(_observation_of(data)), self._robots, "decide() returned")
+        answer = self._team.decide(_observation_of(data))
+        if answer is _unchanged[0] and answer is not None:
+            name = _unchanged[1]
+            _warn(f"{name}() returns a new list, which is not used: write wheels = {name}(self.setup, now, wheels)")
+        numbers = _speeds(answer, self._robots, "decide() returned")
         return _COMMAND.pack(*numbers, *_ZEROS[len(numbers):2 * MAX_ROBOTS])
 
     def place(self, data):
@@ -1158,7 +1175,7 @@ class _Runner:
     def _look_at(self, placement, returned, now):
         """Warns about a place() that has no effect."""
         if returned is not None and returned is not placement:
-            self._warn(f"place() returned {_short(returned)}, which is not used: change "
+            _warn(f"place() returned {_short(returned)}, which is not used: change "
                        "placement.robots and placement.ball")
         before = Placement(now)
         if placement.robots != before.robots or tuple(placement.ball) != tuple(before.ball):
@@ -1166,18 +1183,22 @@ class _Runner:
         elif self._idle_places >= 0:
             self._idle_places += 1
         if self._idle_places == _MANY_PLACES:
-            self._warn(f"place() was called {_MANY_PLACES} times and changed no place: it has to change "
+            _warn(f"place() was called {_MANY_PLACES} times and changed no place: it has to change "
                        "placement.robots and placement.ball themselves, not copies of them")
         try:
             count = len(placement.robots)
         except TypeError:
             return
         if count != self._robots:
-            self._warn(f"place() left {count} poses for {self._robots} robots")
+            _warn(f"place() left {count} poses for {self._robots} robots")
 
 
-def _short(value):
-    text = repr(value)
+def _warn_of_index(i):
+    _warn(f"the index {i} of a robot counts from the last one; robots are 0 to now.robots - 1")
+
+
+def _short(value, show=repr):
+    text = show(value)
     return text if len(text) <= 60 else text[:57] + "..."
 
 
@@ -1239,6 +1260,17 @@ def _create(team_class, data, host):
     return _Runner(team, setup.robots)
 
 
+def _what_it_has(error):
+    """Returns what an AttributeError leaves out: the names that come near, or where a team gets them."""
+    if not isinstance(error, AttributeError):
+        return ""
+    if isinstance(error.obj, Team):
+        return "; set it in __init__() after super().__init__(setup), or write that method"
+    names = getattr(type(error.obj), "_fields", ())
+    near = [n for n in names if n[:3] == error.name[:3]] or names
+    return f"; it has {_short(near, ', '.join)}" if near else ""
+
+
 def _describe(error, name):
     """Prints the traceback to the log and returns a sentence with the line of the team's file."""
     import sys
@@ -1258,7 +1290,7 @@ def _describe(error, name):
         return (f"line {error.lineno}: {type(error).__name__}: {error.msg} (this host has Python "
                 f"{version})")
     try:
-        text = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+        text = f"{type(error).__name__}: {error}{_what_it_has(error)}" if str(error) else type(error).__name__
     except Exception:
         text = type(error).__name__
     return f"line {own[-1]}: {text}" if own else text

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommand play-friendly: becomes the match of one friendly, at a low priority.
+// The subcommand play-friendly: becomes the match of one friendly, or the drills of an
+// entry, at a low priority.
 #include "programs/league/commands.hpp"
 #include "system/locations.hpp"
 #include "tournaments/handin/friendly.hpp"
+#include "tournaments/league/league_store.hpp"
 #include "tournaments/play/leg_command.hpp"
 
 #include <cerrno>
@@ -18,7 +20,7 @@ namespace {
 struct PlayFriendlyOptions {
   std::string folder;
   std::string team;
-  int number = 0;
+  int number = 0;  // 0: the drills
   int entry = 0;
   std::string opponent;  // a team, or "house:NAME"
   int opponent_entry = 0;
@@ -40,7 +42,9 @@ Result<int> run_play_friendly(const PlayFriendlyOptions& options) {
                      : FriendlyTerms::Side{folder.library(opponent, options.opponent_entry), name};
   terms.seed = static_cast<std::uint64_t>(options.number);
   terms.record = folder.friendly(options.team, options.number);
-  const std::vector<std::string> command = friendly_command(store.state(), terms);
+  const std::vector<std::string> command = options.number == 0
+                                               ? drills_command(store.state(), terms.blue)
+                                               : friendly_command(store.state(), terms);
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);

@@ -61,6 +61,7 @@ Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOpt
       .teams = [&league] { return league.entries_that_play(); },
       .neighbours = [&league](const std::string& team) { return league.neighbours_of(team); },
       .house = system::house_teams(),
+      .has_drills = league.has_drills(),
       .replay = [&league](const std::string& record,
                           const record::Whose& whose) { return league.replay_of(record, whose); }};
   portal.now = [] { return system::now_s(); };

@@ -36,6 +36,9 @@ class ServedLeague {
   // From now on the pages link to the form for hand-ins.
   void offer_hand_in() { takes_hand_ins_ = true; }
 
+  // Drills have the field of the small league.
+  bool has_drills() const { return store_.state().file.league == League::small; }
+
   // Returns why no entry of this team is taken at a time (UTC); "" if entries are taken.
   std::string why_not(const std::string& team, const std::string& now);
 

@@ -228,8 +228,9 @@ void print_result(const TuningResult& result, const TuningOptions& tuning,
               << '\n';
     return;
   }
-  std::string words;
+  std::string words, pairs;
   for (std::size_t i = 0; i < result.values.size(); ++i) {
+    pairs += ":" + tuning.parameters[i].name + "=" + short_text(result.values[i]);
     words += " --param " + tuning.parameters[i].name + "=" + short_text(result.values[i]);
   }
   const auto interval = [](const Gain& gain) {
@@ -244,7 +245,9 @@ void print_result(const TuningResult& result, const TuningOptions& tuning,
             << rounded(result.after.goals) << " with them: gain " << interval(result.goals)
             << "\n  test          " << result.test_fixtures
             << " fixtures of two legs against each opponent, on fresh seeds\n  course        "
-            << system::printable(options.folder) << "/course.svg\n";
+            << system::printable(options.folder)
+            << "/course.svg\n  to decide     mirocup league compare " << system::printable(team)
+            << pairs << ' ' << system::printable(team) << '\n';
 }
 
 Result<int> run_tune(const TuneOptions& options) {

@@ -14,8 +14,18 @@ using match::FaultCode;
 using plugins::AddressKind;
 using plugins::LastWords;
 
+// What the text of an error says, and the advice. Tables are searched from the top.
+struct ErrorAdvice {
+  const char* part;
+  const char* advice;
+};
+
 constexpr const char* in_a_debugger =
     "build it with -g and run gdb --args mirocup match --trusted --blue FILE.so --yellow striker";
+
+constexpr const char* no_process = "a team starts no processes: compute in decide()";
+constexpr const char* no_file =
+    "a team opens no file and no connection: put its data into the source";
 
 bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
@@ -52,7 +62,8 @@ std::string advice_on_signal(const LastWords& words) {
     case SIGFPE:
       return std::string("an integer was divided by zero: ") + in_a_debugger;
     case SIGABRT:
-      return "an assert(), abort() or std::terminate() ended it; the log's last line may say which";
+      return "an assert(), abort(), std::terminate() or an exception of a global object ended it; "
+             "the log's last line may say which";
     default:
       break;
   }
@@ -71,6 +82,21 @@ std::string advice_on_signal(const LastWords& words) {
       return std::string("an index or a pointer was out of bounds: ") + in_a_debugger;
   }
 }
+
+// The words of the C++ library are for those who know it.
+constexpr ErrorAdvice library_errors[] = {
+    {"map::at", "a map has no such key: ask it by find() or contains() first"},
+    {"range_check", "an index of at() or substr() was not below the size: look at what it is"},
+    {"basic_string::", "a place in a text was beyond its end: look at what it is"},
+    {"array::at", "an index of at() was not below the size: look at what it is"},
+    {"threw: sto", "a text that is no number was read as one: look at what it is"},
+    {"bad optional access", "value() was asked of an empty optional: ask has_value() first"},
+    {"bad_function_call", "a std::function was called that holds none: give it one first"},
+    {"bad variant access", "get() was asked for a type that the variant does not hold"},
+    {"bad_variant_access", "get() was asked for a type that the variant does not hold"},
+    {"max_size", "a vector or a text was given a size that is negative or huge"},
+    {"bad_array_new_length", "an array was given a size that is negative or huge"},
+    {"filesystem error", no_file}};
 
 std::string advice_on_crash(const FaultEvidence& evidence) {
   const LastWords words = evidence.words.value_or(LastWords());
@@ -92,9 +118,16 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
     return "it asked for a program, which no team can run: popen() returned null";
   if (has(evidence.requests, "file ") && has(text, "threw"))
     return "it asked for a file, which no team can open: put its data into the source";
-  if (has(text, "threw"))
-    return std::string("catch it, or mend what throws it; gdb stops there with catch throw: ") +
-           in_a_debugger;
+  if (has(evidence.requests, "connection") && has(text, "threw")) return no_file;
+  if (has(text, "threw")) {
+    std::string advice = "catch it, or mend what throws it";
+    for (const ErrorAdvice& error : library_errors) {
+      if (!has(text, error.part)) continue;
+      advice = error.advice;
+      break;
+    }
+    return advice + "; gdb stops there with catch throw: " + in_a_debugger;
+  }
   if (has(text, "of its command"))
     return "look at the index of wheels[]: it goes from 0 to the number of robots less 1";
   if (has(text, "freed") || has(text, " a block of "))
@@ -104,15 +137,29 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
   return in_a_debugger;
 }
 
-// What the texts of Python's errors say, and the advice, in the order in which they are looked for.
-struct PythonError {
-  const char* part;
-  const char* advice;
-};
-constexpr const char* no_process = "a team starts no processes: compute in decide()";
-constexpr const char* no_file =
-    "a team opens no file and no connection: put its data into the source";
-constexpr PythonError python_errors[] = {
+constexpr const char* methods =
+    "the methods are __init__(self, setup), decide(self, now) and place(self, now, placement)";
+constexpr ErrorAdvice python_errors[] = {
+    {"coroutine object", "write def decide(self, now), without async"},
+    {"returned None", "end each way through decide() with return and the list"},
+    {"decide() returned",
+     "return a list with (left, right) in rad/s for each robot, as [(10.0, 10.0)] * now.robots"},
+    {"defines decide(self, now)", "name the method decide, in small letters"},
+    {"Team.__init__() missing", "the match makes the team: leave out the line that does so"},
+    {".decide() missing", methods},
+    {".decide() takes", methods},
+    {".place() missing", methods},
+    {".place() takes", methods},
+    {".__init__() missing", methods},
+    {".__init__() takes", methods},
+    {"UnboundLocalError",
+     "what a function assigns is its own there: give it another name, or keep it in self"},
+    {"IndexError", "an index goes from 0 to the length less 1, of robots to now.robots - 1"},
+    {"module 'mirocup' has no attribute", "write from mirocup.team import Team"},
+    {"cannot import name", "team.py has the names of all functions (docs/python.md)"},
+    {"object is not callable", "data has no brackets ( ) after it, and an index stands in [ ]"},
+    {"Operation not permitted", "a team sends no signals and changes nothing of the system"},
+    {"ended itself", "return from decide() instead of calling exit()"},
     {"multiprocessing", no_process},
     {"Too many open files", no_process},
     {"Resource temporarily unavailable", no_process},
@@ -130,7 +177,7 @@ constexpr PythonError python_errors[] = {
     {"defines no class", "derive one: class Mine(Team), with decide(self, now)"},
     {"defines several teams",
      "keep one class that derives from Team, and hand in the others apart"},
-    {"super().__init__", "call super().__init__(setup) first in __init__()"},
+    {"has to call super()", "call super().__init__(setup) first in __init__()"},
     {"UnicodeDecodeError", "save the file as UTF-8"},
     {"set attribute",
      "observation and setup are for reading: now._replace(ball_x=0.1) makes a changed copy"},
@@ -143,13 +190,14 @@ std::string advice_on_python(const FaultEvidence& evidence) {
   const std::string& text = evidence.fault.text;
   const bool is_loaded = evidence.fault.code == FaultCode::crash;
   if (is_loaded || evidence.fault.code == FaultCode::no_load) {
-    for (const PythonError& error : python_errors) {
+    for (const ErrorAdvice& error : python_errors) {
       if (has(text, error.part)) return error.advice;
     }
     if (has(text, "No module named")) {
       return is_loaded
                  ? "import it at the top of the file: no file can be opened while the team plays"
-                 : "use Python's library, or a module that the host has installed";
+                 : "a team is one file: put its own modules into it, and use Python's library or a "
+                   "module that the host has installed";
     }
   }
   switch (evidence.fault.code) {
@@ -158,11 +206,15 @@ std::string advice_on_python(const FaultEvidence& evidence) {
         return "mend that line; the log shows it, and the version of Python of this host";
       return "mend that line; the log shows it";
     case FaultCode::crash:
-      return "the log has the traceback; mirocup match --trusted stops at breakpoint()";
+      return "mend it: the log has the traceback, and mirocup match --trusted stops at "
+             "breakpoint()";
+    case FaultCode::start_timeout:
+      return "do less at the top of the file and in __init__()";
     case FaultCode::budget:
       return advice_on_time_in_python;
     case FaultCode::illegal_call:
-      return "a module that it imports needs more of the system than a team gets: do without it";
+      return "do without it: files, network, processes and signals are not for a team, nor for a "
+             "module that it imports";
     default:
       return "";
   }
@@ -207,7 +259,7 @@ std::string advice_on(const FaultEvidence& evidence) {
       return advice_on_crash(evidence);
     case FaultCode::hang:
       if (has(text, "slept")) return "do not sleep or wait in decide()";
-      return "look for a loop that does not end, or a recursion";
+      return "look for a loop that does not end, a recursion, or a handler of signals";
     case FaultCode::budget:
       return advice_on_time;
     case FaultCode::illegal_call:

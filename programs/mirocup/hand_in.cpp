@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <sys/stat.h>
 #include <thread>
 
 namespace mirocup::app {
@@ -80,6 +81,10 @@ bool is_final(const Json& report) {
 
 Result<std::string> read_token(const std::string& path) {
   system::Disk disk;
+  struct stat about {};
+  if (stat(path.c_str(), &about) == 0 && (about.st_mode & (S_IRGRP | S_IROTH)) != 0)
+    std::cerr << "others on this computer can read the token: chmod 600 " << system::printable(path)
+              << '\n';
   auto text = disk.read(path, {.max_size = max_token_file, .links = system::Links::followed});
   if (!text) return text;
   std::erase_if(*text, [](char c) { return c == '\n' || c == '\r' || c == ' ' || c == '\t'; });
@@ -140,6 +145,10 @@ void print_answer(const Json& report) {
     std::cout << "plays: " << system::printable(plays) << '\n';
   } else {
     std::cout << system::printable(message) << '\n';
+    for (const Json& check : report.value("checks", Json::array())) {
+      if (text_in(check, "name").starts_with("leg_"))
+        std::cout << "  " << system::printable(text_in(check, "text")) << '\n';
+    }
   }
   const std::string log = text_in(report, "log");
   if (!log.empty()) {
@@ -177,6 +186,9 @@ void print_progress(const Json& reply) {
     for (const auto& [name, met] : against.items())
       std::cout << ", " << system::printable(name) << ' ' << number_in(met, "goals") << " : "
                 << number_in(met, "against");
+    const Json drills = entry.value("drills", Json());
+    if (drills.is_object())
+      std::cout << system::formatted(", drills %.1f", drills.value("score", 0.0));
     std::cout << '\n';
   }
   const std::string change = text_in(reply, "change");
@@ -242,7 +254,7 @@ void add_hand_in(system::Commands& commands) {
       .excludes(file);
   command
       .flag("--progress", o.progress,
-            "Send no file: print goals against each house team and the rating of each version")
+            "Send no file: print goals against each house team, rating and drills of each version")
       .excludes(file);
   command.option("--token-file", o.token_file, "File with the token of the team")
       .named("FILE")

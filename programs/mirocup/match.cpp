@@ -268,6 +268,9 @@ void report(const MatchOptions& options, const server::Session& session) {
   for (const match::TeamFault& f : r.faults) {
     std::cout << to_string(f.team) << ": " << to_string(f.fault.code) << ": "
               << system::printable(f.fault.text) << '\n';
+    if (session.seats[index_of(f.team)].info().kind == record::TeamKind::plugin)
+      std::cerr << "mirocup: mirocup check " << system::printable(options.teams[index_of(f.team)])
+                << " says what to do\n";
   }
   if (!r.why_void.empty()) std::cout << "void: " << system::printable(r.why_void) << '\n';
 }

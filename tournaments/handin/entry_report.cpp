@@ -58,6 +58,28 @@ std::string verdict_text(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
+// Returns the answer in lines: what was wrong, where, what to do and what plays; of a good entry
+// the scores of its legs.
+Json told_by(const Json& verdict, const std::string& message) {
+  Json lines = Json::array();
+  if (!verdict.is_object()) return lines;
+  for (const Json& check : verdict.value("checks", Json::array())) {
+    if (!verdict_text(check, "what").empty()) {
+      const std::size_t last = message.rfind("; ");
+      lines = {"What: " + verdict_text(check, "what"), "Where: " + verdict_text(check, "where"),
+               "Do: " + verdict_text(check, "cure")};
+      if (last != std::string::npos) lines.push_back("Plays: " + message.substr(last + 2));
+      return lines;
+    }
+    // "plays 120 s of a leg: 3 : 1 against striker as blue; its robots ..."
+    const std::string text = verdict_text(check, "text");
+    const std::size_t begin = text.find(": ");
+    if (verdict_text(check, "name").starts_with("leg_") && begin != std::string::npos)
+      lines.push_back(text.substr(begin + 2, text.find(';') - begin - 2));
+  }
+  return lines;
+}
+
 Json text_or_null(const std::string& text) {
   return text.empty() ? Json() : Json(text);
 }
@@ -102,6 +124,7 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
     const bool has_reason = report["state"] != to_string(HandInState::accepted);
     report["reason"] = has_reason ? text_or_null(reason.empty() ? message : reason) : Json();
     report["message"] = text_or_null(message);
+    report["told"] = told_by(verdict, message);
     if (is_whole && verdict.is_object()) {
       for (const char* key : {"checks", "timing", "peak_memory_bytes", "isolation"}) {
         if (verdict.contains(key)) report[key] = verdict[key];

@@ -2,8 +2,8 @@
 //
 // Friendlies: single legs that count for nothing. A team asks for one against a team that it
 // chooses, and each accepted entry plays a burst of them, against the house teams and the
-// neighbours in the table. The server plays them while no hand-in waits for its check, and teams
-// take turns.
+// neighbours in the table, and tries all drills. The server plays them while no hand-in waits for
+// its check, and teams take turns.
 //
 // A pure function of the events that it is given. Threads: one at a time.
 #pragma once
@@ -31,7 +31,7 @@ enum class FriendlyState {
 // One leg. The team that has asked for it plays in blue.
 struct Friendly {
   std::string team;
-  int number = 0;             // among those of the team, from 1
+  int number = 0;             // among those of the team, from 1; 0: the drills of the entry
   int entry = 0;              // the team's entry that plays
   std::string opponent = {};  // a team of the league, or "house:NAME"
   int opponent_entry = 0;     // 0: a house team
@@ -81,6 +81,8 @@ class Friendlies {
   std::vector<int> waiting_of_older(const std::string& team, int entry) const;
 
   bool has_burst(const std::string& team, int entry) const;
+  // Returns the last entry of each team that had one.
+  const std::map<std::string, int>& bursts() const { return bursts_; }
 
   // Returns how many legs the team has asked for in the hour before `now`.
   int asked_in_last_hour(const std::string& team, std::int64_t now) const;

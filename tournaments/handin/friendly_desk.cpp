@@ -152,7 +152,8 @@ Json FriendlyDesk::json_of(const Friendly& one, const std::string& viewer, LegCo
   if (!is_played || !files_.exists(record)) return json;
   const std::string path = "/" + one.team + "/" + std::to_string(one.number);
   json["replay"] = "/hand-in/friendlies" + path + "/replay";
-  json["log"] = "/api/v1/friendlies" + path + "/log";
+  const bool has_log = files_.exists(log_path(folder_, leg_of(one, viewer)));
+  json["log"] = has_log ? Json("/api/v1/friendlies" + path + "/log") : Json();
   if (const auto cost = costs.of(leg_of(one, viewer))) {
     json["cpu_seconds"] = cost->cpu_seconds;
     json["bank_seconds"] = cost->bank_seconds;
@@ -211,7 +212,7 @@ web::Reply FriendlyDesk::show(const std::string& visitor, std::string_view rest)
 std::optional<Friendly> FriendlyDesk::begin_next() {
   const std::lock_guard lock(mutex_);
   const Friendly* next = book_.friendlies().next();
-  if (next == nullptr) return std::nullopt;
+  if (next == nullptr) return next_drills();
   Friendly begun = *next;
   if (!files_.make_folder(folder_.friendlies(begun.team), system::Readers::owner))
     return std::nullopt;
@@ -219,7 +220,42 @@ std::optional<Friendly> FriendlyDesk::begin_next() {
   return begun;
 }
 
+// Requires mutex_. Drills that fail are tried again by the next server.
+std::optional<Friendly> FriendlyDesk::next_drills() {
+  if (!options_.has_drills) return std::nullopt;
+  for (const auto& [team, entry] : book_.friendlies().bursts()) {
+    const bool is_new = drills_begun_.emplace(team, entry).second;
+    if (is_new && !files_.exists(folder_.drill_marks(team, entry)))
+      return Friendly{.team = team, .entry = entry, .opponent = "drills"};
+  }
+  return std::nullopt;
+}
+
+Json FriendlyDesk::drills_of(const std::string& team, int entry) const {
+  const auto text =
+      files_.read(folder_.drill_marks(team, entry), {.max_size = system::size_limit::note});
+  if (!text) return {};
+  const auto marks =
+      record::read_json<Json>(*text, "drills", Errc::damaged, [](const record::JsonReader& json) {
+        Json read{{"score", json.at("score").as<double>()}, {"drills", Json::array()}};
+        for (const record::JsonReader& one : json.at("drills").elements(0, max_count)) {
+          read["drills"].push_back({{"name", one.at("name").text()},
+                                    {"version", one.at("version").integer(0, max_count)},
+                                    {"score", one.at("score").as<double>()}});
+        }
+        return read;
+      });
+  return marks.value_or(Json());
+}
+
 Result<void> FriendlyDesk::played(const Friendly& friendly, std::int64_t now) {
+  if (friendly.number == 0) {
+    const std::string marks = folder_.drill_marks(friendly.team, friendly.entry);
+    MIROCUP_TRY(const auto printed,
+                files_.read(marks + ".out", {.max_size = system::size_limit::note}));
+    (void)files_.remove(marks + ".out");
+    return files_.write(marks, printed);
+  }
   const std::string path = folder_.friendly(friendly.team, friendly.number);
   const auto text = files_.read(path, {.max_size = system::size_limit::record});
   if (!text) return failed(friendly, now);
@@ -233,6 +269,10 @@ Result<void> FriendlyDesk::played(const Friendly& friendly, std::int64_t now) {
 
 Result<void> FriendlyDesk::failed(const Friendly& friendly, std::int64_t now, bool is_spoiled) {
   const std::lock_guard lock(mutex_);
+  if (friendly.number == 0) {
+    if (!is_spoiled) drills_begun_.erase({friendly.team, friendly.entry});
+    return {};
+  }
   book_.wait_again(friendly.team, friendly.number, is_spoiled);
   const Friendly* known = book_.friendlies().find(friendly.team, friendly.number);
   if (known == nullptr || known->failures < most_failures) return {};

@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <set>
 
 namespace mirocup::league {
 
@@ -24,6 +25,7 @@ struct FriendlyOptions {
   std::function<std::vector<std::string>(const std::string& team)> neighbours;
   // The house teams, without "house:".
   std::vector<std::string> house;
+  bool has_drills = false;  // the league has the field of the drills, so its entries try them
   // Returns the page that replays the record at a path, with the thoughts and logs of these teams.
   std::function<std::optional<std::string>(const std::string& record, const record::Whose& whose)>
       replay;
@@ -45,11 +47,16 @@ class FriendlyDesk {
   Json list(const std::string& team, LegCosts& costs);
   std::vector<std::string> opponents(const std::string& team);
 
+  // Returns the marks of an entry in drills, {"score", "drills": [{"name", "version",
+  // "score"}]}; null if they are not known.
+  Json drills_of(const std::string& team, int entry) const;
+
   // GET below the path of friendlies, "/TEAM/NUMBER/log" or "/TEAM/NUMBER/replay".
   web::Reply show(const std::string& visitor, std::string_view rest);
 
-  // The runner calls these functions. After some failures of the host a leg is void. A leg that was
-  // stopped for a check is not spoiled: it waits again.
+  // The runner calls these functions. When no leg waits, the next is the drills of an entry. After
+  // some failures of the host a leg is void. A leg that was stopped for a check is not spoiled: it
+  // waits again.
   std::optional<Friendly> begin_next();
   Result<void> played(const Friendly& friendly, std::int64_t now);
   Result<void> failed(const Friendly& friendly, std::int64_t now, bool is_spoiled = true);
@@ -63,12 +70,15 @@ class FriendlyDesk {
 
   Json json_of(const Friendly& friendly, const std::string& viewer, LegCosts& costs);
   void forget_old_records(const std::string& team);
+  std::optional<Friendly> next_drills();
 
   system::Files& files_;
   const Folder folder_;
   const FriendlyOptions options_;
-  std::mutex mutex_;  // guards book_
+  std::mutex mutex_;  // guards what follows
   FriendlyBook book_;
+  // Entries whose drills were begun by this server, or are known.
+  std::set<std::pair<std::string, int>> drills_begun_;
 };
 
 }  // namespace mirocup::league

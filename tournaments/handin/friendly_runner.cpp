@@ -19,7 +19,8 @@ constexpr auto most_time_of_leg = 600s;  // on the clock; a leg of the longest h
 bool FriendlyRunner::start_next(int tag, std::int64_t now) {
   const auto next = desk_.begin_next();
   if (!next) return false;
-  const std::string record = folder_.friendly(next->team, next->number);
+  const std::string record = next->number == 0 ? folder_.drill_marks(next->team, next->entry)
+                                               : folder_.friendly(next->team, next->number);
   const auto pid = processes_.start(
       {system::sibling_program("mirocup-league"), "play-friendly", folder_.path, next->team,
        std::to_string(next->number), "--entry=" + std::to_string(next->entry),

@@ -95,7 +95,6 @@ std::string name_of_leg(const OwnLeg& leg) {
 
 nlohmann::ordered_json own_legs_json(system::Files& files, const Folder& folder,
                                      const std::vector<OwnLeg>& legs, LegCosts& costs) {
-  using Json = nlohmann::ordered_json;
   Json list = Json::array();
   for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
     const auto cost = costs.of(*leg);
@@ -110,7 +109,9 @@ nlohmann::ordered_json own_legs_json(system::Files& files, const Folder& folder,
     if (!leg->record.empty()) {
       one["record"] = "/" + leg->record;
       one["replay"] = "/" + replay_page_of(leg->record);
-      one["log"] = "/api/v1/legs/" + name_of_leg(*leg) + "/log";
+      one["log"] = files.exists(log_path(folder, *leg))
+                       ? Json("/api/v1/legs/" + name_of_leg(*leg) + "/log")
+                       : Json();
       if (record::has_thoughts(files, folder.path + "/" + leg->record, own_side(*leg)))
         one["thoughts"] = std::string(own_replays_path) + name_of_leg(*leg) + ".html";
     }

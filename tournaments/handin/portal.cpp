@@ -259,6 +259,7 @@ web::Reply Portal::team_page(const std::string& team) {
   desk.entries = std::move(*entries);
   desk.legs = own_legs_json(state_.files, state_.folder, state_.options.legs(team), state_.costs);
   desk.friendlies = friendlies_->list(team, state_.costs);
+  desk.progress = progress(team, desk.friendlies);
   desk.opponents = friendlies_->opponents(team);
   const auto playing = playing_entry(state_.files, state_.folder, team);
   if (!playing) return host_failed(playing.error());
@@ -273,9 +274,13 @@ web::Reply Portal::team_page(const std::string& team) {
   return page_reply(200, team_desk_page(desk));
 }
 
+Json Portal::progress(const std::string& team, const Json& friendlies) const {
+  return progress_of(friendlies, [&](int entry) { return friendlies_->drills_of(team, entry); });
+}
+
 web::Reply Portal::list_friendlies(const Call& call) {
   const Json friendlies = friendlies_->list(call.team, state_.costs);
-  const Json progress = progress_of(friendlies);
+  const Json progress = this->progress(call.team, friendlies);
   return json_reply(200, {{"team", call.team},
                           {"friendlies", friendlies},
                           {"progress", progress},

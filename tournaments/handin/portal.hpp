@@ -67,6 +67,7 @@ class Portal {
   std::optional<web::Reply> name_team(Call& call, About about);
   std::variant<Json, web::Reply> entry_of(const Call& call);
   web::Reply team_page(const std::string& team);
+  Json progress(const std::string& team, const Json& friendlies) const;
 
   // The handlers of routes().
   web::Reply about_team(const Call& call);

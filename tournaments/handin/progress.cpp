@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -111,16 +112,59 @@ std::string after(const char* format, const Json& now, const Json& before) {
          system::formatted(format, before.get<double>());
 }
 
+// The marks of one drill in two entries.
+struct Marks {
+  std::string drill;
+  double now = 0.0;
+  double before = 0.0;
+
+  double gain() const { return now - before; }
+  std::string text() const { return drill + " " + after("%.0f", Json(now), Json(before)); }
+};
+
+std::vector<Marks> common_marks(const Json& now, const Json& before) {
+  std::vector<Marks> all;
+  for (const Json& a : now["drills"]) {
+    for (const Json& b : before["drills"]) {
+      if (a["name"] == b["name"] && a["version"] == b["version"])
+        all.push_back(
+            {a["name"].get<std::string>(), a["score"].get<double>(), b["score"].get<double>()});
+    }
+  }
+  return all;
+}
+
+// Returns the change of the mean of all drills, and the drills that changed most; "" if none is
+// known of both entries.
+std::string drills_in_words(const Json& now, const Json& before) {
+  const std::vector<Marks> all = common_marks(now, before);
+  if (all.empty()) return "";
+  double sums[] = {0.0, 0.0};
+  for (const Marks& one : all) {
+    sums[0] += one.now;
+    sums[1] += one.before;
+  }
+  const auto count = static_cast<double>(all.size());
+  std::string text = ", drills " + after("%.1f", Json(sums[0] / count), Json(sums[1] / count));
+  const auto [worst, best] = std::minmax_element(
+      all.begin(), all.end(), [](const Marks& a, const Marks& b) { return a.gain() < b.gain(); });
+  std::string most = best->gain() > 0.0 ? "better: " + best->text() : "";
+  if (worst->gain() < 0.0) most += (most.empty() ? "worse: " : "; worse: ") + worst->text();
+  return most.empty() ? text : text + " (" + most + ")";
+}
+
 }  // namespace
 
-Json progress_of(const Json& friendlies) {
+Json progress_of(const Json& friendlies, const std::function<Json(int)>& drills_of) {
   std::map<int, EntryLegs> entries;
   const std::vector<HouseLeg> legs = house_legs(friendlies, entries);
   if (legs.empty()) return Json::array();
   const std::vector<Strength> ratings = ratings_of(legs, entries);
   std::vector<Json> rows;
-  for (const auto& [number, entry] : entries)
+  for (const auto& [number, entry] : entries) {
     rows.push_back(entry_json(number, entry, ratings[rows.size()]));
+    rows.back()["drills"] = drills_of(number);
+  }
   std::reverse(rows.begin(), rows.end());
   return Json(rows);
 }
@@ -149,6 +193,8 @@ std::string change_in_words(const Json& progress) {
     text += ", fouls a leg " + after("%.1f", now["fouls"], before["fouls"]) + ", slowest tick " +
             after("%.2f", now["slowest_tick_ms"], before["slowest_tick_ms"]) + " ms";
   }
+  if (now["drills"].is_object() && before["drills"].is_object())
+    text += drills_in_words(now["drills"], before["drills"]);
   return text + ".";
 }
 

@@ -83,6 +83,14 @@ void pin_cell(Html& html, const TeamDesk& desk, const Json& entry) {
   html.raw("</td>\n");
 }
 
+void answer_cell(Html& html, const Json& entry) {
+  const Json told = entry.value("told", Json::array());
+  if (told.empty()) return html.cell_of("small words", answer_in_words(entry));
+  html.raw("<td class=\"small words\">");
+  for (const Json& line : told) html.cell("div", line.get<std::string>());
+  html.raw("</td>\n");
+}
+
 void entries_table(Html& html, const TeamDesk& desk) {
   html.open_table();
   table_head(html, {{"Entry"}, {"State"}, {""}, {"Answer"}, {"File", "mid"}, {"Handed in", "mid"}});
@@ -93,7 +101,7 @@ void entries_table(Html& html, const TeamDesk& desk) {
     html.link_cell("/hand-in/entries/" + number, number);
     html.cell_of(state, state);
     pin_cell(html, desk, entry);
-    html.cell_of("small words", answer_in_words(entry));
+    answer_cell(html, entry);
     html.cell_of("file mid", text_in(entry, "file"));
     html.cell_of("mid", desk.time_in_words(text_in(entry, "handed_in")));
     html.close("tr");
@@ -150,7 +158,8 @@ void cost_cells(Html& html, const Json& leg) {
 void link_cells(Html& html, const Json& leg) {
   if (leg.contains("replay")) {
     html.link_cell(text_in(leg, leg.contains("thoughts") ? "thoughts" : "replay"), "replay");
-    html.link_cell(text_in(leg, "log"), "log");
+    const std::string log = text_in(leg, "log");
+    html.link_cell(log, log.empty() ? "" : "log");
   } else {
     html.cell("td", "");
     html.cell("td", "");
@@ -216,10 +225,10 @@ void friendly_form(Html& html, const TeamDesk& desk) {
 
 void friendlies_table(Html& html, const TeamDesk& desk, const Json& friendlies) {
   html.open_table();
-  table_head(html, {{"Entry", "mid"},
+  table_head(html, {{"Entry"},
                     {"Opponent"},
                     {"Result"},
-                    {""},
+                    {"", "mid"},
                     {"Processor time, s", "wide"},
                     {"Slowest tick, ms", "mid"},
                     {""},
@@ -230,11 +239,11 @@ void friendlies_table(Html& html, const TeamDesk& desk, const Json& friendlies) 
     const bool is_played = state == "played";
     const int difference = is_played ? leg.value("goals", 0) - leg.value("against", 0) : 0;
     html.open("tr");
-    html.cell_of("number mid", number_text(leg, "entry", "%.0f"));
+    html.cell_of("number", number_text(leg, "entry", "%.0f"));
     html.cell("td", desk.shown_name(text_in(leg, "opponent")));
     html.cell("td", is_played ? score_of(leg) : state);
-    const char* const letter = !is_played ? "" : difference > 0 ? "W" : difference < 0 ? "L" : "D";
-    html.cell_of(letter, letter);
+    const std::string letter = !is_played ? "" : difference > 0 ? "W" : difference < 0 ? "L" : "D";
+    html.cell_of("mid " + letter, letter);
     cost_cells(html, leg);
     link_cells(html, leg);
     const std::string end = text_in(leg, "end");
@@ -254,7 +263,7 @@ void progress_table(Html& html, const Json& progress) {
   html.open_table();
   std::vector<std::string> words{"Entry", "Rating"};
   words.insert(words.end(), houses.begin(), houses.end());
-  words.insert(words.end(), {"Fouls a leg", "Slowest tick, ms"});
+  words.insert(words.end(), {"Drills", "Fouls a leg", "Slowest tick, ms"});
   html.row("th", words);
   for (std::size_t i = 0; i < std::min(progress.size(), shown_progress); ++i) {
     const Json& entry = progress[i];
@@ -266,6 +275,7 @@ void progress_table(Html& html, const Json& progress) {
       const auto met = entry["against"].find(name);
       cells.push_back(met == entry["against"].end() ? "" : score_of(*met));
     }
+    cells.push_back(number_text(entry.value("drills", Json()), "score", "%.1f"));
     cells.push_back(number_text(entry, "fouls", "%.1f"));
     cells.push_back(number_text(entry, "slowest_tick_ms", "%.2f"));
     html.row("td", cells);
@@ -275,7 +285,7 @@ void progress_table(Html& html, const Json& progress) {
 
 // What friendlies against house teams say of the versions.
 void progress_card(Html& html, const TeamDesk& desk) {
-  const Json progress = progress_of(desk.friendlies);
+  const Json& progress = desk.progress;
   if (progress.empty()) return;
   next_card(html, "Progress");
   const std::string change = change_in_words(progress);
@@ -284,7 +294,7 @@ void progress_card(Html& html, const TeamDesk& desk) {
   html.raw(
       "<p class=\"small\">Goals in friendlies against each house team. The rating is the "
       "strength above the mean of the house teams, with its interval of 95 %, and moves with each "
-      "of these legs.</p>\n");
+      "of these legs. Drills: the mean of all, each tried three times with the same seeds.</p>\n");
 }
 
 void friendlies_card(Html& html, const TeamDesk& desk) {

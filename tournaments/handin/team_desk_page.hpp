@@ -24,6 +24,7 @@ struct TeamDesk {
   Json entries;                        // entry_report() of each, the latest first
   Json legs;                           // own_legs_json()
   Json friendlies;                     // FriendlyDesk::list()
+  Json progress;                       // progress_of()
   std::vector<std::string> opponents;  // possible opponents in friendlies
   int playing = 0;                     // the entry that plays; 0: none yet
   bool is_pinned = false;              // that entry plays even if a later one is accepted

@@ -45,6 +45,10 @@ struct Folder {
   static std::string friendly_name(const std::string& team, int number) {
     return "entries/" + team + "/friendlies/" + std::to_string(number) + ".json";
   }
+  // What `mirocup drill` has printed of an entry.
+  std::string drill_marks(const std::string& team, int entry) const {
+    return friendlies(team) + "/drills-" + std::to_string(entry) + ".json";
+  }
 
   std::string uploads() const { return entries() + "/.uploads"; }  // files that are arriving
 

@@ -182,6 +182,24 @@ std::vector<std::string> friendly_command(const LeagueState& state, const Friend
   return arguments;
 }
 
+std::vector<std::string> drills_command(const LeagueState& state,
+                                        const FriendlyTerms::Side& entry) {
+  std::vector<std::string> arguments{system::sibling_program("mirocup"),
+                                     "drill",
+                                     "all",
+                                     entry.name + "=" + entry.library,
+                                     "--tries",
+                                     "3",
+                                     "--jobs",
+                                     "1",
+                                     "--json"};
+  if (const auto team = state.find_team(entry.name)) {
+    const auto words = seat_parameters(state.file.teams[*team], "--param");
+    arguments.insert(arguments.end(), words.begin(), words.end());
+  }
+  return arguments;
+}
+
 std::string leg_output(const Folder& folder, const LegId& leg) {
   return folder.record(leg.fixture, leg.leg, leg.version) + ".out";
 }

@@ -46,6 +46,10 @@ struct FriendlyTerms {
 };
 std::vector<std::string> friendly_command(const LeagueState& state, const FriendlyTerms& terms);
 
+// Returns the command line of `mirocup` that tries each drill three times with an entry, with the
+// same seeds for all entries. It takes 2 to 10 s of processor time.
+std::vector<std::string> drills_command(const LeagueState& state, const FriendlyTerms::Side& entry);
+
 // Returns the path of the file for the output of the match server.
 std::string leg_output(const Folder& folder, const LegId& leg);
 

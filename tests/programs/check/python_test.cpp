@@ -122,11 +122,30 @@ TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
       {team_that("sys.exit(0)", "import sys\n"), "ticks", {"SystemExit", "return from decide()"}},
       {team_that("return self.speed if now.tick > 90 else []"),
        "ticks",
-       {"line 4", "AttributeError", "tick 91", "breakpoint()"}},
+       {"line 4", "AttributeError", "tick 91", "breakpoint()", "set it in __init__()"}},
       {team_that("return [(time.time() % 7, 1)]", "import time\n"),
        "repeatable",
        {"depends on a clock", "now.time"}},
       {team_that("return [1, 1, 1, 1, 1, 1]"), "ticks", {"6 numbers; 3 pairs"}},
+      {team_that("return {0: (1, 1), 1: (2, 2)}"), "ticks", {"returned {0: (1, 1)", "a list with"}},
+      {team_that("return {(1.0, 1.0), (2.0, 2.0)}"), "ticks", {"a list with"}},
+      {team_that("yield [(1, 1)]"), "ticks", {"for robot 0", "return a list"}},
+      {team_that("pass"), "ticks", {"returned None", "end each way"}},
+      {import +
+           std::string("class A(Team):\n    async def decide(self, now):\n        return []\n"),
+       "ticks",
+       {"without async"}},
+      {import + std::string("class A(Team):\n    def decide(self, now, command):\n        pass\n"),
+       "ticks",
+       {"missing", "decide(self, now)"}},
+      {team_that("return [now.own[1].theta]"), "ticks", {"it has x, y, heading"}},
+      {team_that("return [now.ball]"), "ticks", {"it has ball_x, ball_y"}},
+      {team_that("return [drive_to(self.setup, now.own[7], ball(now))]"),
+       "ticks",
+       {"now.robots - 1"}},
+      {team_that("ball = ball(now)"), "ticks", {"another name"}},
+      {team_that("return []", "import helper\n"), "loads", {"one file"}},
+      {team_that("os.chdir('/')", "import os\n"), "ticks", {"chdir", "not for a team"}},
       {import + std::string("x = '\xe9'\n"), "loads", {"save the file as UTF-8"}},
       {team_that("return [(1, 1)] if now.tick < 30 else loop()",
                  "def loop():\n    while True:\n        pass\n"),
@@ -171,13 +190,17 @@ TEST_F(PythonTeams, AreWarned) {
                                  "            self.draw_line('plan', 255, (0, 0), (1, 1))\n"
                                  "        for i in range(40):\n"
                                  "            self.parameter(f'p{i}', 1.0)\n"
-                                 "        return [(chance, 0.5), (0.4, 0.5)]\n"
+                                 "        wheels = [(chance, 0.5), (0.4, 0.5)]\n"
+                                 "        keep_laws(self.setup, now, wheels)\n"
+                                 "        return wheels if now.own[-1].x < 9 else []\n"
                                  "    def place(self, now, placement):\n"
                                  "        return [(0.0, 0.0, 0.0)]\n"),
             0);
   const std::string notes = report["notes"].dump();
-  for (const char* part : {"which is no name", "more than 32 parameters", "more than 200 shapes",
-                           "change placement.robots", "robot 2 was never told", "rad/s"})
+  for (const char* part :
+       {"which is no name", "more than 32 parameters", "more than 200 shapes",
+        "change placement.robots", "robot 2 was never told", "rad/s", "wheels = keep_laws(",
+        "the index -1 of a robot counts from the last one"})
     EXPECT_NE(notes.find(part), std::string::npos) << part << " in " << notes;
 }
 

@@ -53,6 +53,10 @@ TEST_F(Compile, SaysWhatTheCompilerSays) {
   EXPECT_EQ(wrong.out.find('\x1b'), std::string::npos) << "text of a stranger is escaped";
   EXPECT_NE(wrong.out.find("does not compile"), std::string::npos);
   EXPECT_EQ(compile("int x;\n", "-o.c").exit_code, 0) << "a name is no option";
+  const Outcome header = compile("#include <Eigen/Dense>\n");
+  EXPECT_NE(header.out.find("the files of an archive"), std::string::npos) << header.out;
+  const Outcome module = compile("#include <vector>\nimport mine;\n");
+  EXPECT_NE(module.out.find("write headers"), std::string::npos) << module.out;
 }
 
 // Catches an archive whose files, headers or folders are not found, and names that are options.

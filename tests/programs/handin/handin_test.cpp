@@ -94,6 +94,7 @@ TEST_F(HandIn, TellsTheVerdictByOneCommand) {
   const Outcome accepted = hand_in("alpha", house("striker"));
   EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
   EXPECT_NE(accepted.out.find("alpha: entry 2 was accepted"), std::string::npos) << accepted.out;
+  EXPECT_NE(accepted.out.find(" against striker as yellow"), std::string::npos) << accepted.out;
   EXPECT_EQ(read_file(folder_ + "/entries/alpha/2/strategy.so"), read_file(house("striker")));
   // A team with a token joins with its first good entry.
   const Outcome joined = hand_in("gamma", house("navigator"), {"--json"});

@@ -89,6 +89,8 @@ TEST(SituationJson, NamesTheKeyThatIsWrong) {
   EXPECT_NE(error_with("/restart", {{"kind", "KICK_OFF"}}).find("everything stands"),
             std::string::npos);
   EXPECT_NE(error_with("/restart", {{"kind", "none"}}).find("play is on"), std::string::npos);
+  EXPECT_NE(error_with("/blue/0/pose", {0.5, 0.0, 90}).find("/blue/0/pose/2: a heading is in rad"),
+            std::string::npos);
   EXPECT_NE(error_with("/clock", -1).find("/clock"), std::string::npos);
 }
 

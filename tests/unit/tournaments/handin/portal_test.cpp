@@ -66,6 +66,7 @@ class Desk : public testing::Test {
     options.friendlies = {.teams = [this] { return entries_; },
                           .neighbours = [this](const std::string&) { return neighbours_; },
                           .house = {"keeper", "striker"},
+                          .has_drills = true,
                           .replay =
                               [](const std::string&, const record::Whose& whose) {
                                 return std::optional("the replay" + names_of(whose));
@@ -437,6 +438,42 @@ TEST_F(Desk, PlaysFriendliesAndShowsThemToTheTwo) {
   ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 2, now_));
   EXPECT_EQ(json_of(ask(api("/api/v1/friendlies", alpha_)))["friendlies"].size(), all.size());
   EXPECT_EQ(json_of(ask(api("/api/v1/friendlies", beta_)))["friendlies"].size(), 2u);
+}
+
+// Catches drills that are tried before the legs, twice, or not again after a check came first, and
+// marks of another entry.
+TEST_F(Desk, TriesTheDrillsOfAnAcceptedEntryOnce) {
+  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 2, now_));
+  FriendlyDesk& desk = portal_->friendlies();
+  for (int number = 1; number <= 2; ++number) {
+    const auto leg = desk.begin_next();
+    ASSERT_TRUE(leg);
+    EXPECT_EQ(leg->number, number);
+    ASSERT_TRUE(disk_.write(folder_.friendly("alpha", number),
+                            R"({"result":{"score":{"blue":3,"yellow":1},"end":"full_time",)"
+                            R"("fault":null}})"));
+    ASSERT_TRUE(desk.played(*leg, now_));
+  }
+  auto drills = desk.begin_next();
+  ASSERT_TRUE(drills);
+  EXPECT_EQ(drills->number, 0);
+  EXPECT_EQ(drills->entry, 2);
+  EXPECT_FALSE(desk.begin_next());
+  ASSERT_TRUE(desk.failed(*drills, now_, false));
+  drills = desk.begin_next();
+  ASSERT_TRUE(drills) << "a check came first";
+  ASSERT_TRUE(disk_.write(folder_.drill_marks("alpha", 2) + ".out",
+                          R"({"team":"alpha","drills":[{"name":"save","version":1,"score":30.0,)"
+                          R"("low":1.0}],"score":30.0})"));
+  ASSERT_TRUE(desk.played(*drills, now_));
+  EXPECT_FALSE(desk.begin_next());
+  open();
+  EXPECT_FALSE(portal_->friendlies().begin_next()) << "a server that starts again knows them";
+  const Json rows = json_of(ask(api("/api/v1/friendlies", alpha_)))["progress"];
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0]["drills"]["score"], 30.0);
+  EXPECT_EQ(rows[0]["drills"]["drills"].dump(), R"([{"name":"save","version":1,"score":30.0}])");
+  EXPECT_EQ(portal_->friendlies().drills_of("alpha", 1), Json());
 }
 
 TEST_F(Desk, PinsAnAcceptedVersionOfItsTeam) {

@@ -7,6 +7,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <string>
+#include <tuple>
+#include <vector>
+
 namespace mirocup::league {
 namespace {
 
@@ -22,12 +26,21 @@ Json leg(int entry, const std::string& opponent, int goals, int against, int fou
   return json;
 }
 
+const auto no_drills = [](int) { return Json(); };
+
+Json marks(double mean, std::vector<std::tuple<const char*, int, double>> drills) {
+  Json json{{"score", mean}, {"drills", Json::array()}};
+  for (const auto& [name, version, score] : drills)
+    json["drills"].push_back({{"name", name}, {"version", version}, {"score", score}});
+  return json;
+}
+
 TEST(Progress, ComparesEntriesByTheirLegsAgainstHouseTeams) {
   Json friendlies = Json::array({leg(4, "house:striker", 3, 1, 2), leg(4, "house:chaser", 5, 0, 1),
                                  leg(4, "house:planner", 0, 9), leg(2, "house:striker", 1, 3, 4),
                                  leg(2, "house:chaser", 2, 2, 5), leg(2, "rivals", 0, 9)});
   friendlies.push_back({{"entry", 2}, {"opponent", "house:keeper"}, {"state", "waiting"}});
-  const Json progress = progress_of(friendlies);
+  const Json progress = progress_of(friendlies, no_drills);
   ASSERT_EQ(progress.size(), 2u);
   EXPECT_EQ(progress[0]["entry"], 4);
   EXPECT_EQ(progress[0]["legs"], 3);
@@ -45,14 +58,37 @@ TEST(Progress, ComparesEntriesByTheirLegsAgainstHouseTeams) {
 
   const double before = progress[0]["rating"].get<double>();
   friendlies.push_back(leg(4, "house:striker", 0, 4));
-  EXPECT_LT(progress_of(friendlies)[0]["rating"].get<double>(), before);
+  EXPECT_LT(progress_of(friendlies, no_drills)[0]["rating"].get<double>(), before);
   friendlies.push_back(leg(4, "rivals", 9, 0));
-  EXPECT_EQ(progress_of(friendlies)[0]["legs"], 4);
+  EXPECT_EQ(progress_of(friendlies, no_drills)[0]["legs"], 4);
+}
+
+// Catches drills of another entry, marks of two versions of a drill side by side, and a mean over
+// drills that only one entry has tried.
+TEST(Progress, ComparesTheDrillsThatBothHaveTried) {
+  const Json friendlies =
+      Json::array({leg(4, "house:striker", 3, 1), leg(2, "house:striker", 1, 3)});
+  const auto change = [&](const Json& now, const Json& before) {
+    const Json progress =
+        progress_of(friendlies, [&](int entry) { return entry == 4 ? now : before; });
+    EXPECT_EQ(progress[0]["drills"], now);
+    return change_in_words(progress);
+  };
+  const Json now = marks(50, {{"shoot", 1, 60}, {"save", 1, 30}, {"pass", 1, 40}, {"wait", 2, 70}});
+  const Json before =
+      marks(40, {{"save", 1, 45}, {"shoot", 1, 20}, {"pass", 1, 40}, {"wait", 1, 0}});
+  EXPECT_NE(change(now, before)
+                .find("goals 3 : 1 after 1 : 3, drills 43.3 after 35.0 (better: shoot "
+                      "60 after 20; worse: save 30 after 45)."),
+            std::string::npos)
+      << change(now, before);
+  EXPECT_NE(change(now, now).find("drills 50.0 after 50.0."), std::string::npos);
+  EXPECT_EQ(change(now, Json()).find("drills"), std::string::npos);
 }
 
 TEST(Progress, SaysNothingBeforeThereIsAny) {
-  EXPECT_EQ(progress_of(Json::array()), Json::array());
-  EXPECT_EQ(change_in_words(progress_of(Json::array({leg(1, "house:idle", 1, 0)}))), "");
+  EXPECT_EQ(progress_of(Json::array(), no_drills), Json::array());
+  EXPECT_EQ(change_in_words(progress_of(Json::array({leg(1, "house:idle", 1, 0)}), no_drills)), "");
 }
 
 }  // namespace
