@@ -4,6 +4,7 @@
 #include "core/match/call_text.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "programs/mirocup/commands.hpp"
+#include "programs/mirocup/entry_advice.hpp"
 #include "programs/mirocup/output_folder.hpp"
 #include "record/conditions_json.hpp"
 #include "record/json_reader.hpp"
@@ -253,6 +254,21 @@ void print_calls(const server::Session& session) {
   }
 }
 
+// Says what to do about a fault of a team whose author may be here.
+void advise(const MatchOptions& options, const server::Session& session,
+            const match::TeamFault& f) {
+  const server::TeamSeat& seat = session.seats[index_of(f.team)];
+  if (seat.info().kind != record::TeamKind::plugin) return;
+  const std::string& team = options.teams[index_of(f.team)];
+  FaultEvidence evidence{.fault = f.fault, .words = {}, .is_python = team.ends_with(".py")};
+  if (const plugins::ProcessController* process = seat.process()) {
+    evidence.words = process->exit_report();
+    evidence.requests = process->requests();
+  }
+  std::cerr << "do: " << advice_on(evidence) << "; mirocup check " << system::printable(team)
+            << " says more\n";
+}
+
 void report(const MatchOptions& options, const server::Session& session) {
   if (options.json) {
     std::cout << record::json_text(record::to_json(server::record_of(session))) << '\n';
@@ -268,9 +284,7 @@ void report(const MatchOptions& options, const server::Session& session) {
   for (const match::TeamFault& f : r.faults) {
     std::cout << to_string(f.team) << ": " << to_string(f.fault.code) << ": "
               << system::printable(f.fault.text) << '\n';
-    if (session.seats[index_of(f.team)].info().kind == record::TeamKind::plugin)
-      std::cerr << "mirocup: mirocup check " << system::printable(options.teams[index_of(f.team)])
-                << " says what to do\n";
+    advise(options, session, f);
   }
   if (!r.why_void.empty()) std::cout << "void: " << system::printable(r.why_void) << '\n';
 }

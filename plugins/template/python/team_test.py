@@ -13,6 +13,8 @@ SETUP = m.Setup(league=m.SMALL, team=0, robots=3, seed=1, control_period=0.033, 
                 robot_side=0.075, robot_mass=0.5, wheel_distance=0.07, wheel_radius=0.025,
                 wheel_speed_limit=60.0, motor_time_constant=0.05, grip=1.0, ball_radius=0.02135,
                 ball_mass=0.046)
+TEAM = next(c for c in vars(team).values()
+            if isinstance(c, type) and issubclass(c, m.Team) and c is not m.Team)
 NO_COUNTS = m.Counts(0, 0, 0, -1, 0, 0.0, 0.0, 0.0, 0.0)
 
 
@@ -26,7 +28,7 @@ def play_with_ball_at(x, y, tick=0):
 
 class Decides(unittest.TestCase):
     def test_wheel_speeds_are_numbers(self):
-        mine = team.Mine(SETUP)
+        mine = TEAM(SETUP)
         for tick in range(100):
             wheels = mine.decide(play_with_ball_at(0.005 * tick, 0.1, tick))
             self.assertEqual(len(wheels), 3)
