@@ -227,9 +227,8 @@ Result<Fit> fit_alone(const std::vector<Footage>& footages, const Guess& start,
     for (Window& window : drives(footage, start.parameters)) fit.add(footage, std::move(window));
   }
   if (fit.is_empty()) {
-    return fail(Errc::input, path +
-                                 ": no half second of it shows a ball that rolls, or a robot "
-                                 "whose commands are known");
+    return fail(Errc::input,
+                path + ": no half second of it has a rolling ball, or a robot with known commands");
   }
   for (int u = 0; u < unknown_count; ++u) fit.set_free(u, !is_between_bodies(u));
   if (start.parameters.grip == simulator::infinite_grip) fit.set_free(grip_limit, false);

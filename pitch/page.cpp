@@ -125,8 +125,8 @@ void for_each_result(const Identified& r, Visit visit) {
 
 std::string summary_of(const Identified& r) {
   return formatted(
-      "%d windows of half a second fit; %d are explained by no motion and left out. A "
-      "picture misses %.1f %% of the bodies; %.1f %% were seen where they were not.",
+      "%d windows of half a second fit; %d are left out, because no motion explains them. A "
+      "picture misses %.1f %% of the bodies; %.1f %% were seen at wrong places.",
       r.windows, r.unexplained, 100.0 * r.unseen, 100.0 * r.outliers);
 }
 

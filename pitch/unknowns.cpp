@@ -27,7 +27,7 @@ const std::array<Unknown, unknown_count>& unknowns() {
       {"wheel_distance", true, 1e-2, 0.3, 0.25, "robots that turn by known commands"},
       {"motor_time_constant", true, 2e-3, 2.0, 0.5, "robots whose speed changes by commands"},
       {"turn_time_constant", true, 2e-3, 2.0, 0.5, "robots whose turn rate changes by commands"},
-      {"brake_time_constant", true, 2e-3, 2.0, 0.5, "driving robots that are told 0, 0"},
+      {"brake_time_constant", true, 2e-3, 2.0, 0.5, "driving robots that are commanded 0, 0"},
       {"grip", true, 0.05, 5.0, 0.5, "wheels that slide sideways in hard turns"},
       {"rolling_resistance", false, 0.0, 0.5, 0.02, "a ball that rolls freely"},
       {"viscous_friction", false, 0.0, 1.0, 0.05, "a ball that rolls freely at several speeds"},

@@ -98,7 +98,8 @@ Side read_side(const JsonReader& json, int robots, const std::string& folder) {
   }
   if (const auto parameters = json.find("parameters")) {
     side.parameters = record::read_team_parameters(*parameters);
-    if (side.library.empty()) parameters->complain("no library plays, which could ask for them");
+    if (side.library.empty())
+      parameters->complain("no library plays that could ask for parameters");
   }
   return side;
 }

@@ -53,7 +53,7 @@ TermText text_of(Term term) {
     case Term::foul:
       return {"1", "calls against the opponents minus calls against the own team"};
     case Term::energy:
-      return {"s", "minus time times the mean share of the wheel speed limit that is asked for"};
+      return {"s", "minus the time, times the mean commanded share of the wheel speed limit"};
     case Term::time:
       return {"s", "minus time"};
     case Term::vss_goal:
@@ -64,7 +64,7 @@ TermText text_of(Term term) {
       return {"1",
               "rSoccer: speed of the learner's first robot towards the ball / 0.4 m/s, in [-5, 5]"};
     case Term::vss_energy:
-      return {"rad/s", "rSoccer: minus the wheel speeds that are asked for"};
+      return {"rad/s", "rSoccer: minus the commanded wheel speeds"};
   }
   return {};
 }

@@ -248,8 +248,7 @@ tl::expected<SharedLibrary, std::string> read_shared_library(std::string_view by
     const auto text = image.text_at_address(dynamic.strings + name, max_name);
     if (!text) {
       return bad(
-          "the names of the libraries that it needs are damaged or longer than those of "
-          "files: build it again");
+          "the names of the libraries that it needs are damaged or too long: build it again");
     }
     library.needed.emplace_back(*text);
   }

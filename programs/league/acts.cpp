@@ -56,19 +56,20 @@ ActCommand add_act(system::Commands& commands, ActKind kind, const char* descrip
 }
 
 void add_fixture(const system::Command& command, Act& act) {
-  command.option("FIXTURE", act.fixture, "its id, as in r3-f1").required();
-  const system::Option leg = command.option("--leg", act.leg, "1, 2 or 3").between(1, 3);
-  command.flag("--all-legs", act.has_all_legs, "all legs of the fixture").excludes(leg);
+  command.option("FIXTURE", act.fixture, "Id of the fixture, as in r3-f1").required();
+  const system::Option leg =
+      command.option("--leg", act.leg, "Number of the leg: 1, 2 or 3").between(1, 3);
+  command.flag("--all-legs", act.has_all_legs, "All legs of the fixture").excludes(leg);
 }
 
 void add_team(const system::Command& command, Act& act) {
-  command.option("TEAM", act.team, "its name").required();
+  command.option("TEAM", act.team, "Name of the team").required();
 }
 
 void add_reason(const system::Command& command, Act& act) {
-  command.option("--reason", act.reason, "why; it is published").required();
-  command.option("--by", act.by, "who decided; it is published");
-  command.flag("--dry-run", act.is_dry_run, "say what would change, and change nothing");
+  command.option("--reason", act.reason, "Reason, which is published").required();
+  command.option("--by", act.by, "Person who decides, which is published");
+  command.flag("--dry-run", act.is_dry_run, "Print what would change, and change nothing");
 }
 
 }  // namespace
@@ -87,7 +88,7 @@ void add_rule(system::Commands& commands) {
       add_act(commands, ActKind::rule, "Decide the score of a leg, or of all legs",
               {"mirocup league rule spring r3-f1 --leg 1 --score 2:1 --reason \"appeal 4\""});
   add_fixture(command, act);
-  command.option("--score", act.score, "goals of the home team and of the other").required();
+  command.option("--score", act.score, "Goals of the home team and of the away team").required();
   add_reason(command, act);
 }
 
@@ -97,7 +98,7 @@ void add_void(system::Commands& commands) {
       {"mirocup league void spring r3-f1 --leg 2 --reason \"power cut\""});
   add_fixture(command, act);
   command.flag("--same-seed", act.keeps_seed,
-               "with the seed that they had: the same libraries play the same leg again");
+               "Keep the seed: the same libraries then play the same leg again");
   add_reason(command, act);
 }
 
@@ -107,7 +108,7 @@ void add_withdraw(system::Commands& commands) {
               {"mirocup league withdraw spring beta --reason \"left the course\""});
   add_team(command, act);
   act.results = "keep";
-  command.option("--results", act.results, "keep its results, or annul them")
+  command.option("--results", act.results, "Keep its results, or annul them")
       .one_of({"keep", "annul"})
       .shows_default();
   add_reason(command, act);
@@ -131,10 +132,11 @@ void add_resume(system::Commands& commands) {
 void add_freeze(system::Commands& commands) {
   const auto [command, act] = add_act(commands, ActKind::freeze, "Take no entries from a time on",
                                       {"mirocup league freeze spring --reason \"last day\""});
-  const system::Option at = command.option(
-      "--at", act.from, "2026-11-30T18:00:00Z, …+01:00, or in the league's zone (default: now)");
+  const system::Option at = command.option("--at", act.from,
+                                           "Time, as 2026-11-30T18:00:00Z, with an offset as "
+                                           "+01:00, or in the league's zone (default: now)");
   at.named("TIME");
-  command.flag("--lift", act.is_lifted, "take entries again").excludes(at);
+  command.flag("--lift", act.is_lifted, "Take entries again").excludes(at);
   add_reason(command, act);
 }
 
@@ -145,18 +147,19 @@ void add_release(system::Commands& commands) {
   act.level = "all";
   command
       .option("--level", act.level,
-              "all: everybody; teams: each team reads its digest; hidden: neither")
+              "Who sees later rounds: all (everybody), teams (each team reads its own digest), "
+              "hidden (nobody)")
       .one_of({"all", "teams", "hidden"})
       .shows_default();
-  command.option("--through", act.through,
-                 "the last round that the pages show, r3 or k1 (default: with all every "
-                 "round, otherwise none)");
+  command.option(
+      "--through", act.through,
+      "Last round that the pages show, r3 or k1 (default: every round with all, otherwise none)");
   add_reason(command, act);
 }
 
 void add_close(system::Commands& commands) {
   const auto [command, act] =
-      add_act(commands, ActKind::close, "End a league: no night follows, no entry",
+      add_act(commands, ActKind::close, "End a league: it has no further night and takes no entry",
               {"mirocup league close spring --reason \"the term is over\""});
   add_reason(command, act);
 }
@@ -164,7 +167,8 @@ void add_close(system::Commands& commands) {
 void add_undo(system::Commands& commands) {
   const auto [command, act] = add_act(commands, ActKind::undo, "Take a decision back",
                                       {"mirocup league undo spring 3 --reason \"the wrong leg\""});
-  command.option("NUMBER", act.decision, "its number in league decisions").required();
+  command.option("NUMBER", act.decision, "Number of the decision, as league decisions lists it")
+      .required();
   add_reason(command, act);
 }
 

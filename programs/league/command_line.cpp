@@ -30,7 +30,7 @@ const system::ValueNames value_names{
 }  // namespace
 
 void add_folder(const system::Command& command, std::string& folder) {
-  command.option("DIR", folder, "the league's folder")
+  command.option("DIR", folder, "Folder of the league")
       .required()
       .checked("DIR", problem_with_folder);
 }

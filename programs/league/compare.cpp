@@ -345,34 +345,38 @@ Result<int> run_compare(const CompareOptions& options) {
 }  // namespace
 
 void add_compare(system::Commands& commands) {
-  const auto [command, o] = commands.add<CompareOptions>(
-      {"compare",
-       to_make,
-       "Play teams against each other until it can be said which is better, or that they are equal",
-       {"mirocup league compare new.so old.so",
-        "mirocup league compare a.so b.so c.so --against all"}},
-      run_compare);
+  const auto [command, o] =
+      commands.add<CompareOptions>({"compare",
+                                    to_make,
+                                    "Play teams against each other until one is found to be "
+                                    "better, or they are found to be equal",
+                                    {"mirocup league compare new.so old.so",
+                                     "mirocup league compare a.so b.so c.so --against all"}},
+                                   run_compare);
   ComparisonRun& r = o.run;
   command
       .option("TEAM", r.teams,
-              "libraries, or names of house teams, each with :KEY=VALUE for its parameters; the "
-              "first is compared with each other one")
+              "Libraries, or names of house teams, each with :KEY=VALUE for its parameters; the "
+              "first is compared with each other team")
       .required()
       .takes(2, 100);
   command
-      .option("--against", o.against,
-              "all: plays each against each, --most fixtures a pair, and prints a rated table")
+      .option(
+          "--against", o.against,
+          "all: play each team against each other, --most fixtures a pair, and print a rated table")
       .one_of({"first", "all"})
       .shows_default();
-  command.option("--league", o.league, "small (3 a side), middle (5), large (11)")
+  command
+      .option("--league", o.league,
+              "Field and number of robots: small (3 a side), middle (5), large (11)")
       .one_of({"small", "middle", "large"})
       .shows_default();
-  command.option("--half", r.half_s, "seconds of a half")
+  command.option("--half", r.half_s, "Length of a half in seconds")
       .between(record::min_half_s, record::max_half_s);
   command.option("--conditions", r.conditions, "exact, hall or camera (default: as in a match)")
       .one_of({"exact", "hall", "camera"});
-  command.option("--seed", r.seed, "seed of the fixtures").is_a_seed().shows_default();
-  command.option("--jobs", r.jobs, "number of legs at once (default: one for each processor)")
+  command.option("--seed", r.seed, "Seed of the fixtures").is_a_seed().shows_default();
+  command.option("--jobs", r.jobs, "Legs at once (default: one for each processor)")
       .between(1, 1024);
   command
       .option("--most", o.most,
@@ -380,13 +384,13 @@ void add_compare(system::Commands& commands) {
                   std::to_string(r.max_fixtures) +
                   "; with --against all: " + std::to_string(fixtures_of_a_table) + ")")
       .between(1, 1'000'000);
-  command.option("--equal", r.test.equal_elo, "teams that are less Elo than this apart are equal")
+  command.option("--equal", r.test.equal_elo, "Teams that are less Elo than this apart are equal")
       .between(1.0, 400.0)
       .shows_default();
   command.option("--keep", o.keep,
-                 "a folder for the records; the same command goes on with those in it");
-  const system::Option json = command.flag("--json", o.json, "one JSON object on standard output");
-  command.flag("--csv", o.csv, "comma-separated values: the pairs, or the rated table")
+                 "Folder for the records; the same command continues with the records in it");
+  const system::Option json = command.flag("--json", o.json, "Print one JSON object");
+  command.flag("--csv", o.csv, "Print comma-separated values: the pairs, or the rated table")
       .excludes(json);
 }
 

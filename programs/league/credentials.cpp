@@ -28,7 +28,7 @@ Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
   const std::string config = Folder{options.folder}.config();
   if (!disk.exists(config)) {
     if (!names.empty() || !options.revoked.empty()) return names;
-    return fail(Errc::input, options.folder + " holds no league, and --team names nobody");
+    return fail(Errc::input, options.folder + " holds no league, and there is no --team");
   }
   MIROCUP_TRY(const auto text, disk.read(config, {.max_size = system::size_limit::league_file,
                                                   .links = system::Links::followed}));
@@ -106,9 +106,9 @@ void add_credentials(system::Commands& commands) {
        {"mirocup league credentials spring"}},
       run_credentials);
   add_folder(command, o.folder);
-  command.option("--team", o.teams, "a team that is not in the league's file");
-  command.option("--revoke", o.revoked, "a team whose credentials become invalid");
-  command.option("--days", o.days, "number of days for which new credentials are valid")
+  command.option("--team", o.teams, "Team that is not in league.json");
+  command.option("--revoke", o.revoked, "Team whose credentials become invalid");
+  command.option("--days", o.days, "Days for which new credentials are valid")
       .between(1, 3650)
       .shows_default();
 }

@@ -42,11 +42,11 @@ void add_decisions(system::Commands& commands) {
   const auto [command, o] =
       commands.add<DecisionsOptions>({"decisions",
                                       to_rule,
-                                      "List what was decided: number, when, who, what, why",
+                                      "List the decisions: number, time, person, what and why",
                                       {"mirocup league decisions spring"}},
                                      run_decisions);
   add_folder(command, o.folder);
-  command.flag("--json", o.json, "one JSON object on standard output");
+  command.flag("--json", o.json, "Print one JSON object");
 }
 
 }  // namespace mirocup::league

@@ -64,14 +64,14 @@ void add_export(system::Commands& commands) {
                                     "mirocup league export spring --sources -o sources"}},
                                   run_export);
   add_folder(command, o.folder);
-  command.option("-o,--output", o.output, "the folder for them")
+  command.option("-o,--output", o.output, "Folder for the files")
       .shows_default()
       .checked("DIR", problem_with_folder);
-  const system::Option sources =
-      command.flag("--sources", o.sources,
-                   "what the teams have handed in and what they were given, as JPlag compares it");
+  const system::Option sources = command.flag(
+      "--sources", o.sources,
+      "Write the sources of the teams, and the code that all teams were given, for JPlag");
   command
-      .option("--drills", o.drills, "marks of the teams, from mirocup drill --csv: adds grades.csv")
+      .option("--drills", o.drills, "Marks of the teams, from mirocup drill --csv: adds grades.csv")
       .named("FILE")
       .excludes(sources);
 }

@@ -59,25 +59,25 @@ void add_grades(system::Commands& commands) {
   const auto [command, o] = commands.add<GradesOptions>(
       {"grades",
        to_show,
-       "Print what a lecturer grades by, as CSV",
+       "Print the figures for a lecturer's grades, as CSV",
        {"mirocup league grades spring --drills drills.csv -o grades.csv",
         "mirocup league grades spring --moodle -o moodle.csv"}},
       run_grades);
   add_folder(command, o.folder);
-  command.option("--drills", o.drills, "marks of the teams, from mirocup drill --csv")
+  command.option("--drills", o.drills, "Marks of the teams, from mirocup drill --csv")
       .named("FILE");
   const system::Option per_member =
-      command.flag("--per-member", o.per_member, "a row for each member of a team");
-  const system::Option moodle = command.flag(
-      "--moodle", o.moodle,
-      "a row for each student, as Moodle's grade import reads it; the class list needs "
-      "a column mail or number");
-  const system::Option gradescope =
-      command.flag("--gradescope", o.gradescope, "likewise, with Gradescope's columns");
+      command.flag("--per-member", o.per_member, "Write a row for each member of a team");
+  const system::Option moodle =
+      command.flag("--moodle", o.moodle,
+                   "Write a row for each student, as Moodle's grade import reads it; the class "
+                   "list needs a column mail or number");
+  const system::Option gradescope = command.flag(
+      "--gradescope", o.gradescope, "Write a row for each student, with Gradescope's columns");
   moodle.excludes(per_member).excludes(gradescope);
   gradescope.excludes(per_member);
   command.option("-o,--output", o.output,
-                 "a file, which only you can read (default: standard output)");
+                 "File, which only you can read (default: standard output)");
 }
 
 }  // namespace mirocup::league

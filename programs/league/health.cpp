@@ -60,11 +60,11 @@ void add_health(system::Commands& commands) {
   const auto [command, o] = commands.add<HealthOptions>(
       {"health",
        to_play,
-       "Say whether a person has to look at the league (exit code 1): nights, hand-ins, disk",
+       "Say whether the league needs a person (exit code 1): nights, hand-ins, disk",
        {"mirocup league health spring || mail -s spring lecturer@example.org"}},
       run_health);
   add_folder(command, o.folder);
-  command.flag("--json", o.json, "one JSON object on standard output");
+  command.flag("--json", o.json, "Print one JSON object");
 }
 
 }  // namespace mirocup::league

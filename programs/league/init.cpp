@@ -111,10 +111,10 @@ Result<LeagueFile> file_from(system::Files& files, const InitOptions& options,
   for (const std::string& text : options.teams) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) {
-      return fail(Errc::input, "--team " + text +
-                                   ": NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, "
-                                   "NAME=firasim:NAME or, if it hands in later, NAME=submitted is "
-                                   "expected");
+      return fail(Errc::input,
+                  "--team " + text +
+                      ": NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, "
+                      "NAME=firasim:NAME or NAME=submitted (it hands in later) is expected");
     }
     file.teams.push_back(
         {.name = text.substr(0, equals), .source = text.substr(equals + 1), .over_dds = false});
@@ -166,33 +166,31 @@ void add_init(system::Commands& commands) {
         "mirocup league init spring --config league.json"}},
       run_init);
   add_folder(command, o.folder);
-  const system::Option config = command.option("--config", o.config, "a league.json to start from");
+  const system::Option config = command.option("--config", o.config, "Start from this league.json");
   command
       .option("--team", o.teams,
-              "NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, NAME=firasim:NAME (people start "
-              "it), or NAME=submitted: it hands in "
-              "later; once for each team")
+              "NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, NAME=firasim:NAME (people start its "
+              "program), or NAME=submitted (the team hands in later); once for each team")
       .named("NAME=TEAM")
       .excludes(config);
-  const system::Option from =
-      command
-          .option("--from", o.from,
-                  "a league whose table gives teams, entries and seeding: a knockout, if --format "
-                  "says nothing else")
-          .named("LEAGUE")
-          .excludes(config);
-  const system::Option top = command.option("--top", o.top, "how many teams of --from")
+  const system::Option from = command
+                                  .option("--from", o.from,
+                                          "League whose table gives teams, entries and seeding of "
+                                          "a knockout, or of another --format")
+                                  .named("LEAGUE")
+                                  .excludes(config);
+  const system::Option top = command.option("--top", o.top, "Number of teams of --from")
                                  .named("NUMBER")
                                  .between(2, static_cast<int>(max_teams))
                                  .needs(from);
   from.needs(top);
-  command.option("--format", o.format, "the format of the schedule (default: double_round_robin)")
+  command.option("--format", o.format, "Format of the schedule (default: double_round_robin)")
       .one_of(system::names_of<FormatKind>())
       .excludes(config);
-  command.option("--half", o.half_s, "seconds of a half")
+  command.option("--half", o.half_s, "Length of a half in seconds")
       .between(record::min_half_s, record::max_half_s)
       .excludes(config);
-  command.option("--seed", o.seed, "seed of all random draws").is_a_seed().excludes(config);
+  command.option("--seed", o.seed, "Seed of all random draws").is_a_seed().excludes(config);
 }
 
 }  // namespace mirocup::league

@@ -237,18 +237,18 @@ void add_nightly(system::Commands& commands) {
   const auto [command, o] = commands.add<NightlyOptions>(
       {"nightly",
        to_play,
-       "Let what is accepted play, publish, and tell each team what changed",
+       "Play a night with the accepted entries, publish it, and write a digest for each team",
        {"mirocup league nightly spring",
         "mirocup league nightly spring --on-night ./mail --address https://league.example/"}},
       run_nightly);
   add_folder(command, o.folder);
-  command.option("--jobs", o.play.jobs, "number of legs at once (default: one for each processor)")
+  command.option("--jobs", o.play.jobs, "Legs at once (default: one for each processor)")
       .between(1, 1024);
-  command.flag("--another", o.another, "one more night on the same day");
+  command.flag("--another", o.another, "Play a further night on the same day");
   command
-      .option("--on-night", o.on_night,
-              "a program that is started after the night, once, with the folder of its digests "
-              "as its argument")
+      .option(
+          "--on-night", o.on_night,
+          "Program to start once after the night, with the folder of its digests as its argument")
       .named("PROGRAM");
   command
       .option("--on-night-within", o.on_night_within_s,
@@ -256,8 +256,7 @@ void add_nightly(system::Commands& commands) {
       .between(1, 86'400);
   command
       .option("--address", o.address,
-              "what the links in the digests for mails begin with, as "
-              "https://league.example/")
+              "Beginning of the links in digests for mails, as https://league.example/")
       .named("URL");
   add_other_program(command, o.play.accepts_other_program);
 }

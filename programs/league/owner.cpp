@@ -52,16 +52,18 @@ Result<int> run_owner(const OwnerOptions& options) {
 }  // namespace
 
 void add_owner(system::Commands& commands) {
-  const auto [command, o] =
-      commands.add<OwnerOptions>({"owner",
-                                  to_take,
-                                  "Say which user hands in for a team by an inbox that users share",
-                                  {"mirocup league owner spring alpha student7"}},
-                                 run_owner);
+  const auto [command, o] = commands.add<OwnerOptions>(
+      {"owner",
+       to_take,
+       "Print or change the user who hands in for a team by a shared inbox",
+       {"mirocup league owner spring alpha student7"}},
+      run_owner);
   add_folder(command, o.folder);
-  command.option("TEAM", o.team, "its name").required();
-  const system::Option user = command.option("USER", o.user, "name or number (default: print it)");
-  command.flag("--free", o.is_free, "the next user whose file is accepted").excludes(user);
+  command.option("TEAM", o.team, "Name of the team").required();
+  const system::Option user =
+      command.option("USER", o.user, "Name or number of the user (default: print the owner)");
+  command.flag("--free", o.is_free, "Let the next user whose file is accepted own the team")
+      .excludes(user);
 }
 
 }  // namespace mirocup::league

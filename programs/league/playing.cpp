@@ -42,8 +42,9 @@ Result<LeagueState> play_league(system::Files& files, LeagueStore store, Progres
 }
 
 void add_other_program(const system::Command& command, bool& accepts_other_program) {
-  command.flag("--other-program", accepts_other_program,
-               "go on with this program, although another one has played until now");
+  command.flag(
+      "--other-program", accepts_other_program,
+      "Continue with this program, although another program has played the league until now");
 }
 
 void say_what_is_left(const LeagueState& state) {

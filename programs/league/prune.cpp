@@ -57,7 +57,8 @@ void add_prune(system::Commands& commands) {
   add_folder(command, o.folder);
   command
       .option("--before", o.before,
-              "nights before this one; mirocup league publish --pages makes the pages of one again")
+              "Nights before this one lose their pages; mirocup league publish --pages makes the "
+              "pages of a night again")
       .named("NIGHT")
       .between(2, max_count)
       .required();

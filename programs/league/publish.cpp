@@ -63,15 +63,17 @@ void add_publish(system::Commands& commands) {
       {"publish", to_show, "Make the pages", {"mirocup league publish spring"}}, run_publish);
   add_folder(command, o.folder);
   const system::Option output =
-      command.option("-o,--output", o.output, "the folder for the pages of --through")
+      command.option("-o,--output", o.output, "Folder for the pages of --through")
           .checked("DIR", problem_with_folder);
   const system::Option through =
       command
           .option("--through", o.through,
-                  "leave out all rounds after this one: r3, or k1 of a knockout")
+                  "Leave out all rounds after this one: r3, or k1 of a knockout")
           .needs(output);
   output.needs(through);
-  command.option("--pages", o.pages, "also those of this night, which mirocup league prune removed")
+  command
+      .option("--pages", o.pages,
+              "Also make the pages of this night, which mirocup league prune removed")
       .named("NIGHT")
       .between(1, max_count)
       .excludes(through);

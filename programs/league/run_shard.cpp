@@ -32,7 +32,7 @@ void add_run_shard(system::Commands& commands) {
        {"mirocup league run-shard spring r1-f1 r1-f2"}},
       run_shards);
   add_folder(command, o.folder);
-  command.option("FIXTURE", o.fixtures, "ids of fixtures, as league plan lists them").required();
+  command.option("FIXTURE", o.fixtures, "Ids of fixtures, as league plan lists them").required();
 }
 
 }  // namespace mirocup::league

@@ -163,32 +163,32 @@ void add_serve(system::Commands& commands) {
       run_serve);
   add_folder(command, o.folder);
   command.option("--at", o.at,
-                 "where to listen: [HOST:]PORT, or unix:PATH for a proxy (default: this host "
-                 "only, any free port)");
+                 "Where to listen: [HOST:]PORT, or unix:PATH for a proxy (default: this host only, "
+                 "any free port)");
   const system::Option hand_in = command.flag(
-      "--hand-in", o.hand_in, "also take entries from teams that have a token (league token)");
-  command.option("--jobs", o.jobs, "number of checks at once (default: one for each processor)")
+      "--hand-in", o.hand_in, "Also take entries from teams that have a token (league token)");
+  command.option("--jobs", o.jobs, "Checks at once (default: one for each processor)")
       .between(1, 1024)
       .needs(hand_in);
-  command.option("--tls", o.tls, "encrypt connections: files of the certificate and of its key")
+  command.option("--tls", o.tls, "Encrypt connections: files of the certificate and of its key")
       .named("CERT KEY")
       .takes(2, 2);
   command
       .option("--trust-proxy", o.proxies,
-              "address of a proxy that is believed for whom it asks (X-Forwarded-For, "
-              "X-Forwarded-Proto), with --proxy-secret; may be given several times")
+              "Address of a proxy that may name the viewers of its requests (X-Forwarded-For, "
+              "X-Forwarded-Proto); needs --proxy-secret; may be given several times")
       .named("ADDR")
       .takes(1, 1)
       .needs(hand_in);
   command
       .option("--proxy-secret", o.proxy_secret,
-              "file with a secret that these proxies send in the header X-Mirocup-Proxy, so that "
-              "no other program of their addresses is believed")
+              "File with the secret that these proxies send in the header X-Mirocup-Proxy, by "
+              "which they differ from other programs with their addresses")
       .named("FILE")
       .needs(hand_in);
   command
       .option("--team-header", o.team_header,
-              "header in which that proxy names the team of a person that it has signed on")
+              "Header in which that proxy names the team of a signed-on person")
       .named("NAME")
       .needs(hand_in);
 }

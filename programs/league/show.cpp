@@ -65,10 +65,9 @@ void add_show(system::Commands& commands) {
       run_show);
   add_folder(command, o.folder);
   command.option("--round", o.round,
-                 "r3, or k1 of a knockout (default: the last round that was played)");
-  command.option("--at", o.at, "where to listen (default: this host only, any free port)");
-  command.option("--at-once", o.at_once, "number of legs side by side: 1, 2 or 4")
-      .one_of_numbers({1, 2, 4});
+                 "Round: r3, or k1 of a knockout (default: the last round that was played)");
+  command.option("--at", o.at, "Where to listen (default: this host only, any free port)");
+  command.option("--at-once", o.at_once, "Legs side by side: 1, 2 or 4").one_of_numbers({1, 2, 4});
 }
 
 }  // namespace mirocup::league

@@ -49,14 +49,14 @@ void add_start(system::Commands& commands) {
   add_other_program(command, o.play.accepts_other_program);
   command
       .option("--engine", o.play.engine,
-              "where legs are played: on this host, or on the nodes of its Slurm cluster")
+              "Where to play legs: on this host, or on the nodes of its Slurm cluster")
       .one_of({"local", "slurm"})
       .shows_default();
   command.flag("--watch", o.play.watched,
-               "let league serve show the legs of this host while they are played");
+               "Let league serve show the legs of this host while they are played");
   command
       .option("--jobs", o.play.jobs,
-              "number of legs, and then of pages, at once (default: one for each processor)")
+              "Legs, and then pages, at once (default: one for each processor)")
       .between(1, 1024);
   command
       .option("--dds-domain", o.play.dds_domain,

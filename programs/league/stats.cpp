@@ -36,10 +36,10 @@ void add_stats(system::Commands& commands) {
                                  run_stats);
   add_folder(command, o.folder);
   command.flag("--goals", o.goals,
-               "how goals fell, where the ball was lost before, which laws were broken");
-  command.option("--team", o.team, "only the legs of this team");
-  const system::Option csv = command.flag("--csv", o.csv, "comma-separated values");
-  command.flag("--json", o.json, "everything as one JSON object").excludes(csv);
+               "Print how goals fell, where the ball was lost before, and which laws were broken");
+  command.option("--team", o.team, "Only the legs of this team");
+  const system::Option csv = command.flag("--csv", o.csv, "Print comma-separated values");
+  command.flag("--json", o.json, "Print everything as one JSON object").excludes(csv);
 }
 
 }  // namespace mirocup::league

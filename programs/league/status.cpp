@@ -64,9 +64,9 @@ void add_status(system::Commands& commands) {
       run_status);
   add_folder(command, o.folder);
   command.flag("--entries", o.entries,
-               "what each team has handed in, and what became of it; the exit code stays: 0 if "
-               "every leg is decided, 1 if not");
-  command.flag("--json", o.json, "one JSON object on standard output");
+               "Print the hand-ins of each team with their answers; the exit code is 0 if every "
+               "leg is decided, as without this option");
+  command.flag("--json", o.json, "Print one JSON object");
 }
 
 }  // namespace mirocup::league

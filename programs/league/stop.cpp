@@ -43,7 +43,7 @@ void add_stop(system::Commands& commands) {
       {"stop", to_play, "Stop a league that is being played", {"mirocup league stop spring"}},
       run_stop);
   add_folder(command, o.folder);
-  command.flag("--now", o.now, "stop the present legs, too, instead of playing them to their end");
+  command.flag("--now", o.now, "Also stop the present legs, instead of playing them to their end");
 }
 
 }  // namespace mirocup::league

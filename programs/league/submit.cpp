@@ -135,32 +135,29 @@ void add_submit(system::Commands& commands) {
         "mirocup league submit spring --inbox inbox"}},
       run_submit);
   add_folder(command, o.folder);
-  const system::Option team = command.option("TEAM", o.team, "its name");
+  const system::Option team = command.option("TEAM", o.team, "Name of the team");
   const system::Option file =
       command.option("FILE", o.file,
-                     "its library (.so), its file of Python (.py), house:TEAM, or "
+                     "Library of the team (.so), its file of Python (.py), house:TEAM, or "
                      "firasim:NAME for a program that speaks FIRASim's protocol");
   const system::Option inbox =
-      command
-          .option("--inbox", o.inbox,
-                  "a folder: hand in each TEAM.so and TEAM.py in it that is new")
+      command.option("--inbox", o.inbox, "Folder: hand in each new TEAM.so and TEAM.py in it")
           .excludes(team)
           .excludes(file);
-  const system::Option run =
-      command
-          .option("--run", o.run,
-                  "the command that starts a program for FIRASim in each leg; without it, "
-                  "people start it")
-          .named("COMMAND")
-          .excludes(inbox);
-  command.option("--folder", o.run_folder, "the folder in which it runs (default: this one)")
+  const system::Option run = command
+                                 .option("--run", o.run,
+                                         "Command that starts a program for FIRASim in each leg; "
+                                         "without it, people start the program")
+                                 .named("COMMAND")
+                                 .excludes(inbox);
+  command.option("--folder", o.run_folder, "Folder in which that command runs (default: this one)")
       .named("DIR")
       .needs(run);
   command
       .flag("--lockstep", o.lockstep,
-            "the legs of that program wait for its answers, not for the clock")
+            "Legs of that program wait for its answers, not for the clock")
       .excludes(inbox);
-  command.flag("--json", o.json, "one JSON object for each entry on standard output");
+  command.flag("--json", o.json, "Print one JSON object for each entry");
 }
 
 }  // namespace mirocup::league

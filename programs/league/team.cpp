@@ -146,23 +146,24 @@ void add_team(system::Commands& commands) {
   const auto [command, o] = commands.add<TeamOptions>(
       {"team",
        to_take,
-       "Make teams from a class list, and say by what names people know them",
+       "Make teams from a class list, and set their display names",
        {"mirocup league team spring --csv class.csv",
         "mirocup league team spring alpha --display \"Zoë & Co\" --member Zoë"}},
       run_team);
   add_folder(command, o.folder);
-  command.option("TEAM", o.team, "its name in the league");
-  command.option("--display", o.display, "any letters; \"\": its name in the league");
-  command.option("--member", o.members, "once for each member; \"\": it has none");
+  command.option("TEAM", o.team, "Name of the team in the league");
+  command.option("--display", o.display, "Display name, of any letters; \"\": none");
+  command.option("--member", o.members, "Member; once for each member; \"\": none");
   command
-      .option("--colour", o.colour, "of the mark beside its name on pages, as #c03a2b; \"\": none")
+      .option("--colour", o.colour,
+              "Colour of the mark beside its name on pages, as #c03a2b; \"\": none")
       .named("COLOUR");
   command
       .option("--csv", o.csv,
-              "a class list: makes its teams; columns team, display, members (with ; between "
-              "them), colour, and further ones, which the grades have again")
+              "Class list: makes its teams; its columns are team, display, members (with ; between "
+              "them), colour, and further columns for the grades")
       .named("FILE");
-  command.flag("--remove", o.is_removed, "take out a team that was a mistake");
+  command.flag("--remove", o.is_removed, "Remove a team that was added by mistake");
 }
 
 }  // namespace mirocup::league

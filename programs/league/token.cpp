@@ -145,14 +145,15 @@ void add_token(system::Commands& commands) {
                                    "mirocup league token spring --all --csv >tokens.csv"}},
                                  run_token);
   add_folder(command, o.folder);
-  command.option("TEAM", o.team, "its name; it may be new to the league");
-  command.flag("--all", o.all, "a token for each team of the league that has none");
-  command.flag("--staff", o.staff, "a token that reads what all teams have handed in, and decides");
-  command.flag("--tutor", o.tutor, "a token that reads what the staff reads, and decides nothing");
-  command.flag("--csv", o.csv, "lines of team, display name and token, for a mail merge");
-  const system::Option expires =
-      command.option("--expires", o.expires, "UTC: 2026-12-18T18:00:00Z, or the last day");
-  command.flag("--revoke", o.revoke, "make no token; all tokens of the team become worthless")
+  command.option("TEAM", o.team, "Name of the team; it may be new to the league");
+  command.flag("--all", o.all, "Make a token for each team of the league that has none");
+  command.flag("--staff", o.staff, "Make a token for the staff, who read all hand-ins and decide");
+  command.flag("--tutor", o.tutor,
+               "Make a token for a tutor, who reads the same as the staff and decides nothing");
+  command.flag("--csv", o.csv, "Print lines of team, display name and token, for a mail merge");
+  const system::Option expires = command.option(
+      "--expires", o.expires, "End of the token, UTC: 2026-12-18T18:00:00Z, or its last day");
+  command.flag("--revoke", o.revoke, "Make no token, and end all tokens of the team")
       .excludes(expires);
 }
 

@@ -289,42 +289,43 @@ void add_tune(system::Commands& commands) {
        {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker"}},
       run_tune);
   TuningOptions& t = o.tuning;
-  command.option("TEAM", o.team, "a library, or the name of a house team").required();
-  command.option("--param", o.parameters, "a parameter of the team, and where to look for it")
-      .required();
-  command.option("--against", o.against, "the opponents, with commas between them")
+  command.option("TEAM", o.team, "Library, or name of a house team").required();
+  command.option("--param", o.parameters, "Parameter of the team, and its range").required();
+  command.option("--against", o.against, "Opponents, with commas between them")
       .split_at(',')
       .required();
-  command.option("--league", o.league, "small (3 a side), middle (5), large (11)")
+  command
+      .option("--league", o.league,
+              "Field and number of robots: small (3 a side), middle (5), large (11)")
       .one_of({"small", "middle", "large"})
       .shows_default();
-  command.option("--half", o.run.half_s, "seconds of a half")
+  command.option("--half", o.run.half_s, "Length of a half in seconds")
       .between(record::min_half_s, record::max_half_s);
   command.option("--conditions", o.run.conditions, "exact, hall or camera (default: as in a match)")
       .one_of({"exact", "hall", "camera"});
-  command.option("--seed", t.seed, "seed of the search and of its fixtures")
+  command.option("--seed", t.seed, "Seed of the search and of its fixtures")
       .is_a_seed()
       .shows_default();
-  command.option("--jobs", o.run.jobs, "number of legs at once (default: one for each processor)")
+  command.option("--jobs", o.run.jobs, "Legs at once (default: one for each processor)")
       .between(1, 1024);
-  command.option("--generations", t.generations, "generations of the search")
+  command.option("--generations", t.generations, "Generations of the search")
       .between(1, 10'000)
       .shows_default();
   command
       .option("--fixtures", t.fixtures,
-              "fixtures of two legs of a candidate against each opponent; more if there is "
-              "much noise")
+              "Fixtures of two legs of each candidate against each opponent; more if there is much "
+              "noise")
       .between(2, 1000)
       .shows_default();
   command
-      .option("--test", t.test_fixtures, "fixtures of the test at the end, against each opponent")
+      .option("--test", t.test_fixtures, "Fixtures of the test at the end, against each opponent")
       .between(10, 100'000)
       .shows_default();
   command
       .option("-o,--output", o.folder,
-              "a folder for what has been played and the picture; the same command goes on")
+              "Folder for the played fixtures and the picture; the same command continues")
       .shows_default();
-  command.flag("--json", o.json, "one JSON object on standard output");
+  command.flag("--json", o.json, "Print one JSON object");
 }
 
 }  // namespace mirocup::league

@@ -65,12 +65,12 @@ void add_verify(system::Commands& commands) {
        {"mirocup league verify spring", "mirocup league verify copied --trust-programs"}},
       run_verify_league);
   add_folder(command, o.folder);
-  command.option("--jobs", o.jobs, "records at once (default: one for each processor)")
+  command.option("--jobs", o.jobs, "Records at once (default: one for each processor)")
       .between(1, 1024);
   command.flag("--trust-programs", o.trusts_programs,
-               "run the programs that the folder keeps, from now on: this host has not kept "
-               "them, but you know where they are from");
-  command.flag("--json", o.json, "one JSON object on standard output");
+               "From now on run the programs in the league's folder, although this host has not "
+               "kept them: you know their origin");
+  command.flag("--json", o.json, "Print one JSON object");
 }
 
 }  // namespace mirocup::league

@@ -199,13 +199,13 @@ void add_check(system::Commands& commands) {
       .shows_default();
   command
       .option("--half", o.half_s,
-              "Seconds of a half in the league that it is for, which says how much time it has "
+              "Length of a half in its league, in seconds, which decides its processor time "
               "(default: as in the rules)")
       .between(record::min_half_s, record::max_half_s);
   add_parameters(command, "--param", o.parameters, "the team");
   command
       .option("--record", o.record_path,
-              "Record of its leg against striker to write, for mirocup replay")
+              "File to write the record of its leg against striker to, for mirocup replay")
       .named("FILE.json");
   command.flag("--json", o.json, "Print the report as one JSON object");
   command.flag("--steps", o.steps,

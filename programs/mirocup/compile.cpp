@@ -88,11 +88,11 @@ void add_compile(system::Commands& commands) {
               "(.tar.gz, .tar, .zip)")
       .required();
   command.option("-o,--output", o.output, "Library to write").named("FILE.so").required();
-  command.option("--language", o.language, "Of the source, whatever its name")
+  command.option("--language", o.language, "Language of the source, if its name does not tell it")
       .one_of({"c", "c++", "project"});
   command
       .option("--seconds", o.seconds,
-              "Processor time that it may take, all compilers together (default: 60)")
+              "Seconds of processor time for all compilers together (default: 60)")
       .between(1.0, 600.0);
   command.flag("--json", o.json, "Print the answer as one JSON object");
 }

@@ -25,11 +25,11 @@ void add_completion(system::Commands& commands) {
   const auto [command, o] = commands.add<CompletionOptions>(
       {"completion",
        for_shells,
-       "Print the script by which a shell completes what is typed",
+       "Print the script with which a shell completes commands",
        {"mirocup completion bash >~/.local/share/bash-completion/completions/mirocup",
         "mirocup completion fish >~/.config/fish/completions/mirocup.fish"}},
       run_completion);
-  command.option("SHELL", o.shell, "The shell that reads it")
+  command.option("SHELL", o.shell, "Shell that reads the script")
       .required()
       .one_of({"bash", "zsh", "fish"});
 }

@@ -256,16 +256,16 @@ void add_drill(system::Commands& commands) {
       run_drill);
   command
       .option("DRILL", o.drill,
-              "list, all, the name of a drill, or the path of an own one or of a folder")
+              "list, all, the name of a drill, or the path of a drill or of a folder of drills")
       .required();
   command
       .option("TEAM", o.teams,
               "Teams to be tested: paths of libraries or names of house teams; NAME=TEAM: the "
               "name in the report")
       .named("");
-  command.option("--tries", o.tries, "Tries of each drill (default: as the drill says)")
+  command.option("--tries", o.tries, "Tries of each drill (default: that of the drill)")
       .between(1, 10000);
-  command.option("--seed", o.seed, "Seed of the first try; the next one has the next seed")
+  command.option("--seed", o.seed, "Seed of the first try; each further try has the next seed")
       .shows_default();
   command.option("--jobs", o.jobs, "Tries at once (default: one for each processor)")
       .between(1, 1024);
@@ -277,7 +277,7 @@ void add_drill(system::Commands& commands) {
       .named("DIR");
   command
       .option("--at-least", o.at_least,
-              "Score that each team shall reach: exit code 1 if one does not")
+              "Lowest score that passes: exit code 1 if a team is below it")
       .between(0.0, 100.0);
   const system::Option csv = command.flag("--csv", o.csv, "Print a line of CSV for each drill");
   command.flag("--json", o.json, "Print one JSON object").excludes(csv);

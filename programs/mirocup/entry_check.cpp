@@ -78,7 +78,7 @@ void note_play(Examination& e) {
   if (fastest == 0.0) return;
   const auto percent = [](double share) { return std::to_string(std::lround(100.0 * share)); };
   if (fastest < told_wheel) {
-    note("slow_wheels", "no wheel was told to turn faster than " +
+    note("slow_wheels", "no command turned a wheel faster than " +
                             std::to_string(fastest).substr(0, 4) +
                             " rad/s: speeds of wheels are in rad/s, and not in m/s");
   } else if (worst.standing > told_standing) {
@@ -96,7 +96,7 @@ void note_play(Examination& e) {
   }
   for (int i = 0; i < field::make_field(e.setup.league).robots_per_team; ++i) {
     if ((told & (1U << static_cast<unsigned>(i))) == 0)
-      note("silent_robot", "robot " + std::to_string(i) + " was never told to turn a wheel");
+      note("silent_robot", "robot " + std::to_string(i) + " never got a command to turn a wheel");
   }
 }
 

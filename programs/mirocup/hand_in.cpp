@@ -115,7 +115,7 @@ Result<Json> wait_for_answer(web::HandInClient& client, int entry) {
       pause = pause_after(reply.json);
     } else if (now - answered_at > patience) {
       return fail(Errc::unavailable, reply.error + "; entry " + std::to_string(entry) +
-                                         " was taken, and what became of it will be on its page");
+                                         " was taken, and its page will have the answer");
     }
     std::this_thread::sleep_for(pause);
   }
@@ -249,7 +249,9 @@ void add_hand_in(system::Commands& commands) {
   const system::Option file = command.option(
       "FILE", o.path,
       "Library of the team, its source, its file of Python, or an archive of its project");
-  command.option("--pin", o.pin, "Send no file: let this accepted entry play, or \"latest\" again")
+  command
+      .option("--pin", o.pin,
+              "Send no file, but let this accepted entry play; latest: the latest accepted one")
       .named("N")
       .excludes(file);
   command
@@ -261,8 +263,8 @@ void add_hand_in(system::Commands& commands) {
       .required();
   command
       .option("--ca", o.authority,
-              "File with the certificate that signs for the server (default: those of the "
-              "system)")
+              "File with the certificate that signs for the server (default: the system's "
+              "certificates)")
       .named("FILE");
   command.flag("--json", o.json, "Print the answer as one JSON object");
 }

@@ -61,13 +61,15 @@ void add_identify(system::Commands& commands) {
   command
       .option("RECORDING", o.recordings, "Recordings (mirocup/recording/1, or .csv) of one pitch")
       .required();
-  command.option("-o", o.output, "The pitch (mirocup/pitch/1)").named("FILE").required();
+  command.option("-o", o.output, "File to write the pitch to (mirocup/pitch/1)")
+      .named("FILE")
+      .required();
   command
       .option("--pitch", o.pitch,
-              "What is known: sizes and masses, and what recordings do not tell")
+              "Pitch with the known numbers: sizes, masses, and others that recordings do not tell")
       .named("NAME|FILE")
       .shows_default();
-  command.option("--page", o.page, "A page with the intervals").named("FILE");
+  command.option("--page", o.page, "File to write a page with the intervals to").named("FILE");
   command.flag("--json", o.json, "Print the pitch as one JSON object");
 }
 

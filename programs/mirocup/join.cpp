@@ -206,7 +206,7 @@ Result<void> RemoteTeam::check_silence() const {
         match_.text() + ", for " + std::to_string(static_cast<int>(options_.join_within)) + " s");
   }
   if (plugin_ && silence > max_silence) {
-    return fail(Errc::unavailable, "the match server has not been heard of for 10 s");
+    return fail(Errc::unavailable, "nothing has come from the match server for 10 s");
   }
   return {};
 }

@@ -358,19 +358,20 @@ void add_firasim(const system::Command& command, server::NetworkTerms& o) {
       "Where placements are received (default: 224.5.23.2:10004)");
   command
       .option("--firasim-instance", o.firasim_instance,
-              "Number of this match on this host; above 0 each has ports of its own: 10002+K, "
-              "20011+K, 40000+K, 50000+K; auto: the first from 1000 on that is free")
+              "Number of this match on this host; K above 0: ports 10002+K, 20011+K, 40000+K, "
+              "50000+K; auto: the first free number from 1000 on")
       .between_or(0, 9999, "auto")
       .named("K|auto")
       .in_group(group);
   add("--blue-program", o.programs[0], "COMMAND",
-      "Start the blue team by this command of the shell, which finds its colour and addresses in "
-      "MIROCUP_COLOUR, MIROCUP_INSTANCE and others (docs/firasim.md)");
-  add("--yellow-program", o.programs[1], "COMMAND", "Start the yellow team in the same way");
+      "Shell command that starts the blue team's program; its environment has colour and "
+      "addresses, MIROCUP_COLOUR and others (docs/firasim.md)");
+  add("--yellow-program", o.programs[1], "COMMAND",
+      "Shell command that starts the yellow team's program");
   command
       .flag("--lockstep", o.lockstep,
-            "Wait in each tick until these teams have commanded all their robots (--speed max "
-            "does, too)")
+            "Wait in each tick until these teams have commanded all their robots (--speed max also "
+            "does)")
       .in_group(group);
 }
 
@@ -403,15 +404,14 @@ void add_match(system::Commands& commands) {
           .option("--start", o.start_path,
                   "Start in this situation, a file of schema mirocup/situation/1")
           .named("SITUATION.json");
-  const system::Option from =
-      command
-          .option("--from", o.from_path,
-                  "Play on from a tick of this record, with its league, rules, stage, seed "
-                  "and conditions")
-          .named("RECORD")
-          .excludes(start);
+  const system::Option from = command
+                                  .option("--from", o.from_path,
+                                          "Continue this record from --tick on, with its league, "
+                                          "rules, stage, seed and conditions")
+                                  .named("RECORD")
+                                  .excludes(start);
   const system::Option tick =
-      command.option("--tick", o.tick, "Tick of the record from which to play on")
+      command.option("--tick", o.tick, "Tick of the record at which to continue")
           .at_least_0()
           .needs(from);
   from.needs(tick);
@@ -440,11 +440,9 @@ void add_match(system::Commands& commands) {
   command
       .option_or_flag(
           "--watch", o.watch,
-          "Show the match in browsers at [HOST:]PORT; without a host at this host only, without a "
-          "port "
-          "at any free one")
+          "Show the match in browsers at [HOST:]PORT (default: this host only, any free port)")
       .named("[PORT]");
-  command.flag("--calls", o.calls, "Print each goal and call of the referee, too");
+  command.flag("--calls", o.calls, "Also print each goal and each call of the referee");
   command.option("--half", o.half_s, "Length of a half in seconds")
       .between(record::min_half_s, record::max_half_s)
       .excludes(from);
@@ -455,7 +453,7 @@ void add_match(system::Commands& commands) {
       .excludes(from);
   command
       .option("--conditions", o.conditions,
-              "What disturbs the leg: nothing (exact), placing by hand, wheels and floor "
+              "Disturbances of the leg: none (exact), placing by hand, wheels and floor "
               "(hall), also a camera and a radio (camera); default: those of the pitch, if it "
               "has any, or " +
                   std::string(to_string(match::default_preset)))
@@ -479,7 +477,7 @@ void add_match(system::Commands& commands) {
       command.option("--record", o.record_path, "File to write the match record to").named("FILE");
   command
       .flag("--thoughts", o.session.thoughts,
-            "Keep what the teams draw, beside the record, for mirocup replay")
+            "Keep the shapes that the teams draw, beside the record, for mirocup replay")
       .needs(record);
   const system::Option trusted =
       command.flag("--trusted", o.session.trusted,
@@ -501,15 +499,14 @@ void add_match(system::Commands& commands) {
   command
       .option("--join-within", network.join_within, "Seconds that a DDS team has to join the match")
       .shows_default();
-  command.option(
-      "--away-limit", network.away_limit,
-      "Seconds that a DDS team may be absent from the match in total, and that a firasim "
-      "team may say nothing; 10 without it, and 30 with --lockstep");
+  command.option("--away-limit", network.away_limit,
+                 "Seconds that a DDS team may be absent in total, or a firasim team may be silent "
+                 "(default: 10, with --lockstep 30)");
   command
       .option("--credentials", network.credentials,
               "Folder with the server's credentials; then only teams of the league can join")
       .named("DIR");
-  command.flag("--hash", o.hash, "Print the state hash of the leg, too");
+  command.flag("--hash", o.hash, "Also print the state hash of the leg");
   add_firasim(command, network);
   command.flag("--json", o.json, "Print the record as one JSON object");
 }

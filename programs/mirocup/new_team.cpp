@@ -161,7 +161,7 @@ void add_new(system::Commands& commands) {
   const auto [command, o] =
       commands.add<NewOptions>({"new",
                                 for_teams,
-                                "Make a folder with a team that builds as it is",
+                                "Make a folder with a team that builds without changes",
                                 {"mirocup new mine && cd mine && cmake --workflow --preset team",
                                  "mirocup new mine --language python"}},
                                run_new);

@@ -25,7 +25,7 @@ Result<void> expect_writable_output(const std::string& path,
   for (const std::string& input : inputs) {
     if (std::filesystem::weakly_canonical(std::filesystem::absolute(input), none) ==
         std::filesystem::weakly_canonical(std::filesystem::absolute(path), none))
-      return fail(Errc::input, path + " is read: it cannot be written, too");
+      return fail(Errc::input, path + " is an input and cannot be the output as well");
   }
   if (std::filesystem::is_directory(path, none)) return fail(Errc::input, path + " is a folder");
   return expect_writable_folder_of(path);

@@ -51,7 +51,9 @@ void add_record_as_seen(system::Commands& commands) {
        {"mirocup record-as-seen leg.json -o seen.jsonl"}},
       run_record_as_seen);
   command.option("RECORD", o.record, "Match record, written by --record").required();
-  command.option("-o", o.output, "The recording (mirocup/recording/1)").named("FILE").required();
+  command.option("-o", o.output, "File to write the recording to (mirocup/recording/1)")
+      .named("FILE")
+      .required();
   command.option("--noise-mm", o.noise_mm, "Standard deviation of a position, mm")
       .between(0.0, 100.0)
       .shows_default();
@@ -61,7 +63,7 @@ void add_record_as_seen(system::Commands& commands) {
   command.option("--gaps", o.gaps, "Share of bodies that a picture misses")
       .between(0.0, 0.9)
       .shows_default();
-  command.option("--outliers", o.outliers, "Share of bodies that are seen anywhere")
+  command.option("--outliers", o.outliers, "Share of bodies that are seen at a wrong place")
       .between(0.0, 0.5)
       .shows_default();
   command.option("--seed", o.seed, "Seed of the noise").is_a_seed().shows_default();

@@ -94,7 +94,7 @@ std::optional<CommandDifference> compare_commands(const replay::Recording& recor
                                                   const match::Leg& again) {
   const std::uint32_t tick = again.tick() - 1;
   if (tick >= recording.ticks.size()) {
-    return CommandDifference{tick, std::nullopt, "the record ends here, the teams play on"};
+    return CommandDifference{tick, std::nullopt, "the record ends here, but the teams continue"};
   }
   for (const Team team : both_teams) {
     const match::DrivenCommand& recorded = recording.ticks[tick].commands[index_of(team)];

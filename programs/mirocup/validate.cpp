@@ -46,8 +46,8 @@ void add_validate(system::Commands& commands) {
   const auto [command, o] = commands.add<ValidateOptions>(
       {"validate",
        for_engineers,
-       "Say how far the simulator is from recordings, 1 to 30 pictures ahead, beside yardsticks; "
-       "exits with 1 where it is worse than one",
+       "Print the errors of the simulator 1 to 30 pictures ahead in recordings, beside yardsticks "
+       "(exit code 1: a yardstick is better)",
        {"mirocup validate seen.jsonl --pitch ours.json -o validation.html"}},
       run_validate);
   command.option("RECORDING", o.recordings, "Recordings (mirocup/recording/1, or .csv)").required();
@@ -57,8 +57,8 @@ void add_validate(system::Commands& commands) {
   command.option("-o,--page", o.page, "A page with pictures").named("FILE");
   command
       .option("--against", o.against,
-              "Another engine as a further yardstick, where mirocup-bench is built with it: "
-              "box2d, chipmunk or ode")
+              "Another engine as a further yardstick, if mirocup-bench is built with it: box2d, "
+              "chipmunk or ode")
       .named("ENGINE");
   command.flag("--json", o.json, "Print one JSON object");
 }

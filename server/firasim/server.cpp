@@ -292,7 +292,7 @@ bool Server::take_packet(const Receiver::Datagram& datagram, double now) {
   if (any) return true;
   if (!packet) {
     ++strangers_.malformed;
-    refuse(datagram.from, "sent what is no Packet of FIRASim");
+    refuse(datagram.from, "sent a datagram that is not a Packet of FIRASim");
     return false;
   }
   if (packet->has_replacement) ++strangers_.replacements;
@@ -314,7 +314,7 @@ bool Server::take_placement(const Receiver::Datagram& datagram, double now) {
   const bool is_known = place->seat->is_placed_by(datagram.from);
   if (!place->seat->take(*placement, datagram.from, now)) {
     refuse(datagram.from, "sent a placement of " + std::string(to_string(placement->team)) +
-                              ", whose placements come from elsewhere");
+                              ", whose placements come from another sender");
     return false;
   }
   if (!is_known) place->placements.reset();

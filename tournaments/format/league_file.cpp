@@ -87,11 +87,11 @@ TeamConfig read_team(const JsonReader& json) {
   }
   for (const char* key : {"run", "folder", "lockstep"}) {
     if (json.has(key) && !team.is_firasim())
-      json.at(key).complain("only a team whose entry is \"firasim:NAME\" has it");
+      json.at(key).complain("only a team whose entry is \"firasim:NAME\" may have this key");
   }
   for (const char* key : {"dds", "parameters"}) {
     if (json.has(key) && team.is_firasim())
-      json.at(key).complain("a team whose entry is \"firasim:NAME\" has none");
+      json.at(key).complain("a team whose entry is \"firasim:NAME\" may not have this key");
   }
   return team;
 }

@@ -36,7 +36,7 @@ Result<Journal> Journal::open(system::Files& files, std::string path, std::strin
   MIROCUP_TRY_VOID(journal.refresh());
   if (journal.is_torn_ && notice != nullptr) {
     *notice = journal.path_ + ": line " + std::to_string(journal.lines_.size() + 1) +
-              " was not written to its end; nothing followed from it, and it is left out";
+              " is incomplete; it had no effect, and is ignored";
   }
   return journal;
 }

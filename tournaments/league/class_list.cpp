@@ -121,7 +121,7 @@ Result<ClassList> read_class_list(std::string_view bytes) {
     if (!is_new) {
       return fail(Errc::input,
                   at_line(line, row->team + " is in line " + std::to_string(before->second) +
-                                    ", too: one line for each team"));
+                                    " as well: one line for each team"));
     }
     list->rows.push_back(*std::move(row));
   }

@@ -99,7 +99,7 @@ Result<Layer> layer_of(const Array& weights, const Array* biases, int inputs,
                                  sizes_text(weights));
   }
   if (biases == nullptr || biases->shape != std::vector<std::size_t>{weights.shape[0]}) {
-    return fail(Errc::input, where + ": as many biases are expected as it has outputs");
+    return fail(Errc::input, where + ": one bias for each output is expected");
   }
   for (const Array* array : {&weights, biases}) {
     for (const float number : array->numbers) {

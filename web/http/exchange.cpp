@@ -107,7 +107,7 @@ std::optional<Reply> Exchange::objection() {
   const auto& headers = request_.headers;
   if (head.version() != 10 && head.version() != 11) return plain_reply(505, "HTTP/1.1 is expected");
   if (has_folded_line(std::string_view(buffer_).substr(0, parsed_)))
-    return plain_reply(400, "a header goes over two lines");
+    return plain_reply(400, "a header is folded over two lines");
   if (headers.count("host") > 1 || (!is_http_1_0_ && !headers.contains("host")))
     return plain_reply(400, "one Host is expected");
   const std::size_t lengths = headers.count("content-length");
@@ -116,12 +116,12 @@ std::optional<Reply> Exchange::objection() {
   if (headers.contains("transfer-encoding")) {
     if (lengths > 0) return plain_reply(400, "two lengths are given");
     if (is_http_1_0_ || lower_case(request_.header("transfer-encoding")) != "chunked")
-      return plain_reply(400, "Transfer-Encoding is chunked, or it is not given");
+      return plain_reply(400, "Transfer-Encoding can only be chunked");
   }
   if (headers.contains("content-encoding"))
     return plain_reply(415, "send the file as it is, without Content-Encoding");
   if (headers.contains("expect") && lower_case(request_.header("expect")) != "100-continue")
-    return plain_reply(417, "Expect is 100-continue, or it is not given");
+    return plain_reply(417, "Expect can only be 100-continue");
   if (head.target().size() > max_target) return plain_reply(414, "the address is too long");
   return std::nullopt;
 }

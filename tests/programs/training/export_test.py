@@ -165,7 +165,7 @@ class Export(unittest.TestCase):
         arrays = dict(np.load(self.folder / "policy.npz"))
         wrong = {
             "w0 is missing": {"w0": None},
-            "as many biases": {"b1": arrays["b1"][:3]},
+            "one bias for each output": {"b1": arrays["b1"][:3]},
             "layer 1": {"w1": arrays["w1"][:, :5]},
             "float32": {"w2": arrays["w2"].astype(np.float64)},
             "activation": {"activation": np.array("sine")},

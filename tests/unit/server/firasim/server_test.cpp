@@ -295,7 +295,7 @@ TEST_F(FirasimSeats, ARefusalSaysWhatCame) {
                       " sent commands for blue, which another socket steers"),
             std::string::npos);
   other_.send("noise", commands_);
-  EXPECT_NE(reason(Team::yellow).find("no Packet"), std::string::npos);
+  EXPECT_NE(reason(Team::yellow).find("not a Packet"), std::string::npos);
   other_.send(place_one(Team::yellow, 0.3, 0.0), placements_);
   EXPECT_EQ(reason(Team::yellow), "");
   EXPECT_NE(seats_[index_of(Team::yellow)]->disconnected("port 1").text.find("no command came"),
