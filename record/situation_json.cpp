@@ -60,7 +60,7 @@ RobotStart read_robot(const JsonReader& json) {
   json.read_if_present("broken", robot.is_broken);
   if (!json.has("pose")) {
     for (const char* key : {"twist", "wheels"}) {
-      if (json.has(key)) json.at(key).complain("only a robot with a pose moves at the start");
+      if (json.has(key)) json.at(key).complain("a robot that moves at the start needs a pose");
     }
     return robot;
   }

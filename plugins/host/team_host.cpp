@@ -49,7 +49,7 @@ void note_name(TeamHost& host, std::string_view name) {
   if (++host.different_names == host.names.size()) {
     write_line((line_of_host +
                 ("the team asks for more than " + std::to_string(match::max_team_parameters) +
-                 " parameters, and a leg gives at most as many"))
+                 " parameters, the most that a leg gives"))
                    .c_str());
   }
 }

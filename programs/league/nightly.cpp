@@ -252,7 +252,7 @@ void add_nightly(system::Commands& commands) {
       .named("PROGRAM");
   command
       .option("--on-night-within", o.on_night_within_s,
-              "s after which that program is stopped, as if it had failed")
+              "Seconds after which that program is stopped and counts as failed")
       .between(1, 86'400);
   command
       .option("--address", o.address,

@@ -53,7 +53,7 @@ Result<void> nothing_follows(const LeagueState& state, int index) {
                                ? changed.part == Part::group && changed.group == source.index + 1
                                : source.kind != TeamSource::Kind::team && source.index == index;
       if (follows) {
-        return fail(Errc::input, f.fixture.id() + " has begun with who came out of " +
+        return fail(Errc::input, f.fixture.id() + " has begun with the winner or the loser of " +
                                      changed.id() + ": void its legs first");
       }
     }
