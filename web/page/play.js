@@ -35,7 +35,12 @@ const acts = {
     while (frames.length < ticks && session.play(1) === 1) frames.push(bodies());
     return look({ frames });
   },
-  back({ ticks }) { return session.back(Math.min(ticks, session.leg.tick)) ? lookAnew({ isBack: true }) : look(); },
+  back({ ticks }) {
+    const { teams } = session;
+    if (!session.back(Math.min(ticks, session.leg.tick))) return look();
+    if (JSON.stringify(session.teams) !== JSON.stringify(teams)) session.seat(teams);
+    return lookAnew({ isBack: true });
+  },
   seat({ teams }) {
     session.seat(teams);
     return look();
@@ -56,7 +61,7 @@ onmessage = async ({ data }) => {
   }
 };`;
 
-export const houseTeams = ['striker', 'chaser', 'keeper', 'navigator', 'tactician', 'planner', 'idle'];
+export const houseTeams = ['idle', 'chaser', 'striker', 'navigator', 'tactician', 'planner', 'keeper'];  // from weak to strong; keeper defends
 const colours = ['blue', 'yellow'];
 const handSpeed = 65;  // rad/s of a wheel: house teams drive as fast
 const handTurn = 9;  // rad/s, between the wheels and their mean
@@ -65,11 +70,13 @@ const slowMotion = '0.25';  // in which a hand begins to drive
 const firstDriven = 3;  // in the list of bodies: blue 1
 const mostTicks = 20;  // in one question, so that keys are followed soon
 const takenBack = 60;  // ticks, two seconds
-const roomAhead = 0.085;  // m, between the middles of two robots that do not push each other
+const roomAhead = 0.09;  // m, between the middles of two robots that do not push each other
+const braking = 200;  // rad/s of a wheel for each metre to an opponent
 const shift = 0.02;  // m, by a key
 const turn = Math.PI / 12;  // by a key or a button
 const reach = 0.06;  // m: a body that is closer is meant
 const unit = 2000;  // of a frame, in a metre
+const readingTime = 40;  // ms for a letter
 
 const get = (id) => document.getElementById(`hand_${id}`);
 
@@ -108,7 +115,7 @@ function withoutPushing([left, right], robot, ball, opponents) {
   };
   const nearest = Math.min(...opponents.map(ahead));
   if (speed === 0 || ahead(ball) < nearest) return [left, right];
-  const kept = Math.sign(speed) * Math.min(Math.abs(speed), Math.max(300 * (nearest - roomAhead), 0));
+  const kept = Math.sign(speed) * Math.min(Math.abs(speed), Math.max(braking * (nearest - roomAhead), 0));
   const turning = (right - left) / 2;
   return [kept - turning, kept + turning];
 }
@@ -209,6 +216,7 @@ export class Play {
 
   // Takes over what the worker answered.
   #take({ isNew, isBack, period, league, frames, status, teams, thoughts }) {
+    const haveChangedEnds = !isNew && this.status && this.status.left !== status.left;
     Object.assign(this, { status, thoughts, teams, keepers: status.keepers });
     if (isNew) {
       get('calls').replaceChildren();
@@ -231,6 +239,7 @@ export class Play {
     this.#offerBodies();
     this.#offerTeams();
     status.decisions.forEach((call) => this.#tellCall(call, isBack));
+    if (haveChangedEnds) this.#tell(`The teams have changed ends. ${this.#aim()}`);
     this.#tellEnd();
   }
 
@@ -238,12 +247,17 @@ export class Play {
     const text = `${minutes(call.clock, 0)} ${words(call.decision)}: ${call.reason}`;
     get('calls').prepend(element('li', call.decision === 'GOAL' ? 'goal' : '', text));
     if (isOld) return;
+    this.#tell(text, call.decision === 'GOAL' ? `goal ${call.gainer ?? call.team ?? ''}` : '');
+  }
+
+  // Shows a text on the field, as long as it takes to read it.
+  #tell(text, kind = '') {
     const banner = document.getElementById('banner');
     banner.textContent = text;
-    banner.className = call.decision === 'GOAL' ? `goal ${call.gainer ?? call.team ?? ''}` : '';
+    banner.className = kind;
     banner.hidden = false;
     clearTimeout(this.bannerTimer);
-    this.bannerTimer = setTimeout(() => { banner.hidden = true; }, 2500);
+    this.bannerTimer = setTimeout(() => { banner.hidden = true; }, 1500 + readingTime * text.length);
   }
 
   #tellEnd() {
@@ -254,7 +268,7 @@ export class Play {
       get('told').textContent = `Drill ${state}: ${Math.round(100 * marks)} of 100 marks, ${seconds.toFixed(1)} s.`;
     } else if (status.over && !this.over) {
       const { blue, yellow } = status.score;
-      get('told').textContent = `${words(status.result?.end ?? 'over')}: ${blue} : ${yellow}. ${blue === yellow ? 'A draw' : blue > yellow ? 'Blue wins' : 'Yellow wins'}.`;
+      get('told').textContent = `${words(status.result?.end ?? 'over')}: ${blue} : ${yellow}. ${blue === yellow ? 'A draw' : blue > yellow ? 'Blue wins' : 'Yellow wins'}. Take two seconds back, or begin another leg.`;
     }
     this.over = status.over;
     if (status.over) this.pause();
@@ -297,9 +311,17 @@ export class Play {
     get('play').classList.toggle('playing', this.isPlaying);
     get('play').setAttribute('aria-label', this.isPlaying ? 'Pause' : 'Play');
     this.#showCounts();
-    const driven = this.#body()?.team;
-    get('aim').textContent = driven ? `It scores on the ${driven === left ? 'right' : 'left'}.` : '';
+    get('aim').textContent = this.#aim();
     this.shown(left);
+  }
+
+  // The colour of the team of which the visitor drives a robot, or undefined.
+  get driven() { return this.#body()?.team; }
+
+  #aim() {
+    if (!this.driven) return 'To play, choose a robot under “You drive”.';
+    const end = this.driven === this.status.left ? 'right' : 'left';
+    return `You score on the ${end}. While the game runs, hold the mouse or a finger where your robot shall go, and F or “Shoot” to shoot.`;
   }
 
   #showDragged() {
@@ -384,6 +406,13 @@ export class Play {
     });
   }
 
+  // Gives the robots to the teams of the lists, and plays on if the leg ran.
+  async seat() {
+    const { isPlaying } = this;
+    await this.act({ act: 'seat', teams: { blue: get('blue').value, yellow: get('yellow').value } });
+    if (isPlaying) this.toggle();
+  }
+
   step(ticks) { return this.act(ticks < 0 ? { act: 'back', ticks: -ticks } : { act: 'play', ticks, hand: this.#hand() }); }
 
   // Moves a body: `change(body)` returns what is other, seen from where all earlier moves have put it.
@@ -442,6 +471,12 @@ export class Play {
     on('back', () => this.step(-1));
     on('forward', () => this.step(1));
     on('again', () => this.step(-takenBack));
+    get('shoot').addEventListener('pointerdown', (event) => {
+      if (!this.driven) this.choose(firstDriven);
+      this.keys.add('f');
+      event.target.setPointerCapture(event.pointerId);
+    });
+    for (const end of ['pointerup', 'pointercancel']) get('shoot').addEventListener(end, () => this.keys.delete('f'));
     on('left', () => this.turnBy(turn));
     on('right', () => this.turnBy(-turn));
     on('record', () => this.try(() => this.save()));
@@ -449,7 +484,7 @@ export class Play {
     on('drill', () => this.try(() => this.saveDrill()));
     for (const id of ['thoughts', 'contacts']) get(id).addEventListener('change', () => this.show());
     for (const colour of colours) {
-      get(colour).addEventListener('change', () => this.act({ act: 'seat', teams: { blue: get('blue').value, yellow: get('yellow').value } }));
+      get(colour).addEventListener('change', () => this.seat());
     }
     // After a choice with the mouse, arrow keys are for the robot and not for the list.
     let isByMouse = false;

@@ -22,7 +22,8 @@ function viewOf(league) {
 }
 
 const play = new Play(viewOf, (left) => {
-  const names = { blue: play.teams.blue || 'by hand', yellow: play.teams.yellow || 'by hand' };
+  const nameOf = (colour) => [play.teams[colour], play.driven === colour && 'you'].filter(Boolean).join(' and ') || 'nobody';
+  const names = { blue: nameOf('blue'), yellow: nameOf('yellow') };
   for (const [end, team] of [['left', left], ['right', left === 'blue' ? 'yellow' : 'blue']]) {
     const place = document.querySelector(`.end.${end}`);
     place.className = `end ${end} ${team}`;
@@ -67,6 +68,7 @@ by('options').addEventListener('submit', (event) => {
   event.preventDefault();
   play.try(start);
   by('hand_play').focus();  // so that the next key plays
+  document.querySelector('figure').scrollIntoView({ block: 'nearest' });
 });
 by('start').addEventListener('change', () => {
   file = null;

@@ -105,6 +105,33 @@ test('keys drive, a step back is exact, and the keyboard alone is enough', optio
   await page.close();
 });
 
+test('teams that a visitor chose stay when ticks are taken back, and the button shoots', options, async () => {
+  const page = await openPage(address);
+  await begin(page, { hand_blue: '', conditions: 'exact' });
+  await page.selectOption('#hand_yellow', 'chaser');
+  await page.waitForFunction(() => document.querySelector('#yellow_name').textContent === 'chaser');
+  await page.focus('#hand_play');
+  await page.keyboard.press('.');
+  await untilTick(page, 1);
+  const first = await poses(page);
+  await page.hover('#hand_shoot');
+  await page.mouse.down();
+  for (let tick = 2; tick <= 30; ++tick) await page.keyboard.press('.');
+  await untilTick(page, 30);
+  await page.mouse.up();
+  const last = await poses(page);
+  assert.notDeepEqual(last[1], first[1]);  // blue 1 drove
+  assert.equal(await page.textContent('#blue_name'), 'you');
+  await page.keyboard.press('b');
+  await page.waitForFunction(() => document.querySelector('#hand_time').textContent === 'tick 0');
+  assert.equal(await page.inputValue('#hand_yellow'), 'chaser');
+  await page.keyboard.press('.');
+  await untilTick(page, 1);
+  assert.equal(await page.textContent('#yellow_name'), 'chaser');
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
 test('bodies are moved by mouse and keys, and a situation and a drill are saved', options, async () => {
   const page = await openPage(address);
   await begin(page, { conditions: 'exact' });
