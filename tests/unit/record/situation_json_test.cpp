@@ -82,7 +82,7 @@ TEST(SituationJson, NamesTheKeyThatIsWrong) {
   };
   EXPECT_NE(error_with("/goalie", 1).find("/goalie: there is no such key"), std::string::npos);
   EXPECT_NE(error_with("/blue/0/speed", 1).find("/blue/0/speed"), std::string::npos);
-  EXPECT_NE(error_with("/blue/2/twist", {1, 0, 0}).find("only a robot with a pose"),
+  EXPECT_NE(error_with("/blue/2/twist", {1, 0, 0}).find("needs a pose"),
             std::string::npos);
   EXPECT_NE(error_with("/blue/3", ordered_json::object()).find("/blue"), std::string::npos);
   EXPECT_NE(error_with("/phase", "SHOOT_OUT").find("PENALTY_KICK"), std::string::npos);
