@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <map>
 #include <utility>
 
@@ -89,6 +90,11 @@ class Ranking {
       return;
     }
     if (!has(r.home) || !has(r.away)) return;
+    if (r.home_goals != r.away_goals) {
+      ++won_legs_;
+      winners_goals_ += std::max(r.home_goals, r.away_goals);
+      winners_difference_ += std::abs(r.difference(r.home));
+    }
     if (r.counts_for_home) {
       add_result(total_[r.home], r.home_goals, r.away_goals, r.home_penalties, r.both_lose,
                  rules_.points);
@@ -185,9 +191,18 @@ class Ranking {
   }
 
   // Returns a sum over legs as it is compared between teams.
-  double over(std::int64_t sum, std::size_t legs) const {
-    const auto value = static_cast<double>(sum);
-    return rules_.evens_out && legs > 0 ? value / static_cast<double>(legs) : value;
+  double over(double sum, std::size_t legs) const {
+    return rules_.evens_out && legs > 0 ? sum / static_cast<double>(legs) : sum;
+  }
+
+  // The same for goals. A bye counts as a leg that was won like the others on average, because
+  // other teams of the same points have won a leg more with goals.
+  double over_goals(std::int64_t sum, std::int64_t of_winners, int team) const {
+    const std::size_t legs = legs_of_[team].size();
+    const double of_byes = won_legs_ > 0 ? double(of_winners) / double(won_legs_) *
+                                               double(legs - legs_with_goals(team))
+                                         : 0.0;
+    return over(double(sum) + of_byes, legs);
   }
 
   // Returns the number of legs in which the team could score.
@@ -200,19 +215,19 @@ class Ranking {
   double value(TieBreak rule, int team, const std::map<int, TableRow>& mini) const {
     switch (rule) {
       case TieBreak::goal_difference:
-        return over(total_[team].difference(), legs_with_goals(team));
+        return over_goals(total_[team].difference(), winners_difference_, team);
       case TieBreak::goals:
-        return over(total_[team].goals_for, legs_with_goals(team));
+        return over_goals(total_[team].goals_for, winners_goals_, team);
       case TieBreak::head_to_head_points:
         return static_cast<double>(mini.at(team).points);
       case TieBreak::head_to_head_goal_difference:
         return static_cast<double>(mini.at(team).difference());
       case TieBreak::penalties:
-        return -over(total_[team].penalties, legs_with_goals(team));
+        return -over(double(total_[team].penalties), legs_with_goals(team));
       case TieBreak::lots:
         return Random(mix_seed(rules_.seed ^ static_cast<std::uint64_t>(team))).uniform();
       case TieBreak::wins:
-        return over(total_[team].won, static_cast<std::size_t>(total_[team].played));
+        return over(double(total_[team].won), static_cast<std::size_t>(total_[team].played));
       case TieBreak::opponents_points: {
         const bool by_leg = rules_.evens_out && rules_.by_points_per_leg;
         std::int64_t sum = 0;
@@ -225,7 +240,7 @@ class Ranking {
         }
         return by_leg ? sum_by_leg /
                             static_cast<double>(std::max<std::size_t>(legs_of_[team].size(), 1))
-                      : over(sum, legs_of_[team].size());
+                      : over(double(sum), legs_of_[team].size());
       }
     }
     return 0.0;
@@ -248,6 +263,9 @@ class Ranking {
   std::vector<TableRow> total_;
   std::vector<bool> is_in_;
   std::vector<std::vector<std::size_t>> legs_of_;
+  std::int64_t won_legs_ = 0;  // of all teams, without byes
+  std::int64_t winners_goals_ = 0;
+  std::int64_t winners_difference_ = 0;
   std::vector<int> order_;
 };
 

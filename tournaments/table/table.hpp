@@ -84,7 +84,8 @@ struct TableRules {
   // True: a tie-break does not depend on how many legs a team has played. Sums over legs are
   // compared as means, head-to-head counts if all pairs of the level teams have met equally often,
   // and a bye or a team that has left counts as an opponent with as many points as the team itself.
-  // Teams that have left come last. False: the former rules, which took sums.
+  // For goals, a bye counts as an average won leg. Teams that have left come last. False: the
+  // former rules, which took sums.
   bool evens_out = true;
   std::vector<bool> has_left = {};  // by team; empty: none has
 };

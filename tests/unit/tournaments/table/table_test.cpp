@@ -237,6 +237,22 @@ TEST(Table, ComparesGoalsOfUnlikeNumbersOfLegsByTheirMean) {
   EXPECT_EQ(make_table(all_teams(4), results, rules)[0].team, 1);
 }
 
+// A bye gives points without goals: a team of as many points has won a leg more by goals. Catches
+// the team of a bye that nearly always comes last of the level teams.
+TEST(Table, CountsAByeAsAnAverageWonLegInTieBreaksOfGoals) {
+  const std::vector<LegResult> results{leg_result(A, -1, 0, 0), leg_result(B, D, 1, 0),
+                                       leg_result(C, A, 1, 0), leg_result(C, B, 1, 0),
+                                       leg_result(C, D, 5, 0)};
+  // A won leg is won by two goals on average. A leg: A is 0.5 ahead and B 0.
+  for (const TieBreak rule : {TieBreak::goal_difference, TieBreak::goals}) {
+    TableRules rules;
+    rules.tie_breaks = {rule};
+    EXPECT_EQ(order(make_table(all_teams(4), results, rules)), (std::vector<int>{C, A, B, D}));
+    rules.evens_out = false;
+    EXPECT_EQ(order(make_table(all_teams(4), results, rules)), (std::vector<int>{C, B, A, D}));
+  }
+}
+
 // Head-to-head says nothing of teams of which some have not met.
 TEST(Table, LeavesOutHeadToHeadOfTeamsThatHaveNotMet) {
   const std::vector<LegResult> results{leg_result(0, 1, 1, 0), leg_result(1, 3, 1, 0),
