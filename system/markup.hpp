@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Escaping of text in pages. Names of teams are untrusted and must not become markup.
+// Escaping of text in pages and addresses. Names of teams are untrusted and must not become markup.
 #pragma once
 
 #include <string>
@@ -11,5 +11,9 @@ namespace mirocup::system {
 // Returns `text` with character references for & < > " and ', for the text and the attribute values
 // of HTML and SVG.
 std::string html_escaped(std::string_view text);
+
+// Returns `text` as a part of an address: bytes other than letters, digits, '-', '_' and '.' are
+// coded with a percent sign.
+std::string percent_coded(std::string_view text);
 
 }  // namespace mirocup::system

@@ -2,6 +2,7 @@
 #include "web/hand_in_client.hpp"
 
 #include "record/json_reader.hpp"
+#include "system/markup.hpp"
 
 #include <httplib.h>
 
@@ -19,21 +20,6 @@ constexpr std::size_t part = 64u << 10;       // bytes sent at once
 bool is_url(const std::string& url) {
   const std::size_t begin = url.starts_with("https://") ? 8 : url.starts_with("http://") ? 7 : 0;
   return begin > 0 && url.size() > begin && url.find('/', begin) == std::string::npos;
-}
-
-std::string percent_coded(const std::string& text) {
-  constexpr char hex[] = "0123456789ABCDEF";
-  std::string coded;
-  for (const unsigned char c : text) {
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                          (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-    if (is_plain) {
-      coded += static_cast<char>(c);
-    } else {
-      coded += {'%', hex[c >> 4], hex[c & 15]};
-    }
-  }
-  return coded;
 }
 
 // The library's names of errors are no words for users.
@@ -119,14 +105,14 @@ DeskReply HandInClient::put(const std::string& name, const std::string& bytes) {
     return sink.write(bytes.data() + offset, std::min(length, part));
   };
   const auto result =
-      impl_->client.Put("/api/v1/entries?name=" + percent_coded(name), impl_->headers, bytes.size(),
-                        give, "application/octet-stream");
+      impl_->client.Put("/api/v1/entries?name=" + system::percent_coded(name), impl_->headers,
+                        bytes.size(), give, "application/octet-stream");
   return reply_of(result, result ? result->body : "");
 }
 
 DeskReply HandInClient::pin(const std::string& entry) {
-  const auto result = impl_->client.Put("/api/v1/pin?entry=" + percent_coded(entry), impl_->headers,
-                                        "", "text/plain");
+  const auto result = impl_->client.Put("/api/v1/pin?entry=" + system::percent_coded(entry),
+                                        impl_->headers, "", "text/plain");
   return reply_of(result, result ? result->body : "");
 }
 

@@ -21,17 +21,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double z = 1.959963984540054;  // of an interval of 95 %
 
-// A name of a file as a part of an address.
-std::string in_address(const std::string& name) {
-  std::string address;
-  for (const char c : name) {
-    const bool is_plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') ||
-                          (c >= 'a' && c <= 'z') || c == '-' || c == '_' || c == '.';
-    address += is_plain ? std::string(1, c) : formatted("%%%02X", static_cast<unsigned char>(c));
-  }
-  return address;
-}
-
 double to_a_tenth(double value) {
   return std::round(10.0 * value) / 10.0;
 }
@@ -148,32 +137,26 @@ std::string csv_of(const std::vector<DrillReport>& reports) {
 }
 
 std::string failed_page(const std::vector<DrillReport>& reports) {
-  std::string rows;
-  int failed = 0;
+  Json tries = Json::array();
   for (const DrillReport& report : reports) {
     for (std::size_t k = 0; k < report.drills.size(); ++k) {
       for (const PlayedTry& one : report.tries[k]) {
         if (one.result.passed) continue;
-        ++failed;
+        const std::string seed = std::to_string(one.seed);
         const std::string& drill = report.drills[k]->name;
-        const std::string file = report.team + "-" + drill + "-" + std::to_string(one.seed);
-        const auto cell = [](const std::string& text) {
-          return "<td>" + system::html_escaped(system::printable(text)) + "</td>";
-        };
-        rows += "<tr>" + cell(report.team) + cell(drill) + "<td><a href=\"./" +
-                system::html_escaped(in_address(file)) + ".html\">seed " +
-                std::to_string(one.seed) + "</a></td>" + cell(one.result.why) +
-                cell(formatted("%.1f s", one.result.seconds)) + "</tr>\n";
+        tries.push_back({{"team", system::printable(report.team)},
+                         {"drill", drill},
+                         {"page", system::percent_coded(report.team + "-" + drill + "-" + seed)},
+                         {"seed", seed},
+                         {"missing", system::printable(one.result.why)},
+                         {"after", formatted("%.1f s", one.result.seconds)}});
       }
     }
   }
-  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-         "content=\"width=device-width\"><title>Failed tries</title><style>" +
-         std::string(web::design_file("design.css")) + "</style></head><body><main><h1>" +
-         std::to_string(failed) +
-         " failed tries</h1><table><thead><tr><th>Team<th>Drill<th>Replay<th>Missing<th>After"
-         "</tr></thead><tbody>\n" +
-         rows + "</tbody></table></main></body></html>\n";
+  const std::string number = std::to_string(tries.size());
+  return web::filled(
+      web::design_file, "failed_tries.html",
+      {{"design", web::design_file("design.css")}, {"number", number}, {"tries", tries}});
 }
 
 }  // namespace mirocup::app
