@@ -150,6 +150,8 @@ void print_answer(const Json& report) {
         std::cout << "  " << system::printable(text_in(check, "text")) << '\n';
     }
   }
+  for (const Json& note : report.value("notes", Json::array()))
+    std::cout << "warning: " << system::printable(text_in(note, "text")) << '\n';
   const std::string log = text_in(report, "log");
   if (!log.empty()) {
     std::cout << "--- log\n"

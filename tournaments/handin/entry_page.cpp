@@ -58,6 +58,10 @@ std::string entry_page(const Json& entry, const TimeInWords& time_in_words) {
   if (entry.contains("checks")) {
     next_card(html, "Checks");
     checks_table(html, entry["checks"]);
+    html.open("ul");
+    for (const Json& note : entry.value("notes", Json::array()))
+      html.cell("li", text_in(note, "text"));
+    html.close("ul");
   }
   if (entry.contains("timing")) {
     next_card(html, "Processor time and memory");

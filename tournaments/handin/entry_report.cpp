@@ -126,7 +126,7 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
     report["message"] = text_or_null(message);
     report["told"] = told_by(verdict, message);
     if (is_whole && verdict.is_object()) {
-      for (const char* key : {"checks", "timing", "peak_memory_bytes", "isolation"}) {
+      for (const char* key : {"checks", "notes", "timing", "peak_memory_bytes", "isolation"}) {
         if (verdict.contains(key)) report[key] = verdict[key];
       }
       report["log"] = shortened(verdict_text(verdict, "log"));

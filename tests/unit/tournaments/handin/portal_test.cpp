@@ -8,6 +8,7 @@
 
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tournaments/handin/team_desk_page.hpp"
 #include "web/http/proxy.hpp"
 
 #include <gtest/gtest.h>
@@ -813,6 +814,17 @@ TEST(CheckSteps, AreReadFromWhatACheckPrints) {
   EXPECT_EQ(last_step("step 1 of 10: file\nmirocup: a note\n"), (CheckStep{1, 10, "file"}));
   EXPECT_EQ(last_step(""), CheckStep{});
   EXPECT_EQ(last_step("step x of y: z\n"), CheckStep{});
+}
+
+// Catches numbers that no robot can drive, of which only the host is told.
+TEST(EntryPage, HasTheNotesOfAnAcceptedEntry) {
+  const Json entry{{"entry", 1},
+                   {"team", "alpha"},
+                   {"state", "accepted"},
+                   {"checks", Json::array()},
+                   {"notes", {{{"code", "bad_values"}, {"text", "12 values were not finite"}}}}};
+  const std::string page = entry_page(entry, [](const std::string& at) { return at; });
+  EXPECT_NE(page.find("<li>12 values were not finite</li>"), std::string::npos) << page;
 }
 
 TEST(Logs, AreShortenedToTheirFirstAndLastLines) {
