@@ -112,6 +112,8 @@ Result<CsvTable> read_csv(std::string_view bytes) {
   for (const auto& [begin, what] : other_files) {
     if (bytes.starts_with(begin)) return fail(Errc::input, std::string("line 1: it is ") + what);
   }
+  if (bytes.substr(0, 2).find('\0') != std::string_view::npos)
+    return fail(Errc::input, std::string("line 1: it is ") + other_files[0].second);
   if (bytes.starts_with(mark)) bytes.remove_prefix(mark.size());
   CsvTable table{.rows = {}, .was_windows_1252 = !is_utf8(bytes)};
   const std::string text = table.was_windows_1252 ? from_windows_1252(bytes) : std::string(bytes);

@@ -84,8 +84,9 @@ std::string hidden_character(std::string_view text) {
         joins ? before < first_joined || before == code
               : code == 0xad || code == 0x34f || code == 0x115f || code == 0x1160 ||
                     code == 0x17b4 || code == 0x17b5 || (code >= 0x180b && code <= 0x180e) ||
-                    code == 0x200b || (code >= 0x2060 && code <= 0x206f) || code == 0x3164 ||
-                    code == 0xfeff || code == 0xffa0 || (code >= 0xfff0 && code <= 0xfffb) ||
+                    code == 0x200b || (code >= 0x202a && code <= 0x202e) ||
+                    (code >= 0x2060 && code <= 0x206f) || code == 0x3164 || code == 0xfeff ||
+                    code == 0xffa0 || (code >= 0xfff0 && code <= 0xfffb) ||
                     (code >= 0x1d173 && code <= 0x1d17a) || (code >= 0xe0000 && code <= 0xe0fff);
     if (is_hidden) return formatted("U+%04X", static_cast<unsigned>(code));
     before = code;

@@ -150,7 +150,8 @@ Result<std::vector<std::string>> ClassList::merge_into(PeopleOfTeams& people,
     const std::string other = display.empty() ? "" : looks_like(people, state, row.team, display);
     // Of two in the list, the later one is told.
     const bool comes_later = std::any_of(rows.begin(), rows.end(), [&](const ClassListRow& one) {
-      return one.team == other && one.line > row.line && !people[other].display.empty();
+      return one.team == other && one.line > row.line && !people[other].display.empty() &&
+             !looks_like(people, state, other, people[other].display).empty();
     });
     if (!other.empty() && !comes_later) {
       return fail(Errc::input, at_line(row.line, row.team + " would be called \"" + display +

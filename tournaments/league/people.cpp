@@ -59,9 +59,9 @@ std::string objection_to_display(const std::string& text) {
 }
 
 std::string objection_to_new_name(const std::string& text) {
-  if (std::string why = objection_to_display(text); !why.empty()) return why;
   const std::string hidden = system::hidden_character(text);
-  return hidden.empty() ? "" : "a name has a character that nobody sees, " + hidden;
+  return hidden.empty() ? objection_to_display(text)
+                        : "a name has a character that nobody sees, " + hidden;
 }
 
 std::string objection_to(const People& one) {
@@ -92,7 +92,11 @@ std::string looks_like(const PeopleOfTeams& people, const LeagueState& state,
                        const std::string& team, const std::string& display) {
   const auto look = [](const std::string& name) {
     std::string seen;
-    for (const char c : name) {
+    for (char c : name) {
+      if (c == '\xa0' && seen.ends_with('\xc2')) {  // a blank at which no line ends
+        seen.pop_back();
+        c = ' ';
+      }
       if (c != ' ' || (!seen.empty() && seen.back() != ' '))
         seen += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     }

@@ -41,6 +41,8 @@ TEST(Csv, RefusesWhatIsNoTable) {
                 .error()
                 .what,
             "line 1: it is text in UTF-16: save it as \"CSV UTF-8\"");
+  EXPECT_EQ(read_csv(std::string_view("t\0e\0", 4)).error().what,
+            "line 1: it is text in UTF-16: save it as \"CSV UTF-8\"");
   EXPECT_EQ(read_csv("PK\x03\x04").error().what,
             "line 1: it is a workbook: save the sheet as \"CSV UTF-8\"");
   EXPECT_EQ(read_csv("a\nb,\"c\nd").error().what,
