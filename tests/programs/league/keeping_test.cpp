@@ -76,6 +76,18 @@ TEST(Backup, OfALeagueThatIsPlayedEndsWithTheSamePages) {
   std::printf("%d copies of a league that is played were restored\n", taken);
 }
 
+// Catches a copy without its journal that plays the league anew: the decisions were lost.
+TEST(Backup, WithoutItsJournalIsNotPlayedAnew) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:idle", "b=house:idle"});
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  std::filesystem::remove(folder + "/journal.jsonl");
+  const Outcome again = run(league("start", folder));
+  EXPECT_EQ(again.exit_code, 4);
+  EXPECT_NE(again.err.find("its journal.jsonl is missing"), std::string::npos) << again.err;
+}
+
 TEST(Backup, GoesNowhereElse) {
   const TemporaryFolder temporary;
   init_league(temporary / "l", {"a=house:chaser", "b=house:keeper"});
@@ -254,6 +266,13 @@ TEST(Teams, OfAClassListAreRefusedWithLineAndReason) {
       {"team,display,members\na,A,x\nA,B,y\n", "line 3: A is in line 2, too"},
       {"team,display,members\na,Alpha,x\nb,alpha,y\n", "line 3: b would be called \"alpha\""},
       {"team,display,members\na,b,x\nb,,y\n", "line 2: a would be called \"b\""},
+      {"team,display,members\na,b,x\nb,Bee,y\n", "line 2: a would be called \"b\""},
+      {"team,display,members\na,A B,x\nb,A\xc2\xa0"
+       "B,y\n",
+       "line 3: b would be called"},
+      {"team,display,members\na,A\xe2\x80\xae"
+       "B,x\n",
+       "line 2: a: a name has a character that nobody sees, U+202E"},
       {"team,display,members\na,Al\u200bpha,x\n", "line 2: a: a name has a character that nobody "},
       {"team,display,members\nbeta,B,x\n", "line 2: beta is new to the league: the league has a "},
       {"team,display,members\nZoë,B,x\n", "line 2: \"Zoë\" is no name of a team"},
