@@ -436,6 +436,9 @@ std::string StaffDesk::decision_path(const OwnLeg& leg) {
 
 web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
                               const std::vector<OwnLeg>& legs) const {
+  const auto store = LeagueStore::open(files_, folder_);
+  if (!store) return broken(store.error());
+  const LeagueState& state = store->state();
   Html html;
   html.raw("<p><a href=\"/hand-in\">Back to the staff page</a></p>\n");
   if (legs.empty()) html.cell("p", "No leg of it is decided, or there is no such team.");
@@ -444,7 +447,7 @@ web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
   for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
     html.open("tr");
     html.cell("th", leg->fixture + ", leg " + std::to_string(leg->leg));
-    html.cell("td", leg->opponent);
+    html.cell("td", state.shown_name_of(leg->opponent));
     html.cell("td", std::to_string(leg->goals) + " : " + std::to_string(leg->against));
     if (leg->record.empty()) {
       html.cell("td", "");
@@ -463,7 +466,7 @@ web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
     html.close("tr");
   }
   html.close_table();
-  return staff_reply(200, desk_page("Legs of " + team, html));
+  return staff_reply(200, desk_page("Legs of " + state.shown_name_of(team), html));
 }
 
 web::Reply StaffDesk::act(const Form& values) const {

@@ -99,7 +99,7 @@ class BracketPicture {
     return team >= 0 && team == o.winner ? "won" : team >= 0 && team == o.loser ? "lost" : "open";
   }
 
-  // The name, cut where the goals begin.
+  // The name, cut where the goals begin. Its own picture hides what wide letters still take.
   void team(int team, const TieOutcome& o, Point at, int room) {
     const std::string name = name_of(team);
     int left = room / letter_width;
@@ -109,8 +109,10 @@ class BracketPicture {
       while (end < name.size() && (name[end] & 0xC0) == 0x80) ++end;  // whole characters of UTF-8
       --left;
     }
-    text(style_of(team, o), {at.x + 10, at.y},
-         end < name.size() ? name.substr(0, end) + "…" : name);
+    boxes_ += "<svg x=\"" + std::to_string(at.x + 10) + "\" y=\"" + std::to_string(at.y - 17) +
+              "\" width=\"" + std::to_string(room) + "\" height=\"22\">";
+    text(style_of(team, o), {0, 17}, end < name.size() ? name.substr(0, end) + "…" : name);
+    boxes_ += "</svg>\n";
   }
 
   // The width of the goals of a leg.

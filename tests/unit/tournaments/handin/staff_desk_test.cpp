@@ -179,7 +179,13 @@ TEST_F(StaffPage, LinksToTheThoughtsOfEachTeam) {
     request.query.emplace("team", team);
     return *portal_->answer(request, [](const auto& take) { return take(std::string_view()); });
   };
+  PeopleOfTeams people;
+  people["alpha"].display = "Löwen";
+  people["beta"].display = "Rovers";
+  ASSERT_TRUE(write_people(disk_, folder_, people));
   const std::string page = legs_of("alpha", staff_).bytes;
+  EXPECT_NE(page.find("Legs of Löwen</h1>"), std::string::npos) << page;
+  EXPECT_NE(page.find("<td>Rovers</td>"), std::string::npos) << page;
   const auto link = [](const std::string& leg, const std::string& text) {
     return "href=\"/hand-in/replays/" + leg + ".html?team=alpha\">" + text + "<";
   };
