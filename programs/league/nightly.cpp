@@ -156,9 +156,12 @@ Result<std::string> report(system::Files& files, const LeagueStore& store, const
            << ")\n";
     if (row.status == TeamStatus::paused)
       text << row.team << " is paused: " << system::printable(row.why) << '\n';
-    for (const std::string& other : row.same_as) {
-      if (row.team < other) text << row.team << " and " << other << " handed in the same file\n";
-    }
+    // The first of the teams names the others.
+    const auto& same = row.same_as;
+    if (same.empty() || *std::min_element(same.begin(), same.end()) < row.team) continue;
+    text << row.team << " and ";
+    for (const std::string& other : same) text << (other == same.front() ? "" : ", ") << other;
+    text << " handed in the same file\n";
   }
   for (const FixtureState& f : state.fixtures) {
     for (const LegState& leg : f.legs) {
