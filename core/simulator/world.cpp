@@ -134,6 +134,7 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
   }
 
   advance_to(duration, all);  // 5
+  thresholds_.note_steps(step_islands_.stepping());
   step_islands_ = {};
   collect_contacts(all, duration);
   thresholds_.end_tick(duration);
@@ -165,7 +166,8 @@ void World::start_tick(std::span<const WheelCommand> commands, double duration) 
   // Islands that are over budget from the start step before impacts: take_steps() drops their
   // contacts, so these do not bounce.
   if (!were_set) {
-    const BodySet stepped = thresholds_.over_budget() & over_budget_or_sticking() & may_press();
+    const BodySet stepped = thresholds_.over_budget() & over_budget_or_sticking() &
+                            (may_press() | thresholds_.were_over_budget());
     take_steps(impact::islands_of(stepped, contacts_.contacts()), 0.0, duration);
   }
 }

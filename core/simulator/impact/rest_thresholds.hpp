@@ -45,6 +45,11 @@ class RestThresholds {
   void begin_tick();
   // Ends a tick of `duration` seconds: times count from its end.
   void end_tick(double duration);
+  // To be called at a tick's end with the bodies that are in a step there: without any budget, only
+  // these count as over budget in that tick.
+  void note_steps(const BodySet& bodies) {
+    if (budget_ == 0) memory_.over_budget = bodies;
+  }
 
   // To be called when bodies were placed: contacts that exist now are new.
   void forget() { memory_ = {}; }
@@ -90,6 +95,8 @@ class RestThresholds {
 
   // Returns the bodies that are over budget.
   const BodySet& over_budget() const { return memory_.over_budget; }
+  // Returns those that were so in the last tick.
+  const BodySet& were_over_budget() const { return were_over_budget_; }
 
   // Returns the approach speed, m/s, up to which the contact does not bounce at time t.
   double restitution_threshold(const collision::Contact& contact, double t) const;
