@@ -214,6 +214,11 @@ const web::Page* ServedLeague::page_of_site(const std::string& path) {
 }
 
 std::optional<web::Page> ServedLeague::page(const std::string& path) {
+  if (path == "/favicon.ico") {  // browsers ask for it; the ball
+    return web::Page{"image/svg+xml", "",
+                     "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'>"
+                     "<circle cx='8' cy='8' r='7' fill='#f58220'/></svg>"};
+  }
   std::string stem;
   {
     const std::lock_guard lock(mutex_);
@@ -423,7 +428,13 @@ std::optional<std::string> ServedLeague::replay_of(const std::string& record,
   const auto proven = proof("/");
   auto page = web::replay_page(*loaded, web::Times::left_out, own.value_or(record::OwnTexts{}),
                                proven, proven ? web::Wheels::shown : web::Wheels::left_out);
-  return page ? std::optional(std::move(page->html)) : std::nullopt;
+  if (!page) return std::nullopt;
+  constexpr std::string_view links = "<!--league-->";  // linked() puts those of a league there
+  if (const std::size_t at = page->html.find(links); at != std::string::npos)
+    page->html.insert(
+        at + links.size(),
+        "<nav class=\"path\" aria-label=\"Back\"><a href=\"/hand-in\">Hand in</a></nav>");
+  return std::move(page->html);
 }
 
 std::string ServedLeague::news(std::uint64_t& seen) {

@@ -58,7 +58,7 @@ Json table_values(const Overview& o) {
     const TableRow& row = o.table[i];
     Json values = row_values(o, o.table, i);
     values["form"] = form_values(o, row.team, front_form_length, "");
-    values["strength"] = strength_values(o, row.team);
+    values["strength"] = row.played > 0 ? strength_values(o, row.team) : Json(false);
     values["legs_to_tell"] =
         legs_to_tell_in_words(o, row, i + 1 < o.table.size() ? &o.table[i + 1] : nullptr);
     rows.push_back(values);

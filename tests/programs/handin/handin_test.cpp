@@ -96,6 +96,8 @@ TEST_F(HandIn, TellsTheVerdictByOneCommand) {
   EXPECT_NE(accepted.out.find("alpha: entry 2 was accepted"), std::string::npos) << accepted.out;
   EXPECT_NE(accepted.out.find(" against striker as yellow"), std::string::npos) << accepted.out;
   EXPECT_EQ(read_file(folder_ + "/entries/alpha/2/strategy.so"), read_file(house("striker")));
+  const auto icon = httplib::Client("127.0.0.1", port_).Get("/favicon.ico");
+  EXPECT_TRUE(icon && icon->status == 200) << "each page of a browser asks for it";
   // A team with a token joins with its first good entry.
   const Outcome joined = hand_in("gamma", house("navigator"), {"--json"});
   EXPECT_EQ(joined.exit_code, 0) << joined.err;

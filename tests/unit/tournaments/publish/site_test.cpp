@@ -298,7 +298,10 @@ TEST(Site, SaysLittleOfALeagueOfDraws) {
     }
   }
   ASSERT_TRUE(state.is_over());
+  EXPECT_EQ(page(make_site({state_after({})}), "index.html").find("0 (-"), std::string::npos)
+      << "no team has a strength before its first leg";
   const std::string index = page(make_site({state}), "index.html");
+  EXPECT_NE(index.find("0 (-"), std::string::npos);
   EXPECT_NE(index.find("<td class=\"number widest small\">—</td>"), std::string::npos) << index;
   EXPECT_EQ(index.find("It would take"), std::string::npos);
   EXPECT_NE(index.find("No leg stands out yet."), std::string::npos);
