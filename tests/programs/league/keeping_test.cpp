@@ -262,8 +262,8 @@ TEST(Teams, OfAClassListAreRefusedWithLineAndReason) {
   const std::string config = read_file(folder + "/league.json");
   const std::pair<const char*, const char*> cases[]{
       {"name,members\na,b\n", "line 1: the first line names the columns, as in "},
-      {"team,display,members\n\na,A,x\na,B,y\n", "line 4: a is in line 3, too"},
-      {"team,display,members\na,A,x\nA,B,y\n", "line 3: A is in line 2, too"},
+      {"team,display,members\n\na,A,x\na,B,y\n", "line 4: a is in line 3 as well"},
+      {"team,display,members\na,A,x\nA,B,y\n", "line 3: A is in line 2 as well"},
       {"team,display,members\na,Alpha,x\nb,alpha,y\n", "line 3: b would be called \"alpha\""},
       {"team,display,members\na,b,x\nb,,y\n", "line 2: a would be called \"b\""},
       {"team,display,members\na,b,x\nb,Bee,y\n", "line 2: a would be called \"b\""},
