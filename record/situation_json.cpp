@@ -23,12 +23,13 @@ using match::Start;
 
 constexpr std::string_view situation_schema = "mirocup/situation/1";
 
-constexpr double max_position = 10.0;  // m
-constexpr double max_speed = 20.0;     // m/s
-constexpr double max_turn = 500.0;     // rad/s
-constexpr double max_wheels = 127.0;   // rad/s, as in records
-constexpr double full_turn = 6.2832;   // rad
-constexpr double max_clock = 36000.0;  // s
+constexpr double max_position = 10.0;        // m
+constexpr double max_speed = 20.0;           // m/s
+constexpr double max_turn = 500.0;           // rad/s
+constexpr double max_wheels = 127.0;         // rad/s, as in records
+constexpr double max_situation_angle = 1e3;  // rad
+constexpr double full_turn = 6.2832;         // rad
+constexpr double max_clock = 36000.0;        // s
 constexpr int max_score = 1000;
 
 Vec2 read_vector(const JsonReader& json, double max) {
@@ -69,10 +70,13 @@ RobotStart read_robot(const JsonReader& json) {
     state.position = {pose.at(0).number(-max_position, max_position),
                       pose.at(1).number(-max_position, max_position)};
     const JsonReader heading = pose.at(2);
-    if (heading.json().is_number() && std::abs(heading.json().get<double>()) > full_turn)
+    // A page saves headings of more than a turn; people write degrees as whole numbers.
+    if (heading.json().is_number_integer() && std::abs(heading.json().get<double>()) > full_turn) {
       heading.complain(
-          "a heading is in radians, and this is more than a full turn; 90 degrees are 1.5708");
-    state.heading = read_heading(heading, full_turn);
+          "a heading is in radians, and this is more than a full turn; 90 degrees "
+          "are 1.5708");
+    }
+    state.heading = read_heading(heading, max_situation_angle);
   }
   if (json.has("twist")) {
     const JsonReader twist = json.at("twist");

@@ -82,8 +82,7 @@ TEST(SituationJson, NamesTheKeyThatIsWrong) {
   };
   EXPECT_NE(error_with("/goalie", 1).find("/goalie: there is no such key"), std::string::npos);
   EXPECT_NE(error_with("/blue/0/speed", 1).find("/blue/0/speed"), std::string::npos);
-  EXPECT_NE(error_with("/blue/2/twist", {1, 0, 0}).find("needs a pose"),
-            std::string::npos);
+  EXPECT_NE(error_with("/blue/2/twist", {1, 0, 0}).find("needs a pose"), std::string::npos);
   EXPECT_NE(error_with("/blue/3", ordered_json::object()).find("/blue"), std::string::npos);
   EXPECT_NE(error_with("/phase", "SHOOT_OUT").find("PENALTY_KICK"), std::string::npos);
   EXPECT_NE(error_with("/restart", {{"kind", "KICK_OFF"}}).find("everything stands"),
@@ -91,6 +90,7 @@ TEST(SituationJson, NamesTheKeyThatIsWrong) {
   EXPECT_NE(error_with("/restart", {{"kind", "none"}}).find("play is on"), std::string::npos);
   EXPECT_NE(error_with("/blue/0/pose", {0.5, 0.0, 90}).find("/blue/0/pose/2: a heading is in rad"),
             std::string::npos);
+  EXPECT_EQ(error_with("/blue/0/pose/2", 6.5), "") << "a replay page saves such headings";
   EXPECT_NE(error_with("/clock", -1).find("/clock"), std::string::npos);
 }
 
