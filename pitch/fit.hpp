@@ -28,7 +28,7 @@ struct Piece {
   int states = 0;                           // unknowns of the starts
   int rows = 0;                             // residuals: 2 or 3 a sight, then sideways speeds
   double square = 0.0;                      // sum of its squared residuals, weighted
-  bool counts = true;                       // false: no start explains the pictures
+  bool counts = true;                       // false: it fits the pictures from no start
   std::vector<simulator::BodyState> trial;
   Eigen::MatrixXd gain;  // of the starts on the pitch: A^-1 B
   Eigen::VectorXd own;   // A^-1 a

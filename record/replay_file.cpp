@@ -268,7 +268,7 @@ Result<Replay> read_plain_replay(const std::string& plain, const ReplayShape& sh
   }
   replay.asked.resize((plain.size() - counts.plain_size()) / counts.asked_size());
   if (!get_asked(plain, at, replay.asked, counts.robots)) {
-    return damaged("what was asked for at restarts does not fit its ticks");
+    return damaged("a placement at a restart is not in a tick of a restart");
   }
   return replay;
 }

@@ -99,7 +99,7 @@ Side read_side(const JsonReader& json, int robots, const std::string& folder) {
   if (const auto parameters = json.find("parameters")) {
     side.parameters = record::read_team_parameters(*parameters);
     if (side.library.empty())
-      parameters->complain("no library plays that could ask for parameters");
+      parameters->complain("only a library asks for parameters, and none plays");
   }
   return side;
 }

@@ -88,7 +88,7 @@ struct Decision {
   Restart restart = Restart::none;
   End taker = End::left;            // takes the restart; at a free ball, the defender of that half
   Vec2 spot{0.0, 0.0};              // where the ball is put, m
-  Phase phase = Phase::FIRST_HALF;  // after HALF_END or PHASE
+  Phase phase = Phase::FIRST_HALF;  // that begins; of HALF_END, PHASE
   bool goal_cancelled = false;      // the foul came before a goal in the same tick
   bool scored = false;              // of ATTEMPT_END
 

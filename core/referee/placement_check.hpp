@@ -43,8 +43,8 @@ CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End tea
 ByEnd<RobotSet> misplaced_robots(const Pitch& pitch, const Decision& restart, Roles roles,
                                  const Placement& standing);
 
-// Returns true if the ball may be put there, which is near the spot of the restart: wherever a hand
-// can put it, but at a kick-off and a goal kick only where the taker may put it.
+// Returns true if the ball may be put at `ball`, m, a place near the spot of the restart. At a
+// kick-off and a goal kick the taker's limits hold, otherwise it may be wherever a hand can put it.
 bool may_put_ball(const Pitch& pitch, const Decision& restart, const Vec2& ball);
 
 // Returns a sentence that says which bodies were moved, from where to where, and why. `asked` is

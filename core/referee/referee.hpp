@@ -72,8 +72,8 @@ class Referee {
   // Returns the decision with the restart that opens the current phase.
   Decision opening() const;
 
-  // Judges one tick of play and advances the clock by it. The referee fills in the situation's
-  // `begin`, and `last_touch` if the tick had none.
+  // Judges one tick of play and advances the clock by it. The referee sets the situation's
+  // `begin`. It also sets `last_touch` if nobody touched the ball in this tick.
   Judgement judge(Situation situation);
 
   // Returns what follows from a decision in the same tick: the end of the match after the goal that

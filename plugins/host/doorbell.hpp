@@ -36,9 +36,9 @@ class Doorbell {
     if (asked_ >= std::min(members_, 2)) ring();
   }
 
-  // Wakes the processes that were asked for. Must be called before waiting for an answer: a team
-  // that still computes gets no new observation, so nobody asks for it, and the other team would
-  // not wake up.
+  // Wakes the processes that were asked for. Must be called before waiting for an answer. If one
+  // team still computes, no observation is written for it, and without this call the other team
+  // would sleep on.
   void ring() {
     if (asked_ == 1) wake(*words_[0]);
     if (asked_ == 2) wake(*words_[0], *words_[1]);

@@ -357,9 +357,9 @@ Answer ProcessController::count_late_tick() {
 std::optional<Fault> ProcessController::find_overdraft() const {
   if (!is_ready_ || playing_seconds() <= bank_seconds()) return std::nullopt;
   return Fault{FaultCode::budget,
-               "the team used up its processor time: more than " + seconds_text(budget_.bank) +
-                   " and " + std::to_string(1e3 * budget_.bank_per_tick).substr(0, 4) +
-                   " ms for each of " + std::to_string(ticks_) + " ticks, more for each place()"};
+               "the team used up its processor time: " + seconds_text(budget_.bank) + ", " +
+                   std::to_string(1e3 * budget_.bank_per_tick).substr(0, 4) + " ms for each of " +
+                   std::to_string(ticks_) + " ticks, and a share for each place()"};
 }
 
 // Returns the fault of a team that has used up its bank or slept too long by the end of a tick.

@@ -34,8 +34,8 @@ Result<int> run_start(const StartOptions& options) {
   if (played.legs() == played.played()) return exit_yes;
   say_what_is_left(played);
   if (options.play.engine != "local")
-    std::cerr
-        << "mirocup: league start without --engine plays the legs of teams over the network\n";
+    std::cerr << "mirocup: to play the legs of teams over the network, call league start without "
+                 "--engine\n";
   return exit_no;
 }
 

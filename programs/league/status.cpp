@@ -64,8 +64,8 @@ void add_status(system::Commands& commands) {
       run_status);
   add_folder(command, o.folder);
   command.flag("--entries", o.entries,
-               "Print the hand-ins of each team with their answers; the exit code is 0 if every "
-               "leg is decided, as without this option");
+               "Print each team's hand-ins and their answers. The exit code is the same as without "
+               "this option: 0 if every leg is decided");
   command.flag("--json", o.json, "Print one JSON object");
 }
 

@@ -68,8 +68,8 @@ void add_verify(system::Commands& commands) {
   command.option("--jobs", o.jobs, "Records at once (default: one for each processor)")
       .between(1, 1024);
   command.flag("--trust-programs", o.trusts_programs,
-               "From now on run the programs in the league's folder, although this host has not "
-               "kept them: you know their origin");
+               "From now on run the programs in the league's folder. This host has not kept them, "
+               "so say this only if you know where they come from");
   command.flag("--json", o.json, "Print one JSON object");
 }
 

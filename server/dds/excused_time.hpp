@@ -38,7 +38,7 @@ class ExcusedTime {
   }
 
   double total() const { return total_; }        // s, of all causes
-  double was_down() const { return was_down_; }  // s, of the interface alone
+  double was_down() const { return was_down_; }  // s, while the interface was down
 
  private:
   // Seconds that the teams have, after the interface is up again, to find the server.

@@ -35,7 +35,7 @@ struct Terms {
   // datagram (real time) or from the vision that it should answer (lock-step).
   double away = 10.0;
   std::function<bool()> interrupted = [] { return false; };
-  // Returns why the team can send nothing more, or nothing while it still can. The argument ends
+  // Returns the reason if the team can send nothing more; no value while it can. The argument ends
   // the sentence: "before it sent anything".
   std::function<std::optional<match::Answer>(const std::string& when)> why_gone = [](auto&) {
     return std::nullopt;

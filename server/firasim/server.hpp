@@ -84,7 +84,7 @@ class Server {
   std::uint32_t called_at_ = 0;
   bool is_new_call_ = false;
   bool is_settled_ = true;
-  bool was_sent_again_ = false;  // the vision: answers to the copy may still come
+  bool was_sent_again_ = false;  // the vision was: two answers to it may come
   Counts strangers_;
   bool is_only_for_this_host_ = true;  // no other host may command
   std::string commands_at_;            // for messages

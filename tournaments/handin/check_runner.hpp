@@ -48,7 +48,7 @@ class CheckRunner {
     std::chrono::steady_clock::time_point begun;
     int compile_seconds = 0;                         // limit of compiling; 0: it is a library
     RunningCheck used{};                             // so far
-    bool is_compiled = false;                        // its check was seen to begin
+    bool is_compiled = false;                        // its library exists, and its check has begun
     std::optional<NoAnswer> stopped = std::nullopt;  // why it was stopped
   };
 

@@ -119,8 +119,8 @@ class HandInQueue {
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking);
   void wait_again(const std::string& team, int entry, NoAnswer why = NoAnswer::host_failed);
 
-  // Returns the check that a caller without a free processor should stop so that the next can
-  // begin; null if there is none. `running` has all checks that run.
+  // Returns the check to stop when no processor is free and the next check has to begin; null if
+  // none has to stop. `running` has all checks that run.
   const WaitingHandIn* to_stop(const std::vector<RunningCheck>& running) const;
 
   // Returns the hand-in to check next; null if no check may begin.

@@ -34,7 +34,7 @@ enum class About {
 struct Call {
   const web::Request& request;
   const web::Body& body;
-  Visitor visitor = {};                      // unless the route is for everybody
+  Visitor visitor = {};                      // empty if the route is for everybody
   std::string team = {};                     // About::entries_of_team: whose entries
   std::vector<std::string_view> parts = {};  // of the path, for each star of the route
 };

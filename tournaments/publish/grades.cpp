@@ -174,7 +174,7 @@ Result<std::string> students(const Overview& o, const std::vector<Graded>& all,
       if (known != 0 && known != count) {
         return fail(Errc::input, one.name + " has " + std::to_string(one.who.members.size()) +
                                      " members and " + std::to_string(known) + " in the column \"" +
-                                     column + "\": put ; between those of its members");
+                                     column + "\": put ; between the values of two members");
       }
     }
     for (std::size_t i = 0; i < count; ++i) {

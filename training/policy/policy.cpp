@@ -151,7 +151,9 @@ Result<void> check_actors(const Policy& policy, const std::string& path) {
       return fail(Errc::input, path + ": spec: /slots: learners of one team have as many robots");
     }
     if (policy.sight == Sight::relative && actor.size() != 1) {
-      return fail(Errc::input, path + ": spec: /slots: who sees \"relative\" steers one robot");
+      return fail(Errc::input, path +
+                                   ": spec: /slots: a policy with \"relative\" observations "
+                                   "steers one robot");
     }
   }
   const int robots = field::make_field(policy.league).robots_per_team;

@@ -56,12 +56,12 @@ struct ContactSeries {
   trajectory::Series dx, dy;                 // m: the same, in the field's frame
 };
 
-// Sets terms 0 from terms 0 of the poses.
+// Sets the first term (term 0) of each series of `rows`, from the first terms of the bodies' poses.
 void start_rows(const collision::StaticWorld& world, const collision::Contact& contact,
                 std::span<const trajectory::Segment> segments, ContactSeries& rows);
 
-// Sets terms k + 1 of the geometry, from terms up to k of the twists and, for a corner, k + 1 of
-// the poses.
+// Sets term k + 1 of each series of `rows`. It needs the terms up to k of the bodies' twists, and
+// for a corner also term k + 1 of their poses.
 void extend_rows(const collision::StaticWorld& world, const collision::Contact& contact,
                  std::span<const trajectory::Segment> segments, int k, ContactSeries& rows);
 

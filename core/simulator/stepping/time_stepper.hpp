@@ -76,8 +76,9 @@ class TimeStepper {
   void forget_forces();
 
   // A pressing contact of an earlier step, from which the next step starts warm. The warm start is
-  // limited to `impulse`. Otherwise the large force with which a short step stopped a body would be
-  // taken over into a longer step. `kind`, `corner` and `edge` are those of its contact point.
+  // limited to `impulse`. Without this limit, a short step that stops a body with a large force
+  // would hand this force on to a longer step. `kind`, `corner` and `edge` are those of its contact
+  // point.
   struct RememberedForce {
     Pair pair;
     collision::Touching kind;

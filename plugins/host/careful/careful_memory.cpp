@@ -88,7 +88,7 @@ bool holds_only(const unsigned char* bytes, std::size_t size, unsigned char valu
 
 void check_zones(Block* block) {
   if (!holds_only(block->front, front_size, block->zone_byte))
-    note("it wrote before the begin of", block);
+    note("it wrote before the beginning of", block);
   if (!holds_only(block->bytes() + block->size, back_size, block->zone_byte))
     note("it wrote behind the end of", block);
 }

@@ -164,7 +164,8 @@ MIROCUP_CALLED double mirocup_atan2(double y, double x) {
                                            0x1.700a7c5784634p-1,
                                            0x1.819d0b7158a4dp-1,
                                            0x1.921fb54442d18p-1};
-  /* Reduced to an octant, then by the nearest sixteenth: atan(t) = atan(c) + atan(r). */
+  /* The angle is reduced to an octant. Then c is the sixteenth nearest to t:
+     atan(t) = atan(c) + atan(r). */
   const double ax = fabs(x), ay = fabs(y);
   const double longer = ay > ax ? ay : ax;
   const double shorter = ay > ax ? ax : ay;

@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{Mistake::writes_before,
                 "writes_before",
                 "",
-                {"before the begin of a block of 24 bytes"}},
+                {"before the beginning of a block of 24 bytes"}},
         Refused{Mistake::writes_freed, "writes_freed", "", {"that it had freed"}},
         Refused{Mistake::frees_twice, "frees_twice", "", {"freed twice"}},
         Refused{Mistake::reads_freed, "reads_freed", "repeatable", {"never written"}},
