@@ -62,8 +62,9 @@ struct FirasimPlace {
 
 // How results become tables and pairings. A league keeps the rules with which it was made, so that
 // an upgrade does not change played and published results.
-inline constexpr int former_rules = 1;  // of a league.json without a number
-inline constexpr int current_rules = 2;
+inline constexpr int former_rules = 1;     // of a league.json without a number: tables take sums
+inline constexpr int bye_goals_rules = 3;  // from here on a bye counts in tie-breaks of goals
+inline constexpr int current_rules = 3;
 
 struct LeagueFile {
   std::string title = "League";
@@ -104,8 +105,11 @@ struct LeagueFile {
 
   bool has_former_rules() const { return rules_version == former_rules; }
   TableRules table_rules() const {
-    return {
-        .points = points, .tie_breaks = tie_breaks, .seed = seed, .evens_out = !has_former_rules()};
+    return {.points = points,
+            .tie_breaks = tie_breaks,
+            .seed = seed,
+            .evens_out = !has_former_rules(),
+            .counts_bye_goals = rules_version >= bye_goals_rules};
   }
 };
 

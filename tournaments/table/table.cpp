@@ -198,11 +198,11 @@ class Ranking {
   // The same for goals. A bye counts as a leg that was won like the others on average, because
   // other teams of the same points have won a leg more with goals.
   double over_goals(std::int64_t sum, std::int64_t of_winners, int team) const {
+    const std::size_t with_goals = legs_with_goals(team);
+    if (!rules_.counts_bye_goals || won_legs_ == 0) return over(double(sum), with_goals);
     const std::size_t legs = legs_of_[team].size();
-    const double of_byes = won_legs_ > 0 ? double(of_winners) / double(won_legs_) *
-                                               double(legs - legs_with_goals(team))
-                                         : 0.0;
-    return over(double(sum) + of_byes, legs);
+    const double of_a_bye = double(of_winners) / double(won_legs_);
+    return over(double(sum) + of_a_bye * double(legs - with_goals), legs);
   }
 
   // Returns the number of legs in which the team could score.

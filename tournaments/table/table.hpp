@@ -84,9 +84,10 @@ struct TableRules {
   // True: a tie-break does not depend on how many legs a team has played. Sums over legs are
   // compared as means, head-to-head counts if all pairs of the level teams have met equally often,
   // and a bye or a team that has left counts as an opponent with as many points as the team itself.
-  // For goals, a bye counts as an average won leg. Teams that have left come last. False: the
-  // former rules, which took sums.
+  // Teams that have left come last. False: the former rules, which took sums.
   bool evens_out = true;
+  // True: for goal difference and goals, a bye counts as an average won leg. Needs `evens_out`.
+  bool counts_bye_goals = true;
   std::vector<bool> has_left = {};  // by team; empty: none has
 };
 

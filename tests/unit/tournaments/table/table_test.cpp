@@ -248,6 +248,8 @@ TEST(Table, CountsAByeAsAnAverageWonLegInTieBreaksOfGoals) {
     TableRules rules;
     rules.tie_breaks = {rule};
     EXPECT_EQ(order(make_table(all_teams(4), results, rules)), (std::vector<int>{C, A, B, D}));
+    rules.counts_bye_goals = false;
+    EXPECT_EQ(order(make_table(all_teams(4), results, rules)), (std::vector<int>{C, B, A, D}));
     rules.evens_out = false;
     EXPECT_EQ(order(make_table(all_teams(4), results, rules)), (std::vector<int>{C, B, A, D}));
   }
