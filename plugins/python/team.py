@@ -1163,14 +1163,18 @@ class _Runner:
             returned = self._team.place(now, placement)
             self._look_at(placement, returned, now)
         values = [number for r in now.own for number in r[:3]]  # what it leaves out stays where it is
+        place = "placement.robots[0]"
         try:
-            for i, (x, y, heading) in enumerate(placement.robots[:self._robots]):
+            for i, robot in enumerate(placement.robots[:self._robots]):
+                place = f"placement.robots[{i}]"
+                x, y, heading = robot
                 values[3 * i:3 * i + 3] = float(x), float(y), float(heading)
+            place = "placement.ball"
             ball_x, ball_y = placement.ball
             return _PLACEMENT.pack(float(ball_x), float(ball_y), *values, *_ZEROS[len(values):])
         except (TypeError, ValueError, struct.error):
             raise TypeError("place() left something else than (x, y, heading) for each robot and "
-                            "(x, y) for the ball") from None
+                            f"(x, y) for the ball: look at {place}") from None
 
     def _look_at(self, placement, returned, now):
         """Warns about a place() that has no effect."""

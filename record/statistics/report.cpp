@@ -72,11 +72,11 @@ std::string place_of(const LegReport& leg, std::uint32_t tick) {
   return system::printable(leg.record) + " tick " + std::to_string(tick);
 }
 
-// What to practise, a line for each drill.
+// What to practise: a line for each drill, to be typed with the team's file in place of TEAM.
 std::string advice_text(const std::vector<LegReport>& legs, const TeamTotals& team) {
   std::string text;
   for (const Advice& advice : advice_for(legs, team))
-    text += "  mirocup drill " + advice.drill + ": " + advice.why + "\n";
+    text += "  mirocup drill " + advice.drill + " TEAM  # " + advice.why + "\n";
   return text;
 }
 

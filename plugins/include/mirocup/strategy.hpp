@@ -48,6 +48,10 @@
 // every tick. They are good enough to start from, and meant to be copied and improved.
 #pragma once
 
+#if __cplusplus < 202002L
+#error "mirocup/strategy.hpp is C++20: compile with -std=c++20"
+#endif
+
 #include "mirocup/laws.hpp"
 
 #include <cmath>

@@ -199,7 +199,7 @@ TEST_F(PythonTeams, AreWarned) {
   const std::string notes = report["notes"].dump();
   for (const char* part :
        {"which is no name", "more than 32 parameters", "more than 200 shapes",
-        "change placement.robots", "robot 2 was never told", "rad/s", "wheels = keep_laws(",
+        "change placement.robots", "robot 2 never got a command", "rad/s", "wheels = keep_laws(",
         "the index -1 of a robot counts from the last one"})
     EXPECT_NE(notes.find(part), std::string::npos) << part << " in " << notes;
 }

@@ -164,7 +164,7 @@ class Vector(unittest.TestCase):
             VectorEnv(opponents="idle")
         for words, arguments in {
             "opponent: .*nobody": {"opponent": "nobody"},
-            "opponent_parameters: .*no library": {"opponent": "noise", "opponent_parameters": {"wait": 1.0}},
+            "opponent_parameters: only a library": {"opponent": "noise", "opponent_parameters": {"wait": 1.0}},
             r"learners\[0\]: ": {"learners": [7]},
             "mates: ": {"learners": [0], "mates": "nobody"},
             r"rewards\['goals'\]: ": {"rewards": {"goals": 1.0}},
