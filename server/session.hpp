@@ -57,10 +57,9 @@ struct Session {
   std::optional<record::PlayedOnFrom> from;  // the record that this leg continues
 };
 
-// Plays the ticks before `until` as they are recorded. After them the leg
-// remembers all that came before: counts of the laws, disturbances, the camera's view, commands on
-// their way. `path` names the record in
-// errors: Errc::damaged if it is not reproduced.
+// Plays the ticks before `until` as they are recorded. After them the leg remembers all that came
+// before: counts of the laws, disturbances, the camera's view, commands on their way. `path` names
+// the record in errors: Errc::damaged if it is not reproduced.
 Result<void> play_past(Session& session, const record::MatchRecord& past, std::uint32_t until,
                        const std::string& path);
 
