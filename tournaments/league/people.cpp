@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <set>
+#include <unicode/bytestream.h>
+#include <unicode/normalizer2.h>
 
 namespace mirocup::league {
 
@@ -46,6 +48,21 @@ PeopleOfTeams read_teams_file(const record::JsonReader& json) {
       one.members.push_back(read_name(member));
   }
   return people;
+}
+
+// Returns the text without what readers overlook: capitals, width, accents as characters of their
+// own (NFKC_Casefold of Unicode), and blanks at which no line ends or of which there are several.
+std::string look(const std::string& name) {
+  UErrorCode error = U_ZERO_ERROR;
+  std::string folded;
+  icu::StringByteSink<std::string> sink(&folded);
+  if (const auto* fold = icu::Normalizer2::getNFKCCasefoldInstance(error))
+    fold->normalizeUTF8(0, name, sink, nullptr, error);
+  std::string seen;
+  for (const char c : folded) {
+    if (c != ' ' || (!seen.empty() && seen.back() != ' ')) seen += c;
+  }
+  return seen;
 }
 
 }  // namespace
@@ -90,18 +107,6 @@ std::vector<std::string> members_of(const std::string& cell) {
 
 std::string looks_like(const PeopleOfTeams& people, const LeagueState& state,
                        const std::string& team, const std::string& display) {
-  const auto look = [](const std::string& name) {
-    std::string seen;
-    for (char c : name) {
-      if (c == '\xa0' && seen.ends_with('\xc2')) {  // a blank at which no line ends
-        seen.pop_back();
-        c = ' ';
-      }
-      if (c != ' ' || (!seen.empty() && seen.back() != ' '))
-        seen += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return seen;
-  };
   const std::string own = look(display);
   for (const auto& [other, one] : people) {
     if (other != team && (look(other) == own || look(one.display) == own)) return other;

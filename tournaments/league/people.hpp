@@ -37,7 +37,7 @@ std::string objection_to(const People& one);
 
 // Returns another team, of the league or of `people`, that people could confuse with this one if
 // this one had that display name; "" if there is none. Names and display names are compared without
-// capitals and blanks.
+// capitals, blanks and differences of how Unicode writes the same letter (NFKC_Casefold).
 std::string looks_like(const PeopleOfTeams& people, const LeagueState& state,
                        const std::string& team, const std::string& display);
 

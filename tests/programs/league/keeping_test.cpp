@@ -270,6 +270,10 @@ TEST(Teams, OfAClassListAreRefusedWithLineAndReason) {
       {"team,display,members\na,A B,x\nb,A\xc2\xa0"
        "B,y\n",
        "line 3: b would be called"},
+      {"team,display,members\na,L\u00f6wen,x\nb,Lo\u0308wen,y\n", "line 3: b would be called"},
+      {"team,display,members\na,M\u00dcLLER,x\nb,m\u00fcller,y\n", "line 3: b would be called"},
+      {"team,display,members\na,\uff21bc,x\nb,abc,y\n", "line 3: b would be called"},
+      {"team,display,members\na,\uac00,x\nb,\u1100\u1161,y\n", "line 3: b would be called"},
       {"team,display,members\na,A\xe2\x80\xae"
        "B,x\n",
        "line 2: a: a name has a character that nobody sees, U+202E"},
