@@ -156,11 +156,10 @@ tl::expected<void, match::Answer> TeamSeat::wait_until_ready() {
 }
 
 std::string TeamSeat::own_name() const {
-  constexpr std::size_t longest = 40;  // bytes, as in a league
   std::string name;
   if (process_ != nullptr) name = process_->team_name();
   if (trusted_ != nullptr) name = trusted_->team_name();
-  return name.size() > longest || system::printable(name) != name ? "" : name;
+  return name.size() > plugins::max_own_name || system::printable(name) != name ? "" : name;
 }
 
 match::TeamParameters TeamSeat::unknown_parameters() const {

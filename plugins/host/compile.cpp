@@ -275,6 +275,11 @@ std::string advice_on(std::string_view words) {
       {"No such file or directory",
        ": it finds mirocup's headers, the standard library and the files of an archive, no others"},
       {"-fmodules-ts", ": modules of C++20 are not taken, so write headers"},
+      {"was not declared in this scope",
+       ": a name that it does not know is misspelt, or lacks a header, such as "
+       "\"mirocup/skills/attack.hpp\", or using namespace mirocup::strategy"},
+      {"are pure within",
+       ": a team has void decide(const Observation& now, Command& command) override"},
       {"but does not override",
        ": a team has void decide(const Observation& now, Command& command) override"}};
   for (const auto& [part, advice] : usual) {

@@ -140,6 +140,7 @@ int main(int argc, char** argv) {
   if (!allow_no_files() || !filter_for_playing())
     refuse(*out, {match::FaultCode::crash, "the library changed the sandbox while it was loaded"});
   const std::string name = plugin->name();
+  note_own_name(host, name);
   std::memcpy(out->name, name.data(), std::min(name.size(), sizeof out->name - 1));
   out->load_state.store(LoadState::ready, std::memory_order_release);
   wake(out->answer);
@@ -156,10 +157,12 @@ int main(int argc, char** argv) {
     if (in->observation.placing != 0) {
       out->placement =
           *with_care(*out, TeamCall::place, [&] { return plugin->place(lend(in->observation)); });
+      note_units(host, out->placement, in->observation.robots);
     }
     out->command = *with_care(*out, TeamCall::decide, [&] {
       return plugin->decide(lend(in->observation), lend_command());
     });
+    note_command(host, out->command, in->observation.robots);
     answered = request;
     // Sequentially consistent, as the server's side is: the server sets is_awaited and then reads
     // the answer once more, so that no wake-up is lost.

@@ -7,8 +7,11 @@
 #include "plugins/host/plugin.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <functional>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +21,15 @@ namespace mirocup::plugins {
 namespace {
 
 using match::ThoughtKind;
+
+constexpr double full_turn = 6.2832;  // rad, rounded up
+constexpr double far_away = 5.0;      // m
+
+std::string short_text(double number) {
+  char text[32];
+  (void)std::snprintf(text, sizeof text, "%.4g", number);
+  return text;
+}
 
 // Returns the page of the host; null if it keeps nothing of what is drawn.
 ThoughtsPage* page_of(void* host) {
@@ -33,14 +45,20 @@ bool is_name(std::string_view name) {
          });
 }
 
+// Writes a line of the host to the log, unless it was told before.
+void tell_once(bool& is_told, const std::string& line) {
+  if (!is_told) write_line((line_of_host + line).c_str());
+  is_told = true;
+}
+
 // Tells what the team's author would wonder about: a parameter that nobody can set.
 void note_name(TeamHost& host, std::string_view name) {
-  if (!is_name(name) && !host.has_told_name) {
-    host.has_told_name = true;
-    write_line((line_of_host + ("the team asks for the parameter \"" + std::string(name)) +
-                "\", which is no name: letters, digits, '_', '-' and '.', a letter first, at most "
-                "31")
-                   .c_str());
+  if (!is_name(name)) {
+    tell_once(
+        host.has_told_parameter,
+        "the team asks for the parameter \"" + std::string(name) +
+            "\", which is no name: letters, digits, '_', '-' and '.', a letter first, at most "
+            "31");
   }
   const std::size_t hash = std::hash<std::string_view>()(name);
   const auto end = host.names.begin() + static_cast<std::ptrdiff_t>(host.different_names);
@@ -54,21 +72,32 @@ void note_name(TeamHost& host, std::string_view name) {
   }
 }
 
-// Tells of more shapes than a tick has room for, which only the replay would show.
-void note_shape(void* host) {
+// Tells of what only the replay would show: shapes that nobody sees, and more shapes than there is
+// room for in a tick. The colour 0 is that of the numbers of draw_value().
+void note_shape(void* host, std::uint32_t colour, std::span<const double> numbers) {
+  constexpr std::uint32_t opacity = 0xff;
   if (host == nullptr) return;
   auto& own = *static_cast<TeamHost*>(host);
-  if (++own.shapes <= match::max_thoughts || own.has_told_shapes) return;
-  own.has_told_shapes = true;
-  write_line((line_of_host + ("the team draws more than " + std::to_string(match::max_thoughts) +
-                              " shapes in a tick; the replay shows no more"))
-                 .c_str());
+  if ((colour & opacity) == 0 && colour != 0) {
+    char text[16];
+    (void)std::snprintf(text, sizeof text, "0x%08x", colour);
+    tell_once(own.has_told_colour, std::string("the team draws with the colour ") + text +
+                                       ", which cannot be seen: the last byte of 0xRRGGBBAA is the "
+                                       "opacity, and ff is opaque");
+  }
+  if (!match::is_finite(numbers)) {
+    tell_once(own.has_told_number,
+              "the team draws at a place that is not finite; the replay leaves it out");
+  }
+  if (++own.shapes <= match::max_thoughts) return;
+  tell_once(own.has_told_shapes, "the team draws more than " + std::to_string(match::max_thoughts) +
+                                     " shapes in a tick; the replay shows no more");
 }
 
 // Puts a shape on the page of the host, if there is one.
 void draw(void* host, ThoughtKind kind, const char* layer, std::uint32_t colour,
           std::span<const double> numbers, std::string_view text = {}) {
-  note_shape(host);
+  note_shape(host, colour, numbers);
   ThoughtsPage* page = page_of(host);
   if (page == nullptr) return;
   const bool has_room = page->shapes < page->shape.size() &&
@@ -126,6 +155,46 @@ double parameter_of(void* host, const char* name, double fallback) {
     return own.table->rows[i].value;
   }
   return fallback;
+}
+
+void note_units(TeamHost& host, const mirocup_placement& placement, std::int32_t robots) {
+  for (std::int32_t i = 0; i < robots; ++i) {
+    const mirocup_pose& pose = placement.robots[i];
+    const std::string robot = "place() gave robot " + std::to_string(i);
+    if (std::abs(pose.heading) > full_turn) {
+      tell_once(host.has_told_heading,
+                robot + " the heading " + short_text(pose.heading) +
+                    ", which is more than a full turn: headings are in radians, and 90 degrees are "
+                    "1.5708");
+    }
+    if (std::max(std::abs(pose.x), std::abs(pose.y)) > far_away) {
+      tell_once(host.has_told_place,
+                robot + " the place (" + short_text(pose.x) + ", " + short_text(pose.y) +
+                    "), which is outside of every pitch: places are in metres");
+    }
+  }
+  if (std::max(std::abs(placement.ball_x), std::abs(placement.ball_y)) > far_away)
+    tell_once(host.has_told_place,
+              "place() put the ball outside of every pitch: places are in metres");
+}
+
+void note_own_name(TeamHost& host, const std::string& name) {
+  const bool is_plain =
+      std::none_of(name.begin(), name.end(), [](char c) { return c > 0 && c < ' '; });
+  if (is_plain && name.size() <= max_own_name) return;
+  tell_once(host.has_told_name, "the team's name is not shown: it may have " +
+                                    std::to_string(max_own_name) + " bytes, on one line");
+}
+
+void note_command(TeamHost& host, const mirocup_command& command, std::int32_t robots) {
+  const auto* end = std::end(command.wheels);
+  const bool is_told = std::any_of(command.wheels + robots, end, [](const mirocup_wheels& wheels) {
+    return wheels.left != 0.0 || wheels.right != 0.0;
+  });
+  if (!is_told) return;
+  tell_once(host.has_told_robot, "decide() set wheels behind those of its " +
+                                     std::to_string(robots) + " robots, which are 0 to " +
+                                     std::to_string(robots - 1));
 }
 
 void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,

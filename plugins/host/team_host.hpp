@@ -24,10 +24,19 @@ struct TeamHost {
   std::array<std::size_t, match::max_team_parameters + 1> names{};  // hashes
   std::size_t different_names = 0;
   bool has_told_name = false;
+  bool has_told_parameter = false;
   std::uint32_t shapes = 0;  // of this tick, with those that are dropped
   bool has_told_shapes = false;
+  bool has_told_heading = false;
+  bool has_told_place = false;
+  bool has_told_robot = false;
+  bool has_told_colour = false;
+  bool has_told_number = false;
   std::string last_line = {};  // of the log, at most 200 bytes
 };
+
+// The longest name of a library that is shown, bytes, as in a league.
+inline constexpr std::size_t max_own_name = 40;
 
 // The prefix of the host's lines in the team's log; `mirocup check` shows these lines as warnings.
 inline constexpr const char* line_of_host = "mirocup: ";
@@ -48,10 +57,21 @@ std::string reason_in_log(const mirocup_setup& setup);
 // to the log, once, about a name that no parameter can have, and once about too many names.
 double parameter_of(void* host, const char* name, double fallback);
 
+// Writes a line to the log, once, about an asked heading of more than a full turn, which hardly is
+// in radians, and one about an asked place of a robot or the ball far outside of every pitch.
+void note_units(TeamHost& host, const mirocup_placement& placement, std::int32_t robots);
+
+// Writes a line to the log about a team's own name that is not shown.
+void note_own_name(TeamHost& host, const std::string& name);
+
+// Writes a line to the log, once, about wheels of robots that the team does not have.
+void note_command(TeamHost& host, const mirocup_command& command, std::int32_t robots);
+
 // The functions `setup.draw_line` and so on put a shape on the page of the TeamHost at `host`. A
 // shape is dropped and counted if there is no room for it, if a number is not finite, or if a
 // polygon has fewer than 3 or more than max_polygon_corners corners. A line of the log tells once
-// of more shapes in a tick than are kept, also where none are.
+// of more shapes in a tick than are kept, and one of a colour that cannot be seen, also where no
+// shapes are kept.
 void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,
                double y2);
 void draw_circle(void* host, const char* layer, std::uint32_t colour, double x, double y,

@@ -1256,6 +1256,8 @@ def _create(team_class, data, host):
     if numpy is not None:
         numpy.random.seed(setup.seed % 2**32)
     team = team_class(setup)
+    if not isinstance(team_class.name, str):
+        _warn(f"the name of the team is {_short(team_class.name)}; a text is expected")
     if not isinstance(getattr(team, "setup", None), Setup):
         raise TypeError(f"{team_class.__name__}.__init__(self, setup) has to call "
                         "super().__init__(setup)")

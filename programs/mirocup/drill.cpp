@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup drill: tries situations many times and gives marks.
+#include "plugins/host/sandbox/probe.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "programs/mirocup/drill_report.hpp"
 #include "record/json_reader.hpp"
 #include "record/team_parameters_json.hpp"
+#include "system/command_line.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
@@ -16,7 +18,6 @@
 #include <functional>
 #include <iostream>
 #include <list>
-#include <set>
 #include <string>
 #include <unistd.h>
 
@@ -62,9 +63,15 @@ Result<std::vector<std::string>> paths_of(const std::string& word) {
     const std::string path = (fs::path(own) / (word + ".json")).string();
     if (disk.exists(path)) return std::vector<std::string>{path};
   }
+  const bool is_team = word.ends_with(".so") || word.ends_with(".py");
+  if (is_team) return fail(Errc::input, word + " is a team: the drill stands before it");
   if (disk.exists(word)) return std::vector<std::string>{word};
-  return fail(Errc::input,
-              "\"" + word + "\" is neither a drill nor a file; mirocup drill list has their names");
+  MIROCUP_TRY(auto names, disk.names_in(own));
+  for (std::string& name : names) name = fs::path(name).stem().string();
+  const std::string meant = system::closest_word(word, names);
+  return fail(Errc::input, "\"" + word + "\" is neither a drill nor a file; " +
+                               (meant.empty() ? "" : "did you mean " + meant + "? ") +
+                               "mirocup drill list has their names");
 }
 
 Result<std::vector<drills::Drill>> read_drills(const std::string& word) {
@@ -113,12 +120,29 @@ Result<server::TeamChoice> choose(const std::string& text, const std::string& wh
   return choice;
 }
 
+// Returns the name of the team in a report and in the names of files: that of NAME=TEAM, else its
+// own, else that of its file.
+Result<std::string> name_of(const std::string& team) {
+  MIROCUP_TRY(const auto choice, choose(team, "TEAM "));
+  const std::string& known = choice.info.name;
+  if (choice.info.kind != record::TeamKind::plugin || team.starts_with(known + "=")) return known;
+  MIROCUP_TRY(const auto isolation, plugins::strongest_isolation());
+  plugins::ProcessTerms terms;
+  terms.isolation = isolation;
+  const match::Leg leg(match::Setup{});
+  MIROCUP_TRY(auto seat,
+              server::TeamSeat::take_in_process(choice, leg.briefing(drills::tested), terms));
+  const std::string own = seat.wait_until_ready() ? seat.own_name() : "";
+  return own.empty() || own.find('/') != std::string::npos ? known : own;
+}
+
 Result<DrillTeams> teams_of(const drills::Drill& drill, const std::string& team,
-                            const match::TeamParameters& parameters) {
+                            const std::string& name, const match::TeamParameters& parameters) {
   MIROCUP_TRY(auto tested, choose(team, "TEAM "));
   DrillTeams teams{.tested = std::move(tested), .opponent = {}, .mates = std::nullopt};
+  teams.tested.info.name = name;
   teams.tested.info.parameters = drill.parameters;
-  for (const auto& [name, value] : parameters) teams.tested.info.parameters[name] = value;
+  for (const auto& [key, value] : parameters) teams.tested.info.parameters[key] = value;
   const auto choose_in_drill = [&drill](const std::string& text, const char* key) {
     return choose(text, "").map_error([&](const Error& error) {
       return Error{error.code, drill.name + ": " + key + ": " + error.what};
@@ -164,19 +188,20 @@ Result<void> make_folder(const std::string& folder) {
 }
 
 // Tries all drills with one team.
-Result<DrillReport> test_team(const std::string& team, const std::vector<drills::Drill>& drills,
-                              const DrillOptions& options, const match::TeamParameters& parameters,
+Result<DrillReport> test_team(const std::string& team, const std::string& name,
+                              const std::vector<drills::Drill>& drills, const DrillOptions& options,
+                              const match::TeamParameters& parameters,
                               const std::function<void(int)>& progress) {
   DrillReport report;
+  report.team = name;
   std::list<DrillTeams> teams;  // tasks point to its elements
   std::vector<DrillTask> tasks;
   for (const drills::Drill& drill : drills) {
-    MIROCUP_TRY(auto of_this, teams_of(drill, team, parameters));
+    MIROCUP_TRY(auto of_this, teams_of(drill, team, name, parameters));
     teams.push_back(std::move(of_this));
     tasks.push_back({&drill, &teams.back(), options.tries.value_or(drill.tries)});
     report.drills.push_back(&drill);
   }
-  report.team = teams.front().tested.info.name;
   MIROCUP_TRY(report.tries, play_drills(tasks,
                                         {.first_seed = options.seed,
                                          .jobs = options.jobs,
@@ -185,19 +210,20 @@ Result<DrillReport> test_team(const std::string& team, const std::vector<drills:
   return report;
 }
 
-// The files of tries are named after the team.
-Result<void> check_drill_names(const DrillOptions& options) {
-  if (options.replay_folder.empty()) return {};
-  std::set<std::string> names;
+// The files of tries are named after the team, so two may not have one name.
+Result<std::vector<std::string>> names_of_teams(const DrillOptions& options) {
+  std::vector<std::string> names;
   for (const std::string& team : options.teams) {
-    MIROCUP_TRY(const auto choice, choose(team, "TEAM "));
-    if (names.insert(choice.info.name).second) continue;
-    return fail(Errc::input, "TEAM " + team + ": there is another one called \"" +
-                                 choice.info.name +
-                                 "\", and one would overwrite the replays of the other: NAME=TEAM "
-                                 "gives it another name");
+    MIROCUP_TRY(auto name, name_of(team));
+    const bool is_new = std::find(names.begin(), names.end(), name) == names.end();
+    if (!is_new && !options.replay_folder.empty()) {
+      return fail(Errc::input, "TEAM " + team + ": there is another one called \"" + name +
+                                   "\", and one would overwrite the replays of the other: "
+                                   "NAME=TEAM gives it another name");
+    }
+    names.push_back(std::move(name));
   }
-  return {};
+  return names;
 }
 
 Result<int> run_drill(const DrillOptions& options) {
@@ -210,17 +236,17 @@ Result<int> run_drill(const DrillOptions& options) {
   if (options.teams.empty()) return fail(Errc::input, "a team is needed: mirocup drill DRILL TEAM");
   MIROCUP_TRY(const auto parameters,
               record::parameters_with_changes({}, options.parameters, "--param"));
-  MIROCUP_TRY_VOID(check_drill_names(options));
+  MIROCUP_TRY(const auto names, names_of_teams(options));
   MIROCUP_TRY_VOID(make_folder(options.replay_folder));
 
   int all_tries = 0;
   for (const drills::Drill& drill : *drills) all_tries += options.tries.value_or(drill.tries);
   Progress progress(all_tries * static_cast<int>(options.teams.size()));
   std::vector<DrillReport> reports;
-  for (const std::string& team : options.teams) {
-    MIROCUP_TRY(auto report, test_team(team, *drills, options, parameters, [&](int done) {
-                  progress.show(static_cast<int>(reports.size()) * all_tries + done);
-                }));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto show = [&](int done) { progress.show(static_cast<int>(i) * all_tries + done); };
+    MIROCUP_TRY(auto report,
+                test_team(options.teams[i], names[i], *drills, options, parameters, show));
     reports.push_back(std::move(report));
   }
   progress.clear();

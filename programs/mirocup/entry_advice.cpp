@@ -23,6 +23,11 @@ struct ErrorAdvice {
 constexpr const char* in_a_debugger =
     "build it with -g and run gdb --args mirocup match --trusted --blue FILE.so --yellow striker";
 
+constexpr const char* no_exit = "return instead of calling exit()";
+constexpr const char* bad_index = "an index or a pointer was out of bounds: ";
+constexpr const char* one_file =
+    "a team is one file: put its own modules into it, and use Python's library or a module that "
+    "the host has installed";
 constexpr const char* no_process = "a team starts no processes: compute in decide()";
 constexpr const char* no_file =
     "a team opens no file and no connection: put its data into the source";
@@ -69,7 +74,7 @@ std::string advice_on_signal(const LastWords& words) {
   }
   switch (words.address) {
     case AddressKind::null:
-      return std::string("a pointer was null: ") + in_a_debugger;
+      return std::string("a pointer was null, or a vector had no elements: ") + in_a_debugger;
     case AddressKind::end_of_stack:
       return "the stack of 8 MiB was full: look for a recursion without end, and keep large arrays "
              "as members of the team";
@@ -79,7 +84,7 @@ std::string advice_on_signal(const LastWords& words) {
       return "the stack was overwritten: look for a text or an array of a function that is longer "
              "than its room; a test that is built with -g -fsanitize=address names the line";
     default:
-      return std::string("an index or a pointer was out of bounds: ") + in_a_debugger;
+      return std::string(bad_index) + in_a_debugger;
   }
 }
 
@@ -112,12 +117,10 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
            "returns, or use a parameter";
   if (has(text, "locale"))
     return "a team's process has the locale \"C\" and no other: do without another one";
-  if (has(evidence.requests, "file ") && words.address == AddressKind::null)
+  if (has(evidence.requests, "file ") && (words.address == AddressKind::null || has(text, "threw")))
     return "it asked for a file, which no team can open: put its data into the source";
   if (has(evidence.requests, "program ") && words.address == AddressKind::null)
     return "it asked for a program, which no team can run: popen() returned null";
-  if (has(evidence.requests, "file ") && has(text, "threw"))
-    return "it asked for a file, which no team can open: put its data into the source";
   if (has(evidence.requests, "connection") && has(text, "threw")) return no_file;
   if (has(text, "threw")) {
     std::string advice = "catch it, or mend what throws it";
@@ -133,7 +136,8 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
   if (has(text, "freed") || has(text, " a block of "))
     return "build a test of yours with -g -fsanitize=address, which names the line";
   if (words.signal != 0) return advice_on_signal(words);
-  if (has(text, "ended itself")) return "return from decide() instead of calling exit()";
+  if (has(text, "ended itself")) return no_exit;
+  if (has(text, "signal 11")) return std::string(bad_index) + in_a_debugger;
   return in_a_debugger;
 }
 
@@ -141,6 +145,14 @@ constexpr const char* methods =
     "the methods are __init__(self, setup), decide(self, now) and place(self, now, placement)";
 constexpr ErrorAdvice python_errors[] = {
     {"coroutine object", "write def decide(self, now), without async"},
+    {"place() left something", "write placement.robots[i] = Pose(x, y, heading)"},
+    {"no known parent package", one_file},
+    {"name 'quit' is not", no_exit},
+    {"name 'exit' is not", no_exit},
+    {"RecursionError", "look for a method that calls itself without end"},
+    {".parameter() missing", "write self.parameter(\"name\", 0.5): 0.5 is for a leg without it"},
+    {"string to float", "a text that is no number was read as one; parameters are numbers"},
+    {".draw_", "a point is a pair: self.draw_line(\"layer\", 0xff0000ff, (0.0, 0.0), (0.1, 0.2))"},
     {"returned None", "end each way through decide() with return and the list"},
     {"decide() returned",
      "return a list with (left, right) in rad/s for each robot, as [(10.0, 10.0)] * now.robots"},
@@ -159,7 +171,7 @@ constexpr ErrorAdvice python_errors[] = {
     {"cannot import name", "team.py has the names of all functions (docs/python.md)"},
     {"object is not callable", "data has no brackets ( ) after it, and an index stands in [ ]"},
     {"Operation not permitted", "a team sends no signals and changes nothing of the system"},
-    {"ended itself", "return from decide() instead of calling exit()"},
+    {"ended itself", no_exit},
     {"multiprocessing", no_process},
     {"Too many open files", no_process},
     {"Resource temporarily unavailable", no_process},
@@ -180,10 +192,11 @@ constexpr ErrorAdvice python_errors[] = {
     {"has to call super()", "call super().__init__(setup) first in __init__()"},
     {"UnicodeDecodeError", "save the file as UTF-8"},
     {"set attribute",
-     "observation and setup are for reading: now._replace(ball_x=0.1) makes a changed copy"},
+     "what has names is for reading: now._replace(ball_x=0.1) makes a changed copy, and in place() "
+     "write placement.robots[i] = Pose(x, y, heading)"},
     {"does not support item assignment",
      "observation and setup are for reading: now._replace(ball_x=0.1) makes a changed copy"},
-    {"SystemExit", "return from decide() instead of calling exit()"}};
+    {"SystemExit", no_exit}};
 
 // A team in Python: its log has the traceback.
 std::string advice_on_python(const FaultEvidence& evidence) {
@@ -196,8 +209,7 @@ std::string advice_on_python(const FaultEvidence& evidence) {
     if (has(text, "No module named")) {
       return is_loaded
                  ? "import it at the top of the file: no file can be opened while the team plays"
-                 : "a team is one file: put its own modules into it, and use Python's library or a "
-                   "module that the host has installed";
+                 : one_file;
     }
   }
   switch (evidence.fault.code) {

@@ -52,15 +52,19 @@ void note_play(Examination& e) {
   const auto note = [&](const char* code, std::string text) {
     e.report.notes.push_back({code, std::move(text)});
   };
-  unsigned told = 0;
+  unsigned told_left = 0;
+  unsigned told_right = 0;
   double fastest = 0.0;
+  double still = 0.0;
   LegStory worst;  // of each share, the larger one
   std::string colours;
   for (const LegStory& leg : e.report.legs) {
-    told |= leg.told_robots;
+    told_left |= leg.told_left;
+    told_right |= leg.told_right;
     fastest = std::max(fastest, leg.fastest_wheel);
     worst.standing = std::max(worst.standing, leg.standing);
     worst.turning = std::max(worst.turning, leg.turning);
+    still = std::max(still, leg.standing + leg.turning);
     worst.backwards = std::max(worst.backwards, leg.backwards);
     const bool scores_for_them = leg.own_goals >= told_own_goals &&
                                  leg.own_goals > 2 * leg.score[0] &&
@@ -75,19 +79,19 @@ void note_play(Examination& e) {
                           " it plays the ball towards its own goal: you attack +x in both colours "
                           "and in both halves, and your own goal is at -x");
   }
-  if (fastest == 0.0) return;
+  if (e.report.legs.empty()) return;
+  if (fastest == 0.0) return note("never_moved", "it never turned a wheel");
   const auto percent = [](double share) { return std::to_string(std::lround(100.0 * share)); };
   if (fastest < told_wheel) {
     note("slow_wheels", "no command turned a wheel faster than " +
                             std::to_string(fastest).substr(0, 4) +
                             " rad/s: speeds of wheels are in rad/s, and not in m/s");
-  } else if (worst.standing > told_standing) {
-    note("stands", "its robots stood in " + percent(worst.standing) + " % of play");
-  }
-  if (worst.turning > told_turning) {
+  } else if (worst.turning > told_turning || still > told_standing) {
     note("turns",
-         "its robots turned in place in " + percent(worst.turning) +
-             " % of play: look at angles, which are in radians and have to be wrapped to -pi..pi");
+         "its robots stood in " + percent(worst.standing) + " % of play and turned in place in " +
+             percent(worst.turning) +
+             " %: look at angles, which are in radians and have to be wrapped to -pi..pi, and at "
+             "places, which are in metres");
   }
   if (worst.backwards > told_backwards) {
     note("backwards", "its robots drove backwards in " + percent(worst.backwards) +
@@ -95,8 +99,12 @@ void note_play(Examination& e) {
                           "at signs");
   }
   for (int i = 0; i < field::make_field(e.setup.league).robots_per_team; ++i) {
-    if ((told & (1U << static_cast<unsigned>(i))) == 0)
-      note("silent_robot", "robot " + std::to_string(i) + " never got a command to turn a wheel");
+    const unsigned bit = 1U << static_cast<unsigned>(i);
+    if ((told_left & told_right & bit) != 0) continue;
+    const bool is_silent = ((told_left | told_right) & bit) == 0;
+    const char* wheel = is_silent ? "a" : (told_left & bit) == 0 ? "its left" : "its right";
+    note("silent_robot",
+         "robot " + std::to_string(i) + " never got a command to turn " + wheel + " wheel");
   }
 }
 
@@ -105,8 +113,6 @@ void warn(Examination& e) {
   const auto warn_if = [&](bool holds, const char* code, std::string text) {
     if (holds) e.report.notes.push_back({code, std::move(text)});
   };
-  const bool has_played = e.blue.ticks() > 0;
-  warn_if(has_played && !e.report.has_moved, "never_moved", "it never turned a wheel");
   warn_if(e.report.bad_values > 0, "bad_values",
           std::to_string(e.report.bad_values) +
               " values of its commands were not finite or too large, and were zeroed or clamped");

@@ -52,7 +52,6 @@ struct EntryReport {
   match::TeamParameters unknown_parameters;  // given, but the team never asked for them
   int bad_values = 0;                        // of its commands, zeroed or clamped
   int moved_placements = 0;                  // requested places that were not legal
-  bool has_moved = false;                    // true: it turned a wheel
   std::vector<LegStory> legs;                // the whole legs against striker, as far as played
   std::vector<Note> notes;
   std::string log;

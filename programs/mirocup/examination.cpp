@@ -129,7 +129,6 @@ void note_use(Examination& e, const TrialLeg& leg, const TrialTerms& terms) {
   e.report.unknown_parameters = plugins::not_asked_for(e.terms.parameters, leg.asked_parameters);
   e.report.bad_values += leg.bad_values;
   e.report.moved_placements += leg.moved_placements;
-  e.report.has_moved = e.report.has_moved || leg.has_moved;
   if (leg.ticks() == 0 || terms.is_careful) return;  // a careful process takes longer
   e.report.slowest_tick_ms = std::max(e.report.slowest_tick_ms, leg.slowest_tick_ms);
   e.report.mean_tick_ms = 1e3 * leg.playing_seconds / leg.ticks();

@@ -121,35 +121,12 @@ Result<Json> wait_for_answer(web::HandInClient& client, int entry) {
   }
 }
 
-// Returns the check that failed, with its parts; null if none did, or its server does not tell.
-const Json* failed_check(const Json& report) {
-  const auto checks = report.find("checks");
-  if (checks == report.end() || !checks->is_array()) return nullptr;
-  const auto failed = std::find_if(checks->begin(), checks->end(), [](const Json& check) {
-    return !text_in(check, "what").empty();
-  });
-  return failed == checks->end() ? nullptr : &*failed;
-}
-
 void print_answer(const Json& report) {
   std::string message = text_in(report, "message");
   if (message.empty()) message = text_in(report, "reason");
-  if (const Json* failed = failed_check(report)) {
-    // "...; entry 10 plays on"
-    const std::size_t last = message.rfind("; ");
-    const std::string plays =
-        last == std::string::npos ? "nothing changes" : message.substr(last + 2);
-    for (const auto& [name, part] :
-         {std::pair{"what:  ", "what"}, {"where: ", "where"}, {"do:    ", "cure"}})
-      std::cout << name << system::printable(text_in(*failed, part)) << '\n';
-    std::cout << "plays: " << system::printable(plays) << '\n';
-  } else {
-    std::cout << system::printable(message) << '\n';
-    for (const Json& check : report.value("checks", Json::array())) {
-      if (text_in(check, "name").starts_with("leg_"))
-        std::cout << "  " << system::printable(text_in(check, "text")) << '\n';
-    }
-  }
+  std::cout << system::printable(message) << '\n';
+  for (const Json& line : report.value("told", Json::array()))
+    std::cout << "  " << system::printable(line.get<std::string>()) << '\n';
   for (const Json& note : report.value("notes", Json::array()))
     std::cout << "warning: " << system::printable(text_in(note, "text")) << '\n';
   const std::string log = text_in(report, "log");

@@ -21,7 +21,8 @@ void LegWatch::look() {
     const auto wheels = leg_.answers()[index_of(team_)].speeds(i);
     const double faster = std::max(std::abs(wheels.left), std::abs(wheels.right));
     sums_.fastest_wheel = std::max(sums_.fastest_wheel, faster);
-    if (faster > 0.0) sums_.told_robots |= 1U << static_cast<unsigned>(i);
+    if (wheels.left != 0.0) sums_.told_left |= 1U << static_cast<unsigned>(i);
+    if (wheels.right != 0.0) sums_.told_right |= 1U << static_cast<unsigned>(i);
   }
   if (leg_.state() == match::State::PLAY) {
     look_at_robots();

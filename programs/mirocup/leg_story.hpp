@@ -22,7 +22,8 @@ struct LegStory {
   double fastest_wheel = 0.0;    // commanded by the entry, rad/s
   double towards_own_end = 0.0;  // share of the speed that its touches gave the ball
   double given_speed = 0.0;      // all of that speed, m/s
-  unsigned told_robots = 0;      // bit i: a command turned a wheel of robot i
+  unsigned told_left = 0;        // bit i: a command turned the left wheel of robot i
+  unsigned told_right = 0;       // the same of the right wheels
 };
 
 // Watches the leg of an entry tick by tick.

@@ -2,6 +2,7 @@
 //
 // mirocup new DIR: writes a team that builds, or in Python plays, without changes: a new one, or an
 // old one of SimuroSot.
+#include "plugins/host/team_host.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "programs/mirocup/old_sources.hpp"
 #include "programs/mirocup/old_text.hpp"
@@ -55,8 +56,7 @@ std::string named_after(const std::string& folder) {
                           c != '\\' && c != '?' && c != '@';
     name += is_plain ? c : '_';
   }
-  constexpr std::size_t longest = 63;  // bytes, of a team's name
-  return name.empty() || name.size() > longest ? "mine" : name;
+  return name.empty() || name.size() > plugins::max_own_name ? "mine" : name;
 }
 
 using Words = std::vector<std::pair<std::string, std::string>>;
@@ -143,9 +143,12 @@ Result<int> run_new(const NewOptions& options) {
   if (!options.simurosot.empty()) {
     MIROCUP_TRY_VOID(adopt(disk, kit, options, *old, words));
   } else {
-    for (const auto& file : fs::directory_iterator(templates)) {
-      MIROCUP_TRY_VOID(write_filled(disk, file.path(), folder, words));
+    std::vector<fs::path> files(fs::directory_iterator{templates}, fs::directory_iterator{});
+    // A team in C is built as one in C++.
+    for (const char* name : {"CMakePresets.json", "debug", "watch"}) {
+      if (options.language == "c") files.push_back(fs::path(kit.templates) / "c++" / name);
     }
+    for (const fs::path& file : files) MIROCUP_TRY_VOID(write_filled(disk, file, folder, words));
   }
   std::cout << system::printable(folder) << ": a team. "
             << (options.language == "python" ? "Test" : "Build, test") << " and check it: cd "

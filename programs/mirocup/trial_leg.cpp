@@ -98,11 +98,6 @@ class Meter {
   double delay_before_;
 };
 
-bool turns_a_wheel(const match::DrivenCommand& command) {
-  return std::any_of(command.wheels.begin(), command.wheels.end(),
-                     [](const auto& wheels) { return wheels[0] != 0 || wheels[1] != 0; });
-}
-
 int moved_placements(const match::Leg& leg, Team team) {
   return static_cast<int>(std::count_if(
       leg.decisions().begin(), leg.decisions().end(), [team](const match::LoggedDecision& logged) {
@@ -167,10 +162,6 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   played.story = watch.story();
   played.bad_values = leg.bad_values()[index_of(terms.team)];
   played.moved_placements = moved_placements(leg, terms.team);
-  played.has_moved =
-      std::any_of(played.log.begin(), played.log.end(), [&](const match::TickLog& tick) {
-        return turns_a_wheel(tick.commands[index_of(terms.team)]);
-      });
   played.start_seconds = own.start_seconds();
   played.playing_seconds = own.playing_seconds();
   played.slowest_tick_ms = own.slowest_tick_ms();

@@ -42,7 +42,6 @@ struct TrialLeg {
   std::vector<match::TickLog> log;
   int bad_values = 0;                          // values of commands that were zeroed or clamped
   int moved_placements = 0;                    // requested places that were not legal
-  bool has_moved = false;                      // true: a command turned a wheel
   double start_seconds = 0.0;                  // to load and create
   double playing_seconds = 0.0;                // processor time
   double slowest_tick_ms = 0.0;                // processor time

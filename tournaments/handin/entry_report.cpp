@@ -58,24 +58,30 @@ std::string verdict_text(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
+// Returns what follows the reason of a refusal in its message: "entry 10 plays on".
+std::string plays_on(const std::string& message, const std::string& reason) {
+  const std::size_t at = message.find(reason);
+  const std::size_t end = at == std::string::npos ? at : at + reason.size() + 2;
+  return end < message.size() ? message.substr(end) : "nothing changes";
+}
+
 // Returns the answer in lines: what was wrong, where, what to do and what plays; of a good entry
 // the scores of its legs.
-Json told_by(const Json& verdict, const std::string& message) {
+Json told_by(const Json& verdict, const std::string& plays) {
   Json lines = Json::array();
   if (!verdict.is_object()) return lines;
   for (const Json& check : verdict.value("checks", Json::array())) {
-    if (!verdict_text(check, "what").empty()) {
-      const std::size_t last = message.rfind("; ");
-      lines = {"What: " + verdict_text(check, "what"), "Where: " + verdict_text(check, "where"),
-               "Do: " + verdict_text(check, "cure")};
-      if (last != std::string::npos) lines.push_back("Plays: " + message.substr(last + 2));
-      return lines;
-    }
-    // "plays 120 s of a leg: 3 : 1 against striker as blue; its robots ..."
-    const std::string text = verdict_text(check, "text");
-    const std::size_t begin = text.find(": ");
-    if (verdict_text(check, "name").starts_with("leg_") && begin != std::string::npos)
-      lines.push_back(text.substr(begin + 2, text.find(';') - begin - 2));
+    if (verdict_text(check, "what").empty()) continue;
+    return {"What: " + verdict_text(check, "what"), "Where: " + verdict_text(check, "where"),
+            "Do: " + verdict_text(check, "cure"), "Plays: " + plays};
+  }
+  for (const Json& leg : verdict.value("legs", Json::array())) {
+    const Json score = leg.value("score", Json::array());
+    if (score.size() != 2) continue;
+    const int own_goals = leg.value("own_goals", 0);
+    lines.push_back(score[0].dump() + " : " + score[1].dump() + " against " +
+                    verdict_text(leg, "opponent") + " as " + verdict_text(leg, "colour") +
+                    (own_goals > 0 ? ", own goals: " + std::to_string(own_goals) : ""));
   }
   return lines;
 }
@@ -124,7 +130,8 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
     const bool has_reason = report["state"] != to_string(HandInState::accepted);
     report["reason"] = has_reason ? text_or_null(reason.empty() ? message : reason) : Json();
     report["message"] = text_or_null(message);
-    report["told"] = told_by(verdict, message);
+    if (has_reason) report["plays"] = plays_on(message, reason);
+    report["told"] = told_by(verdict, report.value("plays", ""));
     if (is_whole && verdict.is_object()) {
       for (const char* key : {"checks", "notes", "timing", "peak_memory_bytes", "isolation"}) {
         if (verdict.contains(key)) report[key] = verdict[key];

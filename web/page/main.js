@@ -27,6 +27,8 @@ const player = new Player(track, reel, show);
 const calls = new Calls(by('calls'), by('marks'), by('banner'), names, (tick) => player.seek(tick * leg.period), leg.score);
 const shownTick = () => Math.floor(player.time / leg.period + 1e-6);
 const momentAt = (tick) => viewer.momentAt(tick);
+// A goal of this tick counts; the moment that has it begins with the next one.
+const scoreAt = (tick) => viewer.momentAt(tick + 1).score;
 const shareOf = (tick) => viewer.shareOf(tick);
 const curve = new MomentumView(by('momentum'), (share) =>
   player.seek((track.firstTick + share * (track.lastTick - track.firstTick)) * leg.period));
@@ -47,7 +49,7 @@ function show() {
   curve.show(shareOf(player.time / leg.period));
   by('slow').hidden = !(player.isPlaying && reel.isSlow(player.time));
   const isOver = result !== null && tick >= track.lastTick;
-  const score = isOver ? result.score : moment.score;
+  const score = isOver ? result.score : scoreAt(tick);
   by('score').textContent = `${score.blue} : ${score.yellow}`;
   by('phase').textContent = isOver ? words(result.end) : words(moment.phase);
   by('clock').textContent = minutes(scene.clock);
@@ -258,7 +260,9 @@ async function saveClip() {
   const to = player.time > player.begin + 1 ? player.time : Math.min(player.begin + clipSeconds, player.end);
   const painter = new Painter(picture);
   const paint = (time) => {
-    const { score, left } = momentAt(Math.floor(time / leg.period + 1e-6));
+    const tick = Math.floor(time / leg.period + 1e-6);
+    const { left } = momentAt(tick);
+    const score = scoreAt(tick);
     painter.paint(track.at(time), { leftTeam: left, names, text: `${score.blue} : ${score.yellow}` });
   };
   try {

@@ -154,11 +154,14 @@ export class ThoughtsView {
   }
 
   async add(team, name, { thoughts, log }) {
+    const known = thoughts ? new Thoughts(await unpackText(thoughts)) : null;
+    const draws = known !== null && known.layers.length + known.values.size > 0;
+    if (!draws && !log) return;
     const part = element('section', `own ${team}`);
-    part.append(element('h2', '', `Thoughts of ${name}`));
+    part.append(element('h2', '', `${draws ? 'Thoughts' : 'Log'} of ${name}`));
     this.place.append(part);
     this.place.hidden = false;
-    if (thoughts) this.#addThoughts(part, team, new Thoughts(await unpackText(thoughts)));
+    if (draws) this.#addThoughts(part, team, known);
     if (log) {
       const details = element('details');
       this.logs[team] = new TeamLog(log);

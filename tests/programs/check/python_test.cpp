@@ -119,7 +119,16 @@ TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
        {"line 5", "one thread"}},
       {team_that("return 3.0"), "ticks", {"decide() returned 3.0", "(left, right)"}},
       {team_that("return [('fast', 1)]"), "ticks", {"for robot 0", "rad/s"}},
-      {team_that("sys.exit(0)", "import sys\n"), "ticks", {"SystemExit", "return from decide()"}},
+      {team_that("sys.exit(0)", "import sys\n"), "ticks", {"SystemExit", "calling exit()"}},
+      {team_that("quit()"), "ticks", {"line 4", "calling exit()"}},
+      {team_that("return self.decide(now)"), "ticks", {"without end"}},
+      {team_that("self.parameter('k')"), "ticks", {"self.parameter(\"name\", 0.5)"}},
+      {team_that("self.draw_line('a', 255, 0, 0, 1, 1)"), "ticks", {"a point is a pair"}},
+      {team_that("return []", "from .helper import plan\n"), "loads", {"one file"}},
+      {team_that("return []\n    def place(self, now, placement):\n"
+                 "        placement.robots[1] = (0.1, 0.2)"),
+       "ticks",
+       {"robots[1]", "Pose(x, y, heading)"}},
       {team_that("return self.speed if now.tick > 90 else []"),
        "ticks",
        {"line 4", "AttributeError", "tick 91", "breakpoint()", "set it in __init__()"}},
@@ -194,13 +203,16 @@ TEST_F(PythonTeams, AreWarned) {
                                  "        keep_laws(self.setup, now, wheels)\n"
                                  "        return wheels if now.own[-1].x < 9 else []\n"
                                  "    def place(self, now, placement):\n"
-                                 "        return [(0.0, 0.0, 0.0)]\n"),
+                                 "        placement.robots[1] = (-0.3, 0.2, 90)\n"
+                                 "        return [(0.0, 0.0, 0.0)]\n"
+                                 "    name = 5\n"),
             0);
   const std::string notes = report["notes"].dump();
   for (const char* part :
        {"which is no name", "more than 32 parameters", "more than 200 shapes",
         "change placement.robots", "robot 2 never got a command", "rad/s", "wheels = keep_laws(",
-        "the index -1 of a robot counts from the last one"})
+        "the index -1 of a robot counts from the last one", "robot 1 the heading 90",
+        "the name of the team is 5"})
     EXPECT_NE(notes.find(part), std::string::npos) << part << " in " << notes;
 }
 

@@ -55,6 +55,8 @@ TEST_F(Compile, SaysWhatTheCompilerSays) {
   EXPECT_EQ(compile("int x;\n", "-o.c").exit_code, 0) << "a name is no option";
   const Outcome header = compile("#include <Eigen/Dense>\n");
   EXPECT_NE(header.out.find("the files of an archive"), std::string::npos) << header.out;
+  const Outcome name = compile("int a = attack_ball();\n");
+  EXPECT_NE(name.out.find("lacks a header"), std::string::npos) << name.out;
   const Outcome module = compile("#include <vector>\nimport mine;\n");
   EXPECT_NE(module.out.find("write headers"), std::string::npos) << module.out;
 }

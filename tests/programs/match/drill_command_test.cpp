@@ -102,13 +102,34 @@ TEST(DrillCommand, GradesSeveralTeamsIntoOneCsvEvenIfOneDies) {
   EXPECT_EQ(rows[1].rfind("class,mine,", 0), 0u);
   EXPECT_TRUE(rows[1].ends_with(",5")) << "the drill's version: " << rows[1];
   EXPECT_EQ(rows[2].rfind("class,all,", 0), 0u);
-  EXPECT_EQ(rows[3].rfind("gives_up,mine,0.0,", 0), 0u) << rows[3];
+  EXPECT_EQ(rows[3].rfind("gives up,mine,0.0,", 0), 0u) << rows[3];
+}
+
+// The library of each project of `mirocup new` is team.so. Catches reports and replays that are
+// named after the file, and a name on the command line that gives way to the library's own.
+TEST(DrillCommand, CallsATeamAsItCallsItself) {
+  const TemporaryFolder folder;
+  std::string too_short = own_drill;
+  too_short.replace(too_short.find("\"seconds\": 4"), 12, "\"seconds\": 0.1");
+  std::ofstream(folder / "mine.json") << too_short;
+  const std::string team = folder / "team.so";
+  std::filesystem::copy_file(program("teams/draws.so"), team);
+  const Outcome tried = drill({folder / "mine.json", team, "other=" + team, "--json", "--tries",
+                               "1", "--replay", folder / "failed"});
+  ASSERT_EQ(tried.exit_code, 0) << tried.err;
+  const Json teams = Json::parse(tried.out)["teams"];
+  EXPECT_EQ(teams[0]["team"], "draws");
+  EXPECT_EQ(teams[1]["team"], "other");
+  EXPECT_TRUE(std::filesystem::exists(folder / "failed/draws-mine-1.html"));
+  EXPECT_EQ(drill({folder / "mine.json", team, team, "--replay", folder / "failed"}).exit_code, 2);
 }
 
 TEST(DrillCommand, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   std::ofstream(folder / "bad.json") << R"({"schema": "mirocup/drill/1", "title": 3})";
   EXPECT_EQ(drill({"no-such-drill", "idle"}).exit_code, 2);
+  EXPECT_NE(drill({program("teams/draws.so"), "touch-the-ball"}).err.find("stands before"),
+            std::string::npos);
   EXPECT_EQ(drill({"all"}).exit_code, 2);
   EXPECT_EQ(drill({"turn-the-ball", "no-such-team"}).exit_code, 2);
   EXPECT_EQ(drill({"turn-the-ball", "dds:team"}).exit_code, 2);

@@ -25,10 +25,10 @@ const seconds = (tick) => (tick * leg.control_period).toFixed(3);
 const text = (page, id) => page.locator(`#${id}`).textContent();
 
 test('a link to the second of a goal shows it, and the score after it', async () => {
-  const page = await openPage(`${address}#t=${seconds(goal.tick + 0.01)}`);
-  assert.match(await text(page, 'banner'), /^Goal/);
+  const page = await openPage(`${address}#t=${seconds(goal.tick - 0.99)}`);
   assert.equal(await text(page, 'score'), '0 : 0');
   await page.keyboard.press('.');
+  assert.match(await text(page, 'banner'), /^Goal/);
   const score = goal.team === 'blue' ? '1 : 0' : '0 : 1';
   assert.equal(await text(page, 'score'), score);
   await page.keyboard.press('End');

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -50,6 +51,41 @@ TEST(ThoughtsPage, CountsWhatItDoesNotTake) {
   draw_line(nullptr, "l", 0, 0, 0, 1, 1);
   TeamHost silent;
   draw_line(&silent, "l", 0, 0, 0, 1, 1);  // nothing is kept, and nothing happens
+}
+
+// Catches a note that comes in each tick, and one about what is meant: a heading of -pi, no wheels.
+TEST(TeamHost, TellsOnceOfWhatIsHardlyMeant) {
+  const auto told_of = [](const mirocup_placement& placement, const mirocup_command& command,
+                          std::uint32_t colour, double x) {
+    TeamHost host;
+    testing::internal::CaptureStderr();
+    for (int i = 0; i < 2; ++i) {
+      note_units(host, placement, 3);
+      note_command(host, command, 3);
+      draw_line(&host, "l", colour, x, 0, 1, 1);
+    }
+    return testing::internal::GetCapturedStderr();
+  };
+  mirocup_placement placement{};
+  placement.robots[1] = {-0.7, 0.2, -6.2831};
+  placement.robots[4].heading = 90.0;  // of a robot that is not there
+  mirocup_command command{};
+  command.wheels[2].left = 3.0;
+  EXPECT_EQ(told_of(placement, command, 0, 0.0), "");
+  placement.robots[1] = {-40.0, 10.0, -45.0};
+  command.wheels[3].right = 3.0;
+  const std::string told = told_of(placement, command, 0xff0000, NAN);
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 5) << told;
+  for (const char* part :
+       {"robot 1 the heading -45", "(-40, 10)", "which are 0 to 2", "0x00ff0000", "not finite"})
+    EXPECT_NE(told.find(part), std::string::npos) << part << told;
+  TeamHost host;
+  testing::internal::CaptureStderr();
+  note_own_name(host, "St\xc3\xbcrmer");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  testing::internal::CaptureStderr();
+  note_own_name(host, std::string(41, 'x'));
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("is not shown"), std::string::npos);
 }
 
 // Catches a server that believes a page that the team's process wrote itself.

@@ -128,6 +128,7 @@ class Mistakes : public Team {
   void place(const Observation& now, Placement& placement) override {
     fail_at_a_restart(now);
     if (mistake_ == Mistake::throws_in_place && now.tick > 300) throw std::out_of_range("places");
+    if (mistake_ == Mistake::places_in_degrees) placement.robots[1].heading = 90.0;
     if (mistake_ != Mistake::illegal_places) return;
     for (int i = 0; i < now.robots; ++i) placement.robots[i] = {0.0, 0.0, 0.0};
   }
@@ -440,6 +441,19 @@ void Mistakes::do_no_harm(const Observation& now, Command& command) {
       return;
     case Mistake::opponent_that_is_not_there:
       command.wheels[0].left += now.opponent[now.robots].x;
+      return;
+    case Mistake::one_robot_too_many:
+      for (int i = 0; i <= now.robots; ++i)
+        command.wheels[i] = drive_to(setup(), now.own[i], ball(now));
+      return;
+    case Mistake::one_wheel:
+      for (int i = 0; i < now.robots; ++i) command.wheels[i] = {30.0, 0.0};
+      return;
+    case Mistake::turns_in_degrees:
+      for (int i = 0; i < now.robots; ++i) {
+        const double angle = atan2(now.ball_y - now.own[i].y, now.ball_x - now.own[i].x);
+        command.wheels[i] = turn_to(setup(), now.own[i], angle * 180.0 / pi);
+      }
       return;
     case Mistake::chance_without_seed: {
       static std::mt19937 engine;

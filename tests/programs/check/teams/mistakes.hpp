@@ -99,6 +99,10 @@ enum class Mistake {
   tries_a_program,
   reads_input,
   leaks_a_little,
+  places_in_degrees,
+  one_robot_too_many,
+  one_wheel,
+  turns_in_degrees,
   a_little_slow,  // 1.5 ms in each tick
 };
 
