@@ -287,8 +287,13 @@ std::vector<WorthWatching> worth_watching(const Overview& o, int team, std::size
     return a.excitement.points > b.excitement.points;
   });
   std::vector<WorthWatching> best;
-  for (std::size_t i = 0; i < std::min(most, legs.size()); ++i) {
-    if (legs[i].excitement.points > 0) best.push_back({legs[i].leg, legs[i].excitement.why});
+  for (const Candidate& one : legs) {
+    if (best.size() == most || one.excitement.points <= 0) break;
+    // The legs of a fixture are often mirror images.
+    const bool is_second = std::any_of(best.begin(), best.end(), [&](const WorthWatching& other) {
+      return other.leg->fixture == one.leg->fixture;
+    });
+    if (!is_second) best.push_back({one.leg, one.excitement.why});
   }
   return best;
 }

@@ -28,9 +28,9 @@ struct WorthWatching {
   std::string why;  // "the lead changed twice, decided 8 s before the end"
 };
 
-// Returns the most exciting legs, the best first: legs with changes of the lead, with a late
-// decision, with a close score, with many goals, or won by the far weaker team. `team`: only its
-// legs; no_team: all.
+// Returns the most exciting legs, the best first and one of each fixture: legs with changes of the
+// lead, with a late decision, with a close score, with many goals, or won by the far weaker team.
+// `team`: only its legs; no_team: all.
 std::vector<WorthWatching> worth_watching(const Overview& overview, int team, std::size_t most);
 
 }  // namespace mirocup::league
