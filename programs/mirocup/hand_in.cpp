@@ -124,9 +124,11 @@ Result<Json> wait_for_answer(web::HandInClient& client, int entry) {
 void print_answer(const Json& report) {
   std::string message = text_in(report, "message");
   if (message.empty()) message = text_in(report, "reason");
-  std::cout << system::printable(message) << '\n';
-  for (const Json& line : report.value("told", Json::array()))
-    std::cout << "  " << system::printable(line.get<std::string>()) << '\n';
+  const Json told = report.value("told", Json::array());
+  const bool is_whole =
+      report.contains("plays") && !told.empty();  // the message is the same chained
+  if (!is_whole) std::cout << system::printable(message) << '\n';
+  for (const Json& line : told) std::cout << system::printable(line.get<std::string>()) << '\n';
   for (const Json& note : report.value("notes", Json::array()))
     std::cout << "warning: " << system::printable(text_in(note, "text")) << '\n';
   const std::string log = text_in(report, "log");

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/desk_html.hpp"
 
+#include "system/formatted.hpp"
 #include "tournaments/publish/page_values.hpp"
-
-#include <cstdio>
 
 namespace mirocup::league {
 
@@ -32,9 +31,10 @@ std::string text_in(const Json& object, const char* key) {
 std::string number_text(const Json& object, const char* key, const char* format) {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_number()) return "";
-  char text[32];
-  std::snprintf(text, sizeof text, format, found->get<double>());
-  return text;
+  const std::string text = system::formatted(format, found->get<double>());
+  const bool is_minus_zero =
+      text.starts_with('-') && text.find_first_of("123456789") == std::string::npos;
+  return is_minus_zero ? text.substr(1) : text;
 }
 
 }  // namespace mirocup::league

@@ -14,7 +14,7 @@ const metre = 0.0005;  // of a unit of a frame
 const radian = (2 * Math.PI) / 2048;  // likewise
 
 const halfTurned = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle));
-const withUnit = (value, digits, unit) => `${(Math.abs(value) < 0.5 * 10 ** -digits ? 0 : value).toFixed(digits)} ${unit}`;
+const withUnit = (value, digits, unit) => (Number.isNaN(value) ? '–' : `${(Math.abs(value) < 0.5 * 10 ** -digits ? 0 : value).toFixed(digits)} ${unit}`);
 
 export class Inspector {
   // `place`: for the numbers; `body`: the choice of robots; `names`: of the teams. `wheels`: packed rows of the page's data, or nothing; `own(team, tick)`:
@@ -75,7 +75,9 @@ export class Inspector {
     const [now, before] = [track.frames[at], track.frames[Math.max(at - 1, 0)]];
     const [x, y] = [now[column] * metre, now[column + 1] * metre];
     const heading = now[column + 2] * radian;
-    const seconds = Math.max(track.ticks[at] - track.ticks[Math.max(at - 1, 0)], 1) * track.period;
+    // A robot that was lifted to its place has no speed.
+    const { stays } = track.at((track.ticks[at] - 0.5) * track.period).robots[this.index];
+    const seconds = stays ? NaN : Math.max(track.ticks[at] - track.ticks[Math.max(at - 1, 0)], 1) * track.period;
     const [dx, dy] = [x - before[column] * metre, y - before[column + 1] * metre];
     const row = this.rows && [...this.rows[at]].slice(5 * this.index, 5 * this.index + 5);
     const [ballX, ballY] = [now[1] * metre, now[2] * metre];

@@ -85,7 +85,7 @@ export class Track {
     const robots = [];
     for (let i = 3; i < now.length; i += 3) {
       const { x, y, stays } = point(i);
-      robots.push({ x, y, degrees: -between(i + 2, stays) * headingUnit });
+      robots.push({ x, y, stays, degrees: -between(i + 2, stays) * headingUnit });
     }
     return { tick: this.ticks[index], clock: now[0] * clockUnit, ball: point(1), robots };
   }

@@ -31,6 +31,13 @@ test('a link to the second of a goal shows it, and the score after it', async ()
   assert.match(await text(page, 'banner'), /^Goal/);
   const score = goal.team === 'blue' ? '1 : 0' : '0 : 1';
   assert.equal(await text(page, 'score'), score);
+  await page.keyboard.press('.');  // the robots were lifted to their places
+  const speeds = [];
+  for (let robot = 0; robot < 6; ++robot) {
+    await page.selectOption('#inspected', String(robot));
+    speeds.push(/Speed\s*(–|-?[\d.]+)/.exec(await text(page, 'inspector'))[1]);
+  }
+  assert.ok(speeds.includes('–') && speeds.every((speed) => speed === '–' || Math.abs(speed) < 4), speeds.join(' '));
   await page.keyboard.press('End');
   const { blue, yellow } = leg.result.score;
   assert.equal(await text(page, 'score'), `${blue} : ${yellow}`);

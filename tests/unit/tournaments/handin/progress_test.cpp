@@ -4,6 +4,8 @@
 // move, and a comparison over house teams that only one entry has met.
 #include "tournaments/handin/progress.hpp"
 
+#include "tournaments/handin/desk_html.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -89,6 +91,11 @@ TEST(Progress, ComparesTheDrillsThatBothHaveTried) {
 TEST(Progress, SaysNothingBeforeThereIsAny) {
   EXPECT_EQ(progress_of(Json::array(), no_drills), Json::array());
   EXPECT_EQ(change_in_words(progress_of(Json::array({leg(1, "house:idle", 1, 0)}), no_drills)), "");
+}
+
+TEST(Progress, ShowsNoMinusBeforeZero) {
+  EXPECT_EQ(number_text({{"rating", -0.2}}, "rating", "%+.0f"), "0");
+  EXPECT_EQ(number_text({{"rating", -0.6}}, "rating", "%+.0f"), "-1");
 }
 
 }  // namespace
