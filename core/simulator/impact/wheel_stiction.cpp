@@ -67,20 +67,23 @@ void arrest_slow_slip(const collision::StaticWorld& world,
   const double slip_of_series = std::sqrt(2.0 * braking * world.tolerances.series_height);
   BodySet touching;
   BodySet hit;
-  BodySet in_series;
+  std::array<double, max_partners> approach_in_series{};  // m/s, the fastest of each body
   for (const collision::Contact& c : contacts) {
     touching |= bodies_of(c.pair);
     if (c.impact.impulse == 0.0) continue;
     hit |= bodies_of(c.pair);
-    if (c.impact.restitution_threshold > first) in_series |= bodies_of(c.pair);
+    if (c.impact.restitution_threshold <= first) continue;
+    for (const int partner : {c.pair.a, c.pair.partner}) {
+      double& approach = approach_in_series[partner];
+      approach = std::max(approach, c.impact.approach);
+    }
   }
   std::array<int, max_robots> slow;
   std::size_t count = 0;
   double max_limit = 0.0;  // m/s
   for (int i = 0; i < world.robots; ++i) {
-    const double limit = !hit[i]        ? world.tolerances.slow_motion
-                         : in_series[i] ? slip_of_series
-                                        : first;
+    const double limit = !hit[i] ? world.tolerances.slow_motion
+                                 : std::max(first, std::min(slip_of_series, approach_in_series[i]));
     const double slip = std::abs(bodies[i].twist.left);
     if (!touching[i] || !drives[i].wheels_on_ground || slip > limit) continue;
     slow[count++] = i;

@@ -24,9 +24,11 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
 
 // Removes lateral slip too slow to simulate: slip caused by an impact, or alternating slip in a
 // wedge. Applies to every robot in contact with its wheels on the ground. The limits are of
-// Tolerances: the slip over series_height for a robot in a series of impacts,
-// first_restitution_threshold for another robot that the impact hit, and slow_motion for the
-// rest. To be called after the impact of these contacts was resolved.
+// Tolerances: the slip over series_height for a robot in a series of impacts, but no more than the
+// approach that the impact ended, first_restitution_threshold for another robot that the impact
+// hit, and slow_motion for the rest. A contact that only grazes takes no slip: it may open at once,
+// and the impulse that takes the slip would press on it. To be called after the impact of these
+// contacts was resolved.
 void arrest_slow_slip(const collision::StaticWorld& world,
                       std::span<const trajectory::DriveReference> drives,
                       std::span<collision::Contact> contacts,

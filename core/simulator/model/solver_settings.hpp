@@ -158,7 +158,7 @@ inline constexpr struct RestThresholdsSettings {
   // of the tick, or of the time since the last impact, whichever is longer.
   double times_between_impacts = 2.0;
   int bodies_of_least_budget = 7;  // a smaller world has the budget of this many
-  int budget_divisor = 32;     // [1] of the budget, for bodies that went over it in the last tick
+  int budget_divisor = 8;      // [1] of the budget, for bodies that went over it in the last tick
   int large_island = 5;        // [bodies] then stepped from the start of the tick
   double forced_growth = 8.0;  // [1] of min_duration() where it forced the end of a curve
   double max_min_duration = 2e-3;  // [s]

@@ -39,13 +39,13 @@ struct Tolerances {
   double slow_motion =
       1e-7;  // m/s: slower wheels and a slower ball in contact do not slide or roll
   // Event budget of a tick, for each body of the world and at least for seven. An event with n
-  // bodies costs n^2, or n for one or two: seven bodies have 224 events of two, 28 of four or 10 of
+  // bodies costs n^2, or n for one or two: seven bodies have 280 events of two, 35 of four or 11 of
   // all. The bodies of an event beyond the budget are time-stepped for the rest of the tick,
-  // together with the bodies that they touch. In the next tick they have a thirty-second of the
-  // budget, and an island of five or more moving bodies is time-stepped from the start: a lasting
-  // scrum costs steps, a single crowded tick costs events. With a budget of 0 every body in contact
-  // is always time-stepped.
-  int event_budget = 64;
+  // together with the bodies that they touch. In the next tick they have an eighth of the budget,
+  // and an island of five or more moving bodies is time-stepped from the start: a lasting scrum
+  // costs steps, a single crowded tick costs events. With a budget of 0 every body in contact is
+  // always time-stepped.
+  int event_budget = 80;
 
   // ---- time stepping
   double max_step = 3e-3;              // s: longest step

@@ -11,11 +11,11 @@
 namespace mirocup::pitch {
 namespace {
 
-// Two robots for 20 s, one of each team: bodies 0 and 1, and the ball.
-Recording twenty_seconds() {
+// Two robots for 40 s, one of each team: bodies 0 and 1, and the ball.
+Recording forty_seconds() {
   test_support::DrivenPitch driven;
   driven.truth = test_support::random_pitch(10);
-  driven.seconds = 20.0;
+  driven.seconds = 40.0;
   return test_support::recording_of(driven);
 }
 
@@ -29,7 +29,7 @@ bool overlap(const Window& a, const Window& b) {
 // Catches hits that are left out because wheels slide before them, which most do: then a minute
 // tells no restitution of robots. And pictures that count twice.
 TEST(Cuts, HitsHaveWindowsWhetherWheelsHoldOrSlide) {
-  const Recording recording = twenty_seconds();
+  const Recording recording = forty_seconds();
   const Footage footage(recording);
   const std::vector<Window> meet = meetings(footage, {});
   EXPECT_GT(meet.size(), 8U);
