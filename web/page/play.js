@@ -37,7 +37,7 @@ const acts = {
   },
   back({ ticks }) {
     const { teams } = session;
-    if (!session.back(Math.min(ticks, session.leg.tick))) return look();
+    if (!session.back(Math.max(1, Math.min(ticks, session.leg.tick)))) return look();
     if (JSON.stringify(session.teams) !== JSON.stringify(teams)) session.seat(teams);
     return lookAnew({ isBack: true });
   },

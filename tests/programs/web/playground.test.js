@@ -157,6 +157,9 @@ test('bodies are moved by mouse and keys, and a situation and a drill are saved'
   assert.ok(Math.abs(blue[2].pose[1] - start.blue[2].pose[1] - 0.02) < 0.001, JSON.stringify([start.blue[2], blue[2]]));
   assert.notDeepEqual(blue[2].pose[2], start.blue[2].pose[2]);
   assert.deepEqual(blue[1].pose, start.blue[1].pose);
+  await page.keyboard.press(',');  // at the first tick after a move, the move itself is taken back
+  const { blue: unturned } = await savedJson(page, '#hand_situation');
+  assert.deepEqual(unturned[2].pose[2], start.blue[2].pose[2]);
   await page.selectOption('#hand_event', 'touch');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#hand_drill')]);
   const drill = join(folder, 'drill.json');
