@@ -13,11 +13,13 @@ let leg;
 let goal;
 
 before(() => {
-  run(...match('--half', '40', '--seed', '3', '--record', record));
+  for (let seed = 3; !goal; ++seed) {  // most legs of 80 s have a goal
+    assert.ok(seed < 20, 'no leg has a goal');
+    run(...match('--half', '40', '--seed', String(seed), '--record', record));
+    leg = readJson(record);
+    goal = leg.decisions.find((call) => call.decision === 'GOAL');
+  }
   run('replay', record, '-o', join(folder, 'leg.html'));
-  leg = readJson(record);
-  goal = leg.decisions.find((call) => call.decision === 'GOAL');
-  assert.ok(goal, 'the leg of this seed has a goal');
 });
 after(closeBrowser);
 
