@@ -15,31 +15,31 @@ namespace mirocup::league {
 
 enum class FormatKind { double_round_robin, round_robin, groups, knockout, swiss, ladder, nightly };
 
-// A kind with its settings. Settings that do not concern the kind are ignored.
+// A kind with its settings. Settings of other kinds are ignored.
 struct Format {
   FormatKind kind = FormatKind::double_round_robin;
-  int legs = legs_per_fixture;  // per pair in a round robin or a group; per tie in a knockout
+  int legs = legs_per_fixture;  // of each pair of teams, or of each tie of a knockout
   int groups = 2;
   int qualifiers = 2;  // teams of each group that enter the knockout
   bool third_place = true;
-  int rounds = 0;     // Swiss; 0: usual_swiss_rounds()
-  int sample = 4;     // ladder: opponents of a new entry
-  int opponents = 0;  // nightly: opponents of each team in a night; 0: all others
+  int rounds = 0;     // of a Swiss tournament; 0: usual_swiss_rounds()
+  int sample = 4;     // the number of opponents of a new entry in a ladder
+  int opponents = 0;  // of each team in a night; 0: all other teams
 
   bool has_knockout() const { return kind == FormatKind::groups || kind == FormatKind::knockout; }
 
-  // True if the league also takes entries after the start. Its table counts the results of the
-  // present entries, and ranks by points per leg.
+  // True if the league also takes entries after the start. The table of such a league counts only
+  // results of present entries, and ranks by points per leg.
   bool takes_entries() const { return kind == FormatKind::ladder || kind == FormatKind::nightly; }
   int swiss_rounds(int teams) const;
 };
 
-// Returns why that number of teams cannot play the format; "" if they can.
+// Returns why a number of teams cannot play the format; "" if they can.
 std::string objection(const Format& format, int teams);
 
 // Returns all fixtures of a round robin, of groups and of a knockout. Returns no fixtures for a
-// Swiss tournament, a ladder or a nightly league, because theirs depend on results and entries.
-// Precondition: objection() is "".
+// Swiss tournament, a ladder or a nightly league, because their fixtures depend on results and
+// entries. Precondition: objection() is "".
 std::vector<Fixture> first_schedule(const Format& format, int teams);
 
 }  // namespace mirocup::league

@@ -11,13 +11,13 @@ namespace mirocup::league {
 
 struct GroupsOptions {
   int groups = 2;
-  int qualifiers = 2;           // of each group; fewer if the group is smaller
+  int qualifiers = 2;           // teams of each group that enter the knockout
   int legs = legs_per_fixture;  // of each pair in a group
   KnockoutOptions knockout;
 };
 
-// Returns the teams of each group. Seeds are dealt in snake order (1 to n, then n to 1), so that
-// the groups are of equal strength. Sizes differ by at most one.
+// Returns the teams of each group. Seeds are dealt to n groups in snake order (group 1 to n, then n
+// to 1), so that the groups are of equal strength. Sizes of groups differ by at most one.
 std::vector<std::vector<int>> deal_groups(int teams, int groups);
 
 // Returns the round robins of all groups, round by round, then the knockout. Teams of one group do

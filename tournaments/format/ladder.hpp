@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A ladder, which never ends. Each new entry plays a sample of the teams that are there; the table
-// counts the results of the present entries only.
+// A ladder, which never ends. Each new entry plays a sample of the present teams. The table counts
+// the results of present entries only.
 #pragma once
 
 #include "tournaments/format/schedule.hpp"
@@ -11,9 +11,9 @@
 
 namespace mirocup::league {
 
-// Returns the fixtures of the new entry of `team` against at most `sample` of the others, drawn
-// uniformly. `event` is the number of entries booked so far, this one included; it becomes the
-// round of the fixtures. The same arguments give the same sample.
+// Returns the fixtures of the new entry of `team` against at most `sample` other teams, drawn
+// uniformly. `event` is the number of entries booked so far, with the new entry; `event` becomes
+// the round of the fixtures. The same arguments give the same sample.
 std::vector<Fixture> ladder_fixtures(int event, int team, const std::vector<int>& others,
                                      int sample, std::uint64_t league_seed);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The schedule: which teams meet, in which rounds. Ids and seeds of fixtures follow from the
-// schedule alone, so a league has the same results in whatever order and with however many jobs it
-// is played. Teams are indices into the league's list of teams.
+// schedule alone, so the results of a league do not depend on the order of its legs or on the
+// number of jobs. Teams are indices into the league's list of teams.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace mirocup::league {
 
 // Values that stand for a team.
 inline constexpr int no_team = -1;       // a bye, or a place that stays empty
-inline constexpr int unknown_team = -2;  // decided by a fixture that is not over
+inline constexpr int unknown_team = -2;  // known when another fixture is over
 
-// Where a team of a fixture comes from.
+// The source of a team of a fixture.
 struct TeamSource {
   enum class Kind {
     team,    // `index` is the team, or no_team
     winner,  // of the fixture with the index `index` in the schedule
-    loser,   // of that fixture
+    loser,   // of the fixture with the index `index` in the schedule
     place,   // number `place` in the table of the group `index`, both from 0
   };
   Kind kind = Kind::team;
@@ -32,13 +32,13 @@ struct TeamSource {
 // the knockout.
 enum class Part { table, group, knockout };
 
-// The legs of two teams: they have the same seed, and the teams swap colours from leg to leg.
+// Two teams and their legs. All legs have one seed, and the teams swap colours from leg to leg.
 struct Fixture {
-  int round = 1;   // within its part, from 1
-  int number = 1;  // within the round, from 1
+  int round = 1;   // from 1 in each part of the league
+  int number = 1;  // from 1 in each round
   int home = 0;    // blue in the first leg; may be no_team or unknown_team
   int away = 0;
-  int legs = 2;  // a tie of the knockout that is then level has one more
+  int legs = 2;  // a tie of a knockout that is level after them has one more
   Part part = Part::table;
   int group = 0;             // from 1; Part::group only
   TeamSource home_source{};  // Part::knockout only
@@ -54,25 +54,26 @@ struct Fixture {
 
 inline constexpr int legs_per_fixture = 2;
 
-// The most legs that a fixture can need: its own, and one that decides a level tie.
+// Returns the most legs that a fixture can need: `legs`, and in a knockout one more to decide a
+// level tie.
 inline constexpr int max_legs = legs_per_fixture + 1;
 
 // Returns a fixture for every pair, by the circle method. In each round every team plays at most
-// once; with an odd number of teams one has a bye. The home and away fixtures of a team differ in
-// number by at most one.
+// once; if the number of teams is odd, one team has a bye. The home and away fixtures of a team
+// differ in number by at most one.
 std::vector<Fixture> round_robin(int teams);
 
 // Returns fixtures such that every pair plays `legs` legs: fixtures of two legs, and for an odd
-// number a last fixture of one leg. Home and away are swapped each time that a pair meets again.
+// number a last fixture of one leg. A pair that meets again swaps home and away.
 std::vector<Fixture> round_robin(int teams, int legs);
 
-// Returns the fixtures of a night (from 1) among some teams, all in one round of that number: every
-// pair, or `opponents` fixtures for each team (0: all), with an odd number of teams, some teams
-// have one less. Over the nights every pair meets equally often.
+// Returns the fixtures of a night (from 1) among some teams, all in one round with the night's
+// number. Each team has `opponents` fixtures; 0: every pair meets. If the number of teams is odd,
+// some teams have one fixture less. Over many nights every pair meets equally often.
 std::vector<Fixture> night_fixtures(int night, const std::vector<int>& teams, int opponents);
 
-// Returns the seed of all legs of a fixture, of 53 bits, which depends only on the seed of the
-// league, the round and the teams.
+// Returns the seed of all legs of a fixture, 53 bits. The seed depends only on the league's seed,
+// the round and the teams.
 std::uint64_t fixture_seed(std::uint64_t league_seed, const Fixture& fixture);
 
 }  // namespace mirocup::league

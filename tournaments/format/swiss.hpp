@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A Swiss tournament: in each round teams of similar points meet, and no two teams meet twice. A
-// fixture has two legs with colours swapped, so colours need no balancing.
+// fixture has two legs with colours swapped, so the pairing ignores colours.
 #pragma once
 
 #include "tournaments/format/schedule.hpp"
@@ -15,7 +15,7 @@ namespace mirocup::league {
 // rounded up, or max_swiss_rounds() if that is less.
 int usual_swiss_rounds(int teams);
 
-// Returns the number of rounds that can be paired whatever the results are.
+// Returns the number of rounds that can be paired for all possible results.
 int max_swiss_rounds(int teams);
 
 // The points of a team before a round.
@@ -26,12 +26,12 @@ struct SwissStanding {
 
 // Returns the fixtures of round `round` (from 1) of `rounds`. `standings` has all teams that still
 // play, the best first; `before` has all earlier fixtures. With an odd number of teams one team
-// gets a bye, a fixture with no_team as away: the lowest team that has had none and without which
-// the others can be paired. Within a group of equal points the upper half meets the lower half;
-// from the top down, opponents have points as equal as possible. The result is empty if no pairing
-// avoids a second meeting; that happens only beyond max_swiss_rounds() or after teams have left.
-// `bye_first` is false in leagues of the former rules, in which the team without an opponent got
-// the bye.
+// gets a bye, a fixture with no_team as away: the lowest team that has had no bye and without which
+// the other teams can be paired. Within a group of equal points the upper half meets the lower
+// half; from the top down, opponents have points as equal as possible. Returns no fixtures if every
+// pairing repeats a meeting, which is possible only beyond max_swiss_rounds() or after teams have
+// left. `bye_first` is false in leagues of the former rules, in which the team without an opponent
+// got the bye.
 std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
                                  const std::vector<Fixture>& before, int round, int rounds,
                                  bool bye_first = true);

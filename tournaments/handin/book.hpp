@@ -2,12 +2,11 @@
 //
 // The book of the hand-ins of a league, hand-ins.jsonl: a journal like that of the league, with a
 // line for each file that came in over the network and a line for each answer. The server confirms
-// a file, or tells its answer, only after that line is on disk. So a server that is killed at any
-// moment continues where it was.
+// a file, or tells its answer, only after the line is on disk. So a server that was killed
+// continues from the book.
 //
-// It is a separate file because teams hand in before the league starts, while the league's journal
-// begins with the start, and because only the team may read an answer. journal/format.md has the
-// lines.
+// The book is not part of the league's journal, because teams hand in before the league starts, and
+// because only the team may read an answer. journal/format.md describes the lines of the book.
 //
 // Threads: one at a time. Processes: the one that holds the lock.
 #pragma once
@@ -25,27 +24,27 @@ namespace mirocup::league {
 class HandInBook {
  public:
   // Opens the book of a league, or makes a new one. `notice` may get a sentence that the user
-  // should read. Errors: Errc::unavailable if another process has it open, Errc::damaged.
+  // should read. Errors: Errc::unavailable if another process has the book open, Errc::damaged.
   static Result<HandInBook> open(system::Files& files, const Folder& folder, std::string* notice);
 
   const HandInQueue& queue() const { return queue_; }
 
-  // Keeps an arrived file as the team's next entry and writes its line. `store` moves the file to a
-  // given path. After an error the book has not taken the file.
+  // Keeps an arrived file as the team's next entry and writes a line about it. `store` moves the
+  // file to a given path. After an error the book has no line about the file.
   Result<int> take(WaitingHandIn handed,
                    const std::function<Result<void>(const std::string& path)>& store);
 
-  // Writes an answer and applies it.
+  // Writes the answer to a hand-in and applies the answer to the queue.
   Result<void> answer(const std::string& team, int entry, HandInState state,
                       const std::string& message, std::int64_t at);
 
-  // Writes which entry a team wants to play; 0: its latest. Writes it also into the team's file. If
-  // this server dies in between, the next server repairs that file.
+  // Writes the entry that a team wants to play (0: its latest) into the book and into the team's
+  // file. If this server dies in between, the next server repairs the team's file.
   Result<void> pin(const std::string& team, int entry, std::int64_t at);
   const std::map<std::string, int>& pins() const { return pins_; }
   int pins_in_last_hour(const std::string& team, std::int64_t now) const;
 
-  // These states end with the server, so they are not written.
+  // Changes of state that end with the server, so the book does not have them.
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking) {
     queue_.begin(team, entry, state);
   }
@@ -63,7 +62,7 @@ class HandInBook {
   Folder folder_;
   Journal journal_;
   HandInQueue queue_;
-  std::map<std::string, int> pins_;                             // the last of each team
+  std::map<std::string, int> pins_;                             // the last pin of each team
   std::map<std::string, std::vector<std::int64_t>> pin_times_;  // s since 1970
   std::optional<system::FileLock> lock_;
 };

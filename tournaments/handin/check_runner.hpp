@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // Runs the checks of the hand-ins that wait, each in a child process: `mirocup-league
-// check-hand-in`. If a child is killed, or dies with this process, its hand-in waits again. The
+// check-hand-in`. If a child is killed, or dies with this process, the hand-in waits again. The
 // runner plays friendlies while no hand-in waits, and stops them when a hand-in comes.
 //
 // The runner measures the use of each check a few times a second. If a check, with all programs
-// that it starts, uses up the processor time of CheckLimits, the runner stops it and begins it once
-// more; the second time the hand-in is refused. A check that takes long gives way (queue.hpp).
+// that it starts, uses up the processor time of CheckLimits, the runner stops the check and begins
+// it once more. After the second such stop the hand-in is refused. A check that takes long gives
+// way to others (queue.hpp).
 //
-// Threads: the one that uses the ProcessSet.
+// Threads: only the thread that uses the ProcessSet.
 #pragma once
 
 #include "system/process_set.hpp"
@@ -22,17 +23,17 @@
 namespace mirocup::league {
 
 struct CheckLimits {
-  // Processor time of a check, s. A source gets the time of CompileTime in addition. A check plans
-  // to take half of it (programs/mirocup/entry_check.hpp).
+  // Processor time of a check, s. The check of a source gets the time of CompileTime in addition. A
+  // check plans to take half of its limit (programs/mirocup/entry_check.hpp).
   double processor = 40.0;
-  // Wall time, s. A check that takes longer got too little of a processor, which is the host's
-  // fault.
+  // Wall time, s. If a check takes longer, the host gave it too little of a processor, which counts
+  // as the host's fault.
   double clock = 900.0;
 };
 
 class CheckRunner {
  public:
-  // `tell` gets a line for the host about each answer. All must outlive the runner.
+  // `tell` gets a line for the host about each answer. All arguments must outlive the runner.
   CheckRunner(system::Files& files, Folder folder, Portal& portal, system::ProcessSet& processes,
               int jobs, std::function<void(const std::string& line)> tell,
               const CheckLimits& limits = {});
@@ -46,13 +47,13 @@ class CheckRunner {
     WaitingHandIn handed;
     pid_t pid = 0;
     std::chrono::steady_clock::time_point begun;
-    int compile_seconds = 0;                         // limit of compiling; 0: it is a library
-    RunningCheck used{};                             // so far
-    bool is_compiled = false;                        // its library exists, and its check has begun
-    std::optional<NoAnswer> stopped = std::nullopt;  // why it was stopped
+    int compile_seconds = 0;                         // limit of compiling; 0: the file is a library
+    RunningCheck used{};                             // of the check so far
+    bool is_compiled = false;                        // the library exists, and its check has begun
+    std::optional<NoAnswer> stopped = std::nullopt;  // why the runner stopped the check
   };
 
-  // Processes that run.
+  // A process of a check that runs.
   int busy() const { return static_cast<int>(running_.size()) + friendlies_.running(); }
 
   void start_checks();
@@ -79,11 +80,12 @@ class CheckRunner {
   FriendlyRunner friendlies_;
   int next_tag_ = 0;
   std::chrono::steady_clock::time_point last_look_{};
-  std::chrono::steady_clock::time_point rests_until_{};  // after a fault of the host
+  // No check begins before, after a fault of the host.
+  std::chrono::steady_clock::time_point rests_until_{};
 };
 
-// The body of `check-hand-in`: checks one hand-in and prints the answer as JSON. The exit code is
-// that of `submit`.
+// The body of `check-hand-in`: checks one hand-in and prints the answer as JSON. The exit codes are
+// those of `mirocup-league submit`.
 Result<int> check_hand_in(system::Files& files, const Folder& folder, const std::string& team,
                           int entry, const std::string& file, std::int64_t at, int compile_seconds);
 

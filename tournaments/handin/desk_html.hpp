@@ -13,7 +13,8 @@ namespace mirocup::league {
 
 using Json = nlohmann::ordered_json;
 
-// The page around the content, in the design of all pages. `back` is true below the team's page.
+// Returns a page with this content, in the design of all pages. If `back`, the page links to the
+// team's page.
 std::string desk_page(const std::string& title, const Html& content);
 
 // Adds the button that ends the session, in the corner of the first card.
@@ -22,10 +23,10 @@ void log_out_button(Html& html);
 // Ends a card and begins the next, with a heading.
 void next_card(Html& html, const std::string& heading, const std::string& id = "");
 
-// Returns the text of a key of an object; "" if it has no such text.
+// Returns the text at a key of an object; "" if the object has no such text.
 std::string text_in(const Json& object, const char* key);
 
-// Returns the number of a key of an object in a printf format; "" if it has no such number.
+// Returns the number at a key of an object in a printf format; "" if the object has no such number.
 std::string number_text(const Json& object, const char* key, const char* format);
 
 }  // namespace mirocup::league

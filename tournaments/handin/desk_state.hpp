@@ -24,22 +24,24 @@ namespace mirocup::league {
 
 struct PortalOptions {
   Quota quota = {};
-  std::string team_header = {};  // of a trusted proxy: see Doorkeeper
-  int max_waiting = 4;           // hand-ins of one team without an answer
-  int max_uploads = 2;           // of one team at once
+  std::string team_header = {};  // header in which a trusted proxy names the team: see Doorkeeper
+  int max_waiting = 4;           // the most hand-ins of one team without an answer
+  int max_uploads = 2;           // the most files that one team may send at once
 
-  // Returns a sentence that says why the league takes no entry of a team at that time; "" if it
-  // does.
+  // Returns a sentence that says why the league takes no entry of a team at a time; "" if it takes
+  // entries.
   std::function<std::string(const std::string& team, const std::string& now)> why_not;
   // Returns the decided legs of a team.
   std::function<std::vector<OwnLeg>(const std::string& team)> legs;
-  // Returns the team's digest of the last night as part of a page; "" if the team may not see it.
+  // Returns the team's digest of the last night as part of a page; "" if the team may not see its
+  // digest.
   std::function<std::string(const std::string& team)> digest = {};
   // Returns the replay page of a leg, by the name of its record. The page has the kept thoughts and
   // logs of the teams in `whose`. Returns nothing if the leg has no page.
   std::function<std::optional<std::string>(const std::string& name, const record::Whose& whose)>
       replay = {};
-  // Returns the part of a page with the football statistics of a team, HTML; "" if there are none.
+  // Returns the football statistics of a team as part of a page, HTML; "" if the team has no
+  // statistics.
   std::function<std::string(const std::string& team)> statistics;
   // Returns the name by which people know a team.
   std::function<std::string(const std::string& team)> shown_name = [](const std::string& team) {

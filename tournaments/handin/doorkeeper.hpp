@@ -3,9 +3,9 @@
 // Finds out who sends a request: by a token ("Authorization: Bearer"), by the session of a browser
 // in which a token was typed, or by the header of a trusted proxy in front of this server.
 //
-// A browser sends its cookie with every request, even if another site caused the request. So a
-// request that changes something must name this server as its origin, if it comes with a cookie or
-// through a proxy that signs people on.
+// A browser sends its cookie with every request, even if another site caused the request. So if a
+// request that changes something comes with a cookie, or through a proxy that signs people on, it
+// must name this server as its origin.
 //
 // Threads: one at a time.
 #pragma once
@@ -23,7 +23,7 @@ namespace mirocup::league {
 struct Visitor {
   std::string team;  // "": the staff, or a tutor
   Role role = Role::team;
-  std::string token_sha256 = {};  // "": named by a proxy
+  std::string token_sha256 = {};  // of the sender's token; "": a proxy named the sender
 
   bool sees_all() const { return role != Role::team; }
 };
@@ -32,7 +32,7 @@ struct Visitor {
 struct Refusal {
   int status = 401;
   std::string why;        // a sentence
-  std::int64_t wait = 0;  // s before the next try; 0: none
+  std::int64_t wait = 0;  // s until the sender may try again; 0: no wait
 };
 
 enum class Purpose { reading, changing };
@@ -40,15 +40,15 @@ enum class Purpose { reading, changing };
 class Doorkeeper {
  public:
   // `team_header` is the header in which a trusted proxy names the team of a signed-on person; "":
-  // no header does. The proxy must remove this header from requests of viewers.
+  // the server trusts no proxy. The proxy must remove this header from requests of viewers.
   Doorkeeper(system::Files& files, Folder folder, std::string team_header);
 
   // `now` is in s since 1970. An error means that tokens.json cannot be read.
   Result<std::variant<Visitor, Refusal>> admit(const web::Request& request, Purpose purpose,
                                                std::int64_t now);
 
-  // True if the request has a token, a session, or the header of a proxy, valid or not; admit()
-  // checks them.
+  // True if the request has a token, a session, or the header of a proxy. admit() checks whether
+  // they are valid.
   bool has_credentials(const web::Request& request) const;
 
   // Begins a session with a typed token. Returns the header "Set-Cookie".
@@ -63,7 +63,7 @@ class Doorkeeper {
   std::string cookie_of(const web::Request& request) const;
   std::string cookie_header(const web::Request& request, const std::string& value,
                             std::int64_t seconds) const;
-  // Returns why a change is refused; nothing if it comes from a page of this server.
+  // Returns why a request for a change is refused; nothing if it comes from a page of this server.
   std::optional<Refusal> foreign(const web::Request& request, bool must_have_origin) const;
   Refusal wrong_token(const web::Request& request, std::string_view token, std::int64_t now);
   std::string sessions_path() const { return folder_.path + "/sessions.json"; }
@@ -72,7 +72,7 @@ class Doorkeeper {
   system::Files& files_;
   Folder folder_;
   std::string team_header_;                 // in lower case
-  std::optional<std::string> tokens_text_;  // empty: there are no tokens
+  std::optional<std::string> tokens_text_;  // of tokens.json; empty: no file
   TokenList tokens_;
   Sessions sessions_;
   WrongTokens wrong_;

@@ -17,14 +17,14 @@ class Entries {
  public:
   explicit Entries(DeskState& state) : state_(state) {}
 
-  // Returns the report of an entry; null if the team has no entry of this number. `is_whole`: with
-  // the log and all figures, as its own page has them.
+  // Returns the report of an entry; null if the team has no entry of this number. `is_whole`: the
+  // report has the log and all figures, as on the entry's own page.
   Result<Json> report(const std::string& team, int entry, bool is_whole);
 
   // Returns the summaries of all entries of a team, the latest first.
   Result<Json> reports(const std::string& team);
 
-  // Returns a stream of the states of an entry, until its check has been answered.
+  // Returns a stream of the states of an entry, which ends when its check has an answer.
   web::Reply events(const std::string& team, int entry);
 
  private:

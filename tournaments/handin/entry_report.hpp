@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The report of one entry for its team, in the form of the HTTP API: state, reason, the result of
-// each check, times, the log. It names no path and no user of the host.
+// each check, times, the log. A report names no path and no user of the host.
 #pragma once
 
 #include "tournaments/handin/queue.hpp"
@@ -22,12 +22,12 @@ struct CheckStep {
   bool operator==(const CheckStep&) const = default;
 };
 
-// Returns the last step in the output of a check that is running.
+// Returns the last step in the output of a running check.
 CheckStep last_step(std::string_view output);
 
 // Returns the report of an entry; null if the team has no entry of that number. A verdict that
 // cannot be read is an error, not a refusal. If `waiting` is null, the entry was not handed in over
-// the network. The report has checks, times and log only if it `is_whole`.
+// the network. Only if `is_whole`, the report has checks, times and log.
 Result<Json> entry_report(system::Files& files, const Folder& folder, const std::string& team,
                           int entry, const WaitingHandIn* waiting, int before,
                           const CheckStep& step, bool is_whole);

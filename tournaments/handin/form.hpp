@@ -13,10 +13,10 @@ namespace mirocup::league {
 
 using Form = std::multimap<std::string, std::string>;
 
-// Reads a form of at most 4 KiB. Returns nothing if it is longer or did not arrive whole.
+// Reads a form of at most 4 KiB. Returns nothing if the form is longer or did not arrive whole.
 std::optional<Form> read_form(const web::Body& body);
 
-// Returns the first value of that name; "" if there is none.
+// Returns the first value of a name in the form; "" if the form lacks the name.
 std::string value_of(const Form& form, const std::string& key);
 
 }  // namespace mirocup::league

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Friendlies: single legs that count for nothing. A team asks for one against a team that it
-// chooses, and each accepted entry plays a burst of them, against the house teams and the
-// neighbours in the table, and tries all drills. The server plays them while no hand-in waits for
-// its check, and teams take turns.
+// Friendlies: single legs that count for nothing. A team asks for a friendly against a team that it
+// chooses. Each accepted entry plays a burst of friendlies against the house teams and the
+// neighbours in the table, and tries all drills. The server plays friendlies while no hand-in waits
+// for its check, and teams take turns.
 //
-// A pure function of the events that it is given. Threads: one at a time.
+// The state is a pure function of the events that it is given. Threads: one at a time.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -25,36 +25,36 @@ enum class FriendlyState {
   waiting,
   playing,
   played,
-  void_,  // not played, and never will be
+  void_,  // the leg will never be played
 };
 
-// One leg. The team that has asked for it plays in blue.
+// One leg. The team that has asked for the leg plays in blue.
 struct Friendly {
   std::string team;
-  int number = 0;             // among those of the team, from 1; 0: the drills of the entry
+  int number = 0;             // of the team's friendlies, from 1; 0: the entry's drills
   int entry = 0;              // the team's entry that plays
   std::string opponent = {};  // a team of the league, or "house:NAME"
-  int opponent_entry = 0;     // 0: a house team
+  int opponent_entry = 0;     // of the opponent's entry; 0: a house team
   bool is_burst = false;      // belongs to the burst of an accepted entry
   std::int64_t at = 0;        // s since 1970
 
   FriendlyState state = FriendlyState::waiting;
   int goals = 0;
   int against = 0;
-  std::string end = {};  // as in a record: "full_time"; of a void leg the reason
+  std::string end = {};  // as in a record: "full_time"; if the leg is void, the reason
 
-  int failures = 0;  // of the host, since the server started
+  int failures = 0;  // faults of the host in this leg since the server started
 };
 
-// True for "house:NAME".
+// True for the name of a house team, "house:NAME".
 bool is_house(std::string_view opponent);
 
 class Friendlies {
  public:
-  static constexpr int per_hour = 10;  // legs that a team may ask for
+  static constexpr int per_hour = 10;  // the most legs that a team may ask for
   static constexpr int kept = 60;      // legs of each team; records of older legs are removed
 
-  // Adds a leg that waits. Precondition: it has the team's next number.
+  // Adds a leg that waits. Precondition: the leg has the team's next number.
   void add(Friendly friendly);
 
   // Notes how a leg ended, with its goals and its end.
@@ -62,8 +62,8 @@ class Friendlies {
               const std::string& end);
 
   void begin(const std::string& team, int number);
-  // Lets a leg wait again. If `is_spoiled`, the host has spoiled it; otherwise the runner stopped
-  // it for a check.
+  // Lets a leg wait again. If `is_spoiled`, the host has spoiled the leg; otherwise the runner
+  // stopped the leg for a check.
   void wait_again(const std::string& team, int number, bool is_spoiled);
 
   // Returns the leg to play next: a leg of the team that has waited longest for its turn. A team
@@ -73,15 +73,14 @@ class Friendlies {
   const Friendly* find(const std::string& team, int number) const;
   int last_number(const std::string& team) const;
 
-  // Returns the legs that a team has asked for and the legs that other teams have asked for against
-  // it, the latest first.
+  // Returns the legs that a team or its opponents have asked for, the latest first.
   std::vector<const Friendly*> of_team(const std::string& team) const;
 
-  // Returns the numbers of the waiting legs of the team's entries before this one.
+  // Returns the numbers of the waiting legs of the team's earlier entries.
   std::vector<int> waiting_of_older(const std::string& team, int entry) const;
 
   bool has_burst(const std::string& team, int entry) const;
-  // Returns the last entry of each team that had one.
+  // Returns the last entry of each team that had a burst.
   const std::map<std::string, int>& bursts() const { return bursts_; }
 
   // Returns how many legs the team has asked for in the hour before `now`.
@@ -94,7 +93,7 @@ class Friendlies {
   std::vector<Key> open_;             // waiting or playing, in the order in which they came
   std::map<std::string, long> turn_;  // when each team had its last turn
   long turns_ = 0;
-  std::map<std::string, int> bursts_;  // the last entry of each team that had one
+  std::map<std::string, int> bursts_;  // the last entry of each team that had a burst
 };
 
 }  // namespace mirocup::league

@@ -2,9 +2,9 @@
 //
 // The book of the friendlies of a league, friendlies.jsonl, in the form of a journal: a line for
 // each leg to play and a line for its end. If a server is killed, the next server continues with
-// the legs that have no end. journal/format.md has the lines.
+// the legs that have no end. journal/format.md describes the lines.
 //
-// Threads: one at a time. Processes: the one that holds the lock of the book of hand-ins.
+// Threads: one at a time. Processes: the process that holds the lock of the book of hand-ins.
 #pragma once
 
 #include "tournaments/handin/friendly.hpp"

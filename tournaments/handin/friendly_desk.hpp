@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Accepts friendlies, gives them to the runner, and shows them to the two teams that play: the
-// result, the replay and, to each team alone, its thoughts and the log of its process. Only its own
-// team sees a leg of a burst.
+// Accepts friendlies, gives them to the runner, and shows result and replay to the two teams that
+// play. Each team alone sees its thoughts and the log of its process. A leg of a burst is shown
+// only to the team whose burst it is.
 //
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
@@ -21,12 +21,13 @@ namespace mirocup::league {
 struct FriendlyOptions {
   // Returns the teams of the league against which a friendly can be played, with their entries.
   std::function<std::map<std::string, int>()> teams;
-  // Returns the teams next to a team in the table; no teams before the league has a table.
+  // Returns the neighbours of a team in the table; no teams before the league has a table.
   std::function<std::vector<std::string>(const std::string& team)> neighbours;
   // The house teams, without "house:".
   std::vector<std::string> house;
-  bool has_drills = false;  // the league has the field of the drills, so its entries try them
-  // Returns the page that replays the record at a path, with the thoughts and logs of these teams.
+  bool has_drills = false;  // entries try drills, because the league has their field
+  // Returns the page that replays the record at a path, with the thoughts and logs of the given
+  // teams.
   std::function<std::optional<std::string>(const std::string& record, const record::Whose& whose)>
       replay;
 };
@@ -37,7 +38,7 @@ class FriendlyDesk {
                                                     FriendlyOptions options, std::string* notice);
 
   // To be called when an entry was accepted: adds its burst, and makes waiting legs of older
-  // entries void. Does nothing if the entry has had its burst.
+  // entries void. Does nothing if the entry already had its burst.
   Result<void> entry_accepted(const std::string& team, int entry, std::int64_t now);
 
   // POST: a team asks for a leg.
@@ -47,16 +48,15 @@ class FriendlyDesk {
   Json list(const std::string& team, LegCosts& costs);
   std::vector<std::string> opponents(const std::string& team);
 
-  // Returns the marks of an entry in drills, {"score", "drills": [{"name", "version",
-  // "score"}]}; null if they are not known.
+  // Returns the marks of an entry in drills, {"score", "drills": [{"name", "version", "score"}]};
+  // null if the marks are not known.
   Json drills_of(const std::string& team, int entry) const;
 
   // GET below the path of friendlies, "/TEAM/NUMBER/log" or "/TEAM/NUMBER/replay".
   web::Reply show(const std::string& visitor, std::string_view rest);
 
-  // The runner calls these functions. When no leg waits, the next is the drills of an entry. After
-  // some failures of the host a leg is void. A leg that was stopped for a check is not spoiled: it
-  // waits again.
+  // For the runner. When no leg waits, next() returns the drills of an entry. A leg is void after
+  // the host has failed in it several times. A leg that was stopped for a check waits again.
   std::optional<Friendly> begin_next();
   Result<void> played(const Friendly& friendly, std::int64_t now);
   Result<void> failed(const Friendly& friendly, std::int64_t now, bool is_spoiled = true);
@@ -75,9 +75,9 @@ class FriendlyDesk {
   system::Files& files_;
   const Folder folder_;
   const FriendlyOptions options_;
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards the members below
   FriendlyBook book_;
-  // Entries whose drills were begun by this server, or are known.
+  // Entries whose drills this server has begun, or whose marks are known.
   std::set<std::pair<std::string, int>> drills_begun_;
 };
 

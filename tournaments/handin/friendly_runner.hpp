@@ -3,7 +3,7 @@
 // Plays the friendlies that wait, each in a child process of low priority: `mirocup-league
 // play-friendly`. If a child is killed, its leg is played again.
 //
-// Threads: the one that uses the ProcessSet.
+// Threads: only the thread that uses the ProcessSet.
 #pragma once
 
 #include "system/process_set.hpp"
@@ -15,22 +15,22 @@ namespace mirocup::league {
 
 class FriendlyRunner {
  public:
-  // All must outlive the runner.
+  // All arguments must outlive the runner.
   FriendlyRunner(Folder folder, FriendlyDesk& desk, system::ProcessSet& processes)
       : folder_(std::move(folder)), desk_(desk), processes_(processes) {}
 
-  // Starts the next leg as a process with that tag. Returns false if no leg waits, or if this
+  // Starts the next leg as a process with the tag `tag`. Returns false if no leg waits, or if this
   // computer cannot start a process now.
   bool start_next(int tag, std::int64_t now);
 
-  // Books the end of a leg. Returns false if no leg has this tag.
+  // Books the end of the leg with a tag. Returns false if no leg has the tag.
   bool book(const system::Exit& exit, std::int64_t now);
 
   // Kills legs that take too long.
   void look_at_time();
 
-  // Stops a leg that has taken some seconds, so that a check can begin; the leg is played again
-  // later. Returns false if there is no such leg.
+  // Stops a leg that has taken some seconds, so that a check can begin. The leg is played again
+  // later. Returns false if every leg is younger.
   bool give_way();
 
   int running() const { return static_cast<int>(running_.size()); }
@@ -40,7 +40,7 @@ class FriendlyRunner {
     Friendly friendly;
     pid_t pid = 0;
     std::chrono::steady_clock::time_point begun;
-    bool gives_way = false;  // it was stopped
+    bool gives_way = false;  // the runner stopped the leg for a check
   };
 
   Folder folder_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The legs of a team on its private page: result, processor time, its own faults and log. A team
-// sees nothing of the opponent but the result and the replay, which everybody sees.
+// The legs of a team on its private page: result, processor time, its own faults and log. Of the
+// opponent a team sees only the result and the replay, which are public.
 #pragma once
 
 #include "record/own_texts.hpp"
@@ -23,30 +23,32 @@ inline constexpr std::string_view own_replays_path = "/hand-in/replays/";
 
 // A decided leg, seen from one of its teams.
 struct OwnLeg {
-  std::string fixture;  // its id
+  std::string fixture;  // the id of the fixture
   int leg = 1;          // from 1
   std::string opponent;
   int goals = 0;
   int against = 0;
   char result = 'D';                     // 'W', 'D' or 'L'
   std::optional<std::string> own_fault;  // "crash: ..."
-  std::string record;                    // path inside the league's folder; "": it was not played
-  std::string colour;                    // "blue" or "yellow"
+  // Path inside the league's folder; "": the leg was not played.
+  std::string record;
+  std::string colour;  // "blue" or "yellow"
 };
 
-// Returns the decided legs of a team in the order of the schedule; none if there is no such team.
+// Returns the decided legs of a team in the order of the schedule; no legs if the league lacks the
+// team.
 std::vector<OwnLeg> own_legs(const LeagueState& state, const std::string& team);
 
-// The time that the team's process took in a leg, and its fouls, from the record.
+// The time that a team's process took in a leg, and the team's fouls, from the record.
 struct LegCost {
   double cpu_seconds = 0.0;
-  double bank_seconds = 0.0;  // processor time that it was allowed
+  double bank_seconds = 0.0;  // processor time that the team was allowed
   double slowest_tick_ms = 0.0;
   int late_ticks = 0;
   int fouls = 0;  // decisions that name the team as offender and give a restart
 };
 
-// Reads records once. Threads: any.
+// Reads each record once. Threads: any.
 class LegCosts {
  public:
   explicit LegCosts(system::Files& files, Folder folder)
@@ -62,16 +64,16 @@ class LegCosts {
   std::map<std::string, LegCost> known_;  // by record and colour
 };
 
-// Returns the sides of a leg whose thoughts and log the team may see: its own side.
+// Returns the sides of a leg whose thoughts and log a team may see: the team's own side.
 record::Whose own_side(const OwnLeg& leg);
 
 // Returns the path of the file with the output of the team's process in a leg.
 std::string log_path(const Folder& folder, const OwnLeg& leg);
 
-// Returns the name of a leg in the HTTP API, which is that of its record.
+// Returns the name of a leg in the HTTP API: the name of its record.
 std::string name_of_leg(const OwnLeg& leg);
 
-// Returns the legs as the HTTP API has them, the latest of the schedule first.
+// Returns legs in the form of the HTTP API, the last leg of the schedule first.
 nlohmann::ordered_json own_legs_json(system::Files& files, const Folder& folder,
                                      const std::vector<OwnLeg>& legs, LegCosts& costs);
 

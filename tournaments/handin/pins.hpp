@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A team chooses which of its accepted versions plays.
+// A team's choice of the accepted entry that plays.
 #pragma once
 
 #include "tournaments/handin/desk_state.hpp"
@@ -8,8 +8,8 @@
 
 namespace mirocup::league {
 
-// `asked` is the number of an entry, or "latest". A team may choose while it may hand in, ten times
-// an hour. Any thread may call this.
+// `asked` is the number of an entry, or "latest". A team may choose as long as it may hand in, at
+// most ten times an hour. Threads: any.
 web::Reply pin_version(DeskState& state, const std::string& team, const std::string& asked);
 
 }  // namespace mirocup::league

@@ -22,7 +22,8 @@ class Portal {
   static Result<std::unique_ptr<Portal>> open(system::Files& files, const Folder& folder,
                                               PortalOptions options, std::string* notice);
 
-  // A route: a path (see match_path), who may use it, and its handler.
+  // A route: a pattern of paths (see match_path), the people who may use the route, and its
+  // handler.
   struct Route {
     std::string_view method;
     std::string_view path;
@@ -32,13 +33,14 @@ class Portal {
   };
   static std::span<const Route> routes();
 
-  // The function web::Site::desk.
+  // The function for web::Site::desk.
   std::optional<web::Reply> answer(const web::Request& request, const web::Body& body);
 
   // The friendlies, for their runner.
   FriendlyDesk& friendlies() { return *friendlies_; }
 
-  // Marks the next hand-in as being checked and returns it; nothing if no check may begin.
+  // Marks the next hand-in as being checked and returns that hand-in; nothing if no check may
+  // begin.
   std::optional<WaitingHandIn> begin_next();
   bool has_next();
 
@@ -49,12 +51,12 @@ class Portal {
                      const std::string& message);
 
   // To be called when a check has ended without an answer: the hand-in waits for another check.
-  // After some failures of the host it is void. After a check has used up its processor time,
-  // `seconds`, for the second time, it is refused.
+  // After some failures of the host the hand-in is void. If its check has used up its processor
+  // time, `seconds`, for the second time, the hand-in is refused.
   Result<void> wait_again(const std::string& team, int entry, NoAnswer why = NoAnswer::host_failed,
                           double seconds = 0.0);
 
-  // HandInQueue::to_stop().
+  // Calls HandInQueue::to_stop().
   std::optional<WaitingHandIn> to_stop(const std::vector<RunningCheck>& running);
 
  private:

@@ -2,15 +2,15 @@
 //
 // The hand-ins of a league in the order in which they came, and the choice of the next check. The
 // order is fair between teams: checks go in rounds, and a team has one check in each round. A new
-// hand-in joins the present round or the round after its team's last one, whichever is later. A
+// hand-in joins the present round or the round after its team's last round, whichever is later. A
 // team has one check at a time.
 //
 // A check that takes long gives way to the check of another team that waits: it is stopped, and its
-// hand-in comes in a later round, as if it were handed in anew. So that each check comes to its
-// end, a check that has given way often enough may run to its end, one such check at a time. All
-// other checks still give way, so on two processors a short check never waits for two long ones.
+// hand-in comes in a later round, as a new hand-in would. A check that has given way often enough
+// may run to its end, so that each check ends; only one such check runs at a time. All other checks
+// still give way, so on two processors a short check never waits for two long checks.
 //
-// A pure function of the events that it is given. Threads: one at a time.
+// The state is a pure function of the events that it is given. Threads: one at a time.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -33,7 +33,7 @@ enum class HandInState {
   checking,   // is being checked
   accepted,
   refused,
-  void_,  // the host could not check it; the team may hand it in again
+  void_,  // the host could not check the file; the team may hand it in again
 };
 
 constexpr bool is_final(HandInState state) {
@@ -41,22 +41,23 @@ constexpr bool is_final(HandInState state) {
          state != HandInState::checking;
 }
 
-// The kinds of sources, told by the end of a file's name. A project is an archive of sources.
+// The kinds of sources. The end of a file's name gives the kind. A project is an archive of
+// sources.
 enum class SourceKind { none, c, cpp, project };
 SourceKind source_kind_of(std::string_view file);
 
-// Returns its name in `mirocup compile --language`.
+// Returns the name of a kind of source in `mirocup compile --language`.
 std::string language_of(SourceKind kind);
 
-// Why a check has ended without an answer: the host has spoiled it, it gave way to the check of
-// another team, or it has used up its processor time.
+// The reason why a check has ended without an answer: the host has spoiled the check, the check
+// gave way to another team's check, or it has used up its processor time.
 enum class NoAnswer { host_failed, gave_way, spent };
 
 // One file that a team has handed in over the network.
 struct WaitingHandIn {
   std::string team;
-  int entry = 0;       // its number in the team's folder of entries
-  std::string file;    // its name, as the team gave it
+  int entry = 0;       // number in the team's folder of entries
+  std::string file;    // the file's name, as the team gave it
   std::string sha256;  // of the file's bytes
   std::uint64_t bytes = 0;
   std::int64_t at = 0;  // s since 1970
@@ -69,16 +70,16 @@ struct WaitingHandIn {
   int times(NoAnswer why) const { return unanswered[static_cast<std::size_t>(why)]; }
 };
 
-// A check that runs, and what it has used so far, s.
+// A check that runs, and the times that it has used so far, s.
 struct RunningCheck {
   std::string team;
   int entry = 0;
-  double processor = 0.0;  // of all its processes together
-  double asleep = 0.0;     // time in which none of them wanted a processor
+  double processor = 0.0;  // of all processes of the check together
+  double asleep = 0.0;     // time in which no process of the check wanted a processor
 };
 
-// The processor time for compiling a source of each team, s. If a source of a team is not compiled
-// within the short time, the next sources of the team get only the short time, until one is
+// The limit of processor time for compiling a source of a team, s. After a source of the team was
+// not compiled within the short time, the team's sources get only the short time until one is
 // compiled.
 class CompileTime {
  public:
@@ -102,31 +103,31 @@ class CompileTime {
 
 class HandInQueue {
  public:
-  // After this time, s, a check may have to give way. Its sleep counts, but not its waiting for a
-  // processor.
+  // After this time, s, a check may have to give way. The time includes sleep, but not waiting for
+  // a processor.
   static constexpr double turn = 3.0;
-  static constexpr int gives_way_at_most = 2;  // times; then it may run to its end
+  static constexpr int gives_way_at_most = 2;  // times; then the check may run to its end
 
   // Adds a hand-in that waits. Precondition: the team has no hand-in of this number.
   void add(WaitingHandIn handed);
 
-  // Sets the answer of a hand-in. Does nothing if it has an answer already.
+  // Sets the answer of a hand-in. Does nothing if the hand-in has an answer already.
   void answer(const std::string& team, int entry, HandInState state, const std::string& message);
 
-  // begin() is to be called when the check of a hand-in begins, wait_again() when it has ended
-  // without an answer. Then the hand-in waits again: in its old place or, if its check took long,
-  // behind the other teams.
+  // begin() is to be called when the check of a hand-in begins, wait_again() when the check has
+  // ended without an answer. After wait_again() the hand-in waits in its old place or, if its check
+  // took long, behind the other teams.
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking);
   void wait_again(const std::string& team, int entry, NoAnswer why = NoAnswer::host_failed);
 
-  // Returns the check to stop when no processor is free and the next check has to begin; null if
-  // none has to stop. `running` has all checks that run.
+  // Returns the check to stop when no processor is free and the next check has to begin; null if no
+  // check has to stop. `running` has all checks that run.
   const WaitingHandIn* to_stop(const std::vector<RunningCheck>& running) const;
 
   // Returns the hand-in to check next; null if no check may begin.
   const WaitingHandIn* next() const;
 
-  // Returns how many hand-ins are checked before this one, the running checks included.
+  // Returns how many hand-ins are checked before the given hand-in, running checks included.
   int before(const std::string& team, int entry) const;
 
   const WaitingHandIn* find(const std::string& team, int entry) const;
@@ -134,7 +135,7 @@ class HandInQueue {
   int unanswered(const std::string& team) const;
   int unanswered() const { return static_cast<int>(waiting_.size()); }
 
-  // Returns the highest number of the team's hand-ins; 0 if there is none.
+  // Returns the highest number of the team's hand-ins; 0 if the team has no hand-in.
   int last_entry(const std::string& team) const;
 
   // The latest accepted hand-in of each team.
@@ -145,10 +146,10 @@ class HandInQueue {
 
   // The hand-ins without an answer in the order in which they are taken.
   std::vector<const WaitingHandIn*> order() const;
-  // Moves a hand-in to the round in which it would be if it came now.
+  // Moves a hand-in to the round of a hand-in that comes now.
   void put_behind(WaitingHandIn& handed);
 
-  int round_ = 0;                          // of the last check that began or was answered
+  int round_ = 0;                          // the round of the last check that began or was answered
   std::map<std::string, int> last_round_;  // of each team
   std::map<Key, WaitingHandIn> all_;
   std::vector<Key> waiting_;  // without an answer, in the order in which they came

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The replies of the HTTP API: JSON, and {"error"} with a sentence after a failure.
+// The replies of the HTTP API: JSON; after a failure, {"error"} with a sentence.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -20,7 +20,7 @@ web::Reply problem_reply(int status, const std::string& why);
 // Returns a 503 without the reason, which a stranger may not learn.
 web::Reply host_failed(const Error&);
 
-// Returns the number that the whole text spells, at least 1; nothing for another text.
+// Returns the number in a text of digits alone, at least 1; nothing for any other text.
 std::optional<int> number_of(std::string_view text);
 
 }  // namespace mirocup::league

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Looks up the routes of the portal, and says who may use them. Portal::routes() is the table.
+// Finds the route of a request to the portal, and says who may use it. Portal::routes() is the
+// table.
 #pragma once
 
 #include "tournaments/handin/doorkeeper.hpp"
@@ -25,18 +26,19 @@ enum class Who {
 // The subject of a route, and its answer to an unknown visitor.
 enum class About {
   api,              // refusals are JSON
-  team_of_token,    // as api; a team may name itself by ?team=
-  entries_of_team,  // as api; the staff has to name a team
+  team_of_token,    // like `api`; a team may name itself by ?team=
+  entries_of_team,  // like `api`; the staff has to name a team
   page,             // asks for the token in HTML
 };
 
-// A request and what the table has found out about it.
+// A request, with its sender and the parts of its path.
 struct Call {
   const web::Request& request;
   const web::Body& body;
-  Visitor visitor = {};                      // empty if the route is for everybody
-  std::string team = {};                     // About::entries_of_team: whose entries
-  std::vector<std::string_view> parts = {};  // of the path, for each star of the route
+  Visitor visitor = {};  // empty if the route is for everybody
+  // The team whose entries are meant (About::entries_of_team).
+  std::string team = {};
+  std::vector<std::string_view> parts = {};  // the part of the path for each star of the route
 };
 
 // If a path matches a pattern, returns the parts of the path in the places of its stars. "*" is one
@@ -44,11 +46,11 @@ struct Call {
 std::optional<std::vector<std::string_view>> match_path(std::string_view pattern,
                                                         std::string_view path);
 
-// Returns the reply to a visitor who may not use a route; nothing if it may.
+// Returns the reply to a visitor who may not use a route; nothing if the visitor may.
 std::optional<web::Reply> refused_role(Who who, const Visitor& visitor);
 
-// Returns a 405 that names the methods of this path: "use PUT". If the request would change
-// something, the reply names the methods that do.
+// Returns a 405 that names the methods of the path: "use PUT". If the method of the request is one
+// for changes, the reply names only methods for changes.
 web::Reply use_reply(const web::Request& request, const std::vector<std::string_view>& methods);
 
 }  // namespace mirocup::league

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Sessions of browsers in which a token was typed: each browser has a random number in a cookie.
-// This class keeps only the SHA-256 of that number and of the token: when the token is revoked or
-// expires, its sessions end as well.
+// This class keeps only the SHA-256 of that number and of the token. When a token is revoked or
+// expires, its sessions end.
 //
 // Threads: one at a time.
 #pragma once
@@ -27,7 +27,8 @@ struct Session {
 class Sessions {
  public:
   static constexpr std::int64_t duration = 12 * 3600;  // s
-  static constexpr std::size_t max_of_token = 20;      // a further session ends the oldest
+  // Sessions; a further session ends the oldest.
+  static constexpr std::size_t max_of_token = 20;
 
   // Begins a session and returns the value of its cookie.
   std::string begin(const std::string& token_sha256, std::int64_t now);
@@ -38,8 +39,8 @@ class Sessions {
   // Ends the session of the cookie, if there is one.
   void end(std::string_view cookie);
 
-  // The sessions as JSON, for a server that starts again; and the sessions of such a text. Sessions
-  // that cannot be read are dropped.
+  // Write and read the sessions as JSON, for a server that starts again. Sessions that cannot be
+  // read are dropped.
   std::string text() const;
   static Sessions parse(const std::string& text);
 
@@ -49,8 +50,8 @@ class Sessions {
   std::vector<Session> sessions_;  // the oldest first
 };
 
-// Returns the value of the cookie of that name in a header "Cookie"; "" if there is none, or if
-// there are two.
+// Returns the value of the cookie of that name in a header "Cookie"; "" if no cookie or two cookies
+// have the name.
 std::string cookie_in(std::string_view header, std::string_view name);
 
 }  // namespace mirocup::league

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The page of a league's staff at the desk: the teams and their hand-ins, a form for each act, the
-// list of decisions, the grades. Each act does the same as the command of its name
+// list of decisions, the grades. Each act has the effect of the command of its name
 // (league/acts.hpp).
 //
 // Threads: any. The league is opened for each request.
@@ -29,17 +29,17 @@ class StaffDesk {
     int done = 0;           // the number of the decision just written; 0: none
     std::string said = {};  // a sentence for the top of the page
     int status = 200;       // of the reply
-    Form given = {};        // values already in the forms: of a sent form, or of a leg
+    Form given = {};        // first values of the forms: those of a sent form, or of a leg
   };
 
-  // Returns the page for the staff, or the page without forms for a tutor.
+  // Returns the page for the staff; a tutor gets the page without forms.
   web::Reply page(Role reader, const Shown& shown) const;
 
-  // Returns the link to the page with forms that have this leg.
+  // Returns the link to the page whose forms name the given leg.
   static std::string decision_path(const OwnLeg& leg);
 
   // Returns the page of a team's legs, which links to their replays with the thoughts of both
-  // teams, and to the logs of the team. `legs` are those of the team.
+  // teams, and to the logs of the team. `legs` are the legs of the team.
   web::Reply legs_of(Role reader, const std::string& team, const std::vector<OwnLeg>& legs) const;
 
   // Performs the act of a form of the page.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The pages of the desk: the page that asks for a token, and the private page of a team, where it
-// hands in and reads the answers to its entries. page/hand_in.js of web sends the forms and follows
-// checks.
+// The pages of the desk: the page that asks for a token, and the private page of a team, where the
+// team hands in and reads the answers to its entries. web/page/hand_in.js sends the forms and
+// follows checks.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -34,12 +34,12 @@ struct TeamDesk {
   std::function<std::string(const std::string& team)> shown_name;
 };
 
-// `why` is a sentence that says what was wrong with the last token; "" for the first try.
+// `why` is a sentence about the fault of the last token; "" for the first try.
 std::string log_in_page(const std::string& why);
 
 std::string team_desk_page(const TeamDesk& desk);
 
-// The answer to one entry, with what `mirocup check` reports: entry_report().
+// The page of one entry: its answer and the results of `mirocup check`, from entry_report().
 std::string entry_page(const Json& entry, const TimeInWords& time_in_words);
 
 }  // namespace mirocup::league

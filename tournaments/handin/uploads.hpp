@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Files that teams send: their number, their size, and how they become hand-ins.
+// Files that teams send: limits of their number and size, and the way from a file to a hand-in.
 //
 // Threads: all functions may be called by any thread at any time.
 #pragma once
@@ -14,10 +14,10 @@ class Uploads {
  public:
   explicit Uploads(DeskState& state) : state_(state) {}
 
-  // Takes the file that a team sends.
+  // Receives a file from a team and books it as a hand-in.
   web::Reply take(const web::Request& request, const web::Body& body, const std::string& team);
 
-  // Returns the reply to a team that hands in more than it may, or too late; nothing if it may hand
+  // Returns the reply to a team that hands in too often or too late; nothing if the team may hand
   // in. Requires the mutex of the state.
   std::optional<web::Reply> refused_now(const std::string& team);
 
@@ -28,7 +28,7 @@ class Uploads {
                   const std::string& sha256);
 
   DeskState& state_;
-  std::map<std::string, int> running_;  // of each team; guarded by the mutex of the state
+  std::map<std::string, int> running_;  // uploads of each team; guarded by the mutex of the state
 };
 
 }  // namespace mirocup::league

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Counts wrong tokens of each address, and says how long an address has to wait after several. A
-// right token never waits, so one student cannot lock out a class that shares an address.
+// Counts wrong tokens of each address, and says how long an address has to wait after several wrong
+// tokens. A right token never waits, so one student cannot lock out a class that shares an address.
 //
 // Threads: one at a time.
 #pragma once
@@ -14,7 +14,7 @@ namespace mirocup::league {
 
 class WrongTokens {
  public:
-  static constexpr int free_tries = 5;                  // before the first wait
+  static constexpr int free_tries = 5;                  // wrong tokens before the first wait
   static constexpr std::int64_t max_wait = 60;          // s
   static constexpr std::int64_t forgotten_after = 600;  // s without a wrong token
   static constexpr std::size_t max_addresses = 10'000;
@@ -29,14 +29,14 @@ class WrongTokens {
  private:
   struct Count {
     int wrong = 0;
-    std::int64_t last = 0;   // when it was counted
+    std::int64_t last = 0;   // when the last wrong token was counted
     std::int64_t waits = 0;  // s: end of the wait
   };
   std::map<std::string, Count> addresses_;
   std::int64_t swept_ = 0;  // when forgotten addresses were removed last
 };
 
-// Returns the network whose addresses one person is likely to have: of IPv6 the first 64 bits.
+// Returns the part of an address that stands for one person: of IPv6 the first 64 bits.
 std::string network_of(const std::string& address);
 
 }  // namespace mirocup::league

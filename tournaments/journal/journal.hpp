@@ -2,13 +2,14 @@
 //
 // The journal of a league: an append-only file from which tables and pages are derived.
 //
-// Each line is a JSON object with its number, the SHA-256 of the line before and its own. A line is
-// on disk (fsync) before it has any effect. An incomplete last line, left by a process that died
-// while writing, is ignored by readers and removed by the next append(). Any other damage is an
-// error that names the line. format.md describes the lines; league/event.hpp decodes them.
+// Each line is a JSON object with its number, the SHA-256 of the line before, and the SHA-256 of
+// its own content. A line is on disk (fsync) before it has any effect. An incomplete last line,
+// left by a process that died while writing, is ignored by readers and removed by the next
+// append(). Any other damage is an error that names the line. format.md describes the lines;
+// league/event.hpp decodes them.
 //
-// Processes: several may read a journal at any time. Each may append to it if it holds a FileLock
-// while it calls refresh() and append(). Threads: one at a time.
+// Processes: any number may read a journal at any time. A process may append to the journal if it
+// holds a FileLock while it calls refresh() and append(). Threads: one at a time.
 #pragma once
 
 #include "system/files.hpp"
@@ -25,8 +26,8 @@ using Json = nlohmann::ordered_json;
 
 class Journal {
  public:
-  // The limit of JSON values of all lines together, which stay in memory: enough for a million
-  // legs.
+  // The most JSON values of all lines together, because they stay in memory. The limit is enough
+  // for a million legs.
   static constexpr std::size_t max_values = 20'000'000;
 
   // Reads the file; a missing file is an empty journal. `notice` gets a sentence for the user if an
@@ -44,7 +45,7 @@ class Journal {
   Result<void> refresh();
 
   // Writes a line: "n", "kind", the fields, "prev" and "hash". After an error the journal is
-  // unchanged. A line that readers would refuse is not written, and is an error.
+  // unchanged. A line that readers would refuse is an error and is not written.
   Result<void> append(const std::string& kind, Json fields);
 
  private:
@@ -61,7 +62,7 @@ class Journal {
   std::size_t size_ = 0;    // bytes of whole lines
   std::size_t values_ = 0;  // of all lines
   std::size_t most_values_;
-  bool is_torn_ = false;  // true: an incomplete line follows them
+  bool is_torn_ = false;  // true: an incomplete line follows the whole lines
 };
 
 }  // namespace mirocup::league

@@ -22,29 +22,29 @@ struct Act {
   int leg = 0;                // rule, award, void; 0: not given, for a fixture of one leg
   bool has_all_legs = false;  // rule, award, void: all legs of the fixture
   std::string team = {};      // award, withdraw, pause, resume
-  bool keeps_seed = false;    // void: it is played again with the same seed
+  bool keeps_seed = false;    // void: the leg is played again with the same seed
   std::string score = {};     // rule: "2:1", home before away
   std::string results = {};   // withdraw: "keep" or "annul"
   std::string from = {};      // freeze: a time; "": now
   bool is_lifted = false;     // freeze: entries are taken again
   std::string level = {};     // release: "all", "teams" or "hidden"
   std::string through = {};   // release: a round; "": as for Released::through
-  int decision = 0;           // undo: its number in the list of decisions
-  std::string reason = {};    // of all
-  std::string by = {};        // who decides; "": nobody is named
-  bool is_dry_run = false;    // says what would happen and writes nothing
+  int decision = 0;           // undo: the number of a decision in the list
+  std::string reason = {};    // of each act
+  std::string by = {};        // the person who decides; "": not named
+  bool is_dry_run = false;    // returns the same lines and writes nothing
 };
 
 // The most goals that a person can give a team in a leg.
 inline constexpr int max_ruled_goals = 100;
 
-// Returns why a text cannot be published as a reason; "" if it can. A reason is one line of at most
-// 500 bytes with a letter or a digit.
+// Returns why a text cannot be the published reason of a decision; "" if it can. A reason is one
+// line of at most 500 bytes with a letter or a digit.
 std::string objection_to_reason(const std::string& text);
 
-// Performs an act. `files` gives access to league.json, which has the time of a freeze before the
-// start. Returns lines for the person who acts, with the former values: "r1-f1 leg 2: a 2 : 1 b
-// (was 0 : 3)". After an error, Errc::input, nothing is written.
+// Performs an act. `files` gives access to league.json, because a freeze before the start writes
+// its time there. Returns lines for the person who acts, with the former values: "r1-f1 leg 2: a 2
+// : 1 b (was 0 : 3)". After an error, Errc::input, nothing is written.
 Result<std::vector<std::string>> perform(system::Files& files, LeagueStore& store, const Act& act,
                                          std::int64_t now);
 

@@ -10,10 +10,11 @@ namespace mirocup::league {
 
 // If the event is a decision of a person, appends it to the list and marks the decisions that it
 // undoes. `state` is the state before the event, which validate() accepts. `line` is the number of
-// its line.
+// the event's line.
 void note_decision(LeagueState& state, const Event& event, int line);
 
-// The same for a decision that a later line undoes: it is listed, and changes nothing.
+// Like note_decision(), for a decision that a later line undoes: the decision is listed and changes
+// nothing.
 void note_undone_decision(LeagueState& state, const Event& event, int line);
 
 // True if the event is a decision of a person.

@@ -25,7 +25,7 @@ namespace mirocup::league {
 
 using Json = nlohmann::ordered_json;
 
-// The largest number of goals or penalties of a leg that is read.
+// The largest number of goals or penalties of a leg that a reader accepts.
 inline constexpr int max_count = 1'000'000;
 
 // One number for each of the two teams of a fixture: goals, or penalties given against them.
@@ -36,8 +36,8 @@ struct HomeAway {
   bool operator==(const HomeAway&) const = default;
 };
 
-// The reason why a leg has its score. The match server ends a leg for one of the first six reasons;
-// the last two belong to legs that were not played.
+// How a leg got its score. The match server ends a leg for one of the first six reasons; the last
+// two reasons are for legs that were not played.
 enum class LegEnd {
   full_time,
   golden_goal,
@@ -46,7 +46,7 @@ enum class LegEnd {
   double_forfeit,
   mercy,
   awarded,    // by a ruling
-  withdrawn,  // walkover, because a team has left; derived from Withdrawn, never in the journal
+  withdrawn,  // walkover after a team has left; follows from Withdrawn, never in the journal
 };
 
 // The fault that ended a leg early, as in a match record.
@@ -60,7 +60,7 @@ struct LegFault {
   bool operator==(const LegFault&) const = default;
 };
 
-// The league started; from then on league.json must keep this SHA-256.
+// The league started; from then on league.json must have this SHA-256.
 struct Started {
   static constexpr std::string_view kind = "start";
 
@@ -68,12 +68,13 @@ struct Started {
   std::string version;                // version of the program; "" if the line has none
   match::Conditions conditions = {};  // of all legs; exact if the line has none
   std::string build = {};             // of the program; "" in lines of earlier versions
-  std::string game = {};              // the hash of its behaviour, likewise
+  // The hash of the program's behaviour; "" in lines of earlier versions.
+  std::string game = {};
 
   bool operator==(const Started&) const = default;
 };
 
-// From here on the team plays with this entry.
+// From this event on the team plays with this entry.
 struct EntryBooked {
   static constexpr std::string_view kind = "entry";
 
@@ -84,12 +85,13 @@ struct EntryBooked {
   bool operator==(const EntryBooked&) const = default;
 };
 
-// A team joined a league that takes entries after its start. It plays from its first entry on.
+// A team joined a league that takes entries after its start. The team plays from its first entry
+// on.
 struct TeamJoined {
   static constexpr std::string_view kind = "join";
 
   std::string team;
-  std::string source;  // TeamConfig::source: "submitted" or "house:NAME"
+  std::string source;  // as TeamConfig::source: "submitted" or "house:NAME"
 
   bool operator==(const TeamJoined&) const = default;
 };
@@ -119,7 +121,7 @@ struct LegPlayed {
 enum class VoidCause {
   host,     // the machine failed
   confirm,  // a team exceeded a time limit for the first time; the next attempt decides
-  ruling,   // a person decided so
+  ruling,   // a person decided to void the attempt
 };
 
 // An attempt counts for nothing; the leg is played again.
@@ -154,8 +156,8 @@ struct Ruled {
 
 // The effect of a withdrawal on the results of the team.
 enum class WithdrawnResults {
-  keep,   // its results stay, and its opponents win the legs that are not played
-  annul,  // its legs outside a knockout count for nothing
+  keep,   // results stay, and opponents win the legs that are not played
+  annul,  // legs outside a knockout count for nothing
 };
 
 // A team left the league.
@@ -171,8 +173,8 @@ struct Withdrawn {
   bool operator==(const Withdrawn&) const = default;
 };
 
-// No leg of the team is started until it is resumed. The program also pauses teams: then `by` is
-// empty and `is_by_program` is true or, in lines of earlier versions, `at` is empty.
+// No leg of the team is started until the team is resumed. The program also pauses teams: then `by`
+// is empty and `is_by_program` is true or, in lines of earlier versions, `at` is empty.
 struct Paused {
   static constexpr std::string_view kind = "pause";
 
@@ -196,9 +198,9 @@ struct Resumed {
   bool operator==(const Resumed&) const = default;
 };
 
-// A night begins. In a nightly league it lists the last accepted entries of teams that have a new
-// one. They play from here on, and fixtures follow. In other formats it lists no entries, and marks
-// the time from which there is news.
+// A night begins. In a nightly league the event lists the last accepted entry of each team with a
+// new entry; the team plays with this entry from now on, and fixtures follow. In other formats the
+// event lists no entries, and marks the time from which a digest counts news.
 struct NightBegan {
   static constexpr std::string_view kind = "night";
 
@@ -209,7 +211,7 @@ struct NightBegan {
   bool operator==(const NightBegan&) const = default;
 };
 
-// From a time on the league takes no entry.
+// The league takes no entry from a time on.
 struct Frozen {
   static constexpr std::string_view kind = "freeze";
 
@@ -221,7 +223,7 @@ struct Frozen {
   bool operator==(const Frozen&) const = default;
 };
 
-// The league is over: no night follows, and it takes no entry.
+// The league is over: no night follows, and the league takes no entry.
 struct Closed {
   static constexpr std::string_view kind = "close";
 
@@ -232,7 +234,7 @@ struct Closed {
   bool operator==(const Closed&) const = default;
 };
 
-// The readers of the rounds after the released one.
+// The people who may read the rounds after the released round.
 enum class ReleaseLevel {
   all,     // everybody
   teams,   // the pages end with the released round; each team reads its own digest
@@ -264,13 +266,13 @@ struct Undone {
   bool operator==(const Undone&) const = default;
 };
 
-// From here on another program plays the league than before.
+// From this event on another program plays the league than before.
 struct ProgramChosen {
   static constexpr std::string_view kind = "program";
 
   std::string version;
   std::string build;
-  std::string game;  // the hash of its behaviour, as records have it
+  std::string game;  // the hash of the program's behaviour, as in records
   std::string at = {};
 
   bool operator==(const ProgramChosen&) const = default;
@@ -284,13 +286,14 @@ using Event =
 // (Errc::damaged) names the line's number, the key and the reason: "line 7: /score/home: missing".
 Result<Event> read_event(const Json& line);
 
-// The value of the key "kind" of the event's line.
+// Returns the value of the key "kind" of the event's line.
 std::string_view kind_of(const Event& event);
 
-// The other fields of the line, in the order in which the journal has them.
+// Returns all fields of the event's line but "kind", in the order of the journal.
 Json fields_of(const Event& event);
 
-// The id of the event's fixture; null if the event has none. Valid as long as the event.
+// Returns the id of the event's fixture; null if the event has no fixture. The id is valid as long
+// as the event.
 const std::string* fixture_of(const Event& event);
 
 }  // namespace mirocup::league

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Entering a team that speaks FIRASim's protocol: it hands in no library, so league.json describes
-// it completely.
+// Entering a team that speaks FIRASim's protocol: the team hands in no library, so league.json
+// describes it completely.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -11,9 +11,9 @@
 
 namespace mirocup::league {
 
-// Writes the team, whose source is "firasim:NAME", into league.json; a team of that name is
-// replaced if it is of the same kind. Returns a sentence that says why this is impossible; "" if it
-// is done.
+// Writes the team, whose source is "firasim:NAME", into league.json. Replaces a team of that name
+// if its source is of this kind, too. Returns a sentence that says why the team cannot enter; "" if
+// it was written.
 Result<std::string> enter_firasim_team(system::Files& files, const Folder& folder,
                                        const TeamConfig& team, std::int64_t now);
 

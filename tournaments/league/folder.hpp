@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The folder of a league: league.json, journal.jsonl, entries/, records/ and site/. Its paths, its
-// creation, and the entries that were handed in.
+// The folder of a league: league.json, journal.jsonl, entries/, records/ and site/. This file has
+// its paths, its creation and its kept entries.
 #pragma once
 
 #include "system/files.hpp"
@@ -24,17 +24,18 @@ struct Folder {
   std::string pruned() const { return path + "/pruned.json"; }
   std::string notice() const { return path + "/notice.txt"; }
 
-  // The programs that have played the league, one folder for each (play/program.hpp).
+  // The folder of the programs that have played the league, with a folder for each program
+  // (play/program.hpp).
   std::string programs() const { return path + "/programs"; }
 
-  // The digests of each night for the teams and the host (publish/digest.hpp); only the host reads
-  // them.
+  // The digests of each night for teams and host (publish/night.hpp). Only the host can read this
+  // folder.
   std::string nights() const { return path + "/nights"; }
 
-  // The hand-ins over the network, and the answers (handin/book.hpp).
+  // The book of hand-ins over the network and their answers (handin/book.hpp).
   std::string hand_in_book() const { return path + "/hand-ins.jsonl"; }
 
-  // The friendlies of teams (handin/friendly_book.hpp), and their records.
+  // The book of the friendlies (handin/friendly_book.hpp), and the folder of their records.
   std::string friendly_book() const { return path + "/friendlies.jsonl"; }
   std::string friendlies(const std::string& team) const {
     return entries() + "/" + team + "/friendlies";
@@ -45,20 +46,21 @@ struct Folder {
   static std::string friendly_name(const std::string& team, int number) {
     return "entries/" + team + "/friendlies/" + std::to_string(number) + ".json";
   }
-  // What `mirocup drill` has printed of an entry.
+  // The output of `mirocup drill` for an entry.
   std::string drill_marks(const std::string& team, int entry) const {
     return friendlies(team) + "/drills-" + std::to_string(entry) + ".json";
   }
 
   std::string uploads() const { return entries() + "/.uploads"; }  // files that are arriving
 
-  // Locked while the league is played; its text is the id of the process that plays it.
+  // Locked while the league is played; the text of the file is the id of the process that plays the
+  // league.
   std::string running() const { return path + "/.running"; }
 
-  // Locked while a hand-in is numbered, and while the answer to one is booked.
+  // Locked while a hand-in gets its number, and while an answer to a hand-in is booked.
   std::string submitting() const { return path + "/.submitting"; }
 
-  // Locked while `league submit` checks an entry, so that its checks do not slow each other down.
+  // Locked while `league submit` checks an entry, so that two checks do not slow each other down.
   std::string checking() const { return path + "/.checking"; }
 
   // Only the host reads the files below.
@@ -69,20 +71,24 @@ struct Folder {
   std::string entry(const std::string& team, int number) const {
     return entries() + "/" + team + "/" + std::to_string(number);
   }
-  // A team in Python has its text there, under the same name.
+  // For a team in Python this file is the text of the program, not a library.
   std::string library(const std::string& team, int number) const {
     return entry(team, number) + "/strategy.so";
   }
-  std::string source(const std::string& team, int number) const {  // of a library made from it
+  // The source from which the library was made.
+  std::string source(const std::string& team, int number) const {
     return entry(team, number) + "/source";
   }
-  std::string compile_log(const std::string& team, int number) const {  // while it is compiled
+  // Output of compiling the entry.
+  std::string compile_log(const std::string& team, int number) const {
     return entry(team, number) + "/compile.log";
   }
-  std::string check_log(const std::string& team, int number) const {  // while it is checked
+  // Output of checking the entry.
+  std::string check_log(const std::string& team, int number) const {
     return entry(team, number) + "/check.log";
   }
-  std::string gate_leg(const std::string& team, int number) const {  // the record of its check
+  // The record of the leg in the check.
+  std::string gate_leg(const std::string& team, int number) const {
     return entry(team, number) + "/gate.json";
   }
   std::string entry_file(const std::string& team, int number) const {
@@ -102,46 +108,45 @@ struct Folder {
   std::string site() const { return path + "/site"; }
 };
 
-// Errors: Errc::input if there is no league in the folder, Errc::unavailable if this user may not
-// look into it.
+// Errors: Errc::input if the folder holds no league, Errc::unavailable if this user may not read
+// the folder.
 Result<void> expect_league(system::Files& files, const Folder& folder);
 
-// For commands that write into the folder: Errc::unavailable if the league belongs to another user,
-// who could not write to files of this user. A folder without a league has no owner.
+// For commands that write into the folder. Error: Errc::unavailable if the league belongs to
+// another user, who could not write to files of this user. A folder without a league passes.
 Result<void> expect_owner(const Folder& folder);
 
-// Reads and writes the nights whose legs have no pages, because the host has removed the pages to
-// save room (league_state.hpp). There is no file if no pages were removed.
+// Reads and writes the pruned nights: the host has removed the pages of their legs to save room
+// (league_state.hpp). Without pruned nights there is no file.
 Result<std::set<int>> read_pruned_nights(system::Files& files, const Folder& folder);
 Result<void> write_pruned_nights(system::Files& files, const Folder& folder,
                                  const std::set<int>& nights);
 
-// Reads and writes the host's notice at the top of the front page; "": none. The file may be
-// written by hand. Errors of writing: Errc::input if the text is not UTF-8 or longer than
+// Reads and writes the host's notice at the top of the front page; "": none. A person may also
+// write the file by hand. Errors of writing: Errc::input if the text is not UTF-8 or longer than
 // max_notice.
 inline constexpr std::size_t max_notice = 1000;  // bytes
 Result<std::string> read_notice(system::Files& files, const Folder& folder);
 Result<void> write_notice(system::Files& files, const Folder& folder, const std::string& text);
 
-// Creates the folder with this league.json and with every team's library as its entry 1.
-// Errc::input if the folder holds a league already.
+// Creates the folder with this league.json and with each team's library as the team's entry 1.
+// Error: Errc::input if the folder holds a league already.
 Result<void> init_folder(system::Files& files, const Folder& folder, const LeagueFile& file);
 
-// Returns the bytes of the library that a team names: a file, or that of a house team. As in
-// `mirocup check` and `match`, a link is refused. A relative path begins at `base` ("": the working
-// folder).
+// Returns the bytes of the library that a team names: a file or a house team. As in `mirocup check`
+// and `match`, a link is refused. A relative path begins at `base` ("": the working folder).
 Result<std::string> library_of(system::Files& files, const TeamConfig& team,
                                const std::string& base = "");
 
 // Stores the libraries that league.json names, for teams without an entry and for house teams whose
-// library has changed. So teams may be added to the file after `init`. Paths begin at the league's
-// folder. Returns the names of these teams.
+// library has changed. So a person may add teams to league.json after `init`. Paths begin at the
+// league's folder. Returns the names of the teams whose library was stored.
 Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Folder& folder,
                                                  const LeagueFile& file);
 
-// Stores a library in the folder as the entry of that number, with the verdict of its check if it
-// was checked. Its files and folders are closed to other users. entry.json is written last: an
-// entry without it does not exist.
+// Stores a library in the folder as the entry `number`, with the verdict of its check if it was
+// checked. Files and folders of the entry are closed to other users. entry.json is written last: an
+// entry without this file does not exist.
 Result<void> add_entry(system::Files& files, const Folder& folder, const std::string& team,
                        int number, const std::string& library, const std::string& verdict = "");
 
@@ -149,15 +154,15 @@ Result<void> add_entry(system::Files& files, const Folder& folder, const std::st
 Result<void> make_entries_folder(system::Files& files, const Folder& folder,
                                  const std::string& team);
 
-// Returns the numbers of the entries that are kept, in the order in which they were handed in.
+// Returns the numbers of the kept entries of a team in the order of the hand-ins.
 Result<std::vector<int>> entries_of(system::Files& files, const Folder& folder,
                                     const std::string& team);
 
-// Returns the number of the next entry: one more than the highest number of a folder, also of an
+// Returns the number of the next entry: one more than the highest number of a kept entry or of an
 // entry whose check has not ended.
 Result<int> next_entry(system::Files& files, const Folder& folder, const std::string& team);
 
-// Returns the SHA-256 of a kept entry; "" if there is none of that number.
+// Returns the SHA-256 of a kept entry; "" if no entry has the number.
 Result<std::string> sha256_of_entry(system::Files& files, const Folder& folder,
                                     const std::string& team, int number);
 
@@ -166,8 +171,8 @@ Result<std::string> sha256_of_entry(system::Files& files, const Folder& folder,
 Result<bool> is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,
                                int number);
 
-// Returns the number of the last entry that was handed in, or of the last accepted entry; 0 if
-// there is none.
+// Return the number of the last entry that was handed in, and of the last accepted entry; 0 if the
+// team has no such entry.
 Result<int> last_entry(system::Files& files, const Folder& folder, const std::string& team);
 Result<int> last_accepted_entry(system::Files& files, const Folder& folder,
                                 const std::string& team);

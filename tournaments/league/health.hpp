@@ -21,24 +21,24 @@ struct DiskUse {
 };
 
 // Looks at each file of the league. Files that vanish meanwhile, or that this user cannot see,
-// count nothing.
+// count as empty.
 DiskUse disk_use(const Folder& folder);
 
-// "142 MiB used (records 37, pages 71, entries 29), 12000 MiB left".
+// Returns "142 MiB used (records 37, pages 71, entries 29), 12000 MiB left".
 std::string in_words(const DiskUse& disk);
 Json disk_json(const DiskUse& disk);
 
 struct Health {
-  int night = 0;                      // number of the last night; 0: there was none
-  std::string night_at;               // when it began, UTC
+  int night = 0;                      // number of the last night; 0: no night yet
+  std::string night_at;               // start of the last night, UTC
   int open_legs = 0;                  // of the whole league
   bool is_playing = false;            // the league is being played now
   int waiting = 0;                    // hand-ins over the network without an answer
-  std::int64_t waits_s = 0;           // how long the oldest of them has waited, s
-  std::vector<std::string> problems;  // sentences, each with what to do
+  std::int64_t waits_s = 0;           // wait of the oldest hand-in without an answer, s
+  std::vector<std::string> problems;  // sentences, each with a remedy
 };
 
-// `now` is in s since 1970. Errors: those of reading the book of hand-ins.
+// Examines a league. `now` is in s since 1970. Errors: the errors of reading the book of hand-ins.
 Result<Health> health(system::Files& files, const LeagueStore& store, std::int64_t now);
 
 }  // namespace mirocup::league

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A folder into which teams copy TEAM.so. A mistake in one file is the answer to this file, and
-// never stops another file.
+// A folder into which teams copy TEAM.so. A mistake in a file is reported in the answer to that
+// file, and never stops another file.
 #pragma once
 
 #include "tournaments/league/submission.hpp"
@@ -16,8 +16,8 @@ using InboxListener = std::function<void(const std::string& path, const std::str
                                          const Result<Submission>& answer)>;
 
 // Hands in each TEAM.so of the inbox, and reports the files that are new. `now` is in s since 1970.
-// Files of different users take turns, so that nobody waits for all files of another. An error
-// means that the inbox cannot be read, or that the user has interrupted.
+// Files of different users take turns, so that no user waits for all files of another user. An
+// error means that the inbox cannot be read, or that the user has interrupted the program.
 Result<void> submit_inbox(system::Files& files, const Folder& folder, const std::string& inbox,
                           std::int64_t now, const InboxListener& tell, const Quota& quota = {});
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The copies of match servers in the folder of a league: each program that has played it. Only the
-// program that played a leg surely simulates it again: another program may take another course from
-// the same commands.
+// The copies of match servers in the folder of a league: one of each program that has played the
+// league. Only the program that played a leg surely simulates the leg again. In another program the
+// same commands may give another course.
 //
 // A folder may come from another host. So a copy is run only if its digest is on a list outside the
-// folder: this host has kept the copy, or its user has said that it is trusted.
+// folder. This host lists a copy that it has kept itself, or that its user has called trusted.
 #pragma once
 
 #include "system/descriptor.hpp"
@@ -17,27 +17,28 @@
 
 namespace mirocup::league {
 
-// The largest size of a program, bytes; with sanitizers, programs are large.
+// The largest size of a program, bytes. Programs with sanitizers are large.
 inline constexpr std::uint64_t max_program = 256u << 20;
 
-// The path at which the copy of the match server of that behaviour (`game` in records) is kept.
+// Returns the path of the kept match server with a behaviour (`game` in records).
 std::string kept_program(const Folder& folder, const std::string& game);
 
-// The files of that program's module for browsers (browser/), beside its copy, if they were built.
+// Returns the files of the browser module (browser/) of a kept program. They exist only if they
+// were built.
 inline constexpr const char* kept_module_files[] = {"mirocup.js", "mirocup.wasm"};
 std::string kept_module(const Folder& folder, const std::string& game, const std::string& file);
 
-// Returns the behaviour of the program that played a record, a path inside the folder; "" if there
-// is no such record, or if it is from before the behaviour was written down. Errors: the record
-// cannot be read, or is damaged.
+// Returns the behaviour of the program that played a record, a path inside the folder; "" if the
+// record does not exist or names no behaviour. It is an error if the record cannot be read or is
+// damaged.
 Result<std::string> game_of_record(system::Files& files, const Folder& folder,
                                    const std::string& record);
 
-// True if this host's list holds the program with these bytes. Errors: the list cannot be read, or
-// others may write to it.
+// True if this host's list holds the program with these bytes. It is an error if the list cannot be
+// read, or if others may write to it.
 Result<bool> is_trusted_program(const std::string& bytes);
 
-// Puts the program with these bytes on this host's list, if it is not there.
+// Puts the program with these bytes on this host's list, unless the list has it.
 Result<void> trust_program(const std::string& bytes);
 
 // Puts all programs of the league's folder, with their modules, on this host's list, and returns
@@ -47,22 +48,22 @@ Result<std::vector<std::string>> trust_kept_programs(system::Files& files, const
 // A match server that simulates records again.
 struct MatchServer {
   std::string path;                // for people
-  std::vector<std::string> words;  // the beginning of a command line that runs it
-  std::string why_not_kept;        // why a kept program is not run, a sentence; ""
+  std::vector<std::string> words;  // the beginning of a command line that runs the server
+  std::string why_not_kept;        // a sentence: why the kept program is not run; or ""
 };
 
 // The match servers for the records of a league. A kept program is run from a copy in memory, whose
-// bytes have the digest that was on the list. The object lives as long as their processes.
+// digest is on the list. The object must outlive the processes of the servers.
 class MatchServers {
  public:
   MatchServers(system::Files& files, const Folder& folder);
 
-  // Returns the match server of that behaviour: the kept program. Returns this program's own server
-  // if it behaves alike, if no program is kept, or if this host does not trust the kept one.
+  // Returns the kept match server with a behaviour. Returns this program's own server if it has
+  // that behaviour, if no such program is kept, or if this host does not trust the kept program.
   const MatchServer& of_game(const std::string& game);
 
-  // The same for a record, a path inside the folder. If the record is damaged, returns this
-  // program's own server.
+  // Returns the match server for a record, a path inside the folder. If the record is damaged,
+  // returns this program's own server.
   const MatchServer& of_record(const std::string& record);
 
   // Returns the match server of this program.

@@ -2,8 +2,8 @@
 //
 // The state of a league: its league.json and all events of its journal, applied in order
 // (apply.hpp). The state is derived and never stored. The schedule of a Swiss tournament, a
-// knockout and a ladder grows with the results: fixtures that have begun stay, the others follow
-// from the present results.
+// knockout and a ladder grows with the results: fixtures that have begun stay, and later fixtures
+// follow from the present results.
 #pragma once
 
 #include "tournaments/format/knockout.hpp"
@@ -23,16 +23,16 @@
 
 namespace mirocup::league {
 
-// After this number of attempts that failed because of the host, a leg is not tried again until the
-// next start of the program, so that a person can repair the host first.
+// The most attempts at a leg that may fail by the host. After them the leg waits for the next start
+// of the program, so that a person can repair the host first.
 inline constexpr int max_attempts = 3;
 
-// A leg that is decided.
+// The result of a decided leg.
 struct PlayedLeg {
   LegResult result;
   int winner = no_team;  // by goals or a shoot-out; no_team after a draw
   LegEnd end = LegEnd::full_time;
-  std::optional<LegFault> fault;  // the fault that ended it early
+  std::optional<LegFault> fault;  // the fault that ended the leg early
   std::string record;             // path inside the league folder; "" if the leg was not played
   std::string state_hash;
   std::string ruling;  // the published reason of a person's decision; "" if there is none
@@ -41,30 +41,32 @@ struct PlayedLeg {
 struct LegState {
   std::shared_ptr<const PlayedLeg> played;  // null: not decided
   int voids = 0;                            // number of attempts that count for nothing
-  int host_faults = 0;                      // voids by the host since the last ruling
-  int version = 1;                   // of its record, from 1; voids by the host do not raise it
-  int new_seeds = 0;                 // number of voids by persons that changed its seed
-  bool awaits_confirmation = false;  // a clock decided the first attempt; the next counts
-  std::shared_ptr<const std::string> void_ruling;  // why a person voided it; null if none did
+  int host_faults = 0;                      // attempts voided by the host since the last ruling
+  // Number of the next record, from 1; not raised when the host voids.
+  int version = 1;
+  int new_seeds = 0;                 // how often a person voided the leg with a new seed
+  bool awaits_confirmation = false;  // a clock decided the first attempt; the next attempt counts
+  // Why a person voided the leg; null: no person did.
+  std::shared_ptr<const std::string> void_ruling;
 };
 
 struct FixtureState {
   Fixture fixture;
   std::array<LegState, max_legs> legs;
-  bool is_annulled = false;  // counts for nothing, because a team has left
-  // The outcome of a tie of a knockout that was decided because a team had left. It stays if the
-  // other team also leaves. Leagues of the former rules have none.
+  bool is_annulled = false;  // the fixture counts for nothing, because a team has left
+  // The outcome of a tie of a knockout that was decided because a team had left. The outcome stays
+  // if the other team also leaves. Empty in leagues of the former rules.
   std::optional<TieOutcome> walkover;
-  int counted_needed = 0;  // its part of the league's counts
+  int counted_needed = 0;  // the fixture's part in the league's counts
   int counted_decided = 0;
 
-  // The number of legs that it needs by present results (a level tie needs one more), and the
-  // number of its decided legs.
+  // The number of legs that the fixture needs by present results (a level tie needs one more), and
+  // the number of its decided legs.
   int needed() const;
   int decided() const;
   bool is_decided() const;
   bool has_begun() const;
-  int goals(int team) const;  // sum over all legs
+  int goals(int team) const;  // of a team in all legs together
 };
 
 // The participation of a team.
@@ -73,17 +75,17 @@ enum class TeamStatus { playing, paused, withdrawn };
 struct TeamState {
   TeamStatus status = TeamStatus::playing;
   int entry = 0;       // the number of the entry that plays; 0: none yet
-  std::string sha256;  // of its library
-  std::string why;     // the reason why it is paused, or has withdrawn
-  int strikes = 0;     // legs in a row that it lost by its own faults
+  std::string sha256;  // of the library of this entry
+  std::string why;     // the reason why the team is paused or has withdrawn
+  int strikes = 0;     // legs in a row that the team lost by its own faults
 };
 
 // A decision of a person: LegVoided, Ruled, Withdrawn, Paused, Resumed, Frozen, Closed, Released or
 // Undone.
 struct Decision {
   Event event;
-  int line = 0;           // its number in the journal; 0: not known
-  std::string what = {};  // the former value that it changed: "was 2:1"; may be ""
+  int line = 0;           // number of the decision's line in the journal; 0: not known
+  std::string what = {};  // the value before the decision: "was 2:1"; may be ""
   // The later decision that ended its effect, as an index of LeagueState::decisions: a decision on
   // the same leg, a withdrawal that removes the leg, the end of a pause, or Undone.
   std::optional<std::size_t> undone_by;
@@ -97,20 +99,20 @@ struct LeagueState {
   bool is_started = false;
   bool is_closed = false;
   std::string config_sha256;     // of league.json when the league was started
-  match::Conditions conditions;  // of its legs, once it has started
+  match::Conditions conditions;  // of the league's legs, once the league has started
 
-  // The program that plays the league, from the last line that names one.
+  // The program that plays the league, from the last line of the journal that names a program.
   ProgramChosen program;
 
-  // The round of a Swiss tournament that is not played, because each pairing would be a second
-  // meeting; 0: there is none.
+  // The round of a Swiss tournament that is not played because every pairing repeats a meeting; 0:
+  // none.
   int unpaired_round = 0;
 
   std::vector<NightBegan> nights;
-  std::optional<std::string> freeze;  // of the last Frozen; empty: as in league.json
-  Released release;                   // the last; the default shows all rounds
+  std::optional<std::string> freeze;  // from the last event Frozen; empty: as in league.json
+  Released release;                   // the last event Released; the default shows all rounds
 
-  // The names that pages show, in the order of the teams; empty: those of league.json.
+  // The names that pages show, in the order of the teams; empty: the names in league.json.
   std::vector<std::string> shown_names;
 
   // The colours of the marks beside the names, "#c03a2b", by the team's name in league.json. A team
@@ -131,20 +133,21 @@ struct LeagueState {
   std::vector<LegResult> results() const;
   std::vector<TableRow> table() const;
 
-  // The index of a fixture or a team; nothing if there is none of that name.
+  // Returns the index of a fixture or a team; nothing if none has the name.
   std::optional<int> find_fixture(const std::string& id) const;
   std::optional<int> find_team(const std::string& name) const;
   const std::string& name(int team) const { return file.teams[team].name; }
 
-  // The name by which people know the team.
+  // Returns the name of a team that pages show.
   const std::string& shown_name(int team) const {
     return shown_names.empty() ? name(team) : shown_names[team];
   }
 
-  // The same for the name of a team in league.json; any other text stays as it is.
+  // Converts the name of a team in league.json to the name that pages show; any other text stays
+  // unchanged.
   std::string shown_name_of(const std::string& team) const;
 
-  // The time from which the league takes no entry, UTC; "": it takes entries as the format allows.
+  // Returns the time from which the league takes no entry, UTC; "": the format alone decides.
   const std::string& frozen_from() const { return freeze ? *freeze : file.freeze; }
 
   // All fixtures before this index are decided.
@@ -157,14 +160,14 @@ struct LeagueState {
   int needed_ = 0;
   int decided_ = 0;
   int first_open_ = 0;
-  int entries_ = 0;  // number of entries booked so far, which are the rounds of a ladder
+  int entries_ = 0;  // number of entries booked so far; the present round of a ladder
   std::unordered_map<std::string, int> index_of_fixture_;
   std::unordered_map<std::string, int> index_of_team_;
 };
 
 // Returns who won a tie of a knockout: the team with more goals over all its legs, then the winner
 // of the shoot-out of the deciding leg, then the winner of a lot, drawn with the seed of the
-// fixture. A team that has left loses a tie that was not played.
+// fixture. If a tie was not played, a team that has left loses it.
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie);
 
 // Returns why the rounds of a Swiss tournament ended early, a sentence; "" if they did not.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // An open league: its journal and the state that follows from it, always in agreement. An event is
-// written under a lock, after reading the events that other processes have written: a person may
+// written under a lock, after the events of other processes have been read, because a person may
 // rule on a leg while the league is being played.
 //
 // Threads: one at a time.
@@ -21,28 +21,28 @@ class LeagueStore {
   using Clock = std::function<std::int64_t()>;
 
   // Opens the league in the folder. `notice` may get a sentence that the user should read. `files`
-  // must outlive the store. Errors: Errc::input if there is no league, or league.json is wrong or
-  // has changed since the start; Errc::damaged if the journal is damaged.
-  // Lines get the time of `clock`, in s since 1970.
+  // must outlive the store. Errors: Errc::input if the folder holds no league, or if league.json is
+  // wrong or has changed since the start; Errc::damaged if the journal is damaged. New lines of the
+  // journal get the time of `clock`, in s since 1970.
   static Result<LeagueStore> open(system::Files& files, Folder folder,
                                   std::string* notice = nullptr, Clock clock = system::now_s);
 
-  // The same for a caller that needs only the teams: a league that has not started gets no
-  // fixtures, which saves most of the time.
+  // Opens a league like open(), for a caller that needs only the teams. A league that has not
+  // started gets no fixtures, which saves most of the time.
   static Result<LeagueStore> open_unplanned(system::Files& files, Folder folder);
 
   const LeagueState& state() const { return state_; }
   const Journal& journal() const { return journal_; }
   const Folder& folder() const { return folder_; }
 
-  // The number of lines of the journal that are applied to the state.
+  // Returns the number of lines of the journal that are applied to the state.
   std::size_t lines() const { return applied_; }
 
   // Reads and applies the events that other processes have written.
   Result<void> refresh();
 
-  // Writes an event to disk and then applies it to the state. Errc::input if the present state does
-  // not allow the event; then nothing is written.
+  // Writes an event to disk and then applies it to the state. If the present state does not allow
+  // the event, the error is Errc::input and nothing is written.
   Result<void> write(const Event& event);
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// teams.json: the display names of a league's teams, and their members. It has no effect on
+// teams.json: the display names of a league's teams, and their members. The file has no effect on
 // results, may change at any time, and is closed to other users. In an anonymous league only the
-// staff reads the names; pages have those of league.json, the aliases.
+// staff reads the names of teams.json; pages show the aliases in league.json.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -17,40 +17,42 @@ namespace mirocup::league {
 struct People {
   std::string display;               // any letters: "Zoë & Co"; "": the team's name
   std::vector<std::string> members;  // names or matriculation numbers
-  std::string colour = {};           // of the mark beside its name, "#c03a2b"; "": it has no mark
+  std::string colour = {};           // of the mark beside the team's name, "#c03a2b"; "": no mark
   std::vector<std::pair<std::string, std::string>> more = {};  // further columns of the class list
 
   bool operator==(const People&) const = default;
 };
 using PeopleOfTeams = std::map<std::string, People>;  // by the team's name
 
-// Returns why a text cannot be a display name; "" if it can. A display name is UTF-8 that can be
-// printed in a line, at most 60 bytes.
+// Returns why a text cannot be a display name; "" if the text is valid. A display name is UTF-8
+// that can be printed in a line, at most 60 bytes.
 std::string objection_to_display(const std::string& text);
 
-// Returns why a person may not give this name to a team or a member; "" if the person may. Besides
-// the reasons above, it may have an invisible character. Names from earlier versions stay.
+// Returns why a person may not give a name to a team or a member; "" if the person may. Besides the
+// rules of display names, a name may not have an invisible character. Existing names stay.
 std::string objection_to_new_name(const std::string& text);
 
-// Returns the first reason why a person may not give these names; "" if there is none.
+// Returns the first reason why a person may not give these names; "" if the person may give all.
 std::string objection_to(const People& one);
 
-// Returns another team, of the league or of `people`, that people could confuse with this one if
-// this one had that display name; "" if there is none. Names and display names are compared without
-// capitals, blanks and differences of how Unicode writes the same letter (NFKC_Casefold).
+// Returns another team, of the league or of `people`, that readers could confuse with `team` if
+// `team` had the display name `display`; "" if none is so similar. Names and display names are
+// compared without capitals, blanks and differences of how Unicode writes the same letter
+// (NFKC_Casefold).
 std::string looks_like(const PeopleOfTeams& people, const LeagueState& state,
                        const std::string& team, const std::string& display);
 
-// Returns the members in a text with semicolons or line ends between them.
+// Returns the members that a text lists, separated by semicolons or line ends.
 std::vector<std::string> members_of(const std::string& text);
 
-// Returns why a text is not a colour, '#' and six hexadecimal digits; "" if it is.
+// Returns why a text is not a colour ('#' and six hexadecimal digits); "" if the text is a colour.
 std::string objection_to_colour(const std::string& text);
 
-// Sets the colour; "" takes the mark away. Errors: Errc::input.
+// Sets the colour of a team's mark; "" removes the mark. Errors: Errc::input.
 Result<void> set_colour(People& one, const std::string& colour);
 
-// Reads and writes the file; a league without the file has no display names. Errors: Errc::input.
+// Reads and writes teams.json; a league without teams.json has no display names. Errors:
+// Errc::input.
 Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder);
 Result<void> write_people(system::Files& files, const Folder& folder, const PeopleOfTeams& people);
 

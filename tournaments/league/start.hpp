@@ -7,7 +7,7 @@
 
 namespace mirocup::league {
 
-// Starts the league if it has not started, and checks that the libraries have the digests of the
+// Starts the league if it has not started, and checks that the libraries have the digests in the
 // journal. Errors: Errc::input if the league cannot be played; Errc::damaged if a library has
 // changed.
 Result<void> start_league(system::Files& files, LeagueStore& store);

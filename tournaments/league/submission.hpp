@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Handing in an entry: the library is stored and checked as by `mirocup check`. It plays if it
-// passes; otherwise the team keeps its last entry that passed.
+// Handing in an entry: the library is stored and checked as by `mirocup check`. An entry that
+// passes the check plays; otherwise the team keeps its last entry that passed.
 //
-// The file is opened once and read into memory, before any lock is taken. These bytes are checked,
-// hashed and kept.
+// The file is opened once and read into memory, before any lock is taken. The bytes in memory are
+// checked, hashed and kept.
 #pragma once
 
 #include "tournaments/league/hand_ins.hpp"
@@ -20,19 +20,19 @@ struct HandIn {
   std::string path;
   std::int64_t at = 0;  // s since 1970
 
-  // True for a file of an inbox, which is read repeatedly: if it equals the team's last entry, it
-  // is not new.
+  // True for a file of an inbox, because an inbox is read repeatedly: a file that equals the team's
+  // last entry is not new.
   bool is_from_inbox = false;
 
-  // The number of the entry under which the file is already stored, because it waited for its
-  // check. 0: the file gets the next number now.
+  // The entry's number if the file was stored earlier and waited for its check. 0: the file gets
+  // the next number now.
   int entry = 0;
-  // The path of a source that waited, from which the library is made first. "": `path` is the
-  // library.
+  // The path of a source that waited for its check; the library is made from it first. "": `path`
+  // is the library.
   std::string source = {};
-  std::string language = {};  // of the source: "c", "c++", or "project", which is an archive
-  int compile_seconds = 60;   // limit of processor time for compiling it
-  std::string name = {};      // of the file, for its verdict; "": the path
+  std::string language = {};  // of the source: "c", "c++", or "project" (an archive)
+  int compile_seconds = 60;   // limit of processor time for compiling the source
+  std::string name = {};      // of the file in the verdict; "": the path
   bool is_house = false;      // the host hands in the house team `name`, "house:NAME"
 
   // In an inbox that several users can write to, the users whose files count like files of the
@@ -42,41 +42,42 @@ struct HandIn {
 };
 
 struct Submission {
-  bool is_news = true;  // false: it was handed in before, and had no effect
+  bool is_news = true;  // false: the file was handed in before, and this call had no effect
   bool is_accepted = false;
-  int entry = 0;        // its number; 0: it was not stored
+  int entry = 0;        // the entry's number; 0: not stored
   std::string message;  // a sentence for the team
-  Json verdict;         // of the check, as in verdict.json; null if there was no check
+  Json verdict;         // of the check, as in verdict.json; null if no check ran
 };
 
 // Returns why the league takes no entry of this team at this time (UTC, as in league.json); "" if
-// it does. An unknown team may join before the start.
+// the league takes it. An unknown team may join before the start.
 std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now);
 
-// Returns why no team of this name can join the league; "" if one can.
+// Returns why no team of this name can join the league; "" if a team can.
 std::string why_not_join(const LeagueState& state, const std::string& team);
 
-// Makes teams: before the start in league.json, after it in the journal. `source` is
-// TeamConfig::source. The caller holds Folder::submitting(). Precondition: why_not_join() is "".
+// Adds teams to a league: before the start in league.json, after the start in the journal. `source`
+// is TeamConfig::source. The caller holds Folder::submitting(). Precondition: why_not_join() is "".
 Result<void> enter_teams(system::Files& files, LeagueStore& store,
                          const std::vector<std::string>& teams, const std::string& source);
 
 // Takes a team out of league.json. Precondition: the league has not started, and has the team.
 Result<void> leave_before_start(system::Files& files, LeagueStore& store, const std::string& team);
 
-// Lets an entry play until another is pinned; 0: the latest accepted entry plays again. In a ladder
-// that has started, the entry is booked at once. Returns a sentence that says why this is
-// impossible; "" if it is done.
+// Pins an entry, which plays until another entry is pinned; 0: the latest accepted entry plays
+// again. In a ladder that has started, the entry is booked at once. Returns a sentence that says
+// why the entry cannot be pinned; "" if it was pinned.
 Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,
                               int number, std::int64_t now);
 
 // Hands in a library for a team. Before the start of the league, a team that is not in league.json
 // joins with its first accepted entry; its name must differ from others in more than capitals. A
-// mistake in the file and a used-up quota are values; errors are faults of the host or of the call.
+// mistake in the file and a used-up quota give a Submission that says so; errors are faults of the
+// host or of the call.
 //
-// The result is fixed when entry.json is on disk. If the process dies before that, it has had no
-// effect. If it dies later, the next call with the same number does not check again, and finishes
-// the missing steps.
+// The result is fixed when entry.json is on disk. A process that dies earlier has had no effect.
+// After a process that dies later, the next call with the same number does not check again, and
+// finishes the missing steps.
 Result<Submission> submit(system::Files& files, const Folder& folder, const HandIn& handed,
                           const Quota& quota = {});
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One leg of a league as a command line, the same for processes of this host, for GNU parallel and
-// for a cluster. The result of the leg is the record that the command writes.
+// The command line that plays one leg of a league, equal for processes of this host, for GNU
+// parallel and for a cluster. The result of the leg is the record that the command writes.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -16,38 +16,38 @@ namespace mirocup::league {
 struct LegId {
   Fixture fixture;
   int leg = 1;      // from 1
-  int version = 1;  // number in the name of its record
+  int version = 1;  // number in the name of the leg's record
   int attempt = 1;  // number in the journal
 };
 
-// Returns the legs (from 1) of a fixture that can be played now, in order. Such legs are not
-// decided, and both teams are known, not paused and not withdrawn.
+// Returns the legs (from 1) of a fixture that can be played now, in order. A leg can be played if
+// it is not decided and both teams are known, not paused and not withdrawn.
 std::vector<int> open_legs(const LeagueState& state, const FixtureState& fixture);
 
-// Returns the seed of a leg: the seed of its fixture. The leg that decides a tie has another seed,
-// and so has a leg that a person has voided with a new seed.
+// Returns the seed of a leg: the seed of its fixture. A leg that decides a level tie, or that a
+// person has voided with a new seed, has another seed.
 std::uint64_t leg_seed(const LeagueState& state, const LegId& id);
 
-// Returns the command line. It may run in any working folder. Teams that join over DDS find the
-// match by `match_id`.
+// Returns the command line that plays a leg in any working folder. Teams that join over DDS find
+// the match by `match_id`.
 std::vector<std::string> leg_command(const Folder& folder, const LeagueState& state,
                                      const LegId& leg, const std::string& match_id);
 
 // A leg that counts for nothing, under the conditions of the league.
 struct FriendlyTerms {
   struct Side {
-    std::string library;  // its path
+    std::string library;  // the path of the library
     std::string name;
   };
   Side blue;
   Side yellow;
   std::uint64_t seed = 0;
-  std::string record;  // where the record is written
+  std::string record;  // path of the record that the leg writes
 };
 std::vector<std::string> friendly_command(const LeagueState& state, const FriendlyTerms& terms);
 
 // Returns the command line of `mirocup` that tries each drill three times with an entry, with the
-// same seeds for all entries. It takes 2 to 10 s of processor time.
+// same seeds for all entries. The command takes 2 to 10 s of processor time.
 std::vector<std::string> drills_command(const LeagueState& state, const FriendlyTerms::Side& entry);
 
 // Returns the path of the file for the output of the match server.

@@ -11,17 +11,17 @@
 
 namespace mirocup::league {
 
-// The event of a match record of this leg: colours become teams, and it has only the counts that
-// the journal keeps. `record_path` is the path inside the league folder. Error: Errc::damaged, with
-// the JSON pointer, if the record lacks something that the journal needs, or if the match server
-// called the leg void.
+// Converts a match record of this leg to an event, with teams instead of colours and only the
+// counts that the journal keeps. `record_path` is the path inside the league folder. Errc::damaged,
+// with the JSON pointer, if the record lacks something that the journal needs, or if the match
+// server called the leg void.
 Result<LegPlayed> leg_played(const LeagueFile& file, const LegId& id, const Json& record,
                              const std::string& record_path);
 
-// Returns the event of the leg if its record is in the folder and has these teams, entries and this
-// seed, whichever program has played it. Returns nothing if there is no record, or if it is of
-// another seed or entry, or of a void leg. A record that cannot be read may belong to a played leg,
-// so it is an error: as in Files::read_if_there(), or Errc::damaged.
+// Returns the event of the leg if the folder has its record with the present teams, entries and
+// seed; any program may have played the leg. Returns nothing if the record does not exist, has
+// another seed or entry, or is of a void leg. A record that cannot be read may belong to a played
+// leg, so it is an error: an error of Files::read_if_there(), or Errc::damaged.
 Result<std::optional<LegPlayed>> find_played_leg(system::Files& files, const Folder& folder,
                                                  const LeagueState& state, const LegId& id);
 

@@ -11,7 +11,7 @@ class ProgressReporter {
  public:
   virtual ~ProgressReporter() = default;
 
-  // Prints a line about something that happened.
+  // Prints a line about an event.
   virtual void say(const std::string& line) = 0;
 
   // Shows that `decided` of `legs` legs are decided and `playing` legs are being played.

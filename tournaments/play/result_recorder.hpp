@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Turns match records into events of the journal, alike for every engine that plays a league. A leg
-// gets its result, unless the host failed or a team lost by a clock for the first time: then the
+// gets its result. But if the host failed, or a team lost by a clock for the first time, the
 // attempt is void. A team that loses a number of legs in a row by its own faults is paused.
 #pragma once
 
@@ -22,24 +22,24 @@ class ResultRecorder {
   const LeagueState& state() const { return store_.state(); }
   const Folder& folder() const { return store_.folder(); }
 
-  // Starts the league if it is not started.
+  // Starts the league unless it has started.
   Result<void> start();
 
   // Reads the events that other processes, such as a person's rulings, have written.
   Result<void> refresh() { return store_.refresh(); }
 
-  // Returns the present fixture of that id; null if the schedule no longer has it. Valid until the
-  // next change of the state.
+  // Returns the fixture with an id; null if the schedule no longer has the fixture. The pointer is
+  // valid until the next change of the state.
   const FixtureState* find(const std::string& id) const;
 
   // Returns the next leg of a fixture. Returns nothing if no leg can be played now, or if the host
   // has failed max_attempts times while this program ran.
   std::optional<LegId> next_leg(const FixtureState& fixture) const;
 
-  // Books the leg if its record is there. Returns false if it is not.
+  // Books a leg if its record exists. Returns false if no record exists.
   Result<bool> book_if_played(const LegId& leg);
 
-  // Books the legs of a fixture in order as long as there are records. Returns their number.
+  // Books legs of a fixture in order until a leg has no record. Returns the number of booked legs.
   Result<int> book_played(const std::string& fixture);
 
   // True if a match server has been started for the leg.
@@ -48,7 +48,7 @@ class ResultRecorder {
   // Returns the last line that the leg's match server printed.
   std::string last_output_line(const LegId& leg) const;
 
-  // Voids an attempt because the host failed.
+  // Voids an attempt after a failure of the host.
   Result<void> book_void(const LegId& leg, const std::string& why);
 
  private:
@@ -63,7 +63,7 @@ class ResultRecorder {
   std::map<std::string, int> host_failures_;  // by record, while this program runs
 };
 
-// Returns the error for the person who interrupted the league.
+// Returns the error for a person who has interrupted the league.
 Error interrupted_after(const LeagueState& state);
 
 }  // namespace mirocup::league

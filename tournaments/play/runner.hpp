@@ -4,9 +4,9 @@
 // many legs run at once as there are jobs; the legs of a fixture run one after the other on the
 // same processor.
 //
-// A finished leg is in the journal before anything else happens. A leg that the host spoiled is
-// void and is played again with the same seed. The same holds, once, for a leg that a clock
-// decided. Nothing that a team does can stop a league.
+// A finished leg is booked in the journal at once. If the host spoiled a leg, the leg is void and
+// is played again with the same seed. A leg that a clock decided is also void once. A team cannot
+// stop a league.
 #pragma once
 
 #include "system/process_set.hpp"
@@ -23,11 +23,11 @@ namespace mirocup::league {
 struct RunOptions {
   int jobs = 0;          // 0: one for each processor
   bool watched = false;  // true: each leg opens a live page on this host
-  int dds_domain = 0;    // for legs with teams over DDS
+  int dds_domain = 0;    // the DDS domain of legs with teams over DDS
 };
 
 // Returns a sentence for the host if `jobs` legs at once may take more memory than `available`,
-// bytes; "" if not, or if `available` is empty.
+// bytes; "" if the memory is enough, or if `available` is empty.
 std::string memory_warning(std::optional<std::size_t> available, int jobs);
 
 class Runner {
@@ -35,19 +35,20 @@ class Runner {
   Runner(system::Files& files, LeagueStore store, ProgressReporter& progress);
 
   // Starts the league if it has not started, and plays until no leg can be played. Returns the
-  // number of legs that are not decided. The first interrupt (SIGINT or SIGTERM) lets the present
-  // legs come to their end, the second stops them; then the error is Errc::interrupted.
+  // number of legs that are not decided. After the first interrupt (SIGINT or SIGTERM) the present
+  // legs are still played to their end. The second interrupt stops them. After either the error is
+  // Errc::interrupted.
   Result<int> run(const RunOptions& options);
 
   const LeagueState& state() const { return recorder_.state(); }
 
  private:
-  // A processor that plays legs, of one fixture at a time.
+  // A processor that plays the legs of one fixture at a time.
   struct Worker {
     int cpu = -1;
-    std::string fixture;           // its id; "": free
-    std::optional<LegId> playing;  // with the fixture as it was when the leg started
-    pid_t joiner[2] = {0, 0};      // mirocup join for DDS teams, blue and yellow
+    std::string fixture;           // the id of its fixture; "": the processor is free
+    std::optional<LegId> playing;  // with a copy of the fixture from the start of the leg
+    pid_t joiner[2] = {0, 0};      // processes of mirocup join for DDS teams, blue and yellow
   };
 
   Result<bool> fill_workers();
@@ -70,7 +71,7 @@ class Runner {
   ProgressReporter& progress_;
   system::ProcessSet processes_;
   std::vector<Worker> workers_;
-  std::set<std::string> checked_records_;  // names of records that run() has looked for
+  std::set<std::string> checked_records_;  // names of records that run() has searched for
 };
 
 }  // namespace mirocup::league

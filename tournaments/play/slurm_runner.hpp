@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Plays the open legs of a league on a Slurm cluster whose nodes see the folder of the league and
-// this program at the same paths. Fixtures are dealt to the tasks of an array. Each task is
-// run-shard, which writes records; this program books them. Lost legs are void and are submitted
-// again.
+// this program at the same paths. Fixtures are dealt to the tasks of an array. Each task runs
+// `run-shard`, which writes records. This program books the records. Lost legs are void and are
+// submitted again.
 //
 // Only records prove that legs were played: a fixture is submitted if it has legs without a record
-// and is not in the queue under the name of this league. So the same command starts and resumes,
-// and tasks continue without it. DIR/cluster has the plans, the logs and the script of the tasks.
+// and is not in the queue under the name of this league. So one command starts and resumes a
+// league, and tasks continue if the command ends. DIR/cluster has the plans, the logs and the
+// script of the tasks.
 #pragma once
 
 #include "system/process_set.hpp"
@@ -25,7 +26,7 @@ class SlurmRunner {
 
   // Plays as Runner::run() does, with the same meaning of interrupts. `jobs` is the number of tasks
   // that run at once; 0: as many as the cluster has processors. Legs of teams over DDS are not
-  // played, since only one host can play them. Errors: Errc::unavailable if there is no Slurm;
+  // played, since only a single host can play them. Errors: Errc::unavailable if there is no Slurm;
   // Errc::host if arrays of tasks end without a record.
   Result<int> run(int jobs);
 
@@ -54,15 +55,15 @@ class SlurmRunner {
   ProgressReporter& progress_;
   system::ProcessSet processes_;
   std::string folder_;  // DIR/cluster, absolute
-  std::string league_;  // word in the names of its jobs
+  std::string league_;  // word in the names of this league's jobs
   int jobs_ = 1;
   int next_plan_ = 1;
   int futile_submissions_ = 0;  // arrays submitted since a record was booked
   int interrupts_ = 0;
   bool is_silent_ = false;               // true: squeue did not answer last time
   std::vector<SlurmTask> tasks_;         // from the last answer of squeue
-  std::map<std::string, int> restarts_;  // of each task, whose lost legs are booked
-  std::map<int, PlanLines> plans_;       // the plans that were needed so far
+  std::map<std::string, int> restarts_;  // of each task: the restarts whose lost legs are booked
+  std::map<int, PlanLines> plans_;       // the plans that were read so far
 };
 
 }  // namespace mirocup::league

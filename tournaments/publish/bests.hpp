@@ -10,13 +10,13 @@
 
 namespace mirocup::league {
 
-// One record: "Fastest goal", "4.2 s", "Orbit, robot 1", "against Lions, round 3, leg 2".
+// A best: "Fastest goal", "4.2 s", "Orbit, robot 1", "against Lions, round 3, leg 2".
 struct Best {
   std::string title;
   std::string value;
   std::string who;
   std::string where;
-  std::string page;  // from the top of the site, the replay at that moment; "": none
+  std::string page;  // link from the top of the site to the replay at that moment; "": none
 };
 
 // Returns the bests of the league so far: fastest goal, biggest win, most goals in a leg, biggest
@@ -28,9 +28,9 @@ struct WorthWatching {
   std::string why;  // "the lead changed twice, decided 8 s before the end"
 };
 
-// Returns the most exciting legs, the best first and one of each fixture: legs with changes of the
-// lead, with a late decision, with a close score, with many goals, or won by the far weaker team.
-// `team`: only its legs; no_team: all.
+// Returns the most exciting legs, the best first, at most one of each fixture: legs with changes of
+// the lead, with a late decision, with a close score, with many goals, or won by the far weaker
+// team. Only legs of `team` count; no_team: legs of all teams.
 std::vector<WorthWatching> worth_watching(const Overview& overview, int team, std::size_t most);
 
 }  // namespace mirocup::league

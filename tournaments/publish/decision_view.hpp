@@ -12,13 +12,14 @@
 namespace mirocup::league {
 
 struct DecisionView {
-  int number = 1;         // from 1, in the order of the journal
-  std::string_view kind;  // of its line: "void", "ruling", "withdraw", "pause", "resume"
-  std::string at;         // UTC; "" if the line does not say
-  std::string by;         // "" if no person is named
-  std::string what;       // "r1-f1 leg 2, a – b: 0:10"
+  int number = 1;  // number of the decision, from 1, in the order of the journal
+  // Kind of the decision's line: "void", "ruling", "withdraw", "pause", "resume".
+  std::string_view kind;
+  std::string at;    // time of the decision, UTC; "" if its line has no time
+  std::string by;    // the person; "" if the line names no person
+  std::string what;  // "r1-f1 leg 2, a – b: 0:10"
   std::string why;
-  int undone_by = 0;    // the number of the decision that ended its effect; 0: none
+  int undone_by = 0;    // the number of the decision that ended this decision's effect; 0: none
   std::string undoing;  // undone_by in words: "overruled by 4"; "": none
 };
 

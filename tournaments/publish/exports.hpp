@@ -11,18 +11,18 @@
 
 namespace mirocup::league {
 
-// table.json, crosstable.json, bracket.json, legs.json, decisions.json, table.csv, legs.csv,
-// decisions.csv. Refers to the overview.
+// Returns table.json, crosstable.json, bracket.json, legs.json, decisions.json, table.csv, legs.csv
+// and decisions.csv. The files refer to the overview, which must outlive them.
 FileMakers exports(const Overview& overview);
 
-// The content of decisions.json, as text.
+// Returns the content of decisions.json.
 std::string decisions_json(const LeagueState& state);
 
-// The content of table.json.
+// Returns the content of table.json.
 Json table_json(const Overview& overview);
 
-// The scores of all legs between two teams, [first][second]: "2:1", the goals of the first team
-// first.
+// Returns the scores of all legs between two teams at [first][second], such as "2:1". Goals of the
+// first team come first.
 using Meetings = std::vector<std::vector<std::vector<std::string>>>;
 Meetings meetings(const Overview& overview);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Removes the files of pages that a site no longer has, because rounds were hidden again.
+// Removes the files of pages that a site no longer has, because the staff has hidden rounds again.
 #pragma once
 
 #include "system/files.hpp"

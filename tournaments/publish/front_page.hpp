@@ -12,7 +12,7 @@
 
 namespace mirocup::league {
 
-// The content of all pages of a site.
+// The data that all pages of a site share.
 struct SiteContent {
   const Overview& overview;
   const LegReports& reports;
@@ -22,17 +22,17 @@ struct SiteContent {
   bool has_playground = false;
 };
 
-// Returns the first three teams and the certainty of the first place; false before the league is
-// over.
+// Returns the first three teams and the certainty of the first place as values of a template; false
+// before the league is over.
 Json champion_values(const Overview& overview);
 
 std::string front_html(const SiteContent& content);
 
-// Returns the page of the round with that index.
+// Returns the page of the round with an index.
 std::string round_html(const SiteContent& content, std::size_t round);
 
-// crosstable_html() returns the page of the crosstable, if has_crosstable(): not with too many
-// teams.
+// crosstable_html() returns the page of the crosstable. Precondition: has_crosstable(), which is
+// false for too many teams.
 bool has_crosstable(const SiteContent& content);
 std::string crosstable_html(const SiteContent& content);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes a part of a page so that no text can become markup: every text passes through
+// Writes a part of a page. Text cannot become markup, because every text passes through
 // system::html_escaped(). Whole pages are templates (page/).
 #pragma once
 
@@ -18,21 +18,21 @@ class Html {
   // <tag>text</tag>
   void cell(std::string_view tag, std::string_view text);
 
-  // A table cell with a style class.
+  // Adds a table cell with a style class.
   void cell_of(std::string_view style, std::string_view text);
 
-  // Adds a link, or a table cell with a link. Without a target, adds the text alone.
+  // Adds a link, or a table cell with a link. If the target is "", adds the text alone.
   void link(std::string_view target, std::string_view text);
   void link_cell(std::string_view target, std::string_view text);
 
   // Adds a table row of cells with the tag "th" or "td". A "th" without text becomes a "td".
   void row(std::string_view tag, const std::vector<std::string>& cells);
 
-  // A table that scrolls if it is wider than the page.
+  // Adds a table that scrolls if it is wider than the page.
   void open_table();
   void close_table();
 
-  // Text that another Html wrote; it is not escaped.
+  // Adds markup from another Html, without escaping.
   void raw(std::string_view html) { text_ += html; }
 
   const std::string& text() const { return text_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The football statistics of a league, of each leg that counts and has a record by the journal. The
-// program counts a leg once, when it makes the replay page, and keeps the numbers in
+// The football statistics of a league, over each leg that counts and has a record in the journal.
+// The program counts a leg once, when it makes the leg's replay page, and keeps the numbers in
 // site/statistics/LEG.json.
 #pragma once
 
@@ -23,20 +23,20 @@ using LegReports = std::vector<statistics::LegReport>;
 // Returns the path inside site/ of the statistics of a record ("records/x.json").
 std::string statistics_file_of(const std::string& record);
 
-// True if the statistics of that record are kept in a form that this program reads.
+// True if the statistics of a record are kept in a form that this program can read.
 bool has_statistics(system::Files& files, const Folder& folder, const std::string& record);
 
-// Reports that were read, by the path of the record inside the league folder.
+// The reports of legs, by the path of the record inside the league folder.
 using KnownReports = std::map<std::string, statistics::LegReport>;
 
 // Returns the kept reports of the legs that count, in the order of the schedule. Leaves out a leg
-// whose file is missing, damaged or of another leg. `known`, if not null, has the reports of
-// earlier calls, which do not change, and gets the reports of this call.
+// whose file is missing, damaged or of another leg. If `known` is not null, it has the reports of
+// earlier calls, which are not read again, and gets the reports of this call.
 LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state,
                            KnownReports* known = nullptr);
 
-// As kept_statistics(), but plays legs without a kept report again, and writes no file. Errors:
-// those of statistics::count_record().
+// Like kept_statistics(), but simulates legs without a kept report again, and writes no file.
+// Errors are those of statistics::count_record().
 Result<LegReports> all_statistics(system::Files& files, const Folder& folder,
                                   const LeagueState& state);
 
@@ -45,13 +45,16 @@ Result<LegReports> all_statistics(system::Files& files, const Folder& folder,
 inline constexpr int least_shots = 10;
 std::optional<Best> best_goalkeeper(const Overview& overview, const LegReports& reports);
 
-// The part of the league's page: each team over all its legs; "" if nothing has been counted.
+// Returns the part of the league's page with the numbers of each team over all its legs; "" if no
+// leg has been counted.
 std::string statistics_html(const Overview& overview, const LegReports& reports);
 
-// The part of a team's page: its numbers, as blue and as yellow, and how goals fell against it.
+// Returns the part of a team's page with its numbers, as blue and as yellow, and the kinds of goals
+// against the team.
 std::string team_statistics_html(const Overview& overview, const LegReports& reports, int team);
 
-// statistics.json, statistics.csv and goals.csv. Refers to the reports.
+// Returns statistics.json, statistics.csv and goals.csv. The files refer to the reports, which must
+// outlive them.
 FileMakers statistics_exports(const LegReports& reports);
 
 }  // namespace mirocup::league

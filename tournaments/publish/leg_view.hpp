@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The content of pages and exports: each leg in the order of the schedule, the table, the
-// strengths; and the words for the end of a leg, for a fault and for the order of two teams.
+// The content of pages and exports: legs in the order of the schedule, table and strengths.
+// Functions give the words for the end of a leg, for a fault and for the order of two teams.
 #pragma once
 
 #include "tournaments/league/league_state.hpp"
@@ -15,24 +15,25 @@
 namespace mirocup::league {
 
 struct LegView {
-  std::string fixture;  // its id
+  std::string fixture;  // the id of the fixture
   std::string round;    // "Round 3", "Group 2, round 1", "Semi-final"
   int leg = 1;          // from 1
   int home = 0;
   int away = 0;
   const PlayedLeg* played = nullptr;  // null: not decided
   const LegFacts* facts = nullptr;    // null: not known
-  bool is_annulled = false;           // counts for nothing, because a team has left
-  bool is_pruned = false;             // its page was removed to save room
+  bool is_annulled = false;           // the leg counts for nothing, because a team has left
+  bool is_pruned = false;             // the replay page was removed to save room
 
-  // The path of its replay page from the top of the site after `root`; "" if it has none.
+  // Returns the path of the leg's replay page, `root` and the path from the top of the site; "" if
+  // the leg has no page.
   std::string page(const std::string& root = "") const;
 
   bool has_replay() const { return played != nullptr && !played->record.empty(); }
   bool is_of(int team) const { return home == team || away == team; }
   int goals(int team) const;
   int goals_against(int team) const { return goals(team == home ? away : home); }
-  // 'W', 'D' or 'L' for a team of a leg that is decided.
+  // Returns 'W', 'D' or 'L' for a team of a decided leg.
   char letter(int team) const;
 };
 
@@ -49,8 +50,8 @@ struct LegTotals {
   std::string score() const { return std::to_string(goals) + ":" + std::to_string(against); }
 };
 
-// The data from which a site is made, computed once. Refers to the state and the facts, which must
-// outlive it.
+// The data from which a site is made, computed once. The state and the facts must outlive the
+// overview.
 inline const FactsOfLegs no_facts;
 
 struct Overview {
@@ -59,12 +60,12 @@ struct Overview {
   Ratings ratings;
   std::vector<LegView> legs;  // of the fixtures whose teams are known
 
-  // Indexes of the decided legs of each team, in the order of the schedule.
+  // For each team, the indexes of its decided legs in the order of the schedule.
   std::vector<std::vector<std::size_t>> decided_legs;
 };
 Overview overview(const LeagueState& state, const FactsOfLegs& facts = no_facts);
 
-// "Final", "Semi-final", "Group 2, round 1", "Round 3".
+// Returns the name of a fixture's round: "Final", "Semi-final", "Group 2, round 1", "Round 3".
 std::string round_in_words(const LeagueState& state, const Fixture& fixture);
 
 // Returns the end of a leg with its fault and its ruling: "forfeit: a: crash: ...; ruling: ...".
@@ -73,15 +74,15 @@ std::string end_in_words(const LeagueState& state, const PlayedLeg& leg);
 // Returns a sentence for a fault, without its team.
 std::string fault_in_words(const LegFault& fault);
 
-// "2.15"; "0.00" before the first leg.
+// Returns a team's points per leg, such as "2.15"; "0.00" before the team's first leg.
 std::string points_per_leg(const TableRow& row);
 
-// Returns the reason that puts a row above the next: "goal difference, +5 to +2"; "" for the last
-// row, and before both teams have played. `next` is null for the last row.
+// Returns the reason why a row of the table is above the next row: "goal difference, +5 to +2"; ""
+// for the last row, or if either team has not played. `next` is null for the last row.
 std::string reason_in_words(const TableRow& row, const TableRow* next);
 
-// Returns the number of legs between the teams of a row and of the next row that would tell them
-// apart (legs_to_tell()): "120"; "—" for more than max_legs_to_tell; "" for the last row.
+// Returns how many legs between the teams of two neighbouring rows would tell the teams apart
+// (legs_to_tell()): "120"; "—" for more than max_legs_to_tell; "" for the last row.
 std::string legs_to_tell_in_words(const Overview& o, const TableRow& row, const TableRow* next);
 
 }  // namespace mirocup::league

@@ -15,19 +15,20 @@
 
 namespace mirocup::league {
 
-// A night of the journal: from its line to that of the next night, or to the end.
+// A night of the journal: from its line to the line of the next night, or to the end of the
+// journal.
 struct Night {
   int number = 0;
-  std::string at;                 // when it began, UTC; "" if the line does not say
-  LeagueState before;             // the league before its line
+  std::string at;                 // start of the night, UTC; "" if its line has no time
+  LeagueState before;             // the league before the night's line
   std::set<std::string> records;  // paths inside the league of the legs of the night
 };
 
-// Returns the last night of a league; nothing if there was none. `shown` is the league as pages
-// show it; `journal` may have later nights. Errors: Errc::damaged.
+// Returns the last night of a league; nothing if the league has had no night. `shown` is the state
+// that pages show; `journal` may have later nights. Errors: Errc::damaged.
 Result<std::optional<Night>> last_night(const LeagueState& shown, const Journal& journal);
 
-// A leg as its loser sees it.
+// A lost leg, seen by the loser.
 struct LostLeg {
   int opponent = 0;
   std::string score;  // "1:3", the own goals first
@@ -40,19 +41,19 @@ struct LostLeg {
 struct WorstMoment {
   std::string what;  // "own goal of robot 0, 1:2 against tiger"
   std::string record;
-  double at = -1.0;  // s since the leg began; below 0: not known
-  int weight = 0;    // the worst has the highest
+  double at = -1.0;  // s since the leg began; negative: not known
+  int weight = 0;    // the worst moment has the greatest weight
 };
 
 struct TeamDigest {
   int team = 0;
   int rank = 0;
-  int rank_before = 0;  // 0: it had not played
+  int rank_before = 0;  // 0: the team had not played
   Strength strength;
-  std::optional<Strength> strength_before;  // empty: it had not played
+  std::optional<Strength> strength_before;  // empty: the team had not played
   int entry = 0;                            // the entry that plays; 0: none
-  bool has_new_entry = false;               // since the night before
-  int won = 0;                              // legs of the night
+  bool has_new_entry = false;               // true: the entry is new since the night before
+  int won = 0;                              // number of legs won in the night
   int drawn = 0;
   int lost = 0;
   std::vector<LostLeg> losses;

@@ -13,23 +13,23 @@
 
 namespace mirocup::league {
 
-// Makes night.html with the digests of all teams, and digests/TEAM.html for each team. Refers to
-// overview and night.
+// Makes night.html with the digests of all teams, and digests/TEAM.html for each team. `overview`
+// and `night` must outlive the pages.
 FileMakers night_pages(const Overview& overview, const Night& night);
 
 // Returns the digest of a team as part of a page. `root` leads to the top of the site.
 std::string digest_html(const Overview& overview, const Night& night, const TeamDigest& digest,
                         const std::string& root);
 
-// Returns the digest of a team as lines for a mail. Links begin with `address`; if it is
-// empty, there are none.
+// Returns the digest of a team as lines for a mail. Links begin with `address`; if `address` is
+// empty, the text has no links.
 std::string digest_text(const Overview& overview, const Night& night, const TeamDigest& digest,
                         const std::string& address = "");
 
 nlohmann::ordered_json digest_json(const Overview& overview, const TeamDigest& digest);
 
-// Returns feed.xml of a league that has nights: its last nights, the latest first, each with the
-// table after it.
+// Returns feed.xml of a nightly league: its last nights, the latest first, each with the table
+// after that night.
 Result<std::string> feed_xml(const LeagueState& shown, const Journal& journal);
 
 }  // namespace mirocup::league

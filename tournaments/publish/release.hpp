@@ -10,7 +10,7 @@ namespace mirocup::league {
 // True if the public sees every round.
 bool is_all_released(const LeagueState& state);
 
-// Returns the state as the public sees it. Errors are those of state_through().
+// Returns the state that the public sees. Errors are those of state_through().
 Result<LeagueState> released_state(const LeagueState& whole, const Journal& journal);
 
 }  // namespace mirocup::league

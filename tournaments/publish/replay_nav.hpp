@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The links of a replay page to the league that it belongs to, and the names of its teams. A page
-// is made once, but its links change while the league is played, and display names at any time. The
-// links stand between two marker comments.
+// The links from a replay page to its league, and the names of its teams. A page is made once, but
+// its links change while the league is played, and display names may change at any time. The links
+// are between two marker comments in the page.
 #pragma once
 
 #include "tournaments/publish/leg_view.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // A replay page for every leg that was played. `mirocup replay` makes the pages, several at once,
-// and without measured times, so that a page depends on its record only. Beside each page it writes
-// the statistics of the leg (league_statistics.hpp), so a leg is played again only once. Existing
-// pages stay, since records do not change; only their links to the league are renewed
-// (replay_nav.hpp).
+// and without measured times, so that a page depends on its record only. Beside each page `mirocup
+// replay` writes the statistics of the leg (league_statistics.hpp), so a leg is simulated again
+// only once. An existing page stays, since records do not change; only its links to the league are
+// renewed (replay_nav.hpp).
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -23,20 +23,22 @@ struct SiteModule {
   std::string text;
 };
 
-// Returns the module of the program that this host has (""), or that the league keeps and whose
-// behaviour is `game`; nothing if there is none. Null: the league has no proofs.
+// Returns the browser module of this host's program (`game` is ""), or of the kept program with the
+// behaviour `game`; nothing if no such module exists. If the function is null, the league has no
+// proofs.
 using ModuleOfGame = std::function<std::optional<SiteModule>(const std::string& game)>;
 
 // Returns the path inside site/ of the page of a record ("records/x.json").
 std::string replay_page_of(const std::string& record);
 
-// Returns the path of the script file with the commands of the leg, beside a page with a proof.
+// Returns the path of the script file with the leg's commands. The file is beside a page with a
+// proof.
 std::string commands_file_of(const std::string& record);
 
 // Returns the fixture of a record, also of a void attempt: "r1-f2" for "records/r1-f2-1-1.json".
 const FixtureState* fixture_of_record(const LeagueState& state, const std::string& record);
 
-// Returns the path of the page of a record after `root`; "" if it was removed to save room.
+// Returns `root` and the path of a record's page; "" if the page was removed to save room.
 std::string page_of_record(const LeagueState& state, const std::string& root,
                            const std::string& record);
 
@@ -46,9 +48,9 @@ struct FailedPages {
   std::set<std::string> reasons;  // sentences: why a kept program was not run
 };
 
-// Makes the missing pages, `jobs` at once (0: one for each processor), and removes the pages of
-// legs that this state does not have, and of pruned nights. The statistics of pruned nights stay.
-// A page gets a proof if `module_of` has a module of the program that makes it.
+// Makes the missing pages, `jobs` at once (0: one for each processor), and removes pages of pruned
+// nights and of legs that are not in this state. The statistics of pruned nights stay. A page gets
+// a proof if `module_of` has a module of the program that makes the page.
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
                                       const Overview& overview, int jobs,
                                       const ModuleOfGame& module_of = nullptr);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The rounds of a league as pages show them. Round n of all groups counts as one round; rounds of a
-// knockout come last.
+// The rounds of a league on pages. Round n of all groups is a single round. Rounds of a knockout
+// come last.
 #pragma once
 
 #include "tournaments/publish/leg_view.hpp"
@@ -18,17 +18,18 @@ struct FixtureView {
 };
 
 struct RoundView {
-  std::string key;    // "r3", "k1", as publish --through has it
+  std::string key;    // "r3", "k1", as in publish --through
   std::string title;  // "Round 3", "Semi-final"
   std::vector<FixtureView> fixtures;
   int legs = 0;
-  int decided = 0;  // legs
+  int decided = 0;  // number of decided legs
   int goals = 0;
 
   std::string page() const { return "rounds/" + key + ".html"; }
 };
 
-// Returns the rounds in the order in which they are played. They refer to the overview.
+// Returns the rounds in the order in which they are played. The rounds refer to the overview, which
+// must outlive them.
 std::vector<RoundView> rounds_of(const Overview& overview);
 
 // Returns the key of a fixture's round.

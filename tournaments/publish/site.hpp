@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The league as a folder of pages that work without a server, and as files for other programs. Its
-// content depends only on the league's state: the same results give the same bytes, independently
-// of the order of the legs and of the machines that played them.
+// content depends only on the league's state: equal results give equal bytes, in any order of legs
+// and on any machines.
 //
 // The files are index.html, crosstable.html, a page for each round below rounds/ and for each team
 // below teams/, the style sheet and the script of these pages, and the files of exports() and
-// statistics_exports(). Replay pages, and with them the statistics of each leg, are made by
-// make_replay_pages().
+// statistics_exports(). make_replay_pages() makes the replay pages and the statistics of each leg.
 #pragma once
 
 #include "tournaments/publish/front_page.hpp"
@@ -30,17 +29,17 @@ struct SiteSource {
   FactsOfLegs facts = {};                        // of the played legs; optional
   std::optional<Night> night = {};               // adds night.html and digests/
   std::string feed = {};                         // feed.xml, if not ""
-  std::function<std::string()> playground = {};  // makes playground.html; null: there is none
+  std::function<std::string()> playground = {};  // makes playground.html; null: no playground
 };
 
-// Makes each file when it is asked for. Threads: any number at a time.
+// Makes each file of the site only when a caller asks for the file. Threads: any number at a time.
 class Site {
  public:
   explicit Site(SiteSource source);
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
 
-  // Returns the names of all files inside site/, in the order of the alphabet.
+  // Returns the names of all files of the site, paths inside site/, in alphabetical order.
   std::vector<std::string> names() const;
 
   // Makes a file. Returns nothing if the site has no file of that name.

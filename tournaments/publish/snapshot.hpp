@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A league as it was after a round, for a host who shows the results round by round.
+// The state of a league after a round, for a host who shows the results round by round.
 #pragma once
 
 #include "tournaments/journal/journal.hpp"
@@ -12,10 +12,10 @@
 
 namespace mirocup::league {
 
-// Returns the state as if nothing had been played after a round. "r3" is the third round of a table
-// or of all groups; "k1" is the first round of a knockout, which follows all groups. `whole` is the
-// present state. Withdrawals and pauses show in every round. Errors: Errc::input if there is no
-// such round, or if an event of a shown round depends on an event of a later round.
+// Returns the state of a league in which nothing was played after a round. "r3" is the third round
+// of a table or of all groups; "k1" is the first round of a knockout, which follows all groups.
+// `whole` is the present state. Withdrawals and pauses show in every round. Errors: Errc::input if
+// the league lacks the round, or if an event of a shown round depends on an event of a later round.
 Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
                                   const std::string& round);
 
@@ -25,12 +25,12 @@ Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal&
 // A leg of the league: the id of its fixture and its number, from 1.
 using LegName = std::pair<std::string, int>;
 
-// As state_through(), but only the legs of the round that are in `legs` count as played.
+// Like state_through(), but of the given round only the legs in `legs` count as played.
 Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,
                                     const std::string& round, const std::set<LegName>& legs);
 
-// Copies the records of the legs that `state` holds, with their replays, to another folder, and
-// removes records of other legs of the league from that folder.
+// Copies the records and replay files of the legs of `state` to another folder. Removes records of
+// other legs of the league from that folder.
 Result<void> copy_records(system::Files& files, const Folder& from, const LeagueState& state,
                           const Folder& to);
 

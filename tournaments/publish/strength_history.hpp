@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The strengths of the teams as they were known after each round.
+// The strengths of the teams after each round, from the results up to that round.
 #pragma once
 
 #include "tournaments/publish/rounds.hpp"
@@ -11,17 +11,17 @@
 namespace mirocup::league {
 
 struct StrengthHistory {
-  std::vector<std::string> rounds;  // titles of the rounds after which strengths are known
-  std::vector<Ratings> after;       // one for each of these
+  std::vector<std::string> rounds;  // titles of the rounds with strengths
+  std::vector<Ratings> after;       // the strengths after each of `rounds`
   bool empty() const { return rounds.size() < 2; }
 };
 
-// Fits the strengths to the results up to each round, for at most 24 rounds. Empty for more than 64
-// teams, because the fit would take too long.
+// Fits the strengths to the results up to each round, for at most 24 rounds. The history is empty
+// for more than 64 teams, because the fit would take too long.
 StrengthHistory strength_history(const Overview& overview, const std::vector<RoundView>& rounds);
 
-// Returns an SVG element with a curve for each team. The curve of `highlighted` is in front, with
-// its interval. If `highlighted` is no_team, every curve has a colour and a name.
+// Returns an SVG element with a curve for each team. The curve of the team `highlighted` is in
+// front, with its interval. If `highlighted` is no_team, every curve has a colour and a name.
 std::string strength_picture(const Overview& overview, const StrengthHistory& history,
                              int highlighted);
 

@@ -2,20 +2,21 @@
 //
 // The strengths of the teams, fitted to all results at once by the model of Bradley and Terry
 // (1952) with the draws of Davidson (1970). The table decides a league; the strengths and their
-// intervals say how certain its order is.
+// intervals say how certain the order of the table is.
 //
-// Team i beats team j with probability  g_i / (g_i + g_j + v sqrt(g_i g_j)).  A draw has v sqrt(g_i
-// g_j) in the numerator. A strength is 400 log10(g): a team that is 400 stronger wins ten times as
-// often as it loses. The mean over all teams is 0. The likelihood is penalised: each team also gets
-// half a win and half a loss against a virtual team of strength 0, so that a team that won all legs
-// has a finite strength.
+// Team i beats team j with probability  g_i / (g_i + g_j + v sqrt(g_i g_j)).  For a draw the
+// numerator is v sqrt(g_i g_j). A strength is 400 log10(g): a team that is 400 stronger wins ten
+// times as often as it loses. The mean strength of all teams is 0. In the likelihood each team also
+// gets half a win and half a loss against a virtual team of strength 0, so that a team that won all
+// legs has a finite strength.
 //
 // An interval holds the strengths of one team that the results do not contradict: the strengths for
 // which twice the logarithm of the likelihood falls by at most 3.84, the 95 % point of chi squared
-// with one degree of freedom. The other strengths stay as fitted. Their uncertainty comes from the
-// curvature of the likelihood at its maximum: the permitted fall is multiplied by the variance of
-// the strength and divided by its variance if the others were known. The legs of a fixture count as
-// independent. docs/comparisons.md says how often such intervals hold the truth.
+// with one degree of freedom. For this interval the strengths of the other teams are fixed at the
+// fit. To include their uncertainty, the permitted fall is multiplied by a ratio of two variances
+// of the strength, from the curvature of the likelihood at its maximum: the variance with all
+// strengths unknown, divided by the variance with the other strengths known. The legs of a fixture
+// count as independent. docs/comparisons.md says how often such intervals hold the true strength.
 #pragma once
 
 #include "tournaments/table/table.hpp"
@@ -27,7 +28,7 @@ namespace mirocup::league {
 
 struct Strength {
   double value = 0.0;
-  double low = 0.0;  // of the 95 % interval
+  double low = 0.0;  // lower end of the 95 % interval
   double high = 0.0;
 };
 
@@ -40,13 +41,13 @@ struct Ratings {
 using FixtureResults = std::vector<LegResult>;
 
 // Returns the strengths of the teams 0 to teams-1. After a double forfeit both teams lose to the
-// virtual team. The time grows with the third power of the number of teams; a thousand teams take
-// seconds.
+// virtual team. The computing time grows with the cube of the number of teams; a thousand teams
+// take seconds.
 Ratings rate(int teams, const std::vector<FixtureResults>& fixtures);
 
-// Returns how many legs two teams would have to play against each other to be told apart: then a
-// 95 % interval of their difference excludes 0 with a probability of 80 %, if the teams differ by
-// as much as was fitted. Returns nothing if that takes more than max_legs_to_tell.
+// Returns how many legs two teams must play against each other until a 95 % interval of their
+// difference in strength excludes 0 with a probability of 80 %, if the fitted difference is true.
+// Returns nothing for more than max_legs_to_tell legs.
 std::optional<int> legs_to_tell(const Ratings& ratings, int one, int other);
 inline constexpr int max_legs_to_tell = 1'000'000;
 

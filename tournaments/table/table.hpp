@@ -2,8 +2,8 @@
 //
 // The league table: a pure function of the results. Teams are ordered by the stage that they
 // reached in the knockout, if there is one, then by points, then by the tie-breaks in their
-// configured order. Each row says what separates it from the row below. ../README.md has the rules
-// in full.
+// configured order. Each row names the rule that separates it from the row below. ../README.md has
+// all rules.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -23,12 +23,12 @@ struct LegResult {
   int home_goals = 0;
   int away_goals = 0;
   bool both_lose = false;  // a double forfeit
-  int home_penalties = 0;  // penalties given against the team
+  int home_penalties = 0;  // penalties given against the home team
   int away_penalties = 0;
   bool counts_for_home = true;  // false: played by an entry that has been replaced
   bool counts_for_away = true;
 
-  // Returns how many goals that team is ahead; negative if it is behind.
+  // Returns how many goals a team is ahead; negative if the team is behind.
   int difference(int team) const {
     return team == home ? home_goals - away_goals : away_goals - home_goals;
   }
@@ -42,10 +42,11 @@ enum class TieBreak {
   penalties,
   lots,
   wins,
-  opponents_points,  // over the legs of the team: the points of the opponent
+  opponents_points,  // sum of the opponent's points over the legs of the team
 };
 
-// Each is within ±max_points, so that sums of them fit into 64 bits whatever is played.
+// The points for a win, a draw or a loss are within ±max_points, so that sums always fit into 64
+// bits.
 inline constexpr int max_points = 1'000'000;
 
 struct Points {
@@ -54,7 +55,7 @@ struct Points {
   int loss = 0;
 };
 
-// The usual order; ../README.md explains each rule.
+// The usual order of tie-breaks; ../README.md explains each rule.
 inline constexpr std::array<TieBreak, 6> default_tie_breaks{
     TieBreak::goal_difference,     TieBreak::goals,
     TieBreak::head_to_head_points, TieBreak::head_to_head_goal_difference,
@@ -70,7 +71,7 @@ struct TableRow {
   std::int64_t goals_against = 0;
   std::int64_t points = 0;
   std::int64_t penalties = 0;  // given against the team
-  std::string separated_by;    // the rule that put it above the next row; "" for the last row
+  std::string separated_by;    // the rule that puts this row above the next; "" for the last row
 
   std::int64_t difference() const { return goals_for - goals_against; }
 };
@@ -78,17 +79,18 @@ struct TableRow {
 struct TableRules {
   Points points;
   std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};
-  std::uint64_t seed = 1;          // from which lots are drawn
-  bool by_points_per_leg = false;  // for a ladder, where teams play different numbers of legs
+  std::uint64_t seed = 1;  // the seed of the lots
+  // True for a ladder, in which teams play different numbers of legs.
+  bool by_points_per_leg = false;
 
   // True: a tie-break does not depend on how many legs a team has played. Sums over legs are
-  // compared as means, head-to-head counts if all pairs of the level teams have met equally often,
-  // and a bye or a team that has left counts as an opponent with as many points as the team itself.
-  // Teams that have left come last. False: the former rules, which took sums.
+  // compared as means. Head-to-head counts only if all pairs of the level teams have met equally
+  // often. A bye or a team that has left counts as an opponent with as many points as the team
+  // itself. Teams that have left come last. False: the former rules, which compare sums.
   bool evens_out = true;
-  // True: for goal difference and goals, a bye counts as an average won leg. Needs `evens_out`.
+  // True: for goal difference and goals, a bye counts as an average won leg. Requires `evens_out`.
   bool counts_bye_goals = true;
-  std::vector<bool> has_left = {};  // by team; empty: none has
+  std::vector<bool> has_left = {};  // true for each team that has left; empty: no team has left
 };
 
 // Returns the rows of these teams, best first. Only results between two of these teams and byes
@@ -98,7 +100,7 @@ std::vector<TableRow> make_table(const std::vector<int>& teams,
                                  const std::vector<LegResult>& results, const TableRules& rules,
                                  const std::vector<int>& stage_reached = {});
 
-// Returns 0 to teams-1.
+// Returns the list of the teams 0 to teams-1.
 std::vector<int> all_teams(int teams);
 
 }  // namespace mirocup::league

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// CMA-ES: searches for the maximum of a function of a few numbers that is only known by noisy
-// samples. Draws candidates from a normal distribution, ranks them, and moves mean and covariance
-// towards the better half.
+// CMA-ES: searches for the maximum of a function of a few numbers, of which only noisy samples are
+// known. The search draws candidates from a normal distribution, ranks them, and moves mean and
+// covariance towards the better half.
 //
-// N. Hansen, "The CMA Evolution Strategy: A Tutorial", arXiv:1604.00772, with the constants of its
-// table 1 and without negative weights.
+// The algorithm is that of N. Hansen, "The CMA Evolution Strategy: A Tutorial", arXiv:1604.00772,
+// with the constants of table 1 there and without negative weights.
 #pragma once
 
 #include "core/base/random.hpp"
@@ -24,11 +24,12 @@ class CmaEs {
   // Draws the candidates of a generation.
   std::vector<Eigen::VectorXd> ask();
 
-  // Learns the values of these candidates, in the order of ask(); more is better.
+  // Updates the distribution from the values of the candidates, in the order of ask(). Greater
+  // values are better.
   void tell(const std::vector<Eigen::VectorXd>& candidates, const std::vector<double>& values);
 
   const Eigen::VectorXd& mean() const { return mean_; }
-  // The standard deviation along each axis.
+  // Returns the standard deviation along each axis.
   Eigen::VectorXd deviations() const;
 
  private:
@@ -36,7 +37,7 @@ class CmaEs {
 
   int n_ = 1;
   int population_ = 0;       // lambda
-  Eigen::VectorXd weights_;  // of the better half, the best first; their sum is 1
+  Eigen::VectorXd weights_;  // weights of the better half, the best candidate first; their sum is 1
   double mu_eff_ = 1.0;
   double c_sigma_ = 0.0, d_sigma_ = 1.0;       // control of the step
   double c_c_ = 0.0, c_1_ = 0.0, c_mu_ = 0.0;  // control of the covariance

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The folder of a search: tune.json holds every candidate that has been played, so that a stopped
-// search continues to the same end; course.svg shows the course of the search.
+// The folder of a search. tune.json holds every candidate that has been played, so that a stopped
+// search can continue with an equal result. course.svg shows the course of the search.
 #pragma once
 
 #include "system/files.hpp"
@@ -17,14 +17,14 @@ namespace mirocup::league {
 
 class TuningFile {
  public:
-  // Opens a folder, or makes it. The error is Errc::input if the folder holds another search:
-  // `identity` is everything on which the marks depend.
+  // Opens a folder, or makes it. `identity` is everything on which the marks depend. The error is
+  // Errc::input if the folder holds a search with another identity.
   static Result<TuningFile> open(system::Files& files, const std::string& folder,
                                  nlohmann::ordered_json identity);
 
-  // The marks of a candidate; null if they are not known.
+  // Returns the marks of a candidate; null if the marks are not known.
   const std::vector<Mark>* find(const std::string& key) const;
-  // Keeps the marks of a candidate, on disk before it returns.
+  // Keeps the marks of a candidate. The marks are on disk when the function returns.
   Result<void> keep(const std::string& key, std::vector<Mark> marks);
 
   int known() const { return static_cast<int>(marks_.size()); }
