@@ -12,7 +12,7 @@
 namespace mirocup::league {
 
 // Writes the team, whose source is "firasim:NAME", into league.json. Replaces a team of that name
-// if its source is of this kind, too. Returns a sentence that says why the team cannot enter; "" if
+// if its source is also of this kind. Returns a sentence that says why the team cannot enter; "" if
 // it was written.
 Result<std::string> enter_firasim_team(system::Files& files, const Folder& folder,
                                        const TeamConfig& team, std::int64_t now);
