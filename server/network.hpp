@@ -22,21 +22,23 @@ struct NetworkTerms {
   std::string interface = "lo";
   int dds_domain = 0;
   std::string credentials;                         // folder; "": anybody may join
-  double join_within = 60.0;                       // s that a team has to join
-  std::optional<double> away_limit;                // s of allowed absence; empty: default
+  double join_within = 60.0;                       // time that a team has to join, s
+  std::optional<double> away_limit;                // allowed absence, s; empty: the default
   firasim::Addresses firasim{"", "", "", "", ""};  // "": addresses of the instance
   std::string firasim_instance = "0";              // a number, or "auto"
-  match::ByTeam<std::string> programs;  // commands that start firasim teams; "": a person starts it
-  bool lockstep = false;                // true: waits for firasim teams, also in real time
+  // Shell commands that start FIRASim teams; "": a person starts the team.
+  match::ByTeam<std::string> programs;
+  // True: the match waits for FIRASim teams, also in real time.
+  bool lockstep = false;
 };
 
-// The part of the match that a seat uses. All of it outlives the seat.
+// The part of the match that a seat uses. Everything in it must outlive the seat.
 struct SeatTerms {
   const match::Leg& leg;
-  double period;  // wall s of a tick; 0: as fast as possible
+  double period;  // wall time of a tick, s; 0: as fast as possible
   system::Interrupt& interrupt;
-  record::ThoughtsWriter* thoughts;  // gets the shapes of a DDS team; null: not kept
-  std::string log;                   // file for what the team's program prints
+  record::ThoughtsWriter* thoughts;  // gets the shapes of a DDS team; null: shapes are not kept
+  std::string log;                   // file for the output of the team's program
 };
 
 class Network {
@@ -45,20 +47,20 @@ class Network {
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;
 
-  // Opens the DDS topics and FIRASim sockets that these teams need; opens nothing if both are
-  // libraries. Errc::input if a program is given for a team that needs none; Errc::unavailable if a
-  // port or an interface is not available.
+  // Opens the DDS topics and FIRASim sockets that these teams need; opens nothing if both teams are
+  // libraries. Errc::input if a program is given for a team that needs no program;
+  // Errc::unavailable if a port or an interface is not available.
   Result<void> open(const match::ByTeam<TeamChoice>& teams);
   bool is_open() const { return dds_ != nullptr || firasim_ != nullptr; }
 
-  // Makes room for a team of kind dds or firasim, and starts its program if the terms give a
+  // Makes the seat of a team on DDS or FIRASim, and starts the team's program if the terms give a
   // command.
   Result<TeamSeat> take_seat(const TeamChoice& choice, Team team, const SeatTerms& terms);
 
   // Announces the match to DDS teams and spectators, and publishes its first state. Teams answer
   // that state before the match begins. `speed`: factor of real time; 0: as fast as possible.
   void announce(const match::Leg& leg, const match::ByTeam<std::string>& names, double speed);
-  // Publishes the tick that begins. Never waits.
+  // Publishes the tick that begins, and never waits.
   void publish(const match::Leg& leg);
   // Publishes the end of the match, and gives the programs a moment to end by themselves.
   void close(const match::Leg& leg);
@@ -69,8 +71,8 @@ class Network {
   firasim::Terms firasim_terms(Team team, const SeatTerms& terms);
 
   NetworkTerms terms_;
-  std::unique_ptr<dds::MatchServer> dds_;     // null unless a team plays over it
-  std::unique_ptr<firasim::Server> firasim_;  // null unless a team uses it
+  std::unique_ptr<dds::MatchServer> dds_;     // null unless a team plays over DDS
+  std::unique_ptr<firasim::Server> firasim_;  // null unless a team uses FIRASim
   firasim::Addresses firasim_addresses_;
   int firasim_instance_ = 0;
   match::ByTeam<std::optional<TeamProgram>> programs_;  // the programs that this match has started

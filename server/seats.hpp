@@ -18,38 +18,39 @@
 
 namespace mirocup::server {
 
-// A team as the command line names it.
+// A team from the command line.
 struct TeamChoice {
   record::TeamInfo info;
-  std::string library;       // path, also of a file of Python; "" for a team on the network
+  std::string library;       // path of the library or Python file; "" for a team on the network
   std::string network_name;  // the name of a team on the network; "" for others
   std::optional<plugins::SealedEntry> entry;  // the library's bytes when it was chosen
-  std::optional<match::Fault> fault;          // of a file that cannot be loaded as a library
+  std::optional<match::Fault> fault;          // the fault of a file that cannot be loaded
 };
 
-// `text` is "dds:NAME", "firasim:NAME", the path of a library or of a file of Python, or the name
-// of a house team. A file that cannot be loaded is a fault of the team, not an error.
+// Reads a team. `text` is "dds:NAME", "firasim:NAME", the path of a library or of a file of Python,
+// or the name of a house team. If a file cannot be loaded, the choice has a fault of the team; it
+// is not an error.
 Result<TeamChoice> choose_team(const std::string& text);
 
-// The place of one team in a leg: starts the team and asks it, whatever kind it is.
+// The place of one team in a leg: starts and asks a team of any kind.
 class TeamSeat {
  public:
-  // Each function starts the team or makes room for it, and does not wait until it is ready. An
-  // error is a failure of the host; wait_until_ready() returns faults of the team. A library gets
-  // the parameters of `choice.info`.
+  // Each function starts the team or makes its seat on the network, and does not wait until the
+  // team is ready. An error is a failure of the host; wait_until_ready() returns faults of the
+  // team. A library gets the parameters of `choice.info`.
   static Result<TeamSeat> take_in_process(const TeamChoice& choice, const match::Briefing& briefing,
                                           const plugins::ProcessTerms& terms);
   static Result<TeamSeat> take_trusted(const TeamChoice& choice, const match::Briefing& briefing,
                                        bool keeps_thoughts = false);
   static Result<TeamSeat> take_on_network(const TeamChoice& choice, const match::Briefing& briefing,
                                           dds::MatchServer& server, const dds::JoinTerms& patience);
-  // `server` and `leg` outlive the seat.
+  // `server` and `leg` must outlive the seat.
   static Result<TeamSeat> take_at_firasim(const TeamChoice& choice, const match::Leg& leg,
                                           Team team, firasim::Server& server,
                                           const firasim::Terms& terms);
 
-  // Waits until the team can play. The error says why it never can: a Fault of the team, or a
-  // HostFailure.
+  // Waits until the team can play. The error says why the team can never play: a Fault of the team,
+  // or a HostFailure.
   tl::expected<void, match::Answer> wait_until_ready();
 
   // False if a team on the network was ready and has left since.
@@ -62,18 +63,19 @@ class TeamSeat {
   }
   const record::TeamInfo& info() const { return info_; }
 
-  // Returns the name that the team's own library gives it. "" if the team has no library, is not
-  // ready, or gives a name that cannot be printed on a line.
+  // Returns the name that the library gives the team; "" if the team has no library, is not ready,
+  // or has a name that cannot be printed on a line.
   std::string own_name() const;
   void rename(const std::string& name) { info_.name = name; }
 
   // Returns the given parameters that the team has not asked for so far.
   match::TeamParameters unknown_parameters() const;
 
-  // Returns the shapes of the tick that the team answered last; null if they are not kept.
+  // Returns the shapes of the tick that the team answered last; null if shapes are not kept.
   const plugins::ThoughtsPage* thoughts();
 
-  // Returns the counts of the team's samples of thoughts; null unless it plays over the network.
+  // Returns the counts of the team's samples of thoughts; null unless the team plays over the
+  // network.
   const dds::ThoughtCounts* thoughts_sent() const {
     return network_ != nullptr ? &network_->thoughts() : nullptr;
   }
@@ -81,13 +83,14 @@ class TeamSeat {
   // Returns the team's budget without late_ticks and bad_commands, which the match counts.
   record::BudgetReport budget_report() const;
 
-  // Returns nothing unless the team plays over the network.
+  // Returns the team's network statistics; nothing unless the team plays over the network.
   std::optional<record::NetworkReport> network_report() const;
 
   // Returns the process of the team; null if the team has no process of its own.
   const plugins::ProcessController* process() const { return process_; }
 
-  // The text that the team printed, each line with its tick; "" if it has no process of its own.
+  // Returns the output of the team, each line with its tick; "" if the team has no process of its
+  // own.
   std::string output() {
     return process_ != nullptr ? process_->output_with_ticks() : std::string();
   }
@@ -107,11 +110,11 @@ class TeamSeat {
   std::optional<match::Fault> load_fault_;
 };
 
-// Keeps this process and its children on the current core. A match and its teams take turns:
-// handing over costs 1 us on one core, and 50 us across cores.
+// Keeps this process and its children on the current core. A match and its teams take turns: a
+// handover takes 1 us on one core, and 50 us between cores.
 void stay_on_this_core();
 
-// Waits until both teams can play, blue first. If a team never can, the match becomes void or
+// Waits until both teams can play, blue first. If a team can never play, the match becomes void or
 // forfeited. Returns early after an interrupt.
 void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, system::Interrupt& interrupt);
 

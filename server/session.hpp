@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One match as it is played on this host: a leg, the seats of its teams, the network, the viewers,
-// and the data that is kept for the record.
+// One match on this host: a leg, the seats of its teams, the network, the viewers, and the data for
+// the record.
 #pragma once
 
 #include "core/match/leg.hpp"
@@ -24,16 +24,16 @@ namespace mirocup::server {
 
 struct SessionTerms {
   NetworkTerms network;
-  bool thoughts = false;  // keeps the shapes that the teams draw
-  bool trusted = false;   // libraries play in this process
+  bool thoughts = false;  // true: keeps the shapes that the teams draw
+  bool trusted = false;   // true: libraries play in this process
   std::string isolation;  // "T1" or "T2"; "": the strongest that this system allows
-  // True: the team keeps its present name, instead of the name that its library gives.
+  // True: the team keeps its present name instead of the name that its library gives.
   match::ByTeam<bool> keeps_name{};
   // The files for the output of programs that the match starts.
   match::ByTeam<std::string> logs{"/dev/null", "/dev/null"};
 };
 
-// A match. Call the functions below in their order, each once. One thread.
+// A match. Call the functions below this class in their order, each once. Threads: one.
 struct Session {
   // `factor` of real time; if empty, the match plays as fast as possible.
   Session(SessionTerms terms, const match::Setup& setup, std::optional<double> factor);
@@ -41,7 +41,7 @@ struct Session {
   Session& operator=(const Session&) = delete;
 
   SessionTerms terms;
-  system::Interrupt interrupt;  // comes before all members that may start a thread
+  system::Interrupt interrupt;  // must come before all members that may start a thread
   match::Leg leg;
   double speed;  // factor of real time; 0: as fast as possible
   pace::SteadyWallClock clock;
@@ -57,17 +57,17 @@ struct Session {
   std::optional<record::PlayedOnFrom> from;  // the record that this leg continues
 };
 
-// Plays the ticks before `until` as they are recorded. After them the leg remembers all that came
-// before: counts of the laws, disturbances, the camera's view, commands on their way. `path` names
-// the record in errors: Errc::damaged if it is not reproduced.
+// Plays the recorded ticks before `until`. After them the leg has its whole memory: counts of the
+// laws, disturbances, the camera's view, commands on their way. `path` names the record in errors.
+// Errc::damaged if the record is not reproduced.
 Result<void> play_past(Session& session, const record::MatchRecord& past, std::uint32_t until,
                        const std::string& path);
 
-// Starts the teams, blue first, and waits until they can play. A team that never can makes the leg
-// void or forfeited.
+// Starts the teams, blue first, and waits until they can play. A team that can never play makes the
+// leg void or forfeited.
 Result<void> seat_teams(Session& session, const match::ByTeam<TeamChoice>& teams);
 
-// Shows the leg in browsers at [HOST:]PORT, "" for any free port, and says where.
+// Shows the leg in browsers at [HOST:]PORT ("": any free port), and prints the address.
 Result<void> open_live_page(Session& session, const std::string& where);
 
 // Plays the leg to its end. Errc::interrupted if a signal came; then the leg has no result.

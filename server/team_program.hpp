@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The program of a team that speaks FIRASim's protocol, if the match starts it: a shell command of
-// the host, which gets its colour and its addresses in environment variables. It has all rights of
-// this process.
+// The program of a team that speaks FIRASim's protocol, if the match starts the program: a shell
+// command of the host, which gets its colour and its addresses in environment variables. The
+// program has all rights of this process.
 #pragma once
 
 #include "core/field/team.hpp"
@@ -23,10 +23,10 @@ class TeamProgram {
                                    const firasim::Addresses& addresses, const std::string& log);
   TeamProgram(TeamProgram&& other) noexcept;
   TeamProgram& operator=(TeamProgram&&) = delete;
-  ~TeamProgram();  // kills it, and all processes that it has started
+  ~TeamProgram();  // kills the program and all processes that it has started
 
   // If the program has ended, returns why the team can no longer send: a fault of the team, or of
-  // the host if there is no such program. `when` ends the sentence: "before it sent anything".
+  // the host if the command does not exist. `when` ends the sentence: "before it sent anything".
   std::optional<match::Answer> why_gone(const std::string& when);
 
   // Gives the program a moment to end by itself, after the referee's HALT.
@@ -37,7 +37,7 @@ class TeamProgram {
       : pid_(pid), command_(std::move(command)), log_(std::move(log)) {}
   bool has_ended();
 
-  pid_t pid_ = 0;  // 0: its end has been collected
+  pid_t pid_ = 0;  // 0: the end of the process has been collected
   int status_ = 0;
   std::string command_, log_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Conversions between the match's structures and the topics of idl/mirocup.idl. They keep every
-// number as it is: frame and units are those of the field on both sides.
+// Conversions between the match's structures and the topics of idl/mirocup.idl. A conversion
+// changes no number, because both sides have the frame and the units of the field.
 #pragma once
 
 #include "core/match/leg.hpp"
@@ -15,11 +15,12 @@ namespace mirocup::dds {
 // The longest name of a team, bytes.
 inline constexpr std::size_t max_team_name = sizeof(mirocup_v4_Hello::name) - 1;
 
-// `robots`: of each team. `leg`: the number that the server drew for the leg.
+// `robots`: number of each team's robots. `leg`: the number that the server drew for the leg.
 mirocup_v4_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg);
 match::Snapshot to_scene(const mirocup_v4_WorldState& sample);
 
-// The answer of a Welcome to a Hello; the numbers are the IDL's ADMISSION_ACCEPTED and so on.
+// The answer of a Welcome to a Hello, with the numbers of the IDL's constants ADMISSION_ACCEPTED
+// and so on.
 enum class Admission : std::uint8_t { accepted, not_now, refused };
 
 // Returns the facts of a leg for spectators. `speed`: factor of real time, 0 for lockstep.
@@ -30,8 +31,8 @@ mirocup_v4_MatchInfo to_sample(const match::Briefing& briefing, std::uint64_t le
 mirocup_v4_Welcome to_sample(const match::Briefing& briefing, std::uint64_t leg,
                              std::uint64_t nonce);
 
-// A briefing together with the structures that it points to. It cannot be copied or moved: the
-// pointers of a copy would lead into the original.
+// A briefing together with the structures that it points to. The object cannot be copied or moved,
+// because the pointers of a copy would lead into the original.
 struct OwnedBriefing {
   OwnedBriefing() = default;
   OwnedBriefing(const OwnedBriefing&) = delete;
@@ -43,15 +44,15 @@ struct OwnedBriefing {
   match::Briefing briefing;
 };
 
-// Fills `owned` from the numbers of a Welcome. Returns false, and leaves `owned` unchanged, if its
-// league or its colour does not exist.
+// Fills `owned` from the numbers of a Welcome. Returns false, and leaves `owned` unchanged, if the
+// Welcome has an unknown league or colour.
 bool from_sample(const mirocup_v4_Welcome& sample, OwnedBriefing& owned);
 
-// `number` counts the events of the leg from 0; `score` is the one after the decision.
+// `number` counts the events of the leg from 0. `score` is the score after the decision.
 mirocup_v4_MatchEvent to_sample(const match::LoggedDecision& decision, std::uint64_t leg,
                                 std::uint32_t number, const match::ByTeam<int>& score);
 
-// `tick`: of the WorldState that the command answers. `nonce`: of the team's Hello.
+// `tick` is the tick of the WorldState that the command answers. `nonce` is from the team's Hello.
 mirocup_v4_TeamCommand to_sample(const match::Command& command, Team team, std::uint32_t tick,
                                  std::uint64_t nonce);
 match::Command to_command(const mirocup_v4_TeamCommand& sample);
@@ -60,7 +61,7 @@ match::Command to_command(const mirocup_v4_TeamCommand& sample);
 // sample.
 bool is_known(const mirocup_v4_WorldState& sample);
 
-// Returns why two processes that speak these layouts cannot play together; "" if they can.
+// Returns why two processes with these layouts of topics cannot play together; "" if they can.
 std::string layout_mismatch(std::uint32_t theirs);
 
 // Copies text into a bounded string of a sample and cuts it to fit.

@@ -3,11 +3,11 @@
 // The warnings and errors of Cyclone DDS, kept for our own error messages instead of printed on the
 // user's terminal.
 //
-// Any host that can send packets can make Cyclone log without end, so only the last few messages
-// are kept, each once. Some messages are about strangers: malformed packets, processes without
-// credentials, the servers and teams of another league on this host. The log keeps the last message
-// of each of these kinds, and drops it first, because any other message may be the reason why this
-// team cannot play.
+// Any host that can send packets can make Cyclone log without end, so the log keeps only the last
+// few different messages. Some messages are about strangers: malformed packets, processes without
+// credentials, the servers and teams of another league on this host. The log keeps only the last
+// message of each of these kinds, and drops such messages first, because any other message may say
+// why this team cannot play.
 #pragma once
 
 #include <mutex>
@@ -16,8 +16,8 @@
 
 namespace mirocup::dds {
 
-// At most one exists at a time, because Cyclone has one log for the whole process. Safe to use from
-// several threads.
+// At most one object exists at a time, because Cyclone has one log for the whole process. Threads:
+// any.
 class CycloneLog {
  public:
   CycloneLog();
@@ -26,7 +26,7 @@ class CycloneLog {
   ~CycloneLog();
 
   // Returns the last different messages, oldest first, separated by "; ", in printable ASCII; "" if
-  // there was none. Malformed packets are mentioned only if there is nothing else.
+  // no message came. Malformed packets are mentioned only if there is no other message.
   std::string last_error() const;
 
   // Returns last_error() as the end of a sentence, " (DDS: ...)"; "" if there was no message.
@@ -35,7 +35,7 @@ class CycloneLog {
  private:
   void keep(std::string text);
 
-  mutable std::mutex mutex_;  // Cyclone writes from threads of its own
+  mutable std::mutex mutex_;  // because Cyclone writes from its own threads
   std::vector<std::string> last_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Discovery is a star. A match server listens on one of ten fixed ports of its DDS domain. Teams
-// and spectators know its address and ask all ten. Nothing is multicast, and teams never see each
-// other.
+// and spectators know the host's address and ask all ten ports. Nothing is multicast, and teams do
+// not discover each other.
 #pragma once
 
 #include "server/dds/cyclone_log.hpp"
@@ -16,12 +16,12 @@ namespace mirocup::dds {
 // The number of match servers that can run on one host at the same time.
 inline constexpr int server_ports = 10;
 
-// DDS domains are numbered from 0. Each has its own ports, so another domain moves the ports.
+// DDS domains are numbered from 0. Each domain has its own ports.
 inline constexpr int default_domain = 0;
 inline constexpr int last_domain = 230;  // later domains have no valid ports
 
-// Returns the port of discovery of the participant with an index, as DDSI-RTPS 2.2 says (9.6.1.1);
-// its data come at the next port.
+// Returns the port of discovery of the participant with an index, as in DDSI-RTPS 2.2 (9.6.1.1).
+// The participant receives data at the next port.
 int port_of(int domain, int index);
 
 // The connection of this process to the network. Its destructor leaves the network properly. A
@@ -34,22 +34,22 @@ struct Domain {
 };
 
 // `interface` is the name or the address of the network interface at which the server is reached;
-// "lo" restricts it to this host. Errc::unavailable if none of the domain's ports is free.
+// "lo" restricts the server to this host. Errc::unavailable if no port of the domain is free.
 Result<Domain> open_server_domain(const std::string& interface, const std::string& credentials,
                                   int number = default_domain);
 
-// `server` is the host that the match server runs on.
+// `server` is the host of the match server.
 Result<Domain> open_team_domain(const std::string& server, const std::string& credentials,
                                 int number = default_domain);
 
 // Makes the DDS participant, which is the parent of all topics, readers and writers.
 Result<Entity> make_participant(const Domain& domain);
 
-// Returns a text for a partition or a file: every byte but letters, digits, '-', '_' and '.' is
-// written as %XX.
+// Converts a text to a name for a partition or a file: every byte but letters, digits, '-', '_' and
+// '.' becomes %XX.
 std::string encoded(std::string_view text);
 
-// The DDS partitions of a match and of one team in it.
+// Return the DDS partitions of a match and of one team in the match.
 std::string match_partition(std::string_view match_id);
 std::string team_partition(std::string_view match_id, int colour, std::string_view name);
 

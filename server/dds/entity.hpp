@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// DDS entities that delete themselves, and functions that make them with the QoS of a topic's row
-// (idl/qos.hpp). A class declares parents before their children, so that children are deleted
-// first.
+// DDS entities that delete themselves, and functions that make entities with the QoS of a topic's
+// row (idl/qos.hpp). A class that owns entities declares parents before children, so that children
+// are deleted first.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -50,8 +50,8 @@ struct DeleteQos {
 };
 using Qos = std::unique_ptr<dds_qos_t, DeleteQos>;
 
-// Returns the entity of a handle that a dds_create function returned, or its error. `what` names
-// the entity in the sentence.
+// Converts the result of a dds_create function to an entity or an error. `what` names the entity in
+// the error.
 Result<Entity> created(dds_entity_t handle, const std::string& what);
 
 Result<Entity> make_publisher(const Entity& participant, const std::string& partition);
@@ -61,18 +61,18 @@ Result<Entity> make_topic(const Entity& participant, const dds_topic_descriptor_
 Result<Entity> make_writer(const Entity& publisher, const Entity& topic, const idl::TopicQos& row);
 Result<Entity> make_reader(const Entity& subscriber, const Entity& topic, const idl::TopicQos& row);
 
-// From now on the waitset wakes while the reader has samples.
+// Attaches a reader to a waitset, which then wakes while the reader has samples.
 Result<void> attach(const Entity& waitset, const Entity& reader);
 
-// Identifies the process that a writer belongs to: DDS gives every participant another key.
+// Identifies the process of a writer: DDS gives every participant a different key.
 using ParticipantKey = std::array<std::uint8_t, 16>;
 
 // Returns the key of the process of a writer, or nothing if the reader is not matched with that
 // writer at this moment.
 std::optional<ParticipantKey> participant_of(const Entity& reader, dds_instance_handle_t writer);
 
-// Takes the next valid sample. Returns false if there is none. `writer` becomes the handle of the
-// sample's writer.
+// Takes the next valid sample. Returns false if no valid sample is there. `writer` becomes the
+// handle of the sample's writer.
 template <class Sample>
 bool take(const Entity& reader, Sample& sample, dds_instance_handle_t* writer = nullptr) {
   while (true) {

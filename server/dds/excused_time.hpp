@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The wall time of a match that does not count as absence of a team, because it is the host's own
-// fault: its network interface was down, or the server itself stood still. The class is the rule
-// alone: the caller passes the time and what it saw.
+// The wall time of a match that does not count as absence of a team, because the host is at fault:
+// its network interface was down, or the server itself stood still. The class has only the rule:
+// the caller passes the time and its observations.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@ class ExcusedTime {
   explicit ExcusedTime(double usual_step) : usual_step_(usual_step) {}
 
   // Notes the state at the moment `now`, s. `is_up`: the host's interface has a carrier and an
-  // address. `any_heard`: a command of a team has come since the last look. If one team's commands
-  // arrive, the network is not down, even if the interface seems to be: the other team is away by
-  // its own fault.
+  // address. `any_heard`: a command of a team has come since the last look. If commands of one team
+  // arrive, the network is not down, even if the interface seems down. Then the other team is away
+  // by its own fault.
   void look(double now, bool is_up, bool any_heard) {
     const double step = last_ ? now - *last_ : 0.0;
     last_ = now;

@@ -8,7 +8,7 @@
 
 namespace mirocup::dds {
 
-// Prints at most `max` sentences of one kind; the last of them says that no more follow.
+// Prints at most `max` sentences of one kind. The last sentence says that no more follow.
 class FewWords {
  public:
   explicit FewWords(int max = 10) : left_(max) {}

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Sorts the arriving commands of a team. The first command that answers the present tick is driven
-// in step. The newest late command is kept; it may be driven if no command for the present tick has
-// come.
+// Sorts the arriving commands of a team. The robots drive the first command that answers the
+// present tick. The inbox keeps the newest late command, which the robots may drive if no command
+// for the present tick has come.
 #pragma once
 
 #include <algorithm>
@@ -16,26 +16,26 @@ namespace mirocup::dds {
 inline constexpr std::uint32_t max_late_ticks = 6;
 
 struct CommandCounts {
-  std::uint64_t in_step = 0;      // answered the present tick; at most one for each tick
+  std::uint64_t in_step = 0;      // answered the present tick; at most one command for each tick
   std::uint64_t late = 0;         // answered a tick that was over
   std::uint64_t late_driven = 0;  // late commands that were driven
-  std::uint64_t duplicate = 0;    // answered the last answered tick again
+  std::uint64_t duplicate = 0;    // answered the last answered tick once more
   std::uint64_t ahead = 0;        // answered a tick that has not begun
-  std::uint64_t foreign = 0;      // from a process that is not the team's
+  std::uint64_t foreign = 0;      // from a process without the seat
 };
 
 // The kinds of commands of the team's own process.
 enum class Arrival {
   in_step,   // the answer to the present tick
-  late,      // to a tick that is over, and newer than all commands before it
-  old,       // to a tick that is over, but not newer
-  repeated,  // the answer to the last answered tick again
+  late,      // answers a tick that is over, but newer than all earlier commands
+  old,       // answers a tick that is over, not newer than all earlier commands
+  repeated,  // answers the last answered tick once more
   ahead,
 };
 
 class Inbox {
  public:
-  // Sets the present tick: an answer to it is in step.
+  // Sets the present tick. An answer to the present tick is in step.
   void expect(std::uint32_t tick) { expected_ = tick; }
 
   void count_foreign() { ++counts_.foreign; }
@@ -62,7 +62,7 @@ class Inbox {
     return Arrival::in_step;
   }
 
-  // True if a command to `tick` may still be driven in the present one.
+  // True if the robots may still drive a command for `tick` in the present tick.
   bool may_be_driven(std::uint32_t tick) const {
     return tick <= expected_ && expected_ - tick <= max_late_ticks;
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The liveliness of a team that plays over the network. The class is the rule alone: the caller
+// The liveliness of a team that plays over the network. The class has only the rule: the caller
 // passes each event with its wall time in seconds, so the class needs neither the network nor a
 // clock.
 //
 // An absence begins when the team has been silent for `notice` seconds while a state waited for its
-// answer, or when its process has left the network. It ends when the team answers again; a late
-// answer counts as well. The absences of a leg are added up.
+// answer, or when its process has left the network. An absence ends when the team answers again,
+// also with a late answer. The absences of a leg are added up.
 #pragma once
 
 #include "record/absence.hpp"
@@ -20,10 +20,10 @@ namespace mirocup::dds {
 
 class Liveliness {
  public:
-  // `limit`: how long the absences of a leg may last together, s.
+  // `limit`: the longest time of all absences of a leg together, s.
   Liveliness(double notice, double limit) : notice_(notice), limit_(limit) {}
 
-  // To be called when a tick begins to wait for its answer.
+  // To be called when the server begins to wait for the answer to a tick.
   void asked(double now) {
     if (!owes_) silent_since_ = now;
     owes_ = true;
@@ -33,18 +33,18 @@ class Liveliness {
   // was away.
   bool answered(std::uint32_t tick, double now);
 
-  // To be called in the tick `present` when a late command to `tick` has come that is newer than
-  // all commands before it. Returns true if the team was away.
+  // To be called in the tick `present` when a late command to `tick` has come, newer than all
+  // earlier commands. Returns true if the team was away.
   bool answered_late(std::uint32_t tick, std::uint32_t present, double now);
 
-  // To be called when the answer to the present tick has come again, as it must whenever the state
-  // is sent again.
+  // To be called when the answer to the present tick has come again. A team must answer whenever
+  // the server sends the state again.
   void repeated(double now) {
     if (!owes_) silent_since_ = heard_ = now;
   }
 
   // To be called while no answer to the present tick, `tick`, has come. Returns true if the team is
-  // away from this moment on. `has_left`: its process has left the network.
+  // away from this moment on. `has_left`: the team's process has left the network.
   bool silent(std::uint32_t tick, double now, bool has_left);
 
   bool is_away() const { return away_since_.has_value(); }

@@ -11,8 +11,8 @@
 
 namespace mirocup::dds {
 
-// Claims the ID on this host for as long as the descriptor is open. The system releases the claim
-// when the process ends, in whatever manner. Errc::unavailable: another process has the claim.
+// Claims the match ID on this host for as long as the descriptor is open. The system releases the
+// claim when the process ends, in any way. Errc::unavailable: another process has the claim.
 Result<system::Descriptor> claim_match(const std::string& match_id, int domain);
 
 }  // namespace mirocup::dds

@@ -3,8 +3,8 @@
 // The match server's side of the network: publishes the state of a match, gives seats to the teams
 // that join, and receives their commands.
 //
-// Used from one thread. In open mode it guards against mistakes, not against an attacker on the
-// same network; with credentials every process on the network must show a certificate.
+// Threads: one. In open mode the server guards against mistakes, not against an attacker on the
+// same network. With credentials every process on the network must show a certificate.
 #pragma once
 
 #include "server/dds/domain.hpp"
@@ -18,16 +18,16 @@ namespace mirocup::dds {
 
 class MatchServer {
  public:
-  // `interface` and `domain` as for open_server_domain(). `credentials` is the folder of the
-  // server's credentials; "" is open mode. Errc::unavailable also if another server of this host
-  // plays `match_id`.
+  // `interface` and `domain` are the arguments of open_server_domain(). `credentials` is the folder
+  // of the server's credentials; "" is open mode. Errc::unavailable also if another server of this
+  // host plays `match_id`.
   static Result<std::unique_ptr<MatchServer>> open(const std::string& match_id,
                                                    const std::string& interface,
                                                    const std::string& credentials,
                                                    int domain = default_domain);
 
-  // Announces the match to spectators: the names of the teams, the common facts of both teams'
-  // briefings, and the factor of real time, 0 for lockstep.
+  // Announces the match to spectators: team names, the common facts of both briefings, and the
+  // factor of real time (0 for lockstep).
   void announce(const match::Briefing& briefing, const match::ByTeam<std::string>& names,
                 double speed);
 
@@ -41,24 +41,24 @@ class MatchServer {
   // Publishes the state at the start of a tick and the decisions since the last call.
   void publish(const match::Leg& match);
 
-  // Receives the samples that have arrived for all seats. If there is none, waits at most
-  // `seconds`. Sends the state again while it waits, because a team may have missed it: every 5 ms,
-  // or less often if answers take longer.
+  // Receives the samples that have arrived for all seats. If no sample has arrived, waits at most
+  // `seconds`. While it waits, sends the state again every 5 ms, or less often if answers take
+  // longer, because a team may have missed the state.
   void listen(double seconds);
 
-  // Waits until all seats have answered the tick, or its time is over, or the absences of the teams
-  // end the leg. Then each seat's collect() returns at once.
+  // Waits until all seats have answered the tick, or the time of the tick is over, or the absences
+  // of the teams end the leg. After this call each seat's collect() returns at once.
   void settle();
 
   // Returns why the leg must be void, if the host's own network was down for too long.
   std::optional<match::HostFailure> host_failure();
 
-  // Publishes the end of the match and waits, at most 1 s, until all readers have it.
+  // Publishes the end of the match and waits, at most 1 s, until all readers have received it.
   void close(const match::Leg& match);
 
-  // Returns the last messages of DDS as the end of a sentence; "" if there was none.
+  // Returns the last messages of DDS as the end of a sentence; "" if DDS gave no message.
   std::string last_error() const;
-  std::string reach() const;  // SeatLink::reach
+  std::string reach() const;  // as in SeatLink::reach
 
  private:
   MatchServer(std::string match_id, std::string interface, Domain domain);
@@ -81,7 +81,7 @@ class MatchServer {
   mirocup_v4_WorldState state_{};
   WallClock::time_point sent_;  // when the state was sent last
   std::size_t events_ = 0;      // number of events already published
-  bool is_settled_ = true;      // the present tick has been waited for
+  bool is_settled_ = true;      // true: the wait for the present tick is over
   std::optional<ExcusedTime> excused_;
   WallClock::time_point began_ = WallClock::now();
   WallClock::time_point looked_;  // when the server last looked at the host's interface

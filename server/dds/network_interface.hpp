@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Cyclone DDS 0.10 binds its sockets to all addresses of the host. A socket filter makes them
-// accept only packets that were sent to the addresses of one interface, as if they were bound to
-// it.
+// Cyclone DDS 0.10 binds its sockets to all addresses of the host. A socket filter restricts the
+// sockets to packets for the addresses of one interface, as if they were bound to that interface.
 #pragma once
 
 #include <string>

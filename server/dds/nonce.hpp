@@ -7,12 +7,12 @@
 
 namespace mirocup::dds {
 
-// Returns a number from the system's random generator; never 0.
+// Returns a random number from the system's generator; never 0.
 std::uint64_t random_nonce();
 
-// Returns a nonce for one more connection of this process: its upper 48 bits are the same for all
-// of them, the others are random. So the server can tell a process that joins anew from another
-// process.
+// Returns a nonce for one more connection of this process. The upper 48 bits are equal for all
+// connections of the process, the lower 16 bits are random. So the server can tell a process that
+// joins anew from another process.
 std::uint64_t connection_nonce();
 
 // Returns the part of a nonce that all connections of a process share.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The time from a state to its answer, measured over the last few ticks. It decides when a state
-// without an answer is sent again.
+// The time from a state to its answer, measured over the last few ticks. This time decides when the
+// server sends a state without an answer again.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,9 @@ class RoundTrip {
   // To be called when a tick's state is sent for the first time; `now` in s.
   void sent(std::uint32_t tick, double now) { sent_[tick % sent_.size()] = {tick, now, false}; }
 
-  // To be called when a command to a tick has come. Returns the time that it took, s. Returns
-  // nothing if it is not the first command to the tick, or if the tick is too old.
+  // To be called when a command to a tick has come. Returns the time from the tick's state to the
+  // command, s. Returns nothing if the command is not the first to the tick, or if the tick is too
+  // old.
   std::optional<double> answered(std::uint32_t tick, double now) {
     Sent& sent = sent_[tick % sent_.size()];
     if (sent.tick != tick || sent.is_answered) return std::nullopt;
@@ -28,8 +29,8 @@ class RoundTrip {
     return taken;
   }
 
-  // Returns the shortest time of the last 32 answers, s; 0 if there was none. It is the shortest
-  // because an answer to a state that was lost and sent again took longer than the network needs.
+  // Returns the shortest time of the last 32 answers, s; 0 before the first answer. Longer times
+  // may come from a state that was lost and sent again.
   double shortest() const {
     const std::size_t known = std::min(count_, last_.size());
     return known == 0 ? 0.0
@@ -37,7 +38,8 @@ class RoundTrip {
                                           last_.begin() + static_cast<std::ptrdiff_t>(known));
   }
 
-  // Seconds until an unanswered state is sent again: 1.5 times the time that the network needs.
+  // Returns the seconds until an unanswered state is sent again: 1.5 times the network's round
+  // trip.
   double resend_after() const {
     return std::clamp(1.5 * shortest(), min_resend_interval, max_resend_interval);
   }

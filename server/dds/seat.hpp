@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The seat of one team in a match on the network: the process that has it, and its answers.
+// The seat of one team in a match on the network: the process that has the seat, and the answers of
+// that process.
 //
 // A seat belongs to the process that was accepted into it. The seat knows that process by the key
-// that DDS gives to every participant and by the nonce that the process drew. It counts and drops
-// commands that other processes write in the team's name. Another process of the same team name may
-// take the seat only while the first one is away.
+// that DDS gives to every participant and by the nonce that the process drew. The seat counts and
+// drops commands that other processes write in the team's name. Another process with this team name
+// may take the seat only while the first process is away.
 //
-// A seat is part of a MatchServer and is used from its thread. Its collect() settles the tick for
-// all seats of the server at once, because the effect of an absence depends on the other team.
+// A seat is part of a MatchServer. Threads: the server's thread. collect() of any seat settles the
+// tick for all seats of the server at once, because the effect of an absence depends on both teams.
 #pragma once
 
 #include "record/durations.hpp"
@@ -27,17 +28,19 @@
 
 namespace mirocup::dds {
 
-// The terms on which a team joins and stays in a match; seconds of wall time.
+// The terms on which a team joins a match and stays in it; times are seconds of wall time.
 struct JoinTerms {
-  double to_join = 60.0;         // from the construction of the seat to the team's first answer
-  std::uint32_t first_tick = 0;  // the team answers first; above 0 if a record is played on
+  // Longest time from the construction of the seat to the team's first answer.
+  double to_join = 60.0;
+  // The first tick that the team answers; above 0 if a match continues a record.
+  std::uint32_t first_tick = 0;
   // The time in which a tick must be answered (real time). If empty, the match waits without a
   // limit (lockstep).
   std::optional<double> tick;
   double notice = 1.0;   // a team that is silent for this long is away
-  double away = 10.0;    // how long a team may be away in a leg, all absences together
-  double longest = 0.0;  // how long the leg may last, from the construction of the seat
-  ThoughtSink thoughts;  // gets the team's shapes; if `add` is empty, they are not kept
+  double away = 10.0;    // longest time of all absences of a team in a leg together
+  double longest = 0.0;  // longest time from the construction of the seat to the end of the leg
+  ThoughtSink thoughts;  // gets the team's shapes; if `add` is empty, shapes are not kept
   std::function<bool()> interrupted = [] { return false; };     // called while the seat waits
   std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
 };
@@ -47,23 +50,25 @@ std::int64_t latest_end(const JoinTerms& terms);
 
 // The services of a match server that its seats use.
 struct SeatLink {
-  std::uint64_t leg = 0;                       // the number of the server's leg
-  std::function<void(double seconds)> listen;  // receives for all seats; waits at most `seconds`
-  std::function<void()> settle;                // waits for the answers of all seats
+  std::uint64_t leg = 0;  // the number of the server's leg
+  // Receives samples for all seats; waits at most `seconds`.
+  std::function<void(double seconds)> listen;
+  std::function<void()> settle;  // waits for the answers of all seats
   // Wall seconds in which the host's own fault kept the teams away.
   std::function<double()> excused;
   std::function<std::optional<match::HostFailure>()> host_failure;
   // The time until which the team's credentials are valid, s since 1970 UTC; empty: not known.
   std::optional<std::int64_t> credentials_end;
   std::function<std::string()> last_error;  // the last messages of DDS, as the end of a sentence
-  std::string reach;  // the networks of teams; ends the sentence about a team that did not join
+  // Names the networks of teams at the end of a sentence about a team that did not join.
+  std::string reach;
 };
 
 class Seat final : public match::Controller {
  public:
   Seat(SeatLink link, const match::Briefing& briefing, std::string name, const JoinTerms& terms);
 
-  // Makes the seat's topics, readers and writers; `waitset` wakes for its readers.
+  // Makes the seat's topics, readers and writers. `waitset` wakes for samples of these readers.
   Result<void> open(const Entity& participant, const std::string& match_id, const Entity& waitset);
 
   // Takes the samples that have arrived for this seat.
@@ -78,19 +83,22 @@ class Seat final : public match::Controller {
 
   // The server calls these functions while it settles a tick.
   bool has_answered() const { return answer_.has_value(); }
-  // Seconds that are left for an answer in time; in lockstep 1, which is longer than any wait.
+  // Returns the seconds that are left for an answer in time; in lockstep 1, because every wait is
+  // shorter.
   double time_left() const { return terms_.tick ? posted_at_ + *terms_.tick - now() : 1.0; }
   bool is_overdue() const { return time_left() <= 0.0; }
-  Standing look();  // as standing(), but first notes whether the team is away
+  Standing look();  // like standing(), but first notes whether the team is away
   Standing standing() const { return liveliness_.standing(fair_now()); }
-  void end(match::Answer how) { end_ = std::move(how); }  // what collect() returns instead
+  // collect() returns `how` instead of an answer.
+  void end(match::Answer how) { end_ = std::move(how); }
   match::Fault disconnected() const;
   const JoinTerms& terms() const { return terms_; }
   double resend_after() const { return round_trip_.resend_after(); }  // s
-  bool take_heard() { return std::exchange(was_heard_, false); }      // since the last call
+  // True if a command has come since the last call.
+  bool take_heard() { return std::exchange(was_heard_, false); }
 
-  // True if a command of the team's process has come lately. Used before the first tick, while the
-  // state is sent again and again.
+  // True if a command of the team's process has come lately. For the time before the first tick,
+  // while the server sends the state again and again.
   bool is_there() const { return !has_left() && now() - heard_at_ < terms_.notice; }
 
   Team team() const { return briefing_.team; }
@@ -98,8 +106,9 @@ class Seat final : public match::Controller {
   const CommandCounts& commands() const { return inbox_.counts(); }
   const ThoughtCounts& thoughts() const { return thoughts_.counts(); }
   const std::vector<record::Absence>& absences() const { return liveliness_.absences(); }
-  int processes() const { return processes_; }                   // number that have had the seat
-  const record::Durations& answers() const { return answers_; }  // from state to answer, s
+  // Number of processes that have had the seat.
+  int processes() const { return processes_; }
+  const record::Durations& answers() const { return answers_; }  // times from state to answer, s
 
  private:
   void take_hellos();
@@ -129,9 +138,10 @@ class Seat final : public match::Controller {
   std::uint64_t nonce_ = 0;  // 0: the seat is free
   ParticipantKey process_{};
   dds_instance_handle_t hello_writer_ = 0;
-  dds_instance_handle_t command_writer_ = 0;  // 0: it has not written yet
+  dds_instance_handle_t command_writer_ = 0;  // 0: the process has not written yet
   int processes_ = 0;
-  bool has_told_of_commands_ = false;  // of another process, on standard error
+  // True: standard error has told of commands of another process.
+  bool has_told_of_commands_ = false;
 
   Inbox inbox_;
   ThoughtsInbox thoughts_;
@@ -141,9 +151,9 @@ class Seat final : public match::Controller {
   double posted_at_ = 0.0;
   record::Durations answers_;
   RoundTrip round_trip_;
-  std::optional<match::Command> answer_;  // to tick_
+  std::optional<match::Command> answer_;  // the answer to tick_
   std::optional<match::Command> late_;    // the newest late command, until it is driven
-  std::uint32_t late_tick_ = 0;           // the tick that it answers
+  std::uint32_t late_tick_ = 0;           // the tick that late_ answers
   int late_in_a_row_ = 0;
   bool was_heard_ = false;
   double heard_at_ = 0.0;

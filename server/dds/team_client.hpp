@@ -4,8 +4,8 @@
 // commands.
 //
 // The client maintains the connection itself. If the server falls silent, the client joins the
-// network again as a new participant, because hostile packets can cut two participants off from
-// each other for good. It also joins a server that was started again. One thread uses it.
+// network again as a new participant, because hostile packets can separate two participants for
+// ever. The client also joins a server that was started again. Threads: one.
 #pragma once
 
 #include "server/dds/convert.hpp"
@@ -27,50 +27,51 @@ struct JoinRequest {
   std::string match_id;
   Team team = Team::blue;
   std::string name;
-  std::string credentials;  // folder; "": open mode
+  std::string credentials;  // folder of the credentials; "": open mode
   int domain = default_domain;
 };
 
 // The possible results of TeamClient::wait().
-struct Silence {};  // nothing happened in the time given
+struct Silence {};  // nothing happened in the given time
 struct Seated {};   // the team has a seat in a new leg, which briefing() describes
 struct MatchOver {
   std::string how;  // "full_time", "forfeit", ... as `end` in the match record
   match::ByTeam<int> score{};
 };
 struct Refused {
-  std::string why;  // a sentence
+  std::string why;  // a sentence with the reason
 };
 using News = std::variant<Silence, Seated, match::Snapshot, MatchOver, Refused>;
 
 class TeamClient {
  public:
-  // Prepares the connection without waiting for a match. Once there is a match, wait() returns
-  // Seated before anything else.
+  // Prepares the connection without waiting for a match. When the client has found a match, wait()
+  // returns Seated before any other news.
   static Result<std::unique_ptr<TeamClient>> open(const JoinRequest& request);
 
-  // Returns the next news, or Silence after `timeout` seconds. Ticks come in order, each once. If
-  // the server missed an answer, the client itself sends it again.
+  // Returns the next news, or Silence after `timeout` seconds. Ticks come in order, each tick once.
+  // If the server missed an answer, the client sends the answer again by itself.
   News wait(double timeout);
 
-  // Both describe the leg of the last Seated. They must not be called before the first one.
+  // Facts of the leg of the last Seated. Precondition: wait() has returned Seated.
   const match::Briefing& briefing() const {
     assert(briefing_.briefing.field != nullptr);
     return briefing_.briefing;
   }
   int robots() const { return briefing().field->robots_per_team; }  // of each team
 
-  // True if the match keeps the shapes of the team. It may be false for a moment after Seated.
+  // True if the match keeps the shapes of the team. The value may be false for a moment after
+  // Seated.
   bool keeps_thoughts() const;
 
-  // Sends the shapes that the team drew for the state of `tick`. Call it before send(), so that the
-  // shapes arrive before the match continues. A lost sample is not sent again.
+  // Sends the shapes that the team drew for the state of `tick`. Call this function before send(),
+  // so that the shapes arrive before the match continues. A lost sample is not sent again.
   void think(ThoughtsSample& thoughts, std::uint32_t tick);
 
   // Answers the state of `tick`, which must be the last tick that wait() returned.
   void send(const match::Command& command, std::uint32_t tick);
 
-  // Returns a sentence that says why there is no seat yet, as far as the client knows.
+  // Returns a sentence that says why the team has no seat yet, as far as the client knows.
   std::string last_error() const;
 
  private:
@@ -80,10 +81,11 @@ class TeamClient {
     Entity match_subscriber, team_publisher, team_subscriber;
     Entity state_topic, event_topic, hello_topic, welcome_topic, command_topic;
     Entity state_reader, event_reader, hello_writer, welcome_reader, command_writer;
-    Entity thoughts_topic, thoughts_writer;  // none if the team's credentials do not allow them
+    // Empty if the team's credentials do not allow thoughts.
+    Entity thoughts_topic, thoughts_writer;
     Entity waitset;
     std::uint64_t nonce = 0;
-    std::uint64_t leg = 0;  // of the last Welcome; 0: there was none
+    std::uint64_t leg = 0;  // leg of the last Welcome; 0: no Welcome yet
     bool is_seated = false;
   };
 
@@ -111,9 +113,9 @@ class TeamClient {
   WallClock::time_point last_heard_at_;  // when the last sample of the match came
   std::uint64_t seated_leg_ = 0;
   OwnedBriefing briefing_;
-  std::optional<mirocup_v4_TeamCommand> answer_;  // the last one that was sent
-  std::uint32_t acknowledged_commands_ = 0;       // as the server counts them
-  WallClock::time_point acknowledged_at_;         // last change of that count
+  std::optional<mirocup_v4_TeamCommand> answer_;  // the last answer that was sent
+  std::uint32_t acknowledged_commands_ = 0;       // commands that the server has counted
+  WallClock::time_point acknowledged_at_;         // last change of acknowledged_commands_
   int unacknowledged_ = 0;                        // commands sent since acknowledged_at_
   std::string wait_reason_;                       // why the server said "not now"
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A clock for waiting for a team. It stops while the machine is stopped, or so busy that this
-// process does not run, because then the team cannot answer either.
+// A clock for waiting for a team. The clock stops while the machine is stopped, or is so busy that
+// this process does not run, because then the team cannot answer either.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace mirocup::firasim {
 
 class PatientClock {
  public:
-  // Seconds from an arbitrary beginning. At most `most_at_once` pass between two calls, so a caller
-  // that waits for a team calls at least that often.
+  // Returns seconds since an arbitrary moment. At most `most_at_once` pass between two calls, so a
+  // caller that waits for a team must call at least that often.
   double now() {
     const Clock::time_point seen = Clock::now();
     const double step = std::chrono::duration<double>(seen - seen_).count();

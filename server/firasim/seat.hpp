@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The seat of one team that speaks FIRASim's protocol: the sender that steers it, and its last
-// commands.
+// The seat of one team that speaks FIRASim's protocol: the sender that steers the team, and its
+// last commands.
 //
 // In FIRASim every process may steer both colours. Here a colour belongs to the first address and
-// port that sends commands for it. That sender may also have the other colour. A sender without a
-// colour may take a colour over after its owner has been silent for half of the time after which
-// the team loses. Placements come from a separate socket of the same host, which gets the colour by
-// the same rule.
+// port that sends commands for the colour. This sender may also own the other colour. A sender
+// without a colour may take a colour over after its owner has been silent for half of the time
+// after which the team loses. Placements come from another socket of the sender's host, which gets
+// the colour by the same rule.
 //
-// As in FIRASim, the last command of a robot holds until there is a newer one. At a restart all
+// As in FIRASim, a robot drives its last command until a newer command comes. At a restart all
 // robots of the team stop.
 #pragma once
 
@@ -26,34 +26,35 @@
 
 namespace mirocup::firasim {
 
-// The terms on which a team joins and stays; seconds of a PatientClock.
+// The terms on which a team joins and stays; times are seconds of a PatientClock.
 struct Terms {
-  double to_join = 60.0;  // from the opening of the server to the team's first datagram
+  // Longest time from the opening of the server to the team's first datagram.
+  double to_join = 60.0;
   // The time in which a tick must be answered (real time). If empty, the match waits (lock-step).
   std::optional<double> tick;
-  // A team that is silent for this long while play is on has lost. The time counts from its last
-  // datagram (real time) or from the vision that it should answer (lock-step).
+  // A team that is silent for this long in play has lost. The silence begins with the team's last
+  // datagram (real time) or with the vision that the team should answer (lock-step).
   double away = 10.0;
   std::function<bool()> interrupted = [] { return false; };
-  // Returns the reason if the team can send nothing more; no value while it can. The argument ends
-  // the sentence: "before it sent anything".
+  // If the team can no longer send, returns the reason; otherwise no value. The argument ends the
+  // sentence: "before it sent anything".
   std::function<std::optional<match::Answer>(const std::string& when)> why_gone = [](auto&) {
     return std::nullopt;
   };
-  std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
+  std::function<void(const std::string&)> tell = [](auto&) {};  // receives a sentence for the host
 };
 
 // Counts of datagrams by their fate; the record has these numbers.
 struct Counts {
   std::uint64_t in_time = 0;    // ticks that were answered in time
   std::uint64_t held = 0;       // ticks in which the last commands were held
-  std::uint64_t datagrams = 0;  // of the team's own sender
+  std::uint64_t datagrams = 0;  // datagrams of the team's own sender
   std::uint64_t placements = 0;
   std::uint64_t repeated = 0;  // commands to a robot that had one in this tick
-  std::uint64_t stale = 0;     // arrived before the vision that they should answer
+  std::uint64_t stale = 0;     // commands that came before the vision that they should answer
   std::uint64_t malformed = 0;
-  std::uint64_t foreign = 0;         // of another sender
-  std::uint64_t replacements = 0;    // refused: a team may not move bodies
+  std::uint64_t foreign = 0;         // datagrams of another sender
+  std::uint64_t replacements = 0;    // refused replacements, because a team may not move bodies
   std::uint64_t not_finite = 0;      // commands with NaN or infinity
   std::uint64_t unknown_robots = 0;  // commands to a robot that does not exist
   int senders = 0;
@@ -69,12 +70,12 @@ class Seat final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
-  // The server calls these functions, since it receives for both seats. `now`: of its PatientClock,
+  // For the server, which receives for both seats. `now` is the time of the server's PatientClock,
   // s.
   bool belongs_to(const Endpoint& sender) const { return sender_ == sender; }
   bool has_sender() const { return sender_.has_value(); }
   bool is_placed_by(const Endpoint& sender) const { return placer_ == sender; }
-  // True if the sender steers the team, or begins to steer it now.
+  // True if the sender steers the team, or begins to steer it with this datagram.
   bool let_in(const Endpoint& sender, double now);
   void take(const Packet& packet, double now);
   // False if the sender may not place the team.
@@ -83,21 +84,21 @@ class Seat final : public match::Controller {
   const Counts& counts() const { return counts_; }
 
   // To be called when the vision of this step is sent. `restart`: the referee's call of a restart
-  // goes with it, so the team stops.
+  // is sent with the vision, so the team stops.
   void ask(std::uint32_t step, bool restart, double now);
   bool was_heard() const { return heard_at_.has_value(); }
   bool is_satisfied() const { return !awaits_placement() && !awaits_commands(); }
   bool awaits_placement() const;
-  // Returns the time at which the server stops waiting for this tick.
+  // Returns the time at which the server stops waiting for the team's answer to this tick.
   double deadline(double now) const;
-  // Ends the wait for this tick.
+  // Ends the wait for the team's answer to this tick.
   void give_up(double now);
   // Returns how long the team has been silent in play, s.
   double silent_for(double now) const;
   bool is_lost(double now) const { return silent_for(now) >= terms_.away; }
   void end(match::Answer how) { end_ = end_ ? std::move(end_) : std::move(how); }
   const Terms& terms() const { return terms_; }
-  // `commands_at` names where commands are received.
+  // `commands_at` names the address that receives commands.
   match::Fault disconnected(const std::string& commands_at) const;
 
   const std::vector<record::Absence>& absences() const { return absences_; }
@@ -105,7 +106,7 @@ class Seat final : public match::Controller {
 
  private:
   bool awaits_commands() const;
-  referee::RobotSet commanded() const;  // in this tick
+  referee::RobotSet commanded() const;  // robots with a command in this tick
   bool leaves_robots_out(double now) const;
   double unheard_for(double now) const;
   bool may_be_replaced(double now) const;
@@ -122,19 +123,21 @@ class Seat final : public match::Controller {
   match::Observation observation_;
   std::uint32_t step_ = 0;
   double asked_at_ = 0.0;
-  std::optional<double> first_command_at_;  // of this tick
+  std::optional<double> first_command_at_;  // time of the first command of this tick
   bool gave_up_ = false;
   bool has_answered_ = false;
 
   std::array<simulator::WheelSpeeds, max_robots_per_team> wheels_{};
-  std::array<int, max_robots_per_team> commands_{};  // to each robot in this tick
+  // Number of commands to each robot in this tick.
+  std::array<int, max_robots_per_team> commands_{};
   referee::RobotSet ever_commanded_;
-  bool only_ever_commanded_ = false;  // the team never commands some robots: do not wait for them
-  int partial_ticks_ = 0;             // given up although some robots were commanded
-  int silent_ready_ticks_ = 0;        // one after the other
-  int missing_placements_ = 0;        // one after the other
+  // The team never commands some robots, so ticks do not wait for them.
+  bool only_ever_commanded_ = false;
+  int partial_ticks_ = 0;       // ticks whose wait ended with commands for only some robots
+  int silent_ready_ticks_ = 0;  // one after the other
+  int missing_placements_ = 0;  // one after the other
   std::optional<TeamPlacement> placement_;  // since the last call
-  bool may_place_ = false;                  // in this tick
+  bool may_place_ = false;                  // true: the team may place in this tick
 
   Counts counts_;
   std::vector<record::Absence> absences_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A match as FIRASim and VSSReferee show it to their teams: vision and referee's calls go out,
-// commands and placements come in.
+// The interface of a match to teams of FIRASim and VSSReferee: the server sends vision and the
+// referee's calls, and receives commands and placements.
 //
-// Used from one thread. It guards against mistakes and against every content of a datagram, not
+// Threads: one. The server guards against mistakes and against every content of a datagram, but not
 // against an attacker who forges the addresses of datagrams on the same network.
 #pragma once
 
@@ -15,18 +15,18 @@
 
 namespace mirocup::firasim {
 
-// Addresses and ports, as FIRASim and VSSReferee have them by default.
+// Addresses and ports, by default those of FIRASim and VSSReferee.
 struct Addresses {
-  std::string vision = "224.0.0.1:10002";  // lists with commas
+  std::string vision = "224.0.0.1:10002";  // addresses, separated by commas
   std::string referee = "224.5.23.2:10003";
   std::string command;                         // PORT or ADDRESS:PORT; "": 20011
-  std::string placement = "224.5.23.2:10004";  // a group, or an address of this host
+  std::string placement = "224.5.23.2:10004";  // a multicast group or an address of this host
   std::string interface = this_host;
 };
 
-// Returns the addresses of an instance: 0 has the ports above, and instance k > 0 has 10002 + k,
-// 20011 + k, 40000 + k for the referee and 50000 + k for placements, as some clients expect.
-// Addresses in `changes` that are not "" replace these.
+// Returns the addresses of an instance: instance 0 has the ports of Addresses, and instance k > 0
+// has 10002 + k, 20011 + k, 40000 + k for the referee and 50000 + k for placements, as some clients
+// expect. Addresses in `changes` that are not "" replace addresses of the instance.
 Result<Addresses> addresses_of(int instance, const Addresses& changes);
 
 class Server {
@@ -36,15 +36,15 @@ class Server {
   // Adds a seat, which the server owns.
   Seat* add_seat(const match::Briefing& briefing, const std::string& name, const Terms& terms);
 
-  // Shows the leg's first state again and again until the teams of all seats have sent something.
-  // The error says why a team never can.
+  // Sends the leg's first state again and again until the teams of all seats have sent a datagram.
+  // The error says why a team can never send.
   tl::expected<void, match::Answer> wait_until_ready(const Seat& seat, const match::Leg& leg);
 
   // Drops datagrams that have arrived, then sends the vision of the tick that begins and the
   // referee's calls since the last tick.
   void publish(const match::Leg& leg);
 
-  // Sends HALT.
+  // Sends the referee's call HALT.
   void close(const match::Leg& leg);
 
   // Counts of datagrams that belong to no seat.
@@ -52,7 +52,7 @@ class Server {
 
  private:
   Server(Sender vision, Sender referee, Receiver commands, Receiver placements);
-  // A seat with separate receivers for its own senders.
+  // A seat, with separate receivers for the seat's own senders.
   struct Place {
     std::unique_ptr<Seat> seat;
     std::optional<Receiver> commands, placements;
@@ -80,15 +80,15 @@ class Server {
   std::vector<Place> places_;
   std::string sent_vision_, sent_call_;
   std::optional<Foul> called_;
-  std::size_t decisions_ = 0;  // number that were sent already
+  std::size_t decisions_ = 0;  // number of decisions already sent
   std::uint32_t called_at_ = 0;
   bool is_new_call_ = false;
   bool is_settled_ = true;
-  bool was_sent_again_ = false;  // the vision was: two answers to it may come
+  bool was_sent_again_ = false;  // the vision was sent again, so two answers to it may come
   Counts strangers_;
-  bool is_only_for_this_host_ = true;  // no other host may command
-  std::string commands_at_;            // for messages
-  std::string refused_;                // the sender of the last refused datagram, and why
+  bool is_only_for_this_host_ = true;  // only this host may send commands
+  std::string commands_at_;            // address of commands, for messages
+  std::string refused_;                // the sender of the last refused datagram, and the reason
 };
 
 }  // namespace mirocup::firasim

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// UDP as FIRASim and its clients use it: multicast groups, or lists of addresses.
+// UDP for FIRASim and its clients, to multicast groups or to lists of addresses.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -22,7 +22,8 @@ struct Endpoint {
 };
 std::string to_text(const Endpoint& endpoint);
 
-// Parses "ADDR:PORT", or a list of them with commas. `option` names the text in an error.
+// Parse "ADDR:PORT", and a list of such texts, separated by commas. `option` names the text in an
+// error.
 Result<Endpoint> parse_endpoint(const std::string& text, const std::string& option);
 Result<std::vector<Endpoint>> parse_endpoints(const std::string& text, const std::string& option);
 
@@ -30,19 +31,20 @@ Result<std::vector<Endpoint>> parse_endpoints(const std::string& text, const std
 // datagrams.
 bool is_of_this_host(const Endpoint& endpoint);
 
-// The interface "lo" means this host only: datagrams to a group do not leave the host.
+// True for the interface "lo", with which datagrams to a group do not leave this host.
 inline constexpr const char* this_host = "lo";
 
 // Sends datagrams to a list of addresses.
 //
-// A socket of this host that listens to a group gets each datagram once, on whichever interface it
-// joined. Linux delivers datagrams that arrive on an interface that any socket has joined, and the
-// sender has joined its own. A client that got two copies would answer twice, and the second answer
-// would look like an answer to the next vision.
+// A socket of this host that listens to a group gets each datagram once, whichever interface it
+// joined: Linux delivers datagrams that arrive on an interface that any socket has joined, and the
+// sender has joined its own interface. A client that got two copies would answer twice, and the
+// second answer would look like an answer to the next vision.
 class Sender {
  public:
   static Result<Sender> open(std::vector<Endpoint> to, const std::string& interface);
-  // Sends once to each address. A datagram that the system does not take is lost, as on a network.
+  // Sends the datagram once to each address. If the system does not accept the datagram, it is
+  // lost, as on a network.
   void send(const std::string& bytes) const;
 
  private:
@@ -50,23 +52,24 @@ class Sender {
   system::Descriptor socket_;
 };
 
-// Receives datagrams at one address, without waiting.
+// Receives datagrams at one address and never waits.
 class Receiver {
  public:
-  // Address 0 is any address of the host, and the group of all hosts, 224.0.0.1, as for FIRASim. A
-  // group is joined on the interface, and on lo.
+  // Opens a receiver at an address. As in FIRASim, address 0 is any address of the host and the
+  // group of all hosts, 224.0.0.1. A group is joined on the interface and on lo.
   static Result<Receiver> open(const Endpoint& at, const std::string& interface,
                                const std::string& option);
-  // Opens a receiver at the same address for the datagrams of `peer` alone, with a separate buffer,
-  // so that other senders cannot crowd them out. This receiver then gets none of `peer`, unless its
-  // address is a group. Errc::unavailable.
+  // Opens a second receiver at this address for the datagrams of `peer` alone. Its separate buffer
+  // keeps them from being crowded out by other senders. The first receiver then gets no datagrams
+  // of `peer`, unless the address is a group. Error: Errc::unavailable.
   Result<Receiver> only_from(const Endpoint& peer) const;
 
   struct Datagram {
     Endpoint from;
     std::string bytes;
   };
-  // Returns false if no datagram is there. A datagram that is longer than max_size arrives empty.
+  // Returns false if no datagram has arrived. A datagram that is longer than max_size arrives
+  // empty.
   bool receive(Datagram& datagram) const;
   int descriptor() const { return socket_.get(); }
 

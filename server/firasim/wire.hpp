@@ -4,10 +4,11 @@
 // small messages need no library. Comments give the field numbers.
 //
 // The frame on the wire has its origin at the centre of the field; blue is left and attacks +x.
-// Metres and seconds; wheels in rad/s; vision has radians, placements have degrees.
+// Units are metres and seconds, and rad/s for wheels. Headings are in radians in vision and in
+// degrees in placements.
 //
-// A missing number is 0, and so a missing colour is blue. Decoding takes fields in any order, skips
-// unknown ones and joins messages that come in parts, as protobuf does.
+// A missing number is 0, so a missing colour is blue. Like protobuf, decoding accepts fields in any
+// order, skips unknown fields and joins messages that come in parts.
 #pragma once
 
 #include "core/field/league.hpp"
@@ -22,7 +23,7 @@
 
 namespace mirocup::firasim {
 
-// The most entries of a datagram of a team; a datagram with more is malformed.
+// The most entries of a team's datagram. A datagram with more entries is malformed.
 inline constexpr std::size_t max_entries = 64;
 
 // Robot of a Frame.
@@ -64,8 +65,8 @@ struct WheelCommand {
 struct Packet {
   std::vector<WheelCommand> commands;  // cmd 1: robot_commands 1
   bool has_replacement = false;        // replace 2
-  // 15, an extension that FIRASim skips: the step of the vision that the commands answer. So
-  // lock-step need not guess it.
+  // Field 15, an extension that FIRASim skips: the step of the vision that the commands answer.
+  // With it, lock-step need not guess the step.
   std::optional<std::uint32_t> step;
 };
 // Returns nothing if the bytes are not a Packet.

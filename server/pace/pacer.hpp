@@ -23,7 +23,7 @@ class Pacer {
   }
 
   // Waits until the tick is due. All ticks are due relative to the first call, so a late tick does
-  // not delay those after it.
+  // not delay later ticks.
   void wait_for(std::uint32_t tick) {
     if (period_ == 0.0) return;
     if (!has_started_) start_ = clock_.now() - tick * period_;
@@ -33,10 +33,10 @@ class Pacer {
     lateness_.add(std::max(0.0, clock_.now() - due));
   }
 
-  // Wall time between two ticks, s; 0: no waiting.
+  // Returns the wall time between two ticks, s; 0 if the pacer never waits.
   double period() const { return period_; }
 
-  // The delays of the ticks: start minus due time. Empty without waiting.
+  // Returns the delays of the ticks: start minus due time. Empty if the pacer never waits.
   const record::Durations& lateness() const { return lateness_; }
 
  private:

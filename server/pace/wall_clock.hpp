@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Wall time. The simulation never sees it. Tests replace it by another clock.
+// Wall time, which the simulation never reads. Tests replace the clock.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,7 @@ class WallClock {
  public:
   virtual ~WallClock() = default;
   virtual double now() = 0;                   // s since an arbitrary moment; never decreases
-  virtual void sleep_until(double time) = 0;  // returns at once if that has passed
+  virtual void sleep_until(double time) = 0;  // returns at once if `time` has passed
 };
 
 class SteadyWallClock final : public WallClock {
