@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A leg as a page plays it, with its teams and the marks of a drill. A leg can continue a record.
+// A leg that a page plays, with its teams and the marks of a drill. The leg can continue a record.
 #pragma once
 
 #include "browser/teams.hpp"
@@ -21,59 +21,62 @@ using record::Json;
 Result<record::MatchRecord> read_record(const std::string& text, const std::string& replay,
                                         const std::string& path);
 
-// Verifies the record as `mirocup verify` does. `is_whole`: the digests of its files are right.
-// Returns {reproduced, tick, what, ticks, state_hash, found}.
+// Verifies the record as `mirocup verify` does. `is_whole`: true if the digests of the record's
+// files are right. Returns {reproduced, tick, what, ticks, state_hash, found}.
 Result<Json> verify(const std::string& text, const std::string& replay, bool is_whole,
                     const std::string& path);
 
 class Game {
  public:
   // Makes a leg from {league, rules, stage, seed, conditions, pitch, situation, drill, teams}, each
-  // in the form and with the default of a record; `drill` is a drill's text, which gives everything
-  // but the seed and the tested team. `teams`: {"blue", "yellow"}, names of house teams, or "" for
-  // robots that stand. Errors: Errc::input.
+  // in the form and with the default of a record; `drill` is the text of a drill, which sets
+  // everything but the seed and the tested team. `teams`: {"blue", "yellow"}, names of house teams,
+  // or "" for standing robots. Errors: Errc::input.
   static Result<std::unique_ptr<Game>> make(const Json& options);
 
-  // Plays the record's commands up to `tick`; from there on `teams` play. The team "recorded"
-  // stands for the record's own commands. Errors: Errc::input, Errc::damaged.
+  // Plays the record's commands up to `tick`; from `tick` on, `teams` play. The team "recorded"
+  // drives by the record's commands. Errors: Errc::input, Errc::damaged.
   static Result<std::unique_ptr<Game>> go_on(record::MatchRecord past, std::uint32_t tick,
                                              const Json& teams);
 
   // Gives the robots to other teams from the next tick on: {"blue", "yellow"}, as in make(). A team
-  // that stays keeps its memory. Errors: Errc::input.
+  // that keeps its robots keeps its memory. Errors: Errc::input.
   Result<void> seat(const Json& teams);
 
-  // Plays at most `ticks` ticks; stops when the leg or the drill's try is over. Returns the number
-  // of played ticks.
+  // Plays at most `ticks` ticks, and stops when the leg or the drill's try is over. Returns the
+  // number of played ticks.
   int play(int ticks);
 
-  // Keeps impacts, pairs that press and thoughts from now on, which costs a quarter of the speed.
+  // From now on keeps impacts, pressing pairs and thoughts, which takes a quarter of the speed.
   void watch();
 
-  // Ends the leg, so that it has a record.
+  // Ends the leg, so that record() can return its record.
   void stop();
 
-  // Drives a robot by hand, wheel speeds in rad/s. If `wheels` is empty, its team drives it again.
+  // Drives a robot by hand, wheel speeds in rad/s. If `wheels` is empty, the team drives the robot
+  // again.
   void take(Team team, int robot, std::optional<simulator::WheelSpeeds> wheels);
 
   const Driver& driver(Team team) const { return *drivers_[index_of(team)]; }
   const match::Leg& leg() const { return *leg_; }
   bool is_over() const { return leg_->is_over() || is_decided_; }
 
-  // The state after the last tick as a situation (docs/situations.md), which a leg can start from.
+  // Returns the state after the last tick as a situation (docs/situations.md) from which a leg can
+  // start.
   Json situation() const;
 
-  // Everything but the teams and the start, with the keys of make().
+  // Returns the settings of the leg but teams and start, with the keys of make().
   Json setup() const;
 
   // {tick, clock, state, phase, left, score, decisions, counts, impacts, pressing, result, drill}:
-  // the data that a page shows beside the bodies. `decisions` has the decisions from number `first`
-  // on. `impacts`: of the ticks last played, [x, y, x and y of the normal, N s]; `pressing`: pairs
-  // of bodies that push each other, blue's robots from 0 on, then yellow's, then the ball; -1 is a
-  // wall. These two are empty unless the leg is watched.
+  // the data that a page shows besides the bodies. `decisions` has the decisions from number
+  // `first` on. `impacts` has the impacts of the ticks last played, [x, y, x and y of the normal, N
+  // s]. `pressing` has the pairs of bodies that push each other, as indices: blue's robots from 0
+  // on, then yellow's, then the ball; -1 is a wall. `impacts` and `pressing` are empty unless the
+  // leg is watched.
   Json status(std::size_t first) const;
 
-  // The record of a leg that is over; its replay has the name leg.replay.zst.
+  // Returns the record of a leg that is over. It names the replay file leg.replay.zst.
   record::MatchRecord record() const;
 
  private:
@@ -87,11 +90,11 @@ class Game {
   std::optional<drills::Drill> drill_;
   simulator::RunStatistics touches_;
   std::unique_ptr<field::Field> field_;
-  std::unique_ptr<simulator::World> world_;  // of the leg, which records its impacts in touches_
+  std::unique_ptr<simulator::World> world_;  // the leg's world; records impacts in touches_
   std::unique_ptr<match::Leg> leg_;
   std::array<std::unique_ptr<Driver>, 2> drivers_;
   match::ByTeam<std::string> seated_;  // names that seat() got
-  match::ByTeam<std::string> names_;   // for the record
+  match::ByTeam<std::string> names_;   // names of the teams for the record
   std::optional<drills::Judge> judge_;
   replay::StateTrace trace_;
   bool is_decided_ = false;  // true: the drill's try is over

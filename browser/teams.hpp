@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The teams of a leg in the module: a house team, a recorded one, or none; each robot may be driven
-// by hand.
+// The teams of a leg in the module. A team is a house team, a recorded team, or none. A person may
+// drive each robot by hand.
 #pragma once
 
 #include "core/match/controller.hpp"
@@ -18,14 +18,14 @@
 
 namespace mirocup::browser {
 
-// Returns the house or drill team of that name; null if the module has no such team.
+// Returns the house or drill team with a name; null if the module has no such team.
 const mirocup_strategy* house_team(std::string_view name);
 
-// Steers one team. The constructor's arguments outlive it.
+// Steers one team. The constructor's arguments must outlive the object.
 class Driver final : public match::Controller {
  public:
-  // A strategy drives the robots. Without a strategy, the recording does. After its end, or without
-  // it, the robots stand.
+  // A strategy drives the robots. Without a strategy, the recording drives the robots. After the
+  // recording's end, or without a recording, the robots stand.
   Driver(const match::Briefing& briefing, const mirocup_strategy* strategy,
          const replay::Recording* recording);
   ~Driver() override;
@@ -35,10 +35,11 @@ class Driver final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
-  // Drives a robot with these wheel speeds, rad/s. If `wheels` is empty, the team drives it again.
+  // Drives a robot with wheel speeds, rad/s. If `wheels` is empty, the team drives the robot again.
   void take(int robot, std::optional<simulator::WheelSpeeds> wheels) { by_hand_[robot] = wheels; }
 
-  // What the team drew in its last tick, as lines of mirocup/thoughts/1; "" unless it is watched.
+  // Returns the shapes that the team drew in its last tick, as lines of mirocup/thoughts/1; ""
+  // unless the leg is watched.
   const std::string& thoughts() const { return thoughts_; }
   void watch() { is_watched_ = true; }
 

@@ -7,7 +7,7 @@
 
 namespace mirocup::web {
 
-// Returns the text of page/NAME; empty if there is no such file.
+// Returns the text of the file page/NAME; empty if the program lacks the file.
 std::string_view asset(std::string_view name);
 
 }  // namespace mirocup::web

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The client of a league's desk: hands a file in over HTTP and asks for its state.
+// The client of a league's desk: hands a file in over HTTP and asks for the state of the file's
+// check.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,7 +15,7 @@ namespace mirocup::web {
 
 using Json = nlohmann::ordered_json;
 
-// The answer of the server: a status and an object, or the sentence in {"error"}.
+// The answer of the server: a status and an object, or the sentence from {"error"}.
 struct DeskReply {
   int status = 0;  // 0: no server has answered
   Json json;       // null if the reply is not JSON
@@ -24,8 +25,8 @@ struct DeskReply {
 class HandInClient {
  public:
   // `url` is the address of the league, "https://host:8443". `authority` is a file with the
-  // certificate that signs for the server; "": the certificates of the system. Errc::input if `url`
-  // is not an address.
+  // certificate that signed the server's certificate; "": the certificates of the system.
+  // Errc::input if `url` is not an address.
   static Result<std::unique_ptr<HandInClient>> open(const std::string& url,
                                                     const std::string& token,
                                                     const std::string& authority);
@@ -33,15 +34,15 @@ class HandInClient {
   HandInClient(const HandInClient&) = delete;
   HandInClient& operator=(const HandInClient&) = delete;
 
-  // Asks for the team of the token, and whether it may hand in now.
+  // Asks for the team of the token, and whether the team may hand in now.
   DeskReply about();
-  // Sends a file.
+  // Hands in a file.
   DeskReply put(const std::string& name, const std::string& bytes);
-  // Lets an entry play: its number, or "latest".
+  // Pins the entry with a number, or "latest".
   DeskReply pin(const std::string& entry);
   // Asks for the state of an entry.
   DeskReply entry(int number);
-  // Asks for the team's friendlies, and for its progress in them.
+  // Asks for the team's friendlies, and for its progress in friendlies.
   DeskReply friendlies();
 
  private:

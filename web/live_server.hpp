@@ -4,8 +4,8 @@
 // anything, and the server reads no file.
 //
 // Threads: the server runs in separate threads, with a lower priority than the match. A viewer that
-// does not read blocks its own thread only, and is dropped after a few seconds. All functions
-// belong to the thread of the match.
+// does not read blocks its own thread only, and is dropped after a few seconds. Only the thread of
+// the match may call the functions.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -20,8 +20,8 @@ namespace mirocup::web {
 
 class LiveServer {
  public:
-  // `about` is the last line of the page. Errc::unavailable if the address is in use or not of this
-  // host.
+  // `about` is the last line of the page. Errc::unavailable if the address is in use or does not
+  // belong to this host.
   static Result<std::unique_ptr<LiveServer>> open(const Address& address, const match::Leg& match,
                                                   const match::ByTeam<std::string>& names,
                                                   const std::string& about);

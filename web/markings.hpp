@@ -13,10 +13,11 @@ namespace mirocup::web {
 
 struct Markings {
   std::string ground;                // the outline of the floor with cut corners and goals
-  std::array<std::string, 2> goals;  // [index_of(End)]: the floor of the goal
-  std::string lines;                 // lines and circles
-  std::array<std::string, 2> zones;  // [index_of(End)]: goal area and penalty area, without arcs
-  std::string spots;                 // centre, penalty and free-ball marks, as filled discs
+  std::array<std::string, 2> goals;  // the floor of each goal, indexed by index_of(End)
+  std::string lines;                 // path of lines and circles
+  // Goal area and penalty area of each end (index_of(End)), without arcs.
+  std::array<std::string, 2> zones;
+  std::string spots;  // centre, penalty and free-ball marks, as filled discs
 };
 
 Markings markings(const field::Field& field);

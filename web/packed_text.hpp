@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Long texts inside a page: packed, so that the page stays small, and free of characters that HTML
-// knows.
+// Long texts inside a page: packed, so that the page stays small, and without characters of HTML's
+// markup.
 #pragma once
 
 #include <string>

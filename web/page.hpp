@@ -16,32 +16,34 @@
 
 namespace mirocup::web {
 
-// Whether the page shows times that a clock measured. They differ each time that the leg is played;
-// a page without them has the same bytes on every machine.
+// Whether the page shows times that a clock measured. Such times differ in each run of a leg; a
+// page without them has equal bytes on every machine.
 enum class Times { shown, left_out };
 
 // Simulates the leg again to get the positions, and returns the data that page/main.js reads: the
-// schema "mirocup/page/1". The error is the first tick in which the record is not reproduced.
+// schema "mirocup/page/1". The error names the first tick in which the record is not reproduced.
 tl::expected<record::Json, replay::Divergence> replay_data(const record::MatchRecord& record,
                                                            Times times = Times::shown);
 
-// Returns the data in a page of replay_page(), also in a page of an earlier version. `html` may be
-// any text; if it has no such data, returns nothing.
+// Returns the data in a page of replay_page(), also in a page of an earlier version; nothing if the
+// text `html` has no such data.
 std::optional<record::Json> data_of_page(std::string_view html);
 
 // Returns the first moment of the leg as an SVG element, whose bodies page/field.js moves.
 std::string first_picture(const record::MatchRecord& record);
 
-// How a visitor's browser can simulate the leg again. It needs the module of this program, and the
-// commands of both teams.
+// The data with which a visitor's browser can simulate the leg again: the module of this program,
+// and the commands of both teams.
 struct Proof {
-  std::optional<BrowserModule> module = {};  // in the page, unless it is a file
-  std::string module_file = "";    // address of module_file(), seen from the page; "": it is none
-  std::string commands_file = "";  // that of commands_script(); "": the page has the commands
+  std::optional<BrowserModule> module = {};  // the module, if it is in the page and not in a file
+  // Link from the page to module_file(); "": the module is not a file.
+  std::string module_file = "";
+  // Link from the page to commands_script(); "": the page has the commands.
+  std::string commands_file = "";
 };
 
-// Whether a page shows what only the teams may see of each robot: the speeds that its wheels were
-// asked for and had, and the age of the picture by which its team saw it.
+// Whether a page shows the data of each robot that only the teams may see: commanded and real wheel
+// speeds, and the age of the picture in which its team saw it.
 enum class Wheels { shown, left_out };
 
 struct ReplayPage {
@@ -51,15 +53,15 @@ struct ReplayPage {
 };
 
 // Returns the page of the leg, with its data. Between the comments <!--league--> and <!--/league-->
-// a league may put links to its other pages. For a page that others may see, leave out `own`.
-// Without `proof`, or without a module for it, nobody can prove the page.
+// a league may put links to its other pages. For a public page, leave out `own`. Without `proof`,
+// or without a module in `proof`, nobody can prove the page.
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
                                                          Times times = Times::shown,
                                                          const record::OwnTexts& own = {},
                                                          const std::optional<Proof>& proof = {},
                                                          Wheels wheels = Wheels::left_out);
 
-// Returns the script file that gives a page of this record the commands of both teams.
+// Returns the script file with the commands of both teams for a page of this record.
 std::string commands_script(const record::MatchRecord& record);
 
 // The data of a live page besides the match.

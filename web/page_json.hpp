@@ -11,14 +11,15 @@ namespace mirocup::web {
 
 using record::Json;
 
-// The values that change seldom, valid from a tick on: {state, phase, left, score}.
+// Returns the values that change seldom, valid from a tick on: {state, phase, left, score}.
 Json moment_json(const match::Snapshot& scene);
 
-// The robots that count as keepers, blue's and yellow's; -1: the team has none.
+// Returns the robots that count as keepers, blue's and yellow's; -1 if the team has no keeper.
 Json keepers_json(const match::Snapshot& scene);
 
-// The statistics of the leg as `mirocup stats` has them (docs/statistics.md) without the lists of
-// goals and fouls, which are among the decisions: {play_s, …, teams: {blue, yellow}}.
+// Returns the leg's statistics in the form of `mirocup stats` (docs/statistics.md) but without the
+// lists of goals and fouls, which pages take from the decisions: {play_s, …, teams: {blue,
+// yellow}}.
 Json statistics_json(const statistics::LegStatistics& leg);
 
 // Returns the text of a server-sent event.

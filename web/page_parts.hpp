@@ -14,7 +14,7 @@
 
 namespace mirocup::web {
 
-// The module with which a visitor's browser simulates: browser/.
+// The module (browser/) with which a visitor's browser simulates.
 struct BrowserModule {
   std::string script;  // mirocup.js
   std::string wasm;    // mirocup.wasm
@@ -23,21 +23,22 @@ struct BrowserModule {
 // Returns the module that the build or the installation has, or nothing if it was not built.
 Result<std::optional<BrowserModule>> browser_module(system::Files& files);
 
-// Returns modules of page/ as one script, each behind those that it imports, without import and
-// export: a page that is opened from disk cannot import. No two modules use the same global name.
+// Returns modules of page/ as one script, each module after the modules that it imports. The script
+// has no import and export, because a page that is opened from disk cannot import. Precondition: no
+// two modules use the same global name.
 std::string page_script(std::span<const std::string_view> modules);
 
 std::string page_style();
 
-// Where a page has the module with which it simulates.
+// The place of a page's module for simulation.
 enum class ModulePlace { nowhere, in_the_page, beside_it };
 
-// Returns the policy of a page with that script: nothing is loaded from elsewhere, and no code runs
-// but the script and, in a worker, the module if the page has one. Files beside a page are scripts
-// of its own host.
+// Returns the content security policy of a page with a script: the page loads nothing from
+// elsewhere, and runs only the script and, in a worker, the module if the page has a module. Files
+// beside a page are scripts of its own host.
 std::string page_policy(const std::string& script, ModulePlace module);
 
-// Returns JSON text for a <script> element; no part of the text can close the element.
+// Returns JSON as text for a <script> element; no part of the text can close the element.
 std::string embedded(const record::Json& json);
 
 record::Json module_json(const BrowserModule& module);

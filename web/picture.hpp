@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One moment of a leg as SVG: the field, the robots with their numbers, the ball and its trail. It
-// can be a separate file, and is also the picture that the pages animate.
+// One moment of a leg as SVG: the field, the robots with their numbers, the ball and its trail. The
+// picture can be a separate file; pages also animate it.
 #pragma once
 
 #include "core/match/leg.hpp"

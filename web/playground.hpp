@@ -10,7 +10,7 @@
 
 namespace mirocup::web {
 
-// Returns the page, with the drills that come with mirocup; nothing if the module was not built.
+// Returns the playground's page with the drills of mirocup; nothing if the module was not built.
 Result<std::optional<std::string>> playground_page(system::Files& files);
 
 }  // namespace mirocup::web

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A site over HTTP whose pages change while they are shown. It has pages at the paths that the site
-// knows, the changes at /events, and below /live/NAME/ the live pages of matches on this host. Once
-// a match is over, its address leads to /replays/NAME.html. No request changes anything, unless the
-// site takes commands or has a desk. Paths of requests are looked up in the site, never joined to
-// the path of a folder.
+// A site over HTTP whose pages change while they are shown. The server has the site's pages at
+// their paths, the changes at /events, and the live pages of matches on this host below
+// /live/NAME/. Once a match is over, its address leads to /replays/NAME.html. No request changes
+// anything, unless the site takes commands or has a desk. Paths of requests are looked up in the
+// site, never joined to the path of a folder.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -21,36 +21,36 @@ namespace mirocup::web {
 
 struct Page {
   std::string type;    // MIME
-  std::string policy;  // content security policy; "": the page has its own
+  std::string policy;  // content security policy; "": the page contains its policy
   std::string bytes;
 };
 
 // The content of a site. Several threads call its functions at the same time.
 struct Site {
-  // Returns the page at a path, which starts with "/"; nothing if there is none.
+  // Returns the page at a path, which starts with "/"; nothing if the site lacks the path.
   std::function<std::optional<Page>(const std::string& path)> page;
 
-  // Returns the server-sent events for a viewer that has version `seen` (0: no version); "" if that
-  // is the present version. Sets `seen` to the present version.
+  // Returns the server-sent events for a viewer that has version `seen` (0: no version); "" if
+  // `seen` is the present version. Sets `seen` to the present version.
   std::function<std::string(std::uint64_t& seen)> news;
 
-  // Returns the port of this host at which the match of that name has its live page; nothing if it
-  // has no live page.
+  // Returns the port of this host at which a match has its live page; nothing if the match has no
+  // live page.
   std::function<std::optional<int>(const std::string& name)> match;
 
-  // Takes the body of a request to /control; false if it is not allowed. Without this function no
-  // request changes anything.
+  // Handles the body of a request to /control; returns false if the request is not allowed. Without
+  // this function no request changes anything.
   std::function<bool(const std::string& body)> control = {};
 
-  // If set, the server calls it first, whatever the method. If it returns nothing, it does not have
-  // the path, and the server looks for the path in the pages.
+  // If set, the server first calls this function, for every method. If it returns nothing, the
+  // server looks for the path in the pages.
   std::function<std::optional<Reply>(const Request& request, const Body& body)> desk = {};
 };
 
 class SiteServer {
  public:
   // The error names `option`, which gave the address: Errc::unavailable if the address is in use or
-  // not of this host.
+  // does not belong to this host.
   static Result<std::unique_ptr<SiteServer>> open(const Address& address, const std::string& option,
                                                   Site site, ServerOptions options = {});
   ~SiteServer();

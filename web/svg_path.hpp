@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Builds SVG path data, which browsers accept for pictures and for canvases. Points are given in
-// metres in the frame of the field; the text is in millimetres with y downwards.
+// Builds SVG path data, which browsers accept for pictures and for canvases. Points are in metres
+// in the frame of the field; the path data is in millimetres with y downwards.
 #pragma once
 
 #include "core/base/vec2.hpp"
@@ -11,7 +11,8 @@
 
 namespace mirocup::web {
 
-// Returns a length (m) as text in millimetres, rounded to a tenth; the same on every machine.
+// Returns a length (m) as text in millimetres, rounded to a tenth; the text is equal on every
+// machine.
 std::string millimetres(double metres);
 
 class SvgPath {
@@ -19,7 +20,7 @@ class SvgPath {
   SvgPath& move_to(const Vec2& point) { return add('M', point); }
   SvgPath& line_to(const Vec2& point) { return add('L', point); }
 
-  // Follows the shorter arc of that radius, m. `counter_clockwise` is as seen from above.
+  // Follows the shorter arc with a radius (m). `counter_clockwise`: as seen from above.
   SvgPath& arc_to(double radius, const Vec2& point, bool counter_clockwise);
 
   SvgPath& circle(const Vec2& centre, double radius);

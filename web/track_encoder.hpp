@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The positions of all bodies, tick by tick, small enough for a page. They are whole numbers. Each
-// is written as its difference to the straight line through the two numbers before it, in as few
-// bytes as possible.
+// Encodes the positions of all bodies, tick by tick, small enough for a page. Positions are whole
+// numbers. Each number is written as its difference to the straight line through the two numbers
+// before it, in as few bytes as possible.
 //
 // A frame is the state at the start of a tick as whole numbers, in the units below: clock, ball x
 // and y, then x, y and heading of each robot, blue robots first. page/track.js reads frames and
@@ -24,11 +24,11 @@ inline constexpr int heading_units_a_turn = 2048;
 
 using Frame = std::vector<std::int32_t>;
 
-// `robots`: number of robots of a team. `before` is the frame before this one, or empty: headings
-// differ from its headings by at most half a turn, so that none jumps.
+// `robots`: number of robots of a team. `before` is the previous frame, or empty. Headings of the
+// new frame differ from those of `before` by at most half a turn, so that no heading jumps.
 Frame frame_of(const match::Snapshot& scene, int robots, const Frame& before);
 
-// Packs rows of whole numbers, all of the same length.
+// Packs rows of whole numbers. All rows have the same length.
 class ColumnEncoder {
  public:
   void add(const Frame& row);
@@ -36,7 +36,8 @@ class ColumnEncoder {
   std::size_t rows() const { return rows_; }
   const Frame& last() const { return last_; }  // empty before the first row
 
-  // Column after column, numbers as zigzag varints (seven bits a byte, the lowest first).
+  // Returns the columns one after the other, with numbers as zigzag varints (seven bits in a byte,
+  // the lowest bits first).
   std::string bytes() const;
 
  private:
@@ -56,7 +57,7 @@ class TrackEncoder {
 
   std::size_t frames() const { return columns_.rows(); }
 
-  // The track in base64.
+  // Returns the track in base64.
   std::string packed() const;
 
  private:

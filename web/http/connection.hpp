@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One connection with limits: how many bytes may come, and until when. It knows sockets and TLS,
-// and no HTTP.
+// One connection with limits of bytes and time. The class knows sockets and TLS, but not HTTP.
 #pragma once
 
 #include "system/tls.hpp"
@@ -15,10 +14,11 @@ namespace mirocup::web {
 
 class Connection {
  public:
-  // Neither the socket nor `tls` is owned. `tls` is empty if the connection is not encrypted.
+  // The caller owns the socket and `tls`. `tls` is empty if the connection is not encrypted.
   Connection(int socket, std::optional<system::TlsConnection>& tls) : socket_(socket), tls_(tls) {}
 
-  // From now on: the most bytes that are received in all, until when, and the longest silence.
+  // Sets new limits from now on: the most bytes to receive in all, the time of the end, and the
+  // longest silence.
   void allow(std::size_t bytes, std::chrono::seconds time, std::chrono::seconds patience);
 
   // Returns the number of bytes received, at least one; 0 at the end of the connection, after an
@@ -29,8 +29,8 @@ class Connection {
   bool send(std::string_view bytes);
 
   // Tells the other end that nothing more is sent, and receives its remaining bytes for at most 1
-  // s. Without that, closing would reset the connection, and a client that is still sending its
-  // file would not see why it was refused.
+  // s. Otherwise closing would reset the connection, and a client that is still sending its file
+  // would not see why it was refused.
   void drain();
 
  private:
@@ -39,7 +39,7 @@ class Connection {
 
   int socket_;
   std::optional<system::TlsConnection>& tls_;
-  std::size_t left_ = 0;  // bytes that may come
+  std::size_t left_ = 0;  // bytes that may still come
   std::chrono::steady_clock::time_point deadline_{};
   std::chrono::milliseconds patience_{};
 };

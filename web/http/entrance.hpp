@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Decides which connections enter, wait or give way if many come. It only counts: the server owns
-// the sockets, whose numbers name the connections.
+// Decides which connections enter, wait or give way if many come. This class only counts; the
+// server owns the sockets. The numbers of sockets name the connections.
 //
-// As long as at most half of the capacity is taken, everybody may enter. Above that, an address
-// that has many streams or connections waits: its further requests are served a few at a time, and
-// it gets no further stream. Its earlier connections stay. If no capacity is left, the oldest
-// request that has not arrived completely gives way.
+// As long as at most half of the capacity is taken, everybody may enter. If more than half is
+// taken, an address that has many streams or connections waits: the server serves its further
+// requests a few at a time, and grants it no further stream. Earlier connections of the address
+// stay. If no capacity is left, the oldest request that has not arrived completely gives way.
 //
 // Threads: one at a time.
 #pragma once
@@ -23,35 +23,36 @@ namespace mirocup::web {
 using Instant = std::chrono::steady_clock::time_point;
 
 struct EntranceLimits {
-  int capacity = 256;         // connections in all
-  int many_streams = 8;       // of an address
-  int many_connections = 32;  // of an address
-  int at_once = 4;            // served requests of an address that has many connections
-  int most_waiting = 32;      // connections of an address
+  int capacity = 256;         // the most connections in all
+  int many_streams = 8;       // from this number on, an address has many streams
+  int many_connections = 32;  // from this number on, an address has many connections
+  // The most requests served at once for an address with many connections.
+  int at_once = 4;
+  int most_waiting = 32;  // the most waiting connections of an address
   std::chrono::milliseconds longest_wait{5000};
   std::chrono::milliseconds request_time{10'000};
   std::chrono::milliseconds request_time_if_crowded{2000};
 };
 
-// 256 connections for each processor, at most 1024, and at most half of the files that this process
-// may open.
+// Returns limits for this machine: 256 connections for each processor, at most 1024, and at most
+// half of the files that this process may open.
 int connection_capacity();
 
 enum class Stage {
-  waiting,    // until its address has fewer requests
+  waiting,    // waits until its address has fewer requests
   receiving,  // the head of its request has not arrived
   answering,
-  uploading,  // it was asked for its body
+  uploading,  // the server has asked for the body of its request
   streaming,
-  leaving,  // it gave way, and its thread is about to end
+  leaving,  // the connection gave way, and its thread is about to end
 };
 
 class Entrance {
  public:
   explicit Entrance(EntranceLimits limits) : limits_(limits) {}
 
-  // A connection has come. Returns the stage in which it begins, or Stage::leaving if it is
-  // refused.
+  // To be called when a connection has come. Returns its first stage, or Stage::leaving if the
+  // connection is refused.
   Stage arrive(int connection, const std::string& address, Instant now);
 
   // Sets the address of the viewer for whom a proxy has made this connection.
@@ -59,25 +60,27 @@ class Entrance {
 
   void set_stage(int connection, Stage stage, Instant now);
 
-  // Makes the connection a stream, if there is room for one. With `is_for_known`, the viewer has
-  // shown who it is, and has more room.
+  // Makes the connection a stream, if there is room for a stream. `is_for_known`: the viewer has
+  // shown who it is, so it has more room.
   bool begin_stream(int connection, bool is_for_known, Instant now);
 
   void leave(int connection);
 
-  // Returns connections that waited and may enter now; they are in Stage::receiving.
+  // Returns connections that waited and may enter now; the connections are then in
+  // Stage::receiving.
   std::vector<int> let_in(Instant now);
 
   // Returns connections that have to end now, because they waited or took too long, or gave way.
-  // Each is returned once, and is in Stage::leaving.
+  // Each connection is returned once, and is then in Stage::leaving.
   std::vector<int> to_end(Instant now);
 
-  // True if a thread serves the connection: it does not wait, and did not give way while it waited.
+  // True if a thread serves the connection, that is, if it does not wait and did not give way while
+  // waiting.
   bool has_entered(int connection) const { return guests_.at(connection).has_entered; }
 
   std::vector<int> all() const;
 
-  // The number of connections, without those that are leaving.
+  // Returns the number of connections that are not in Stage::leaving.
   int present() const;
 
   bool is_crowded() const { return present() > limits_.capacity / 2; }
@@ -85,7 +88,7 @@ class Entrance {
 
  private:
   struct Guest {
-    std::string address;  // as it is counted
+    std::string address;  // the address that counts the connection
     Stage stage = Stage::receiving;
     bool is_known = false;
     bool has_entered = true;

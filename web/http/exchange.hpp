@@ -16,7 +16,7 @@ namespace mirocup::web {
 
 struct BodyLimits {
   std::size_t max_body = 4u << 10;  // bytes
-  std::size_t max_upload = 0;       // bytes of the body of a PUT; 0: as max_body
+  std::size_t max_upload = 0;       // the most bytes of the body of a PUT; 0: max_body
 };
 
 class Exchange {
@@ -26,23 +26,24 @@ class Exchange {
   Exchange(const Exchange&) = delete;
   Exchange& operator=(const Exchange&) = delete;
 
-  // Receives the line and the headers of the request into request(). Returns a reply if the head
-  // alone makes the server refuse the request. Returns false as the second value if the connection
-  // broke before its end.
+  // Receives the line and the headers of the request into request(). Returns a reply if the server
+  // refuses the request because of its head. The second value is false if the connection broke
+  // before the end of the head.
   std::pair<std::optional<Reply>, bool> receive_head();
 
   Request& request() { return request_; }
 
-  // Reads the body, as web::Body says. A client that waits for "100 Continue" gets it only now.
+  // Reads the body as a web::Body does. A client that waits for "100 Continue" gets this reply only
+  // now.
   bool receive_body(const std::function<bool(std::string_view part)>& take);
 
-  // True if the client may still send a body that nobody has read.
+  // True if the client may still send an unread body.
   bool has_unread_body() const;
 
   // Sends a whole reply.
   bool send(const Reply& reply);
 
-  // Sends the head of a stream of events, then its parts, then its end.
+  // Send the head of a stream of events, then its parts, then its end.
   bool begin_events();
   bool send_events(std::string_view part);
   void end_events();
@@ -56,8 +57,9 @@ class Exchange {
   Connection& connection_;
   const BodyLimits limits_;
   Request request_;
-  std::string buffer_;      // received and not yet parsed; while the head comes, all of it
-  std::size_t parsed_ = 0;  // bytes of buffer_
+  // Received bytes that are not yet parsed; while the head arrives, all of the head.
+  std::string buffer_;
+  std::size_t parsed_ = 0;  // parsed bytes of buffer_
   bool is_http_1_0_ = false;
   std::unique_ptr<Parser> parser_;  // keeps the HTTP library out of this header
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Values as browsers send them in a query or a form (application/x-www-form-urlencoded).
+// Values in a query or a form of a browser (application/x-www-form-urlencoded).
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 namespace mirocup::web {
 
 // Returns the text with its percent signs decoded, and pluses as spaces if `plus_is_space`. A
-// percent sign before anything but two hexadecimal digits stays as it is.
+// percent sign without two hexadecimal digits after it stays unchanged.
 std::string decoded(std::string_view coded, bool plus_is_space);
 
 // Adds the keys and values of "key=value&key=value", decoded.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The proxies between this server and its viewers: how the server knows them, and which of their
-// headers it trusts.
+// The proxies between this server and its viewers: how the server recognises a proxy, and which
+// headers of a proxy it trusts.
 #pragma once
 
 #include "web/http/request.hpp"
@@ -11,19 +11,19 @@
 
 namespace mirocup::web {
 
-// By default there are none.
+// The trusted proxies; by default none.
 struct ProxyTrust {
   std::set<std::string> addresses = {};
 
-  // The value that these proxies send in the header X-Mirocup-Proxy. An address alone proves
-  // nothing, because each program of a computer has it. "": there are no proxies.
+  // The value that trusted proxies send in the header X-Mirocup-Proxy. An address alone proves
+  // nothing, because all programs of a computer share it. "": there are no proxies.
   std::string secret = {};
 
   // True if this server listens at a Unix socket: any program that may open it counts as the proxy.
   bool is_unix_socket = false;
 };
 
-// Finds out whether the request comes from a proxy, and for which viewer (X-Forwarded-For,
+// Finds out whether the request comes from a trusted proxy, and for which viewer (X-Forwarded-For,
 // X-Forwarded-Proto).
 void apply(const ProxyTrust& trust, Request& request);
 

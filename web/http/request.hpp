@@ -17,16 +17,16 @@ namespace mirocup::web {
 struct Request {
   std::string method;            // "GET", "PUT", ...
   std::string path;              // without the query, percent signs decoded
-  std::string address;           // of the other end of the connection; "": a Unix socket
-  bool is_encrypted = false;     // to this server, or to a trusted proxy
-  bool is_from_proxy = false;    // a trusted proxy, which names the viewer
+  std::string address;           // address of the other end of the connection; "": a Unix socket
+  bool is_encrypted = false;     // encrypted on the way to this server or to a trusted proxy
+  bool is_from_proxy = false;    // true: from a trusted proxy, which names the viewer
   std::string viewer = address;  // the address of the viewer, as far as it can be trusted
 
   std::multimap<std::string, std::string> query{};
   std::multimap<std::string, std::string> headers{};  // names in lower case
 
-  // Returns the value of a header or of a part of the query; "" if there is none, or if there are
-  // several. So this server and a proxy before it cannot use two different values.
+  // Returns the value of a header or of a part of the query; "" if no value or several values
+  // exist. So this server and a proxy before it cannot use different values.
   std::string header(const std::string& name) const { return only(headers, name); }
   std::string asked(const std::string& name) const { return only(query, name); }
 
@@ -39,14 +39,14 @@ struct Request {
   }
 };
 
-// Reads the body of a request in parts and gives them to `take`. Returns false if `take` did, or if
-// the connection broke before the end of the body. May be called at most once. If it is not called,
-// the server does not ask for the body.
+// Reads the body of a request in parts and gives them to `take`. Returns false if `take` returned
+// false, or if the connection broke before the end of the body. May be called at most once. Without
+// a call the server does not ask for the body.
 using Body = std::function<bool(const std::function<bool(std::string_view part)>& take)>;
 
-// Whole server-sent events.
+// News for a viewer: whole server-sent events.
 struct EventBatch {
-  std::string text;  // "": there is nothing new
+  std::string text;  // "": no news
   bool is_last = false;
 };
 
@@ -60,7 +60,7 @@ struct Reply {
   // about 30 times a second.
   std::function<EventBatch()> events = {};
 
-  // If set, the reply is a stream of events that this function writes with `write`, until that
+  // If set, the reply is a stream of events that this function writes with `write`, until `write`
   // returns false or the stream has ended.
   std::function<void(const std::function<bool(std::string_view part)>& write)> passed_events = {};
 

@@ -30,7 +30,7 @@ struct ServerOptions {
   std::optional<system::TlsServer> tls = {};  // empty: connections are not encrypted
 };
 
-// Answers a request. Several threads call it at the same time.
+// Answers a request. Several threads call a handler at the same time.
 using Handler = std::function<Reply(const Request& request, const Body& body)>;
 
 class HttpServer {
@@ -40,7 +40,7 @@ class HttpServer {
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  // Listens at the address and serves requests from now on. The error is open_listener()'s.
+  // Listens at the address and serves requests from now on. Errors are those of open_listener().
   Result<void> listen(const Address& address, const std::string& option);
 
   std::string url() const { return url_of(address_, options_.tls.has_value()); }
@@ -50,7 +50,7 @@ class HttpServer {
 
  private:
   void accept_all();
-  bool accept_one();  // false if nobody has come
+  bool accept_one();  // false if no connection has come
   void begin(int connection);
   void end(int connection);
   void end_or_let_in();
@@ -65,11 +65,11 @@ class HttpServer {
   const ServerOptions options_;
   Address address_;
   int listener_ = -1;
-  int wake_ = -1;  // an eventfd: a connection has ended, or the server ends
+  int wake_ = -1;  // an eventfd, written when a connection has ended or the server ends
   std::atomic<bool> is_closed_{false};
   std::thread thread_;
 
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards the members below
   Entrance entrance_;
   int threads_ = 0;
   std::condition_variable thread_ended_;
