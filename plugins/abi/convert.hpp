@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Conversions between the match's structures and those of strategy.h: the only file that knows
-// both. Frames and units are the same on both sides.
+// Conversions between the match's structures and those of strategy.h: the only file that knows both
+// kinds. Both have the same frames and units.
 #pragma once
 
 #include "core/match/controller.hpp"
@@ -9,7 +9,8 @@
 
 namespace mirocup::abi {
 
-// The functions and the handle of the host are null: the program that runs the team sets them.
+// Leaves the functions and the handle of the host null, because the program that runs the team sets
+// them.
 mirocup_setup to_setup(const match::Briefing& briefing);
 mirocup_observation to_observation(const match::Observation& observation);
 match::Command to_command(const mirocup_command& command);

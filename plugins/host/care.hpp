@@ -18,18 +18,18 @@ namespace mirocup::plugins {
 void begin_care(const Surroundings& surroundings);
 
 // To be called before and after each call of the team's code. after_call() returns a sentence about
-// the first mistake in its use of memory, which stays valid, or null.
+// the team's first mistake in the use of memory, or null. The sentence stays valid.
 void before_call();
 const char* after_call();
 
-// Returns the observation, or a copy of it, which the team may read during the call.
+// Returns the observation or a copy, for the team to read during the call.
 const mirocup_observation& lend(const mirocup_observation& observation);
 
 // Returns the place for the command of the next call of decide(), all zeros.
 mirocup_command& lend_command();
 
-// Writes the team's requests to the system until now into `text`, one a line ("file map.txt"),
-// ended with a zero.
+// Writes the team's requests to the system until now into `text`, a request in a line ("file
+// map.txt"), ended with a zero.
 void write_requests(char* text, std::size_t size);
 
 }  // namespace mirocup::plugins

@@ -18,27 +18,28 @@ enum class SourceLanguage { c, cpp, project };
 // The program and the files of mirocup that the compiler gets.
 struct CompilerKit {
   std::string headers;           // folder of strategy.h
-  std::string predict;           // library of predict.hpp; left out if the file is missing
+  std::string predict;           // library of predict.hpp; not used if the file is missing
   std::string project_compiler;  // the program mirocup-project-compiler
 };
 
 struct CompileLimits {
-  double seconds = 60.0;      // of processor time of all processes together
-  double wall = 600.0;        // s of wall time; a longer compilation is the host's fault
-  unsigned cpu_seconds = 40;  // of each process of the compiler
-  std::size_t memory = std::size_t{3} << 29;    // bytes of addresses of each process
+  double seconds = 60.0;      // processor time of all processes together, s
+  double wall = 600.0;        // wall time, s; a longer compilation is the host's fault
+  unsigned cpu_seconds = 40;  // processor time of each process of the compiler, s
+  std::size_t memory = std::size_t{3} << 29;    // address space of each process, bytes
   std::size_t library = std::size_t{32} << 20;  // bytes
-  std::size_t output = std::size_t{64} << 10;   // bytes of the compiler's messages that are kept
+  std::size_t output = std::size_t{64} << 10;   // kept bytes of the compiler's messages
 };
 
 struct Compiled {
-  std::string library;  // its bytes; "" if it was not compiled
-  std::string why_not;  // a sentence; "": it was compiled
-  std::string output;   // the compiler's messages, cut
+  std::string library;  // the bytes of the library; "" if it was not compiled
+  std::string why_not;  // why the library was not compiled, a sentence; "": it was
+  std::string output;   // the compiler's messages, cut at the limit
 };
 
-// A mistake in the source is a value (`why_not`). Errors: Errc::unavailable if there are no
-// namespaces or no compiler; Errc::host.
+// Compiles a source. A mistake in the source is not an error: then the result has a reason in
+// `why_not`. Errors: Errc::unavailable if this machine has no namespaces or no compiler;
+// Errc::host.
 Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage language,
                                     const CompilerKit& kit, const CompileLimits& limits = {});
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Reports a team that crashes in the server's own process (--trusted), before that process dies. In
-// a team's own process fault_report.hpp does this.
+// Reports a team that crashes in the server's own process (--trusted), before the server's process
+// dies. In a team's own process fault_report.hpp reports crashes.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,12 @@ struct RunningCall {
   std::uint32_t tick = 0;
 };
 
-// From here on a deadly signal first prints one line about the running call. Existing handlers,
-// such as a sanitizer's, stay. For programs, not for a library in another program's process.
+// From now on a deadly signal first prints one line about the running call. Existing handlers, such
+// as a sanitizer's, stay. Only a program may call this function, not a library in another program's
+// process.
 void tell_of_crashes();
 
-// Marks the call as running as long as the object lives.
+// Marks a call as running as long as the object lives.
 class RunningCallMark {
  public:
   explicit RunningCallMark(const RunningCall& call);

@@ -2,9 +2,9 @@
 //
 // Wakes the processes of both teams of a match together.
 //
-// If they were woken one by one, the first would take the core at once, answer and sleep before the
-// server could wake the second: four context switches in a tick. One system call for both makes
-// three. The teams share no memory for it.
+// If the server woke one process after the other, the first would take the core at once, answer and
+// sleep before the server could wake the second: four context switches in a tick. One system call
+// that wakes both processes makes three. The teams share no memory for this.
 #pragma once
 
 #include "plugins/host/mailbox.hpp"
@@ -15,10 +15,11 @@
 
 namespace mirocup::plugins {
 
-// The doorbell of one match, shared by the controllers of its teams. Used from the match's thread.
+// The doorbell of one match, shared by the controllers of its teams. Threads: the match's thread.
 class Doorbell {
  public:
-  // A team joins when its process starts and leaves when the process is gone; at most two.
+  // A team joins when its process starts and leaves when the process is gone. At most two teams
+  // join.
   void join() {
     assert(members_ < 2);
     ++members_;
@@ -28,17 +29,17 @@ class Doorbell {
     --members_;
   }
 
-  // Asks for a wake-up of the process that sleeps on `word`. All are woken when every member has
-  // asked, or at the next ring(). The word must live until then.
+  // Asks for a wake-up of the process that sleeps on `word`. All sleepers are woken when every
+  // member has asked, or at the next ring(). The word must live until the wake-up.
   void ask(const std::atomic<std::uint32_t>& word) {
     assert(asked_ < 2);
     words_[static_cast<std::size_t>(asked_++)] = &word;
     if (asked_ >= std::min(members_, 2)) ring();
   }
 
-  // Wakes the processes that were asked for. Must be called before waiting for an answer. If one
-  // team still computes, no observation is written for it, and without this call the other team
-  // would sleep on.
+  // Wakes the processes for which a wake-up was asked. Must be called before waiting for an answer.
+  // While one team still computes, no observation is written for it, and without this call the
+  // other team would not wake.
   void ring() {
     if (asked_ == 1) wake(*words_[0]);
     if (asked_ == 2) wake(*words_[0], *words_[1]);

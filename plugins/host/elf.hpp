@@ -4,9 +4,10 @@
 // exports and the libraries that it needs.
 //
 // The bytes come from a stranger: every offset is checked before it is followed, no code runs, and
-// the size of the file bounds time and memory: a tenth of a second and some hundred KiB, whatever
-// its tables claim. This is our own reader instead of libelf, so that all of these checks are here.
-// A library that passes can still fail to load; the sandbox finds that out.
+// the size of the file bounds time and memory to a tenth of a second and some hundred KiB, whatever
+// the tables of the file claim. The project does not use libelf, so that all of these checks are in
+// this reader. A library that passes the checks can still fail to load, which only the sandbox
+// finds out.
 #pragma once
 
 #include <tl/expected.hpp>
@@ -18,12 +19,12 @@
 namespace mirocup::plugins {
 
 struct SharedLibrary {
-  std::vector<std::string> needed;  // names of the libraries that it needs (DT_NEEDED)
-  std::string search_path;          // DT_RUNPATH or DT_RPATH; "" if it has none
-  bool exports_entry = false;       // true: it defines a function mirocup_entry
+  std::vector<std::string> needed;  // names of the libraries that this library needs (DT_NEEDED)
+  std::string search_path;          // DT_RUNPATH or DT_RPATH; "" if the library has neither
+  bool exports_entry = false;       // true: the library defines a function mirocup_entry
 };
 
-// Reads the whole file in `bytes`. An error is a sentence with advice for the author.
+// Reads the whole file in `bytes`. The error is a sentence with advice for the library's author.
 tl::expected<SharedLibrary, std::string> read_shared_library(std::string_view bytes);
 
 }  // namespace mirocup::plugins

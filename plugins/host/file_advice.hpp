@@ -13,19 +13,20 @@ inline constexpr const char* what_is_taken =
     "hand in a library (.so), a source (.cpp, .c), a file of Python (.py), or a project as "
     ".tar.gz, .tar or .zip";
 
-// Returns advice about a file of another known kind than a shared library, such as an archive or a
-// source; "" if its kind is not known.
+// Returns advice about a file of a known kind that is not a shared library, such as an archive or a
+// source; "" if the kind is not known.
 std::string advice_on_file(std::string_view bytes);
 
-// Returns why these bytes are neither a source nor an archive of a project that is taken, and what
-// to do; "" if they may be.
+// Returns why these bytes are neither a source nor an accepted archive of a project, with a remedy;
+// "" if they may be either.
 std::string objection_to_source(std::string_view bytes);
 
-// Returns what a text is that did not compile, if it is none of C or C++; "" if it may be one.
+// Returns the kind of a text that did not compile and is neither C nor C++; "" if it may be C or
+// C++.
 std::string advice_on_no_source(std::string_view bytes);
 
-// Returns advice about a library that exports no mirocup_entry(). It may export the function under
-// a C++ name.
+// Returns advice about a library that exports no mirocup_entry(). Such a library may export the
+// function under a C++ name.
 std::string advice_on_missing_entry(std::string_view bytes);
 
 }  // namespace mirocup::plugins

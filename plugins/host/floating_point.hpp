@@ -2,15 +2,16 @@
 //
 // Protects the processor's floating-point mode from foreign code.
 //
-// Loading a library that was built with -Ofast switches denormal numbers off for the whole thread,
-// and a call can change the rounding mode. Either would change the bits of the simulation.
+// A library that was built with -Ofast switches denormal numbers off for the whole thread when it
+// is loaded, and a call of foreign code can change the rounding mode. Both would change the bits of
+// the simulation.
 #pragma once
 
 #include <cstdint>
 
 namespace mirocup::plugins {
 
-// Saves the mode when it is made and restores it when it is destroyed.
+// The constructor saves the floating-point mode, and the destructor restores it.
 class FloatingPointGuard {
  public:
   FloatingPointGuard() {

@@ -2,9 +2,9 @@
 //
 // The names of the functions of a library, from the tables of symbols in its file.
 //
-// The bytes come from a stranger, as for elf.hpp: every offset is checked, no code runs, and the
-// work of all loops together is bounded: each symbol is read once, whatever the file claims. For
-// line numbers, which are in the debugging information, use addr2line.
+// As in elf.hpp, the bytes come from a stranger: every offset is checked, and no code runs. The
+// work of all loops together is bounded, because each symbol is read once, whatever the file
+// claims. For line numbers, which are in the debugging information, use addr2line.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +16,16 @@
 
 namespace mirocup::plugins {
 
-// The names of functions, one for each given address.
+// The names of functions, a name for each given address.
 struct FunctionNames {
   std::vector<std::string> names;
-  std::size_t symbols_read = 0;  // in all tables; at most 2^21
+  std::size_t symbols_read = 0;  // symbols read in all tables; at most 2^21
 };
 
 // Returns the names of the functions at these addresses, which are relative to the place where the
 // library is loaded. The names are readable, "Mine::decide", without the types of arguments. A name
-// is "" if the file does not have it, for example because it is stripped. Names that are not of C++
-// stay as they are. Only the first table of each kind is read.
+// is "" if the file lacks it, for example in a stripped file. Names that are not of C++ stay
+// unchanged. Only the first table of symbols of each kind is read.
 FunctionNames functions_at(std::string_view library, std::span<const std::uint64_t> addresses);
 
 // Returns the readable form of a function's name in a table of symbols; the name itself if it is

@@ -10,11 +10,11 @@
 
 namespace mirocup::plugins {
 
-// Returns whether loading such a team lists the folders of the system's libraries.
+// Returns true if loading a team of this kind lists the folders of the system's libraries.
 Folders folders_of_guest();
 
 // Loads the team from the entry at `path`, which is also open as entry_descriptor, and creates it.
-// `setup` must outlive it.
+// `setup` must outlive the team.
 tl::expected<Plugin, match::Fault> load_guest(const char* path, const mirocup_setup& setup);
 
 }  // namespace mirocup::plugins

@@ -12,11 +12,13 @@ namespace mirocup::plugins {
 
 enum class Care { none, watched };  // watched: the program looks for mistakes in the use of memory
 
-// Returns the path of the program for the entry. Python itself watches a team in Python. Errors:
-// Errc::unavailable if the part that plays Python is not built or installed.
+// Returns the path of the program that plays an entry. For a team in Python `care` has no effect,
+// because Python itself checks memory. Errors: Errc::unavailable if the program that plays Python
+// is not built or installed.
 Result<std::string> host_program(const SealedEntry& entry, Care care = Care::none);
 
-// The same for the module by which --trusted plays Python.
+// Returns the path of the module with which --trusted plays Python. Errors are those of the
+// function above.
 Result<std::string> python_module();
 
 }  // namespace mirocup::plugins

@@ -3,9 +3,9 @@
 // The two memory pages that the match server and a team's process share.
 //
 // The server writes the observation page, and the team can only read it. The team writes the
-// command page, and the server trusts nothing on it: it copies an answer once and checks the copy.
-// Each page has a counter on which the other side waits with a futex, so that handing over costs
-// one wake-up and no copy through the kernel.
+// command page, and the server trusts nothing on that page: it copies an answer once and checks the
+// copy. Each page has a counter on which the other side waits with a futex, so that a handover
+// takes one wake-up and no copy through the kernel.
 #pragma once
 
 #include "mirocup/strategy.h"
@@ -25,65 +25,67 @@ static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
 struct ObservationPage {
   std::atomic<std::uint32_t> request;     // number of the observation, counted from 1
-  std::atomic<std::uint32_t> is_awaited;  // 1 while the server sleeps until the answer
+  std::atomic<std::uint32_t> is_awaited;  // 1 while the server sleeps until the team answers
   Surroundings surroundings;
-  mirocup_setup setup;  // its pointers are null: the team's process sets its own
+  mirocup_setup setup;  // the pointers in it are null; the team's process sets its own pointers
   ParameterTable parameters;
   std::uint32_t keeps_thoughts;  // 1: the team's shapes are kept
   mirocup_observation observation;
 };
 
-// The report of a team's process about its library before the first answer. The process can write
-// anything here, so the server uses the report only as the reason if the team loses the leg.
+// The report of a team's process about loading its library. The process can write anything here, so
+// the server uses the report only as the reason if the team loses the leg.
 enum class LoadState : std::uint32_t { loading, ready, no_load, bad_abi, crash };
 
-// The exit codes of a team's process that left a report on its page, and the fields that hold it.
+// The exit codes of a team's process that left a report on its page, and the fields with that
+// report.
 inline constexpr int exit_refused = 1;  // load_state and text
 inline constexpr int exit_faulted = 3;  // fault_signal and the fields after it
 
 inline constexpr int no_call = -1;
 
-// The function of the team that runs; `none` while the library is being loaded.
+// The running function of the team; `none` while the library is being loaded.
 enum class TeamCall : std::uint32_t { none, create, decide, place };
 
-// The kind of address whose access killed a process.
+// The kind of address at which an access killed a process.
 enum class AddressKind : std::uint32_t {
   unknown,
   null,
   end_of_stack,
   other,
   observation,
-  lost  // an address that is not valid, in code that is not the team's: it returned to nowhere
+  lost  // an invalid address, in code outside the team: a return to nowhere
 };
 
 struct CommandPage {
   std::atomic<std::uint32_t> answer;  // the last request that was answered
   std::atomic<LoadState> load_state;
-  std::atomic<int> fault_signal;  // 0: none
+  std::atomic<int> fault_signal;  // signal of the crash; 0: none
   std::atomic<int> fault_call;    // number of a forbidden system call, or no_call
   std::atomic<AddressKind> fault_address;
   std::atomic<std::uint32_t> fault_is_traced;  // 1: fault_trace is complete
   CrashTrace fault_trace;
-  std::atomic<TeamCall> team_call;  // the function that runs, or ran last
+  std::atomic<TeamCall> team_call;  // the team's function that runs or ran last
   AskedRows asked_parameters;       // rows of ObservationPage::parameters
-  char name[64];                    // of the team, as its library says; any bytes
+  char name[64];                    // name of the team from its library; any bytes
   char text[256];                   // why the team does not play, or the text of its exception
-  char requests[1024];              // only of mirocup-careful-host: write_requests()
+  char requests[1024];              // output of write_requests(), only in mirocup-careful-host
   mirocup_command command;
   mirocup_placement placement;  // valid if the observation had placing = 1
-  ThoughtsPage thoughts;        // of the tick that is answered, if the observation page asks
+  // Shapes of the answered tick, if the observation page asks for shapes.
+  ThoughtsPage thoughts;
 };
 
 // Sleeps until the word differs from `seen`, wake() is called, or the timeout is over; may return
-// early. Sets no timer if there is no timeout.
+// early. Without a timeout, sets no timer.
 void wait_while_equal(const std::atomic<std::uint32_t>& word, std::uint32_t seen,
                       std::optional<std::chrono::nanoseconds> timeout = std::nullopt);
 
-// Wakes the process that sleeps on the word.
+// Wakes the process that sleeps on a word.
 void wake(const std::atomic<std::uint32_t>& word);
 
-// Wakes the sleepers on both words before either can run on this core. `other` must not be 0, and
-// must be mapped writable in this process.
+// Wakes the sleepers on two words before either sleeper can run on this core. `other` must not be
+// 0, and must be mapped writable in this process.
 void wake(const std::atomic<std::uint32_t>& one, const std::atomic<std::uint32_t>& other);
 
 }  // namespace mirocup::plugins

@@ -2,11 +2,11 @@
 //
 // Decides who is to blame if a lack of memory ended a leg.
 //
-// If memory is short, the kernel ends a process of its choice with SIGKILL. A team that stayed
+// If memory is short, the kernel kills a process of its choice with SIGKILL. A team that stayed
 // within its limit is not at fault: the leg is void, and the sentence names the team and the sizes.
-// A team is at fault only if the kernel ended a process for want of memory, a leg's memory was free
-// when the leg began, no other process has taken it since, and the team has taken more than the
-// other and at least half of its limit.
+// A team is at fault only if all of this holds: the kernel ended a process for lack of memory, the
+// memory for a leg was free when the leg began, no other process has taken that memory since, and
+// the team has taken more memory than the other team and at least half of its limit.
 #pragma once
 
 #include "core/field/team.hpp"
@@ -23,18 +23,18 @@ namespace mirocup::plugins {
 
 // The evidence about a team's process that was killed from outside; sizes in bytes.
 struct MemoryEvidence {
-  std::optional<bool> was_out_of_memory;     // empty: the kernel does not tell
+  std::optional<bool> was_out_of_memory;     // empty: the kernel does not say
   std::optional<std::size_t> free_at_start;  // when the leg began
-  std::optional<std::size_t> free_now;       // after the end of the process
+  std::optional<std::size_t> free_now;       // free memory after the end of the process
   std::size_t own_peak = 0;
   std::size_t other_peak = 0;
 };
 
-// Returns a Fault of the team or a HostFailure.
+// Returns the verdict on the evidence: a Fault of the team or a HostFailure.
 match::Answer judge_kill(Team team, const MemoryEvidence& evidence);
 
-// Watches the memory of one leg. Shared by the controllers of its teams, which add their processes
-// and remove them before they end.
+// Watches the memory of one leg. The controllers of both teams share the object; each adds its
+// process and removes it before the process ends.
 class MemoryWitness {
  public:
   MemoryWitness();  // to be called when the leg begins
@@ -42,14 +42,14 @@ class MemoryWitness {
   void add(Team team, const Child& child) { children_[index_of(team)] = &child; }
   void remove(Team team);
 
-  // Returns the evidence about the process of that team, which has ended.
+  // Returns the evidence about the process of a team. Precondition: the process has ended.
   MemoryEvidence evidence(Team team) const;
 
  private:
   std::size_t peak_of(Team team) const;
 
   std::array<const Child*, 2> children_{};
-  std::array<std::size_t, 2> peaks_{};  // of processes that were removed
+  std::array<std::size_t, 2> peaks_{};  // memory peaks of removed processes
   std::optional<std::size_t> free_at_start_;
   std::optional<std::uint64_t> kills_at_start_;
 };

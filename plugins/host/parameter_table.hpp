@@ -17,7 +17,7 @@ struct ParameterTable {
     double value = 0.0;
   };
 
-  std::uint32_t count = 0;  // rows that are used
+  std::uint32_t count = 0;  // number of used rows
   std::array<Row, match::max_team_parameters> rows{};
 };
 
@@ -25,7 +25,7 @@ struct ParameterTable {
 // nothing wrong with them.
 ParameterTable parameter_table(const match::TeamParameters& parameters);
 
-// One bit for each row of a table, counted from the lowest: 1 if the team asked for that name.
+// A bit for each row of a table, from the lowest bit on: 1 if the team asked for the row's name.
 using AskedRows = std::atomic<std::uint32_t>;
 static_assert(match::max_team_parameters <= 32);
 

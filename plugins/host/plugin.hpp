@@ -20,36 +20,36 @@ class Plugin {
  public:
   // Loads the library at `path`, checks its version and creates its team. The path must contain a
   // slash, because dlopen() searches the system's folders for a bare name. `setup` must outlive the
-  // plugin. From here on foreign code runs in this process. If create() returns null, the fault has
-  // the last line that the team has logged through log_line() (team_host.hpp).
+  // plugin. From this call on foreign code runs in this process. If create() returns null, the
+  // fault has the last line that the team has logged through log_line() (team_host.hpp).
   static tl::expected<Plugin, match::Fault> load(const std::string& path,
                                                  const mirocup_setup& setup);
 
-  // Takes a team that other code of this process has created with these functions, and does not
-  // call destroy().
+  // Wraps a team that other code of this process has created with these functions. The plugin does
+  // not call destroy() for such a team.
   static Plugin adopt(const mirocup_strategy& strategy, void* team) {
     return Plugin(nullptr, &strategy, team);
   }
 
-  // Returns why load() would refuse the library at `path`, as far as its file, version and
-  // functions tell without a team.
+  // Returns why load() would refuse the library at `path`, judged by its file, version and
+  // functions without creating a team.
   static tl::expected<void, match::Fault> check(const std::string& path);
 
   Plugin(Plugin&& other) noexcept;
   Plugin& operator=(Plugin&&) = delete;
   ~Plugin();
 
-  // Returns the name that the library gives its team, or "".
+  // Returns the name that the library gives its team; "" if it gives no name.
   std::string name() const;
 
-  // Calls decide(). An exception that leaves it is a crash. The caller's floating-point mode is
-  // restored after the call.
+  // Calls decide(). An exception that leaves decide() is a crash. The caller's floating-point mode
+  // is restored after the call.
   tl::expected<mirocup_command, match::Fault> decide(const mirocup_observation& observation);
-  // The same, but the caller gives the place for the command, all zeros.
+  // Like the overload above, but the caller gives the memory for the command, all zeros.
   tl::expected<mirocup_command, match::Fault> decide(const mirocup_observation& observation,
                                                      mirocup_command& command);
 
-  // Calls place() at a restart. A team without place() leaves everything where it is.
+  // Calls place() at a restart. Without place() in the team, all bodies stay.
   tl::expected<mirocup_placement, match::Fault> place(const mirocup_observation& observation);
 
  private:

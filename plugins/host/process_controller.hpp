@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A team in a separate sandboxed process. The server continues whatever the team does. If the
-// process dies, hangs or answers nonsense, it is a fault of the team; if it is killed from outside,
-// it is a failure of the host.
+// A team in a separate sandboxed process. No act of the team stops the server. It is a fault of the
+// team if the process dies, hangs or answers nonsense, but a failure of the host if the process is
+// killed from outside.
 //
-// Only the answers of the process affect the match. Its reports (the reason of its end, its output)
-// are labels: a team that forges a report changes only the reason of its own loss.
+// Only the answers of the process affect the match. Reports of the process (the reason of its end,
+// its output) are labels: a team that forges a report changes only the reason of its own loss.
 #pragma once
 
 #include "core/match/controller.hpp"
@@ -36,40 +36,42 @@ struct Budget {
   double start_wall = 30.0;
   double tick_cpu = 1.0;
   double tick_wall = 10.0;
-  double place_cpu = 1.0;  // in addition to tick_cpu, in a tick in which the team places
+  double place_cpu = 1.0;  // additional to tick_cpu in a tick with place()
   double bank = 2.0;
   double bank_per_tick = 1e-3;
   double bank_per_place = 20e-3;
-  double sleep = 10.0;  // in the leg: time in which it neither computes nor waits for a processor
+  // Of the leg: time in which a team neither computes nor waits for a processor.
+  double sleep = 10.0;
 
-  // Returns the processor time that a team may have used after that many ticks and placements.
+  // Returns the processor time, s, that a team may have used after a number of ticks and
+  // placements.
   double bank_after(std::uint32_t ticks, std::uint32_t places) const {
     return bank + bank_per_tick * ticks + bank_per_place * places;
   }
 };
 
-// The limits of a match in real time: an answer that does not come in time is late.
+// The limits of a match in real time. An answer after the deadline is late.
 struct Deadline {
-  double tick = 0.0;           // s after the observation
-  int max_late_in_a_row = 90;  // 3 s at 33 ms
+  double tick = 0.0;           // longest time from observation to answer, s
+  int max_late_in_a_row = 90;  // late answers in a row; 3 s at 33 ms
   int max_late = 600;
 };
 
-// The conditions under which the teams of a leg play. Both share the doorbell, on which the server
-// waits for their answers, and the witness.
+// The conditions under which the teams of a leg play. Both teams share the witness, and the
+// doorbell on which the server waits for answers.
 struct ProcessTerms {
   Isolation isolation = Isolation::T2;
   Budget budget;
-  std::optional<Deadline> deadline;  // empty: a tick lasts until the answer comes
+  std::optional<Deadline> deadline;  // empty: a tick lasts until the team answers
   Surroundings surroundings;
-  bool keeps_thoughts = false;  // keeps the team's shapes
+  bool keeps_thoughts = false;  // true: keeps the team's shapes
   std::shared_ptr<Doorbell> bell = std::make_shared<Doorbell>();
   std::shared_ptr<MemoryWitness> memory = std::make_shared<MemoryWitness>();
 };
 
 class ProcessController final : public match::Controller {
  public:
-  // Starts mirocup-plugin-host at `host_program` with the entry, which gets the parameters. An
+  // Starts mirocup-plugin-host at `host_program` with the entry. The entry gets the parameters. An
   // error is a failure of the host; wait_until_ready() returns faults of the library.
   static Result<std::unique_ptr<ProcessController>> start(const std::string& host_program,
                                                           const SealedEntry& entry,
@@ -78,25 +80,25 @@ class ProcessController final : public match::Controller {
                                                           const ProcessTerms& terms);
   ~ProcessController() override;
 
-  // Returns when the library is loaded and its team created. The error is the team's fault, or a
+  // Waits until the library is loaded and its team created. The error is the team's fault, or a
   // failure of the host. Must succeed before the first post().
   tl::expected<void, match::Answer> wait_until_ready();
 
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
-  // Returns the processor time since the start, loading included, s.
+  // Returns the processor time of the process since its start, loading included, s.
   double cpu_seconds() const { return cpu_; }
-  // Returns the processor time since the first tick, which counts against the bank, s.
+  // Returns the processor time since the first tick, s. Only this time counts against the bank.
   double playing_seconds() const { return cpu_ - cpu_at_ready_; }
   double slowest_tick_ms() const { return 1e3 * slowest_tick_; }
   double start_seconds() const { return start_wall_; }
   // Returns how long the process was ready to run but had no processor, s; nothing if the kernel
   // does not tell.
   std::optional<double> processor_delay() const { return child_.processor_delay(); }
-  // Returns the bank of the leg so far, s.
+  // Returns the bank of processor time of the leg so far, s.
   double bank_seconds() const { return budget_.bank_after(ticks_, places_); }
-  // Returns how many observations asked the team to place.
+  // Returns the number of observations that asked the team to place.
   std::uint32_t placements_asked() const { return places_; }
   // Returns the peak of the process's memory, bytes.
   std::size_t peak_memory() const { return child_.peak_memory(); }
@@ -108,21 +110,22 @@ class ProcessController final : public match::Controller {
   }
 
   // Returns a copy of the team's shapes in the tick that it answered last, or in which it ended;
-  // null if they are not kept.
+  // null if shapes are not kept.
   const ThoughtsPage* thoughts();
 
-  // Returns the name that the library gives its team: any bytes, and "" before it is ready.
+  // Returns the name that the library gives its team, any bytes; "" before the team is ready.
   std::string team_name() const { return {out_->name, strnlen(out_->name, sizeof out_->name)}; }
 
-  // Returns the report that the process left when it ended by itself; nothing before that.
+  // Returns the report that the process left when it ended by itself; nothing before its end.
   const std::optional<LastWords>& exit_report() const { return exit_report_; }
 
   // Returns the functions of the library in which the process crashed, a line each, innermost
-  // first; "" if it has not crashed or left no trace. They are also at the end of output().
+  // first; "" if the process has not crashed or left no trace. The end of output() also has these
+  // lines.
   const std::string& backtrace() const { return backtrace_; }
 
-  // Returns the team's requests to the system, one a line, according to its process: any bytes, and
-  // "" unless the host program is mirocup-careful-host.
+  // Returns the team's requests to the system, a request in a line, according to its process. The
+  // text may have any bytes; it is "" unless the host program is mirocup-careful-host.
   std::string requests() const {
     return {out_->requests, strnlen(out_->requests, sizeof out_->requests)};
   }
@@ -134,13 +137,13 @@ class ProcessController final : public match::Controller {
   // Returns the output of the team so far, bounded and escaped.
   std::string output();
 
-  // The same, and "tick 606: " before each line that was printed while the team was asked.
+  // Like output(), with "tick 606: " before each line that the team printed while it was asked.
   std::string output_with_ticks();
 
  private:
   using WallClock = std::chrono::steady_clock;
 
-  // How long to wait for the team, and the fault if it takes longer.
+  // The longest wait for the team, and the fault of a team that takes longer.
   struct WaitLimit {
     double cpu = 0.0;
     double wall = 0.0;
@@ -153,8 +156,8 @@ class ProcessController final : public match::Controller {
                     const ProcessTerms& terms);
 
   std::optional<match::HostFailure> wait_for_sandbox();
-  // Waits until done() holds. Otherwise returns Late at `until`, or why the team has lost or the
-  // leg is void.
+  // Waits until done() is true. Otherwise returns Late at `until`, or the reason why the team has
+  // lost or the leg is void.
   template <class Done>
   std::optional<match::Answer> wait(Done done, const WaitLimit& limit,
                                     std::optional<WallClock::time_point> until);
@@ -166,7 +169,7 @@ class ProcessController final : public match::Controller {
   std::optional<match::Fault> find_overrun();
   bool has_slept_too_long();
   // Returns the time since `begin`, less the time for which the process was ready to run but had no
-  // processor, s. `delay_at_begin`: its processor_delay() at `begin`.
+  // processor, s. `delay_at_begin` is processor_delay() at `begin`.
   double seconds_without_delay(WallClock::time_point begin,
                                std::optional<double> delay_at_begin) const;
   void wait_for_word(std::uint32_t seen, std::chrono::nanoseconds pause);
@@ -179,11 +182,11 @@ class ProcessController final : public match::Controller {
   CommandPage* out_;
   system::Descriptor setup_;
   system::Descriptor entry_;    // the library's bytes, sealed; for the names of its functions
-  system::Descriptor loading_;  // while the process may load; see ask_before_loading()
+  system::Descriptor loading_;  // open while the process may load; see ask_before_loading()
   bool has_loaded_ = false;     // according to the process, which may lie
   system::Descriptor log_pipe_;
   TeamLog log_;
-  std::unique_ptr<ThoughtsPage> thoughts_;  // null unless they are kept
+  std::unique_ptr<ThoughtsPage> thoughts_;  // null unless shapes are kept
   Budget budget_;
   std::optional<Deadline> deadline_;
   std::shared_ptr<Doorbell> bell_;
@@ -198,11 +201,11 @@ class ProcessController final : public match::Controller {
   std::uint32_t ticks_ = 0;                            // observations so far
   std::uint32_t places_ = 0;                           // observations that asked the team to place
   std::uint32_t request_ = 0;  // number of the last observation that the process got
-  bool is_awaited_ = false;    // true: it has not been answered
-  bool is_placing_ = false;    // true: it also asks for poses
+  bool is_awaited_ = false;    // true: that observation has no answer yet
+  bool is_placing_ = false;    // true: that observation also asks for poses
   WallClock::time_point posted_at_;
-  WallClock::time_point asked_at_;        // of the oldest observation without an answer
-  std::optional<double> delay_at_slice_;  // s, processor_delay() in the first slice after that
+  WallClock::time_point asked_at_;        // time of the oldest observation without an answer
+  std::optional<double> delay_at_slice_;  // processor_delay() in the first slice after asked_at_, s
   double cpu_at_post_ = 0.0;
   double cpu_ = 0.0;
   double cpu_at_ready_ = 0.0;

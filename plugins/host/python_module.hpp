@@ -14,7 +14,7 @@ namespace mirocup::plugins {
 struct PythonLoaded {
   const mirocup_strategy* strategy;
   void* team;     // null: the file is not a team, or its team cannot be created
-  char why[256];  // if `team` is null, a sentence
+  char why[256];  // if `team` is null, a sentence with the reason
 };
 
 // Loads the file of a team and creates the team. `setup` must outlive it. Must be called from the
@@ -22,8 +22,8 @@ struct PythonLoaded {
 extern "C" void mirocup_python_load(const char* path, const mirocup_setup* setup,
                                     PythonLoaded* loaded);
 
-// Loads mirocup-python.so at `module`, and with it the file of a team at `path`. `setup` must
-// outlive the plugin.
+// Loads mirocup-python.so from `module`, and then with this module the team's file at `path`.
+// `setup` must outlive the plugin.
 tl::expected<Plugin, match::Fault> load_python(const std::string& path, const std::string& module,
                                                const mirocup_setup& setup);
 

@@ -2,9 +2,9 @@
 //
 // The fault of a team whose process has ended, as a sentence of the server.
 //
-// The text that the process wrote before its end is the team's own statement. The server prints it
-// as such: on one line, in quotation marks, cut. The server uses it only if it can be true: a team
-// that has played has loaded.
+// The text that the process wrote before its end is the team's own statement. The server prints
+// this text as a quotation: on one line, in quotation marks, cut. The server uses the text only if
+// it can be true: a team that has played cannot have failed to load.
 #pragma once
 
 #include "core/match/controller.hpp"
@@ -17,7 +17,8 @@
 
 namespace mirocup::plugins {
 
-// The report that a process left on its command page, copied out of the memory that it can write.
+// The report that a process left on its command page, copied out of the memory that the process can
+// write.
 struct LastWords {
   LoadState load_state = LoadState::loading;
   int signal = 0;                              // fault_signal
@@ -33,11 +34,12 @@ struct AskedMoment {
   match::State state = match::State::READY;
 };
 
-// Returns ", in decide() of tick 601 (PLAY)".
+// Returns the moment in words: ", in decide() of tick 601 (PLAY)".
 std::string text_of(TeamCall called, const AskedMoment& moment);
 
 // Returns the fault of a team whose process ended with `status`. `has_played`: the server had seen
-// it ready; before that, the library can be at fault. If `moment` is given, the sentence names it.
+// the team ready; otherwise loading the library may have failed. If `moment` is given, the sentence
+// names that moment.
 match::Fault fault_of(const ExitStatus& status, const LastWords& words, bool has_played,
                       const std::optional<AskedMoment>& moment = std::nullopt);
 

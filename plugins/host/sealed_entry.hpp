@@ -24,14 +24,15 @@ class SealedEntry {
   SealedEntry& operator=(SealedEntry&& other) noexcept;
   ~SealedEntry();
 
-  // Returns the contents, which are valid as long as this object.
+  // Returns the contents of the copy, which are valid as long as this object.
   std::string_view bytes() const { return bytes_; }
 
-  // True if this is the text of a team in Python: not a library, without a zero byte, and with a
-  // line that imports something of mirocup.
+  // True if the entry is a team in Python: a text, not a library, without a zero byte, and with a
+  // line that imports from mirocup.
   bool is_python() const;
 
-  // Returns the descriptor of the sealed copy, open for reading; this object keeps owning it.
+  // Returns the descriptor of the sealed copy, open for reading; this object still owns the
+  // descriptor.
   int descriptor() const { return descriptor_.get(); }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The host of a team as its library sees it: the target of `setup.host` of strategy.h, and the
-// functions of the setup that take it.
+// The host of a team: the target of `setup.host` of strategy.h, and the functions of the setup that
+// take this pointer.
 #pragma once
 
 #include "mirocup/strategy.h"
@@ -15,63 +15,63 @@
 
 namespace mirocup::plugins {
 
-// The caller owns the targets of these pointers.
+// The caller owns the targets of the pointers below.
 struct TeamHost {
   const ParameterTable* table = nullptr;
   AskedRows* asked = nullptr;
   ThoughtsPage* thoughts = nullptr;  // null: the team's shapes are not kept
-  // Names that parameter_of() was asked for and that are not in the table, up to this number.
+  // Names for which the team asked parameter_of() and that are not in the table, up to this number.
   std::array<std::size_t, match::max_team_parameters + 1> names{};  // hashes
   std::size_t different_names = 0;
   bool has_told_name = false;
   bool has_told_parameter = false;
-  std::uint32_t shapes = 0;  // of this tick, with those that are dropped
+  std::uint32_t shapes = 0;  // number of shapes of this tick, dropped shapes included
   bool has_told_shapes = false;
   bool has_told_heading = false;
   bool has_told_place = false;
   bool has_told_robot = false;
   bool has_told_colour = false;
   bool has_told_number = false;
-  std::string last_line = {};  // of the log, at most 200 bytes
+  std::string last_line = {};  // last line of the log, at most 200 bytes
 };
 
-// The longest name of a library that is shown, bytes, as in a league.
+// The longest name from a library that is shown, bytes; the limit of leagues.
 inline constexpr std::size_t max_own_name = 40;
 
 // The prefix of the host's lines in the team's log; `mirocup check` shows these lines as warnings.
 inline constexpr const char* line_of_host = "mirocup: ";
 
-// Gives the setup the host and its functions.
+// Sets the host and its functions in the setup.
 void give_host(mirocup_setup& setup, TeamHost& host);
 
 // The function `setup.log`: writes a line to standard error, which is the team's log, and keeps it
 // in the TeamHost at `host`, which may be null.
 void log_line(void* host, const char* text);
 
-// Returns the last line that the team has logged, as ": "the line""; "" if it has logged none, or
-// if the setup has another log than log_line().
+// Returns the last line that the team has logged, as ": "the line""; "" if the team has logged no
+// line, or if the log of the setup is not log_line().
 std::string reason_in_log(const mirocup_setup& setup);
 
-// The function `setup.parameter`: returns the value of that name in the table of the TeamHost at
-// `host` and marks it as asked for; `fallback` if the table or the name is missing. Writes a line
-// to the log, once, about a name that no parameter can have, and once about too many names.
+// The function `setup.parameter`: returns the value of a name in the table of the TeamHost at
+// `host` and marks the name as asked for; `fallback` if the table or the name is missing. Logs a
+// line, once, about a name that no parameter can have, and a line, once, about too many names.
 double parameter_of(void* host, const char* name, double fallback);
 
-// Writes a line to the log, once, about an asked heading of more than a full turn, which hardly is
-// in radians, and one about an asked place of a robot or the ball far outside of every pitch.
+// Logs a line, once, about a requested heading of more than a full turn, which is hardly in
+// radians, and a line, once, about a requested place far outside of every pitch.
 void note_units(TeamHost& host, const mirocup_placement& placement, std::int32_t robots);
 
-// Writes a line to the log about a team's own name that is not shown.
+// Logs a line if the name from the team's library is not shown.
 void note_own_name(TeamHost& host, const std::string& name);
 
-// Writes a line to the log, once, about wheels of robots that the team does not have.
+// Logs a line, once, about commands to robots that the team does not have.
 void note_command(TeamHost& host, const mirocup_command& command, std::int32_t robots);
 
 // The functions `setup.draw_line` and so on put a shape on the page of the TeamHost at `host`. A
 // shape is dropped and counted if there is no room for it, if a number is not finite, or if a
 // polygon has fewer than 3 or more than max_polygon_corners corners. A line of the log tells once
-// of more shapes in a tick than are kept, and one of a colour that cannot be seen, also where no
-// shapes are kept.
+// of too many shapes in a tick, and a line tells once of an invisible colour, also if no shapes are
+// kept.
 void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,
                double y2);
 void draw_circle(void* host, const char* layer, std::uint32_t colour, double x, double y,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The output of a team in a leg, bounded and escaped. A line may know the tick in which it began.
+// The output of a team in a leg, bounded and escaped. A line may have the tick in which it began.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ class TeamLog {
  public:
   static constexpr std::size_t max_beginning = 40u << 10;  // bytes, escaped
   static constexpr std::size_t max_end = 20u << 10;
-  // The end of the line that stands for the bytes between them.
+  // The end of the line that replaces the bytes between beginning and end.
   static constexpr std::string_view left_out_here = " bytes are left out here]\n";
 
   void append(std::string_view bytes);
@@ -24,7 +24,7 @@ class TeamLog {
   // Returns the log, escaped, at most 64 KiB.
   std::string text() const;
 
-  // The same, and "tick 606: " before each line that knows its tick: at most twice as long.
+  // Like text(), with "tick 606: " before each line that has a tick; at most twice as long.
   std::string text_with_ticks() const;
 
  private:
@@ -32,7 +32,7 @@ class TeamLog {
   std::string text(bool has_ticks) const;
 
   std::string beginning_;  // raw
-  std::string end_;        // raw, at most twice max_end
+  std::string end_;        // raw bytes, at most twice max_end
   std::size_t left_out_ = 0;
   bool is_in_a_line_ = false;
 };

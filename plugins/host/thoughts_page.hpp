@@ -14,11 +14,11 @@
 namespace mirocup::plugins {
 
 struct ThoughtsPage {
-  // The numbers and the text of a shape follow those of the shape before it.
+  // The numbers and the text of a shape follow the numbers and the text of the shape before.
   struct Shape {
     match::ThoughtKind kind;
     std::uint32_t colour;
-    std::uint32_t numbers;                  // how many
+    std::uint32_t numbers;                  // count of the shape's numbers
     std::uint32_t text;                     // bytes
     char layer[match::max_layer_name + 1];  // ends with a zero
   };
@@ -26,19 +26,19 @@ struct ThoughtsPage {
   std::uint32_t shapes = 0;
   std::uint32_t numbers = 0;
   std::uint32_t text = 0;
-  std::uint32_t left_out = 0;  // dropped shapes of this tick
+  std::uint32_t left_out = 0;  // number of dropped shapes of this tick
   std::array<Shape, match::max_thoughts> shape;
   std::array<double, match::max_thought_numbers> number;
   std::array<char, match::max_thought_text> texts;
 
-  // Empties the page, before a tick.
+  // Empties the page before a tick.
   void clear() { shapes = numbers = text = left_out = 0; }
 };
 
 // Copies the used part of a page that its writer may be changing.
 void copy_thoughts(const ThoughtsPage& from, ThoughtsPage& to);
 
-// Goes through the shapes of a copy, and ends early if the page contradicts itself.
+// Visits the shapes of a copy, and ends early if the page contradicts itself.
 class ThoughtReader {
  public:
   explicit ThoughtReader(const ThoughtsPage& page) : page_(page) {}

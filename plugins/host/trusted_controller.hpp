@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A team in the server's own process (`--trusted`), without protection from the team and without
-// its cost.
+// the time that protection takes.
 #pragma once
 
 #include "plugins/host/plugin.hpp"
@@ -15,13 +15,14 @@ namespace mirocup::plugins {
 
 class TrustedController final : public match::Controller {
  public:
-  // Loads the library at `path`, which must contain a slash, and creates its team, which gets the
+  // Loads the library at `path`, which must contain a slash, and creates its team with the
   // parameters. If `keeps_thoughts`, thoughts() has the team's shapes.
   static tl::expected<std::unique_ptr<TrustedController>, match::Fault> load(
       const std::string& path, const match::Briefing& briefing,
       const match::TeamParameters& parameters, bool keeps_thoughts = false);
 
-  // The same for the file of a team in Python. `module` is the path of mirocup-python.so.
+  // Loads the file of a team in Python and creates its team. `module` is the path of
+  // mirocup-python.so.
   static tl::expected<std::unique_ptr<TrustedController>, match::Fault> load_python(
       const std::string& path, const std::string& module, const match::Briefing& briefing,
       const match::TeamParameters& parameters, bool keeps_thoughts = false);
@@ -29,7 +30,7 @@ class TrustedController final : public match::Controller {
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
 
-  // Returns the team's shapes in the tick that it answered last; null if they are not kept.
+  // Returns the team's shapes in the tick that it answered last; null if shapes are not kept.
   const ThoughtsPage* thoughts() const { return facts_->thoughts ? &*facts_->thoughts : nullptr; }
 
   // Returns the name that the library gives its team: any text.

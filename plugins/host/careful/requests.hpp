@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// In mirocup-careful-host: notes a team's requests to the system that are refused (files, threads,
-// variables of the environment), and offsets numbers that differ from run to run.
+// In mirocup-careful-host: notes a team's refused requests to the system (files, threads, variables
+// of the environment), and adds an offset to numbers that differ from run to run.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,14 @@
 
 namespace mirocup::plugins {
 
-// From here on the numbers of process, thread and processor that the team sees are greater by this.
+// From now on the numbers of process, thread and processor that the team sees are greater by this
+// offset.
 void offset_numbers(std::int32_t offset);
 
 // Sets whether the team's code runs; only then requests are noted.
 void note_requests(bool are_noted);
 
-// Copies the requests until now into `text`, one a line, each once, ended with a zero.
+// Copies the different requests until now into `text`, a request in a line, ended with a zero.
 void copy_requests(char* text, std::size_t size);
 
 }  // namespace mirocup::plugins

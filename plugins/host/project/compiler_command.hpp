@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The fixed options with which a league compiles: plain 64-bit code that each host of the league
-// can run, with the C++ library linked in, so that it does not depend on the C++ library of another
-// computer, and without fused multiply-adds, so that arithmetic rounds as on every other host.
+// can run, linked with a static C++ library, so that it does not depend on a host's C++ library,
+// and without fused multiply-adds, so that arithmetic rounds alike on every host.
 #pragma once
 
 namespace mirocup::plugins {

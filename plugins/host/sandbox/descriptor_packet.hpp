@@ -9,11 +9,13 @@
 
 namespace mirocup::plugins {
 
-// Returns false on failure; errno says why. The sender still owns its descriptor.
+// Sends a descriptor. Returns false on failure; errno says why. The sender still owns its
+// descriptor.
 bool send_descriptor(int socket, int descriptor);
 
 // Reads the next packet: up to `size` bytes into `text`, and the descriptor into `descriptor` if
-// the packet has one. Returns the number of bytes, 0 at the end, negative on failure.
+// the packet has one. Returns the number of bytes; 0 at the end of the packets; a negative number
+// on failure.
 ssize_t receive_packet(int socket, char* text, std::size_t size, system::Descriptor& descriptor);
 
 }  // namespace mirocup::plugins

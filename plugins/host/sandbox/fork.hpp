@@ -11,9 +11,9 @@
 
 namespace mirocup::plugins {
 
-// Forks and calls `run` in the child, where it must not return, allocate or take locks. By then the
-// child is not root, even if the server is, and it dies as soon as the calling thread dies. Returns
-// the child's process number. Errors: Errc::unavailable.
+// Forks and calls `run` in the child. `run` must not return, allocate or take locks. When `run` is
+// called, the child is not root, even if the server is root. The child dies as soon as the calling
+// thread dies. Returns the child's process number. Errors: Errc::unavailable.
 Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& run);
 
 }  // namespace mirocup::plugins

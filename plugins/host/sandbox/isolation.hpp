@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The tiers of isolation of a team's process. plugins/host/README.md describes each.
+// The tiers of isolation of a team's process. plugins/host/README.md describes each tier.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -8,9 +8,9 @@
 namespace mirocup::plugins {
 
 enum class Isolation {
-  none,  // in the server's own process
+  none,  // the team runs in the server's own process
   T1,    // limits, system-call filter, Landlock
-  T2,    // T1 in separate namespaces, with an empty root
+  T2,    // like T1, also in separate namespaces with an empty root
 };
 
 }  // namespace mirocup::plugins

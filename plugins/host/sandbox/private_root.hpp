@@ -8,7 +8,7 @@ namespace mirocup::plugins {
 
 inline constexpr int no_entry = -1;
 
-// The path of the team's library in that tree.
+// The path of the team's library in the tree.
 inline constexpr const char* private_entry_path = "/entry/strategy.so";
 
 // The folders that the dynamic loader searches, and the folder with the links of Debian's
@@ -18,18 +18,19 @@ inline constexpr const char* library_folders[] = {
 inline constexpr const char* loader_cache = "/etc/ld.so.cache";
 
 // Makes the tree, with a copy of the library that is open as `entry` (or no_entry), and makes the
-// tree the root. The process must be in a mount namespace of its own. Allocates nothing, so it may
-// be called after fork. Returns null on success, otherwise the step that failed; errno says why.
+// tree the root. Precondition: the process has its own mount namespace. The function allocates
+// nothing, so it may be called after fork. Returns null on success, otherwise the step that failed;
+// errno says why.
 const char* enter_private_root(int entry);
 
-// The common steps of such trees. begin_root() makes an empty tree with these options of tmpfs, and
-// its root is the working folder until change_root(). Both return null on success, otherwise the
-// step that failed.
+// The common steps of making file trees. begin_root() makes an empty tree with these options of
+// tmpfs. The root of the tree is the working folder until change_root() makes it the root. Both
+// functions return null on success, otherwise the step that failed.
 const char* begin_root(const char* options);
 const char* change_root();
 
-// Shows a folder of the system in the tree, read-only. A symbolic link, as /lib is on most systems,
-// stays a link; a missing folder is left out.
+// Shows a folder of the system in the tree, read-only. If the folder is a symbolic link, as /lib is
+// on most systems, the tree gets the link. A missing folder is left out.
 bool show_folder(const char* path);
 
 bool make_read_only(const char* path);

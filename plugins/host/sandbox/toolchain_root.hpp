@@ -10,20 +10,21 @@
 
 namespace mirocup::plugins {
 
-// The folder in which the compiler works. It has the source, and later the library.
+// The folder in which the compiler works. The folder has the source, and later the library.
 inline constexpr const char* work_folder = "/compile";
 inline constexpr const char* headers_folder = "/mirocup/include";
 
 // A file that the tree gets.
 struct TreeFile {
-  std::string path;  // absolute, in the tree; its folders must come before it
+  std::string path;  // absolute path in the tree; its folders must come earlier in the list
   std::string bytes;
   bool is_folder = false;
 };
 
-// Makes the tree and makes it the root. Files below the work folder are in memory, the others are
-// read-only. The process must be in a mount namespace of its own. Allocates nothing, so it may be
-// called after fork. Returns null on success, else the step that failed; errno says why.
+// Makes the tree and makes it the root. Files below the work folder are in memory; all other files
+// are read-only. Precondition: the process has its own mount namespace. The function allocates
+// nothing, so it may be called after fork. Returns null on success, else the step that failed;
+// errno says why.
 const char* enter_toolchain_root(std::span<const TreeFile> files);
 
 }  // namespace mirocup::plugins
