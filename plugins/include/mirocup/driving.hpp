@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// How one robot drives: to a point, to a pose, round an obstacle. The functions return the wheel
-// speeds of one robot for this tick; call them again in every tick. Sizes and limits are those of
-// the setup. Include strategy.hpp, which has all of it.
+// Driving of one robot: to a point, to a pose, round an obstacle. The functions return the wheel
+// speeds of one robot for this tick; call them again in every tick. Sizes and limits come from the
+// setup. Do not include this header, but strategy.hpp.
 #pragma once
 
 #include "mirocup/types.hpp"
@@ -12,7 +12,8 @@
 namespace mirocup::strategy {
 
 // Returns the wheel speeds for a forward speed (m/s) and an angular velocity (rad/s). If one wheel
-// would be too fast, both are slowed by the same factor, so that the robot keeps to its curve.
+// would be too fast, both wheels are slowed by the same factor, so that the robot stays on its
+// curve.
 inline Wheels wheels_for(const Setup& setup, double forward, double turn) {
   const double side = turn * setup.wheel_distance / 2.0;
   Wheels w{(forward - side) / setup.wheel_radius, (forward + side) / setup.wheel_radius};
@@ -31,7 +32,7 @@ inline Wheels turn_to(const Setup& setup, const Robot& robot, double heading) {
 }
 
 // Drives to a point and passes it at `arrival` m/s (0: stops there), forwards or backwards,
-// whichever needs the smaller turn. `fastest`: m/s.
+// whichever needs the smaller turn. `fastest` is the greatest speed, m/s.
 inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, double arrival = 0.0,
                        double fastest = 1.5) {
   const Point to = target - position(robot);
@@ -43,7 +44,7 @@ inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, dou
     error = wrapped(error + pi);
     direction = -1.0;
   }
-  // As fast as the distance allows, and slower while the robot still has to turn.
+  // The speed is as great as the distance allows, and smaller while the robot still has to turn.
   const double wanted = math::min(fastest, arrival + 5.0 * distance);
   const double turn = 9.0 * error;
   double speed = wanted * math::max(0.0, math::cos(error));
@@ -54,8 +55,8 @@ inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, dou
 }
 
 // Drives to a point and turns to a heading there. From far off the robot aims at a place before the
-// point, so that it arrives with the right heading; if it stands beside the point, it backs off
-// first.
+// point, so that it arrives with the right heading. A robot that stands beside the point first
+// backs off.
 inline Wheels drive_to_pose(const Setup& setup, const Robot& robot, Point target, double heading,
                             double fastest = 1.5) {
   const Point forward{math::cos(heading), math::sin(heading)};
@@ -68,19 +69,20 @@ inline Wheels drive_to_pose(const Setup& setup, const Robot& robot, Point target
   return drive_to(setup, robot, target - run_up * forward, 0.2, fastest);
 }
 
-// Returns the place of the ball after some seconds without robots and walls. The ball slows down a
-// little.
+// Returns the place of the ball after some seconds if it meets neither robots nor walls. The ball
+// slows down a little.
 inline Point ball_after(const Observation& now, double seconds) {
   return ball(now) + (seconds * (1.0 - 0.1 * seconds)) * ball_velocity(now);
 }
 
-// Returns the distance of a robot's centre from a wall beside which it can still turn, m.
+// Returns the smallest distance of a robot's centre from a wall at which the robot can still turn,
+// m.
 inline double elbow_room(const Setup& setup) {
   return 0.6 * setup.robot_side;
 }
 
-// Returns the distance behind the ball, from the middle of a robot, at which the robot can turn
-// without touching the ball, m.
+// Returns the distance from the middle of a robot to the ball at which the robot can turn without
+// touching the ball, m.
 inline double behind_ball(const Setup& setup) {
   return setup.robot_side + 0.035;
 }
@@ -92,7 +94,7 @@ inline Point inside(const Setup& setup, Point p, double margin) {
           math::clamp(p.y, -setup.half_width + margin, setup.half_width - margin)};
 }
 
-// The same, with room for a robot to turn.
+// Returns the nearest point of the field at which a robot has room to turn.
 inline Point inside(const Setup& setup, Point p) {
   return inside(setup, p, elbow_room(setup));
 }
@@ -125,7 +127,7 @@ inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, 
   if (ahead <= 0.0 || ahead >= length(path) || std::abs(aside) >= berth) {
     return drive_to(setup, robot, target, arrival, fastest);
   }
-  // Too near to turn past the obstacle: back off first.
+  // The robot is too near to turn past the obstacle, so it first backs off.
   if (length(to) < setup.robot_side + 0.04)
     return drive_to(setup, robot, here - 0.1 * unit(to), 0.0, fastest);
   const double side = aside > 0.0 ? -1.0 : 1.0;
@@ -133,7 +135,7 @@ inline Wheels drive_round(const Setup& setup, const Robot& robot, Point target, 
   return drive_to(setup, robot, beside, 0.3, math::min(fastest, 0.9));
 }
 
-// Drives to a point, around the ball or an opponent that is on the line to it: a robot that returns
+// Drives to a point, around the ball or an opponent on the line to the point: a robot that returns
 // home must not push the ball along, and no robot may push an opponent. At the point the robot
 // waits square to the field, because a ball that hits a slanting face may go into the own goal.
 inline Wheels drive_clear(const Setup& setup, const Observation& now, const Robot& robot,
@@ -153,10 +155,10 @@ inline Wheels drive_clear(const Setup& setup, const Observation& now, const Robo
   return drive_round(setup, robot, target, obstacle, arrival, fastest);
 }
 
-// Drives along the goal line to a y, forwards or backwards, and looks along the line all the time:
-// a keeper that turns away from it throws the ball into its goal. It brakes early, by the distance
-// that it rolls while its motors follow, because a keeper that runs past its place meets the ball
-// with a side that turns it into the goal.
+// Drives along the goal line to a y, forwards or backwards, and always looks along the line: a
+// keeper that turns away from the line throws the ball into its goal. The robot brakes early, by
+// the distance that it rolls while its motors follow, because a keeper that runs past its place
+// meets the ball with a side that turns the ball into the goal.
 inline Wheels slide_to(const Setup& setup, const Robot& robot, double y, double fastest = 1.5) {
   const bool is_up = robot.heading > 0.0;
   const double error = wrapped((is_up ? pi / 2.0 : -pi / 2.0) - robot.heading);

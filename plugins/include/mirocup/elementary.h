@@ -2,20 +2,20 @@
  *
  * Sine, cosine, arctangent, exponential and their family, with the same bits on every system.
  *
- * The sin() of one C library differs from that of another in the last bit of some results. A team
- * that compares two nearly equal numbers can then decide differently on the host's computer than on
- * yours, and a leg cannot be played again there. These functions use only + - * / and sqrt(), which
- * IEEE 754 fixes to the last bit, and the simulator also uses them. fabs(), fmod(), remainder(),
- * floor(), round() and sqrt() of the C library are exact, so use those as they are;
- * remainder(angle, 2 * MIROCUP_PI) is the same angle in [-pi, pi].
+ * The sin() of two C libraries can differ in the last bit of a result. Then a team that compares
+ * two nearly equal numbers may decide otherwise on the host's computer than on yours, and the host
+ * cannot play your leg again. These functions use only + - * / and sqrt(), which IEEE 754 fixes to
+ * the last bit. The simulator also uses these functions. fabs(), fmod(), remainder(), floor(),
+ * round() and sqrt() of the C library are exact and need no replacement; remainder(angle, 2 *
+ * MIROCUP_PI) is the same angle in [-pi, pi].
  *
  * In C the names begin with mirocup_; in C++ use math::sin(x) and its neighbours of elementary.hpp;
  * in Python `from mirocup.team import sin`. Compile with -ffp-contract=off, as `mirocup compile`
  * and the CMake target mirocup::strategy do, and without -ffast-math.
  *
- * Angles are in radians. A result is NaN if an argument is NaN or outside of the domain. The
- * largest errors, in units in the last place (ulp) of the result, measured by a test against 64-bit
- * mantissas:
+ * Angles are in radians. A result is NaN if an argument is NaN or outside of the function's domain.
+ * The largest errors, in units in the last place (ulp) of the result, measured by a test against
+ * 64-bit mantissas:
  *
  *   exp                                       1
  *   sin, cos of |x| <= 1000                   1; of results below 0.01, 1 ulp of 0.01
@@ -24,7 +24,7 @@
  *   expm1, log, log1p, atan2, tan             5
  *   asin, acos                                8; near 0 and near pi, 8 ulp of 0.01
  *
- * All functions are pure and inline; they need no library but -lm. C11 and C++.
+ * All functions are pure and inline, and need only -lm. The header is C11 and C++.
  */
 #ifndef MIROCUP_ELEMENTARY_H
 #define MIROCUP_ELEMENTARY_H
@@ -35,8 +35,8 @@
 
 #define MIROCUP_PI 3.14159265358979323846
 
-/* The longer functions are called rather than inlined, which would make a team of many calls slow
- * to compile. */
+/* The longer functions are not inlined, because inlining would make a team with many calls slow to
+ * compile. */
 #if defined(__GNUC__)
 #define MIROCUP_CALLED static __attribute__((noinline, unused))
 #else
@@ -47,8 +47,8 @@ typedef struct mirocup_sine_cosine {
   double sine, cosine;
 } mirocup_sine_cosine;
 
-/* ln 2 as a sum of two pieces (Cody and Waite). The first piece ends in zero bits, so small
- * multiples of it are exact and a reduced argument loses nothing to cancellation. */
+/* ln 2 as a sum of two pieces (Cody and Waite). The first piece ends in zero bits, so its small
+ * multiples are exact and a reduced argument loses nothing to cancellation. */
 #define MIROCUP_LN2_HIGH 0x1.62e42feep-1
 #define MIROCUP_LN2_LOW 0x1.a39ef35793c76p-33
 
@@ -65,7 +65,7 @@ static inline double mirocup_sine_tail(double z) {
   return s * z - 1.0 / 6.0;
 }
 
-/* Returns (cos(x) - 1 + z/2)/z^2 likewise: to x^18/18!. */
+/* Returns (cos(x) - 1 + z/2)/z^2 for the square z of |x| <= pi/4: Taylor's series to x^18/18!. */
 static inline double mirocup_cosine_tail(double z) {
   double c = -1.0 / 6402373705728000.0;
   c = c * z + 1.0 / 20922789888000.0;
@@ -143,8 +143,8 @@ static inline double mirocup_tan(double x) {
   return r.sine / r.cosine;
 }
 
-/* Returns the angle of (x, y) in (-pi, pi], counter-clockwise from +x; 0 for the null vector. A
- * y of -0.0 counts as 0.0. Both are finite. */
+/* Returns the angle of (x, y) in (-pi, pi], counter-clockwise from +x; 0 for the null vector. A y
+ * of -0.0 counts as 0.0. Precondition: x and y are finite. */
 MIROCUP_CALLED double mirocup_atan2(double y, double x) {
   /* atan(k/16) for k = 0 .. 16. */
   static const double of_sixteenths[17] = {0x0.0p+0,
@@ -199,7 +199,8 @@ static inline double mirocup_acos(double x) {
   return mirocup_atan2(sqrt((1.0 - x) * (1.0 + x)), x);
 }
 
-/* Returns the length of (x, y). Infinite if a square is greater than a double can be (1e154). */
+/* Returns the length of (x, y); infinity if x or y is so great (1e154) that its square is not a
+ * double. */
 static inline double mirocup_hypot(double x, double y) {
   return sqrt(x * x + y * y);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The functions of elementary.h under the names that C++ has: math::sin(x) after
-// `using namespace mirocup::strategy`. They give the same bits on every system, unlike std::sin(x);
-// elementary.h says why a team needs that, and how exact they are.
+// The functions of elementary.h under the names that C++ has: math::sin(x) after `using namespace
+// mirocup::strategy`. The functions give the same bits on every system, unlike std::sin(x).
+// elementary.h says why a team needs equal bits, and how exact the functions are.
 #pragma once
 
 #include "mirocup/elementary.h"
@@ -46,8 +46,8 @@ inline double log1p(double x) {
   return mirocup_log1p(x);
 }
 
-// As std::min(), std::max() and std::clamp() of doubles, without <algorithm>, which is slow to
-// compile.
+// Like std::min(), std::max() and std::clamp() of doubles, but without <algorithm>, which is slow
+// to compile.
 inline double min(double a, double b) {
   return b < a ? b : a;
 }

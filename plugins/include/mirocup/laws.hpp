@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Keeping the laws, and the ball out of the own goal: changes of targets and of commands. Include
-// strategy.hpp, which has all of it.
+// Changes of targets and commands that keep the laws, and keep the ball out of the own goal. Do not
+// include this header, but strategy.hpp.
 #pragma once
 
 #include "mirocup/driving.hpp"
@@ -11,8 +11,8 @@
 namespace mirocup::strategy {
 
 // Returns a target of robot `i`, moved out of the areas that the laws forbid: the own goal area, in
-// which only the keeper may be, and for robots 3 and higher also the penalty area. Not for the
-// keeper.
+// which only the keeper may be, and for robots 3 and higher also the penalty area. Do not call this
+// function for the keeper.
 inline Point keep_out(const Setup& setup, int i, Point p) {
   // The margin of the area, for its arc and half a robot, m.
   const double margin = setup.robot_side + (setup.league == MIROCUP_LARGE ? 0.075 : 0.02);
@@ -27,7 +27,7 @@ inline Point keep_out(const Setup& setup, int i, Point p) {
 }
 
 // Returns a place for a waiting robot, moved aside if the place is before the own goal and the ball
-// is nearer to that goal: a ball that the keeper clears would rebound from the robot.
+// is nearer to the goal, because a ball that the keeper clears would rebound from the robot.
 inline Point make_way(const Setup& setup, const Observation& now, Point p) {
   const bool is_in_front = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.15 &&
                            p.x > now.ball_x + 0.02 && p.x < now.ball_x + 0.5;
@@ -37,15 +37,15 @@ inline Point make_way(const Setup& setup, const Observation& now, Point p) {
   return p;
 }
 
-// True if the ball has made no progress for `patience` s and nearly stands: between two robots, at
-// a wall, in a corner.
+// True if the ball has made no progress for `patience` s and nearly stands, for example between two
+// robots, at a wall or in a corner.
 inline bool is_stuck(const Observation& now, double patience = 0.6) {
   return now.stalemate_s > patience && length(ball_velocity(now)) < 0.15;
 }
 
-// Returns the same wheel speeds, unless the robot would push an opponent without playing the ball.
-// Then it returns speeds at which the robot slows down before the opponent and backs off. A robot
-// at the ball plays the ball: if it and the opponent both backed off, the ball would stay there.
+// Returns `wheels` unchanged, unless the robot would push an opponent without playing the ball. In
+// this case returns speeds at which the robot slows down before the opponent and backs off. A robot
+// at the ball plays the ball: if both robots backed off, the ball would stay.
 inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
                               Wheels wheels) {
   const Point here = position(robot);
@@ -64,8 +64,8 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
     const Point to = position(now.opponent[j]) - here;
     if (dot(to, direction) <= 0.0 || std::abs(to.x * direction.y - to.y * direction.x) > wide)
       continue;
-    // If the ball is between the robot and the opponent, pushing both is playing the ball. Driving
-    // to a stuck ball is also playing the ball.
+    // If the ball is between the robot and the opponent, pushing both is playing the ball. A robot
+    // that drives to a stuck ball also plays the ball.
     const double nearer = is_stuck(now, 1.0) && length(to_ball) < 0.2 ? 0.04 : 0.0;
     if (ball_ahead && dot(to_ball, direction) < dot(to, direction) + nearer) continue;
     const double gap = length(to) - (setup.robot_side + 0.025);
@@ -75,13 +75,13 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
   return wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
 }
 
-// Returns the same wheel speeds, unless robot `i` is in an area that keep_out() forbids, or will
-// soon be there at its speed. Then returns speeds that take the robot out on the shortest way. Not
-// for the keeper.
+// Returns `wheels` unchanged, unless robot `i` is in an area that keep_out() forbids, or will soon
+// be there at its speed. In this case returns speeds that take the robot out on the shortest way.
+// Do not call this function for the keeper.
 inline Wheels out_of_area(const Setup& setup, int i, const Robot& robot, Wheels wheels) {
-  // A robot counts if more than half of its body is inside, m.
+  // A robot counts as in the area if more than half of its body is inside, m.
   const double margin = setup.robot_side / 2.0 + 0.0025;
-  const double braking_s = 0.1;  // the motors, and the delay of a tick
+  const double braking_s = 0.1;  // time for the motors and the delay of a tick, s
   const bool is_crowd = i >= 3 && setup.penalty_area_depth > 0.0;
   const double depth = is_crowd ? setup.penalty_area_depth : setup.goal_area_depth;
   const double half_width = is_crowd ? setup.penalty_area_half_width : setup.goal_area_half_width;
@@ -134,19 +134,20 @@ inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const
     const Point normal{math::cos(heading), math::sin(heading)};
     const double closing = -dot(coming, normal);
     if (closing < 0.2 * length(coming)) continue;
-    const Point off = velocity + (1.4 * closing) * normal;  // 1.4: what impacts leave
+    // 1.4: 1 and the part of the speed that impacts leave.
+    const Point off = velocity + (1.4 * closing) * normal;
     if (rolls_into_own_goal(setup, position(robot) + touch * normal, off, 0.05)) return true;
   }
   return false;
 }
 
-// Changes the command of robots from which a ball in the own half would rebound into the own goal:
-// a robot that stands at a slant turns square to the field, and a square robot makes way. Not for
-// the keeper.
+// Changes the commands of robots, except the keeper, from which a ball in the own half would
+// rebound into the own goal: a robot that stands at a slant turns square to the field, and a square
+// robot makes way.
 inline void avoid_own_goals(const Setup& setup, const Observation& now, Command& command) {
   const Point velocity = ball_velocity(now);
   if (now.ball_x > 0.0 || length(velocity) < 0.25) return;
-  if (rolls_into_own_goal(setup, ball(now), velocity, -0.02)) return;  // no rebound is worse
+  if (rolls_into_own_goal(setup, ball(now), velocity, -0.02)) return;  // a rebound cannot be worse
   for (int i = 1; i < now.robots; ++i) {
     const Robot& robot = now.own[i];
     if (!would_turn_ball_in(setup, now, robot)) continue;

@@ -8,7 +8,7 @@
 //   everything         Simulator: all bodies, walls and contacts, bit for bit as in a match
 //
 //   Scene scene = scene_of(now);
-//   Command mine = tracker.in_flight();            // of the answer that is driven in this tick
+//   Command mine = tracker.in_flight();            // the answer that is driven in this tick
 //   for (int tick = 0; tick < 20; ++tick) {
 //     simulator.advance(scene, mine, tracker.opponents());
 //     mine = ...;                                  // what you would answer to `scene`
@@ -18,9 +18,9 @@
 // nothing. A simulator has no referee: after a goal the ball lies in the goal, and play continues.
 //
 // How exact it is
-//   From a scene that a simulator made, or from robots and a ball that were just put down, it
-//   computes the next ticks of a match under `exact` conditions to the last bit, if it is given the
-//   commands of both teams. An observation lacks the contact memory of the last tick, which matters
+//   From a scene that a simulator made, or from robots and a ball that were just put down, a
+//   simulator computes the next ticks of a match under `exact` conditions to the last bit, if you
+//   give it the commands of both teams. An observation lacks the contact memory of the last tick, which matters
 //   little, and the commands of the opponents, which matter most. Under `hall` each wheel turns up
 //   to 4 % faster or slower than commanded. Under `camera` an observation is late and its
 //   velocities are noisy: a prediction is only as good as the observation.
@@ -40,7 +40,7 @@
 namespace mirocup::strategy {
 
 // A robot in the form of the simulator. The heading is a unit vector, and the velocities are in the
-// robot's own frame: `left` differs from 0 only while its wheels slide sideways.
+// robot's own frame: `left` differs from 0 only while the wheels slide sideways.
 struct Body {
   Point at;                     // m
   double cos = 1.0, sin = 0.0;  // of the heading
@@ -50,7 +50,7 @@ struct Body {
 };
 
 // Convert a robot between the observed form and the form of the simulator. A speed to the left that
-// is only rounding becomes 0.
+// comes only from rounding becomes 0.
 Body body_of(const Robot& robot);
 Robot robot_of(const Body& body);
 
@@ -72,9 +72,9 @@ class ContactMemory {
 };
 
 // All bodies at one instant, in your own frame. If you move bodies by hand, set `memory` to {}.
-// They must hardly overlap, or they will be pushed apart.
+// Moved bodies must hardly overlap; otherwise the simulator pushes them apart.
 struct Scene {
-  int robots = 0;  // of each team
+  int robots = 0;  // number of each team's robots
   MovingBall ball;
   std::array<Body, MIROCUP_MAX_ROBOTS> own;
   std::array<Body, MIROCUP_MAX_ROBOTS> opponent;
@@ -84,22 +84,24 @@ struct Scene {
 // Returns the observed scene.
 Scene scene_of(const Observation& now);
 
-// Write the scene into an observation, as your team would see it, and as the opponents would see it
-// in their own frame: own and opponent are exchanged, and everything is turned by 180 degrees.
-// Scores, clocks and counts of `now` stay as they are. So functions that decide from an observation
-// can also decide in a predicted scene, for either team.
+// Write the scene into an observation, so that functions that decide from an observation can also
+// decide in a predicted scene. The first function gives your team's view; the second gives the
+// opponents' view in their own frame, with own and opponent exchanged and all bodies turned by 180
+// degrees. Scores, clocks and counts of `now` stay unchanged.
 void show(const Scene& scene, Observation& now);
 void show_to_opponents(const Scene& scene, Observation& now);
 
-// Returns the wheel speeds that are driven: rounded, and clamped to the limit.
+// Returns the wheel speeds that a robot drives for a command: rounded, and clamped to the limit.
 Wheels sent_wheels(const Setup& setup, Wheels wheels);
 
-// Returns a robot after `seconds` under these wheel speeds if it meets nothing. The result is exact
-// for any time. A robot whose wheels slide costs ten times as much as a robot whose wheels roll.
+// Returns a robot after `seconds` under these wheel speeds if it meets neither walls nor bodies.
+// The result is exact for any time. The function takes ten times longer for sliding wheels than for
+// rolling wheels.
 Body robot_after(const Setup& setup, const Body& robot, Wheels wheels, double seconds);
 
 // Returns the wheel speeds, rad/s, that took a robot from one observation to the next: the motors'
-// equation, solved for their targets. Wrong if the robot hit something or slid in that tick.
+// equation, solved for their targets. The result is wrong if the robot hit something or slid in
+// that tick.
 Wheels driven_wheels(const Setup& setup, const Robot& before, const Robot& after);
 
 // The memory from tick to tick that predictions need: call saw() at the start of decide() and
@@ -111,12 +113,12 @@ class Tracker {
   void saw(const Observation& now);
   void sent(const Command& command) { sent_ = command; }
 
-  // Returns your answer to the observation before the present one. It is driven in the tick that
-  // begins with the present observation; your next answer is driven in the tick after that.
+  // Returns your answer to the observation before the present one. That answer is driven in the
+  // tick that begins with the present observation, and your next answer in the tick after.
   const Command& in_flight() const { return sent_; }
 
-  // Returns the wheel speeds of the opponents in the last tick: the best guess for this tick. All
-  // zero after a restart.
+  // Returns the wheel speeds of the opponents in the last tick, the best guess for this tick. All
+  // speeds are zero after a restart.
   const Command& opponents() const { return opponents_; }
 
  private:
@@ -127,22 +129,24 @@ class Tracker {
   bool has_before_ = false;
 };
 
-// The precision of contacts. `match` is bit for bit as in a match. `coarse` costs half of that in
-// play at 3 a side, and a quarter at 11; after ten ticks with a kick its ball is 2 mm off in the
-// median, and 3 cm in one case of ten.
+// The precision of contacts. `match` is bit for bit as in a match. `coarse` takes half the time of
+// `match` in play at 3 a side, and a quarter at 11. After ten ticks with a kick the ball of
+// `coarse` is 2 mm off in the median, and 3 cm in one case of ten.
 enum class Precision { match, coarse };
 
 // The events of a predicted tick. Bit i of a set is robot i.
 struct PredictedTick {
   std::uint32_t own_touched_ball = 0;
   std::uint32_t opponent_touched_ball = 0;
-  std::array<std::uint32_t, MIROCUP_MAX_ROBOTS> touched_opponent{};  // by own robot
-  int last_touch = 0;  // of the ball: i + 1 own robot i, -i - 1 opponent i, 0 nobody
-  int events = 0;      // collisions and changes of motion: the cost of a tick, without a clock
+  // Set of opponents touched by each own robot.
+  std::array<std::uint32_t, MIROCUP_MAX_ROBOTS> touched_opponent{};
+  int last_touch = 0;  // last robot at the ball: i + 1 own robot i, -i - 1 opponent i, 0 none
+  // Number of collisions and changes of motion; measures the cost of a tick without a clock.
+  int events = 0;
 };
 
-// The physics of a match in the frame of your team. Constructing a Simulator allocates some hundred
-// KiB; it belongs to one thread.
+// The physics of a match in the frame of your team. A Simulator allocates some hundred KiB when it
+// is constructed, and belongs to one thread.
 class Simulator {
  public:
   explicit Simulator(const Setup& setup, Precision precision = Precision::match);
@@ -151,9 +155,9 @@ class Simulator {
   Simulator& operator=(const Simulator&) = delete;
 
   // Plays one tick of control_period from the scene, in place. Commands are rounded and clamped as
-  // those of a match; `opponent` is in the order of the scene's opponents. With `ticks` above 1 the
-  // same commands hold for so many ticks, which are played as one: that costs less than single
-  // ticks, and equals them up to rounding, not to the bit.
+  // in a match; `opponent` is in the order of the scene's opponents. If `ticks` is above 1, the
+  // commands hold for so many ticks, which are played as one long tick: this takes less time than
+  // single ticks, and gives the same result up to rounding, but not the same bits.
   PredictedTick advance(Scene& scene, const Command& own, const Command& opponent, int ticks = 1);
 
  private:

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
  * Skills and prediction for C, and for every language that calls C; mirocup.team calls them for
- * Python. Each function does what the C++ function of the same name does: the heading of its group
- * names the header that explains it. Frames and units are those of strategy.h.
+ * Python. Each function does the same as the C++ function of its name, which is explained in the
+ * header that the heading of the group names. Frames and units are those of strategy.h.
  *
  *   gcc -std=c17 -O2 -ffp-contract=off -shared -fPIC -fvisibility=hidden -Iplugins/include mine.c
  *       build/lib/libmirocup_predict.a -lm -o mine.so
  *
- * In one line; with the simulator (the last group), link by g++ with -static-libstdc++. In CMake,
- * link mirocup::predict. A team in C:
+ * This command is one line. If you use the simulator (the last group), link by g++ with
+ * -static-libstdc++. In CMake, link mirocup::predict. A team in C:
  *
  *   static void* create(const mirocup_setup* setup) { return (void*)setup; }
  *   static void decide(void* team, const mirocup_observation* now, mirocup_command* command) {
@@ -24,9 +24,10 @@
  *     return &mine;
  *   }
  *
- * C has no default arguments: the comment behind a function has the usual values of its last ones.
- * `me` and `i` are numbers of own robots. An int32_t as a result is 0 or 1. What a function with
- * `new` in its name returns belongs to you until its `free`; null means that there is no memory.
+ * C has no default arguments, so the comment behind a function gives the usual values of its last
+ * arguments. `me` and `i` are numbers of own robots. An int32_t as a result is 0 or 1. You own the
+ * result of a function with `new` in its name until you call its `free`; a null result means that
+ * memory is short.
  */
 #ifndef MIROCUP_SKILLS_H
 #define MIROCUP_SKILLS_H
@@ -49,7 +50,7 @@ typedef struct mirocup_ball {
 
 typedef struct mirocup_crossing {
   double seconds, y;
-  int32_t is_ahead; /* 0: the ball does not cross the line, and the rest is 0 */
+  int32_t is_ahead; /* 0: the ball does not cross the line, and all members are 0 */
 } mirocup_crossing;
 
 typedef struct mirocup_interception {
@@ -91,7 +92,7 @@ mirocup_wheels mirocup_drive_clear(const mirocup_setup* setup, const mirocup_obs
 mirocup_wheels mirocup_slide_to(const mirocup_setup* setup, const mirocup_robot* robot, double y,
                                 double fastest); /* 1.5 */
 
-/* laws.hpp: targets and commands that keep the laws, and the ball out of the own goal. */
+/* laws.hpp: targets and commands that keep the laws, and keep the ball out of the own goal. */
 mirocup_point mirocup_keep_out(const mirocup_setup* setup, int32_t i, mirocup_point p);
 mirocup_point mirocup_make_way(const mirocup_setup* setup, const mirocup_observation* now,
                                mirocup_point p);
@@ -142,7 +143,8 @@ mirocup_wheels mirocup_take_pose(const mirocup_setup* setup, const mirocup_robot
                                  mirocup_point target, double heading, double near,
                                  double speed); /* 0.012, 1.8 */
 
-/* skills/ball_path.hpp and intercept.hpp: where the ball goes, where a robot meets it. */
+/* skills/ball_path.hpp and intercept.hpp: the path of the ball, and the point where a robot meets
+ * it. */
 mirocup_ball mirocup_rolled(const mirocup_setup* setup, mirocup_ball moving, double seconds);
 mirocup_crossing mirocup_time_at_x(const mirocup_setup* setup, mirocup_ball moving, double x,
                                    double most_s); /* 1.5 */
@@ -196,7 +198,7 @@ mirocup_point mirocup_supporting_place(const mirocup_setup* setup, const mirocup
 
 /* skills/keeper.hpp and hold_goal.hpp: two ways of keeping the goal. */
 double mirocup_y_on_line(mirocup_point ball, mirocup_point along, double x);
-double mirocup_y_of_coming_shot(const mirocup_observation* now, double x); /* NaN: none comes */
+double mirocup_y_of_coming_shot(const mirocup_observation* now, double x); /* NaN: no shot comes */
 mirocup_point mirocup_cover_point(const mirocup_setup* setup, const mirocup_observation* now,
                                   double line, double inside_post); /* 0.05, 0 */
 mirocup_wheels mirocup_guard_goal(const mirocup_setup* setup, const mirocup_observation* now,
@@ -236,7 +238,7 @@ void mirocup_assign_places(const mirocup_observation* now, const mirocup_point* 
                            const int32_t* free, const int32_t* last, int32_t count, double bonus,
                            int32_t* chosen); /* 0.1 */
 
-/* skills/worth.hpp: how good a scene is. */
+/* skills/worth.hpp: the worth of a scene. */
 double mirocup_worth_of(const mirocup_setup* setup, const mirocup_observation* now);
 double mirocup_time_to_get_behind(const mirocup_robot* robot, mirocup_point ball,
                                   mirocup_point goal);
@@ -271,10 +273,10 @@ typedef struct mirocup_simulator mirocup_simulator;
 typedef struct mirocup_scene mirocup_scene;
 typedef struct mirocup_tracker mirocup_tracker;
 
-/* What happened in a predicted tick. Bit i of a set is robot i. */
+/* The events of a predicted tick. Bit i of a set is robot i. */
 typedef struct mirocup_predicted {
   uint32_t own_touched_ball, opponent_touched_ball;
-  int32_t last_touch; /* of the ball: i + 1 own robot i, -i - 1 opponent i, 0 nobody */
+  int32_t last_touch; /* last robot at the ball: i + 1 own i, -i - 1 opponent i, 0 none */
   int32_t events;
 } mirocup_predicted;
 

@@ -26,7 +26,7 @@
 
 namespace mirocup::strategy {
 
-// Returns where a ball at `from` shall go: to the open corner of the goal, or along a wall.
+// Returns the target of a shot from `from`: the open corner of the goal, or a point along a wall.
 inline Point shooting_aim(const Setup& setup, const Observation& now, Point from) {
   const double wall = setup.half_width - 0.05;
   const bool is_at_wall = std::abs(from.y) > wall && from.x < setup.half_length - 0.25;
@@ -54,13 +54,13 @@ inline Shot shot_of(const Robot& robot, Point at, Point aim) {
   return shot;
 }
 
-// Returns the point to drive to for a robot on the line: the robot comes back to the line where it
-// meets the ball, and drives on.
+// Returns the point to drive to for a robot on the line of the shot, so that the robot returns to
+// the line until it meets the ball, and then drives through the ball.
 inline Point through(const Shot& shot) {
   return shot.at + 0.3 * shot.along - (2.0 * shot.aside) * Point{-shot.along.y, shot.along.x};
 }
 
-// Returns the pose that a robot shall have at the ball. `me`: its number.
+// Returns the pose that robot number `me` shall have at the ball.
 inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
   return {keep_out(setup, me, inside(setup, shot.at, setup.robot_side / 2.0 + 0.0025)),
           math::atan2(shot.along.y, shot.along.x)};
@@ -69,7 +69,7 @@ inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
 // How a robot drives at the ball.
 struct Attack {
   double speed = 1.8;    // m/s
-  double sight = 1e9;    // m: robots farther off are not obstacles
+  double sight = 1e9;    // m: robots farther away are not obstacles
   double lead_s = 0.08;  // s: the field is read at the robot's place after this time
 };
 
@@ -98,7 +98,7 @@ inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me,
   return follow_field(setup, robot, target, how.speed, obstacles, count, {}, how.lead_s);
 }
 
-// Shoots the ball to `aim` from the point at which robot `me` meets it on its way. Draws both
+// Shoots the ball to `aim` from the point at which robot `me` meets the moving ball. Draws both
 // points (draw.hpp).
 inline Wheels attack_ball(const Setup& setup, const Observation& now, int me, Point aim,
                           const Attack& how = {}) {
@@ -107,15 +107,15 @@ inline Wheels attack_ball(const Setup& setup, const Observation& now, int me, Po
   return attack_ball_at(setup, now, me, meet, aim, how);
 }
 
-// Returns the place of a robot that does not attack: between the ball and the own goal. `rank`: 0
-// is on that line, 1 beside it, 2 and 3 a row farther back, and so on.
+// Returns the place of a robot that does not attack: between the ball and the own goal. Rank 0 is
+// on the line between them, 1 beside the line, 2 and 3 a row farther back, and so on.
 inline Point supporting_place(const Setup& setup, const Observation& now, int me, int rank) {
   const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
   const int row = rank / 2;
   const double back = 0.3 + 0.25 * row;
-  // A robot nearer to the own goal deflects balls that the opponents play before it into the goal:
-  // with 0.75 twice as many own goals fell.
-  constexpr double deepest = -0.6;  // of half the length of the field
+  // A robot nearer to the own goal would deflect more of the opponents' balls into the goal: with
+  // 0.75 twice as many own goals fell.
+  constexpr double deepest = -0.6;  // x, as a part of half the length of the field
   const double x = math::max(deepest * setup.half_length, now.ball_x - back);
   const double part = (x + setup.half_length) / (now.ball_x + setup.half_length + 0.01);
   const double spread = rank % 2 == 0 ? 0.0 : side * (0.3 + 0.1 * row);

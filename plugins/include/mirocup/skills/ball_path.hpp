@@ -4,8 +4,8 @@
 // walls and corners. The speed between two walls has a closed form, so a path costs some ten square
 // roots.
 //
-// It is for frequent questions about the ball alone. For a ball that meets robots use the Simulator
-// of predict.hpp, which gives the same path to 1e-6 m if the ball meets no robot.
+// A path answers frequent questions about the ball alone. For a ball that meets robots use the
+// Simulator of predict.hpp; without robots its path is equal to 1e-6 m.
 //
 //   rolled       the ball after some seconds
 //   BallPath     the same for a team that asks often: it finds the walls once
@@ -23,21 +23,21 @@ namespace mirocup::strategy {
 struct Rolling {
   double constant = 0.01 * 9.81 / 1.4;   // m/s^2
   double linear = 0.01 / (1.4 * 0.046);  // 1/s
-  double bounce = 0.8;                   // part of the speed towards a wall that comes back
+  double bounce = 0.8;                   // part of the speed towards a wall that a rebound keeps
 };
 
-// Returns the floor and the walls of this leg. Returns the values above on hosts that do not give
-// them.
+// Returns the floor and the walls of this leg; on hosts that do not give them, the defaults of
+// Floor.
 inline Rolling rolling_of(const Setup& setup) {
   if (setup.size < offsetof(Setup, corners)) return {};
-  // The formulas below divide by both, also if only one of the two slows the ball down.
+  // The formulas below divide by both constants, also if only one of the two slows the ball down.
   constexpr double least = 1e-5;
   return {math::max(setup.rolling_resistance * 9.81 / 1.4, least),
           math::max(setup.viscous_friction / (1.4 * setup.ball_mass), least),
           setup.ball_wall_restitution};
 }
 
-// A ball that moves.
+// A moving ball.
 struct MovingBall {
   Point at;        // m
   Point velocity;  // m/s
@@ -94,7 +94,7 @@ inline WallAhead wall_ahead(const Setup& setup, Point at, Point along) {
   return first;
 }
 
-// Returns the ball after `seconds` on that floor. After eight rebounds it stays where it is.
+// Returns the ball after `seconds` on a floor. After eight rebounds the ball stays.
 inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
                          const Rolling& floor) {
   for (int rebounds = 0; rebounds < 8; ++rebounds) {
@@ -113,7 +113,8 @@ inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
       ball.velocity = speed_after(time) * along;
       return ball;
     }
-    // Newton's method from below; the distance is concave in time, so it does not overshoot.
+    // Newton's method from below; the distance is concave in time, so the method does not
+    // overshoot.
     double t = wall.distance / speed;
     for (int i = 0; i < 4; ++i) {
       t += (wall.distance - rolled_distance(floor, speed, t)) / math::max(speed_after(t), 1e-3);
@@ -128,7 +129,7 @@ inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
   return ball;
 }
 
-// The same on the floor of this leg.
+// Returns the ball after `seconds` on the floor of this leg.
 inline MovingBall rolled(const Setup& setup, const MovingBall& ball, double seconds) {
   return rolled(setup, ball, seconds, rolling_of(setup));
 }
@@ -196,12 +197,12 @@ class BallPath {
 
 // The point at which the ball crosses a line across the field.
 struct Crossing {
-  bool is_ahead = false;  // false: it does not cross the line within the time
+  bool is_ahead = false;  // false: the ball does not cross the line within the time
   double seconds = 0.0;
   double y = 0.0;  // m
 };
 
-// Returns where the ball first reaches the line x = `x`, coming from greater x, within `most_s`
+// Returns the point at which the ball first reaches the line x = `x` from greater x within `most_s`
 // seconds.
 inline Crossing time_at_x(const Setup& setup, const MovingBall& from, double x,
                           double most_s = 1.5) {

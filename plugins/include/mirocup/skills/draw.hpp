@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Drawing a team's plans into the replay of `mirocup match --thoughts`. The skills and the house
-// teams use the same layers and colours, so that the page shows every team alike.
+// teams use the same layers and colours, so that the page shows the plans of all teams alike.
 //
 //   draw_role     what a robot does, a word beside it        layer "roles"
 //   draw_target   where it drives to                         layer "targets"
 //   draw_shot     where the ball is met, where it shall go   layer "shots"
 //   draw_path     a path through some points                 layer of the caller
 //
-// They have no effect on the leg and return at once if thoughts are off. attack_ball(),
+// These functions have no effect on the leg and return at once if thoughts are off. attack_ball(),
 // guard_goal() and hold_goal() draw by themselves; functions for predictions (attack_ball_at(),
 // rough_guard()) do not. Frames and units are those of strategy.h.
 #pragma once
@@ -31,7 +31,7 @@ inline void draw_target(const Setup& setup, const Robot& robot, Point target) {
   draw_circle(setup, "targets", target_colour, target, 0.015);
 }
 
-// `meet`: where the robot meets the ball. `aim`: where the ball shall go from there.
+// Draws a shot. `meet`: the point where the robot meets the ball. `aim`: the target of the ball.
 inline void draw_shot(const Setup& setup, const Robot& robot, Point meet, Point aim) {
   draw_target(setup, robot, meet);
   draw_circle(setup, "shots", shot_colour, meet, setup.ball_radius);

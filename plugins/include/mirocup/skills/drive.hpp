@@ -3,9 +3,10 @@
 // Turning and driving in the shortest time that motors and wheels allow.
 //
 // A motor follows a wanted speed with the time constant T, so a robot that turns at w still turns
-// by w T after the command to stop. With the command c for one tick of length P and 0 after that,
-// it turns by w T + c P in all. Solved for c, this gives the command that ends at the wanted
-// heading, without a gain and without overshoot. Driving is the same with metres.
+// by w T after the command to stop. With the command c for one tick of length P and then 0, the
+// robot turns by w T + c P in all. This equation, solved for c, gives the command that ends at the
+// wanted heading, without a gain and without overshoot. The same equation in metres holds for
+// driving.
 //
 //   when_commanded   where a robot will be when its next command begins
 //   turn_quickly     turns on the spot
@@ -34,11 +35,13 @@ inline double greatest_speed(const Setup& setup) {
   return setup.wheel_radius * setup.wheel_speed_limit;
 }
 
-// Returns the robot one tick later, if it drives `command` until then. Wheels do not slide.
+// Returns the robot one tick later if it drives `command` in this tick. Precondition: the wheels do
+// not slide.
 inline Robot when_commanded(const Setup& setup, const Robot& robot, Wheels command) {
   const double lag = setup.motor_time_constant;
   const double period = setup.control_period;
-  const double left = lag > 0.0 ? math::exp(-period / lag) : 0.0;  // of a difference in speed
+  // The part of a speed difference that is left.
+  const double left = lag > 0.0 ? math::exp(-period / lag) : 0.0;
   const double forward = setup.wheel_radius * (command.right + command.left) / 2.0;
   const double turn = setup.wheel_radius * (command.right - command.left) / setup.wheel_distance;
   const double before = speed_ahead(robot);
@@ -57,7 +60,7 @@ inline Robot when_commanded(const Setup& setup, const Robot& robot, Wheels comma
   return then;
 }
 
-// Returns the wheel speeds for a turn (rad/s) and a forward speed (m/s). The turn comes first; the
+// Returns the wheel speeds for a turn (rad/s) and a forward speed (m/s). The turn has priority; the
 // forward speed gets the rest of the wheel speed.
 inline Wheels wheels_turning_first(const Setup& setup, double forward, double turn) {
   const double most = greatest_speed(setup);
@@ -80,8 +83,8 @@ inline Wheels turn_quickly(const Setup& setup, const Robot& robot, double headin
 }
 
 // Drives at up to `speed` m/s in a direction, forwards or backwards, whichever needs the smaller
-// turn. `distance`: to the stop, m. A sliding wheel does not steer, so the robot is not faster than
-// its turn allows.
+// turn. `distance` is the distance to the stop, m. A sliding wheel does not steer, so the turn
+// limits the speed.
 inline Wheels head_for(const Setup& setup, const Robot& robot, double direction, double speed,
                        double distance = 1e9) {
   double error = wrapped(direction - robot.heading);
@@ -108,7 +111,7 @@ inline Wheels drive_quickly(const Setup& setup, const Robot& robot, Point target
   const Point to = target - position(robot);
   const double distance = length(to);
   if (distance < 0.004 && arrival == 0.0) return turn_quickly(setup, robot, robot.heading);
-  const double beyond = arrival * 0.15;  // m, so that it does not brake
+  const double beyond = arrival * 0.15;  // m, so that the robot does not brake
   return head_for(setup, robot, math::atan2(to.y, to.x), speed, distance + beyond);
 }
 

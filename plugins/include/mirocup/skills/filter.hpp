@@ -2,11 +2,11 @@
 //
 // Estimates the present and the next places of all bodies from the pictures of a camera. Under the
 // conditions `camera` a team sees positions with noise, a tick late, and now and then not at all;
-// velocities are differences of two such positions. A filter knows them better, since it remembers
-// earlier pictures and the team's commands.
+// velocities are differences of two such positions. A filter estimates both better, since it
+// remembers earlier pictures and the team's commands.
 //
-//   Filter::see    the observation as it will be when the answer to it is driven
-//   Filter::sent   tells the filter the answer
+//   Filter::see    the observation at the moment when its answer will be driven
+//   Filter::sent   tells the filter the answer to that observation
 //
 //   Filter filter_{setup()};
 //   void decide(const Observation& seen, Command& command) override {
@@ -15,11 +15,11 @@
 //     filter_.sent(command);
 //   }
 //
-// Each body has a Kalman filter: a prediction of its motion, which each new picture corrects. The
-// better the prediction has become, the smaller is the correction. Own robots are predicted with
-// the motors' law from the commands of the team, opponents at constant speed and turn, the ball as
-// in ball_path.hpp. A picture far from the prediction means that something was hit, and the filter
-// starts anew. A body that is not seen (`..._age_ticks`) is predicted from its last picture.
+// Each body has a Kalman filter: a prediction of its motion, which each new picture corrects. A
+// better prediction gets a smaller correction. Own robots are predicted with the motors' law from
+// the commands of the team, opponents at constant speed and turn, the ball as in ball_path.hpp. If
+// a picture is far from the prediction, the body has hit something, and its filter starts anew. A
+// body that is not seen (`..._age_ticks`) is predicted from its last picture.
 //
 // Kalman, A New Approach to Linear Filtering and Prediction Problems, 1960. Frames and units are
 // those of strategy.h. An observation without delay is exact, and is not filtered.
@@ -34,13 +34,13 @@ namespace mirocup::strategy {
 // The filter's trust in its pictures and its predictions.
 struct FilterSettings {
   double see_m = 0.0015;         // standard deviation of a position along x and y
-  double see_rad = 0.017;        // of a heading
-  double ball_push = 0.002;      // m^2/s^3: how fast the velocity of the ball becomes uncertain
-  double own_push = 0.01;        // of an own robot, whose commands are known
+  double see_rad = 0.017;        // standard deviation of a heading
+  double ball_push = 0.002;      // m^2/s^3: rate at which the ball's velocity becomes uncertain
+  double own_push = 0.01;        // rate of an own robot, whose commands are known
   double opponent_push = 2.0;    // of an opponent
-  double own_turn = 0.5;         // rad^2/s^3: the same for angular velocities
+  double own_turn = 0.5;         // rad^2/s^3: rate of an own robot's angular velocity
   double opponent_turn = 200.0;  // of an opponent
-  double surprise = 5.0;         // standard deviations: a picture farther off means a hit
+  double surprise = 5.0;         // a picture off by more standard deviations means a hit
 };
 
 // The uncertainty of a position and its velocity: the variances and the covariance of a Kalman
@@ -50,7 +50,7 @@ struct Uncertainty {
   double both = 0.0;   // m^2/s
   double speed = 0.0;  // m^2/s^2
 
-  // Returns the uncertainty after two pictures, whose difference gives the velocity.
+  // Returns the uncertainty after two pictures, if their difference gives the velocity.
   static Uncertainty of_two_pictures(double variance, double seconds) {
     return {variance, variance / seconds, 2.0 * variance / (seconds * seconds)};
   }
@@ -62,7 +62,7 @@ struct Uncertainty {
   struct Gain {
     double place, speed;  // parts of a difference, the second in 1/s
   };
-  // Takes a picture into account.
+  // Reduces the uncertainty by a new picture.
   Gain shrink(double variance) {
     const Gain gain{place / (place + variance), both / (place + variance)};
     speed -= gain.speed * both;
@@ -75,7 +75,8 @@ struct Uncertainty {
 // Returns a robot after `seconds` in which its motors follow `wheels`, without slip.
 inline Robot driven(const Setup& setup, Robot robot, Wheels wheels, double seconds) {
   const double tau = setup.motor_time_constant;
-  const double left = math::exp(-seconds / tau);  // of the difference to what the motors aim at
+  // Remaining part of the difference to the motors' target.
+  const double left = math::exp(-seconds / tau);
   const double forward = robot.vx * math::cos(robot.heading) + robot.vy * math::sin(robot.heading);
   const double aim = setup.wheel_radius * (wheels.right + wheels.left) / 2.0;
   const double aim_turn = setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
@@ -110,7 +111,7 @@ class Filter {
   explicit Filter(const Setup& setup, const FilterSettings& settings = {})
       : setup_(copy_of(setup)), settings_(settings) {}
 
-  // Returns the observation with all bodies where they will be `ticks_ahead` ticks later: 1 is the
+  // Returns the observation with all bodies at their places `ticks_ahead` ticks later: 1 is the
   // start of the tick in which the answer is driven, 0 is now. To be called once in every tick.
   Observation see(const Observation& seen, int ticks_ahead = 1) {
     Observation now = seen;
@@ -148,7 +149,7 @@ class Filter {
 
   struct Tracked {
     Robot at{};               // pose at the tick of the last picture
-    std::uint32_t tick = 0;   // of that picture
+    std::uint32_t tick = 0;   // the tick of the last picture
     Uncertainty place, turn;  // of the heading, in rad
   };
   struct TrackedBall {
@@ -224,7 +225,7 @@ class Filter {
     return squared > settings_.surprise * settings_.surprise * variance;
   }
 
-  // Returns the robot at a later tick. `own`: its number, or -1 for an opponent.
+  // Returns the robot at a later tick. `own`: the number of an own robot, or -1 for an opponent.
   Robot moved(const Tracked& robot, int own, std::uint32_t until) const {
     Robot at = robot.at;
     for (std::uint32_t t = std::max(robot.tick, stood_ + 1); t < until; ++t) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Goalkeeping from the mouth of the goal. The keeper stands so deep that a ball which rolls along
-// the end wall meets the middle of its face. Farther out it meets a corner, turns the keeper aside,
-// and rolls in: half of all goals against a keeper 5 cm before its line fell like that.
+// the end wall meets the middle of its face. If the keeper stands farther out, such a ball meets a
+// corner of the keeper, turns it aside, and rolls in: half of all goals against a keeper 5 cm
+// before its line fell in this way.
 //
 //        |                |
 //   goal | K  <- ball     | K         beside the goal: at the near post, looking along the line,
@@ -10,7 +11,7 @@
 //        |                o  <- attacker
 //
 //   holding_y   the y in the mouth at which the keeper has to be
-//   hold_goal   drives there, and clears a ball that lies before it
+//   hold_goal   drives there, and clears a ball before the keeper
 //
 // Pass the robot's state at its next command (drive.hpp), and the path of the ball. Frames and
 // units are those of strategy.h.
@@ -27,7 +28,7 @@ struct GoalHolding {
   double line = 0.027;          // m, from the goal line to the middle of the keeper
   double inside_post = 0.0385;  // m: distance of the keeper's middle inside the posts
   double slow = 0.2;            // m/s: a slower ball is cleared
-  double patience = 1.0;        // s, until it spins at a ball that is stuck beside the goal
+  double patience = 1.0;        // s, until the keeper spins at a ball stuck beside the goal
 };
 
 // Returns the y at which the keeper has to be.
@@ -38,12 +39,13 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
   const Point where = ball(now);
   const double side = where.y < 0.0 ? -1.0 : 1.0;
   const double depth = where.x + setup.half_length;
-  // Beside the goal the keeper lets nothing pass at the near post.
+  // If the ball is beside the goal, the keeper closes the near post.
   if (depth < how.line + (setup.robot_side / 2.0 + 0.0225) && std::abs(where.y) > reach)
     return side * reach;
 
-  // The y of the ball's middle when it meets the face that looks into the field. Farther on, a ball
-  // from the side would meet another face, which turns it into the goal.
+  // The y of the ball's middle when it meets the face that looks into the field. If the keeper
+  // stood farther on, a ball from the side would meet another face, which turns the ball into the
+  // goal.
   if (now.ball_vx < -0.1) {
     const double step = 0.033;  // s
     Point before = where;
@@ -61,7 +63,7 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
     }
   }
   if (const auto y = y_of_coming_shot(now, front)) return math::clamp(*y, -reach, reach);
-  // The bisector of the goal's angle, as seen from the ball.
+  // The keeper stands on the bisector of the goal's angle, as seen from the ball.
   const double middle = middle_of_goal_view(setup, where);
   const double part = math::clamp(how.line / math::max(depth, 0.001), 0.0, 1.0);
   return math::clamp(middle + part * (where.y - middle), -reach, reach);
@@ -74,7 +76,8 @@ inline bool lies_in_area(const Setup& setup, const Observation& now, double slow
          std::abs(now.ball_y) < setup.goal_area_half_width + 0.03;
 }
 
-// Drives along the goal line to a y and looks along it; a little steering keeps it at x.
+// Drives along the goal line to a y and looks along the line; a little steering keeps the robot at
+// x.
 inline Wheels slide_quickly(const Setup& setup, const Robot& robot, Point target) {
   const Point to = target - position(robot);
   const double way = robot.heading > 0.0 ? 1.0 : -1.0;
@@ -97,7 +100,7 @@ inline Wheels push_outwards(const Setup& setup, const Robot& robot, double outwa
                               turn_for(setup, robot.turn, error));
 }
 
-// Drives back to the line, round the ball, so that the ball stays where it is.
+// Drives back to the line around the ball, so that the ball stays.
 inline Wheels return_to(const Setup& setup, const Robot& robot, Point post, Point ball) {
   const Point to = post - position(robot);
   const Point to_ball = ball - position(robot);
@@ -112,7 +115,7 @@ inline Wheels return_to(const Setup& setup, const Robot& robot, Point post, Poin
   return drive_quickly(setup, robot, inside(setup, beside), 0.5);
 }
 
-// Guards the goal, and draws where it stands (draw.hpp).
+// Guards the goal, and draws the keeper's target (draw.hpp).
 inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPath& path,
                         const Robot& robot, const GoalHolding& how = {}) {
   const Point here = position(robot);
@@ -145,7 +148,8 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
   const double gap = outwards * to_ball.y;
   if (is_beside && std::abs(here.x - post.x) < 0.02 && gap > 0.4 * setup.robot_side &&
       gap < setup.robot_side) {
-    // A ball that is pressed from both sides stays: a spin throws it along the keeper's side.
+    // A ball that is pressed from both sides stays, so a spin throws the ball along the keeper's
+    // side.
     if (is_stuck(now, how.patience)) {
       return wheels_turning_first(setup, 0.0, -outwards * 25.0);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Interception: the earliest point of the ball's path that a robot reaches before the ball does.
-// The path has walls (ball_path.hpp).
+// The path rebounds from walls (ball_path.hpp).
 //
 //   intercept       where and when a robot can meet the ball
 //   rough_meeting   the approximate place, at a fraction of the cost
@@ -14,18 +14,19 @@
 namespace mirocup::strategy {
 
 struct Interception {
-  MovingBall ball;       // when the robot is there
-  double seconds = 0.0;  // until then; `most_s` if the robot does not reach the ball
+  MovingBall ball;       // the ball when the robot meets it
+  double seconds = 0.0;  // until the meeting; `most_s` if the robot does not reach the ball
   bool is_reached = false;
 };
 
-// Returns where a robot that drives at a mean speed of `pace` m/s meets the ball. Looks `most_s`
-// seconds ahead. Turning and starting do not count: an attacker that aims farther ahead because of
-// them runs past a ball that it is about to reach. `path`: of the ball; make it once a tick.
+// Returns where a robot that drives at a mean speed of `pace` m/s meets the ball within `most_s`
+// seconds. The time for turning and starting does not count, because an attacker that aims farther
+// ahead for it runs past a ball that it is about to reach. `path` is the path of the ball; make it
+// once a tick.
 inline Interception intercept(const BallPath& path, const Robot& robot, double pace = 1.2,
                               double most_s = 1.5) {
   const double step = 1.0 / 30.0;                            // s
-  const auto late = [&](const MovingBall& ball, double t) {  // s, that the robot comes too late
+  const auto late = [&](const MovingBall& ball, double t) {  // s by which the robot comes too late
     return length(ball.at - position(robot)) / pace - t;
   };
   MovingBall ball = path.after(0.0);
@@ -48,7 +49,7 @@ inline Interception intercept(const BallPath& path, const Robot& robot, double p
   return {ball, most_s + gap, false};
 }
 
-// The same, for a team that asks once a tick.
+// Like intercept() with a path, for a team that asks once a tick.
 inline Interception intercept(const Setup& setup, const Observation& now, const Robot& robot,
                               double pace = 1.2, double most_s = 1.5) {
   return intercept(BallPath(setup, moving_ball(now)), robot, pace, most_s);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Goalkeeping: the keeper stays on a line before its goal, where the ball will cross that line with
-// its rebounds from the walls, and clears a slow ball to the side, never across its own goal.
+// Goalkeeping: the keeper stays on a line before its goal, at the point where the ball, also after
+// rebounds from walls, will cross the line. It clears a slow ball to the side, never across its own
+// goal.
 //
 //   cover_point   the place on its line at which the keeper has to be
-//   guard_goal    drives there, and clears
+//   guard_goal    drives to the cover point, and clears
 //   rough_guard   a keeper for predictions: cheaper, and clears nothing
 //
 // Frames and units are those of strategy.h.
@@ -30,8 +31,8 @@ inline double y_on_line(Point ball, Point direction, double x) {
   return ball.y + (x - ball.x) / direction.x * direction.y;
 }
 
-// Returns the y at which a resting ball will cross x, m, because an opponent drives at it; no value
-// if no opponent does.
+// Returns the y at which a resting ball will cross x, m, if an opponent drives at the ball;
+// otherwise no value.
 inline std::optional<double> y_of_coming_shot(const Observation& now, double x) {
   if (length(ball_velocity(now)) >= 0.3) return std::nullopt;
   for (int j = 0; j < now.robots; ++j) {
@@ -48,14 +49,14 @@ inline std::optional<double> y_of_coming_shot(const Observation& now, double x) 
   return std::nullopt;
 }
 
-// Returns the place on the keeper's line from which it covers the goal.
+// Returns the place on the keeper's line from which the keeper covers the goal.
 inline Point cover_point(const Setup& setup, const Observation& now,
                          const KeeperHabits& habits = {}) {
   const double line = -setup.half_length + habits.line;
   const double reach = setup.goal_half_width - habits.inside_post;
   const auto at = [&](double y) { return Point{line, math::clamp(y, -reach, reach)}; };
-  // The ball's middle where it meets the face: farther on, a ball from the side would meet another
-  // face of the keeper, which turns it in.
+  // The ball's middle when it meets the face. If the keeper stood farther on, a ball from the side
+  // would meet another face, which turns the ball into the goal.
   const double front = line + setup.robot_side / 2.0 + setup.ball_radius;
   const Point where = ball(now);
 
@@ -67,13 +68,14 @@ inline Point cover_point(const Setup& setup, const Observation& now,
     }
   }
   if (const auto y = y_of_coming_shot(now, front)) return at(*y);
-  // Otherwise it covers the bisector of the angle in which the ball sees the goal.
+  // If the ball does not come, the keeper covers the bisector of the goal's angle, as seen from the
+  // ball.
   const double middle = middle_of_goal_view(setup, where);
   const double part = math::clamp(habits.line / (where.x + setup.half_length), 0.0, 1.0);
   return at(middle + part * (where.y - middle));
 }
 
-// Guards the goal, and draws where it stands (draw.hpp).
+// Guards the goal, and draws the keeper's target (draw.hpp).
 inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot& robot,
                          const KeeperHabits& habits = {}) {
   const Point here = position(robot);
@@ -84,16 +86,17 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
   const bool is_in_area = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.03 &&
                           std::abs(now.ball_y) < setup.goal_area_half_width + 0.03;
   if (is_slow && is_in_area) {
-    // The ball is before the keeper: spin, so that the face throws it to the nearer side.
+    // The ball is before the keeper: spin, so that the keeper's face throws the ball to the nearer
+    // side.
     if (to_ball.x > 0.4 * setup.robot_side && length(to_ball) < setup.robot_side + 0.005) {
       return wheels_for(setup, 0.0, outwards * habits.spin);
     }
-    // The ball is beside the keeper at the end wall: push it along the wall.
+    // The ball is beside the keeper at the end wall: push the ball along the wall.
     if (std::abs(to_ball.x) < 0.05 && outwards * to_ball.y > 0.0 &&
         length(to_ball) < setup.robot_side + 0.085) {
       return slide_to(setup, robot, now.ball_y + 0.1 * outwards, 1.2);
     }
-    // The ball is farther off, and the keeper on its inner side: push it out of the area.
+    // The ball is farther away, and the keeper on its inner side: push the ball out of the area.
     const bool is_outer = outwards * to_ball.y > -0.01;
     if (to_ball.x > -0.02 && is_outer && length(to_ball) < 0.3) {
       return drive_to(setup, robot, ball(now) + Point{0.1, 0.15 * outwards}, 1.2);
@@ -114,8 +117,8 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
   return follow_line(setup, robot, post, to.y > 0.0 ? pi / 2.0 : -pi / 2.0, speed, how);
 }
 
-// Stays on the line before the goal where the ball will cross it, with at most one rebound from a
-// side wall; for teams that ask hundreds of times in a tick.
+// Keeps on the line before the goal, at the point where the ball will cross the line with at most
+// one rebound from a side wall. This function is for teams that ask hundreds of times in a tick.
 inline Wheels rough_guard(const Setup& setup, const Observation& now, const Robot& robot) {
   const double line = -setup.half_length + 0.05;
   double y = now.ball_y * 0.3;

@@ -4,7 +4,7 @@
 //
 //   spare_keeper       brakes before the opponents' keeper
 //   must_leave_area    whether a robot that does not attack has to leave the opponents' goal area
-//   leave_area         drives out of it
+//   leave_area         drives out of that area
 //
 // Frames and units are those of strategy.h.
 #pragma once
@@ -14,16 +14,16 @@
 namespace mirocup::strategy {
 
 struct Distance {
-  double gap = 0.11;        // m between the middles at which an attacker stands
-  double speed = 0.3;       // m/s, at that gap
-  double rate = 3.5;        // 1/s: further speed for each further metre
-  double slant = 0.3;       // 1: least cosine of the angle to the keeper that counts
+  double gap = 0.11;        // m between the middles at which an attacker stops
+  double speed = 0.3;       // m/s, allowed at that gap
+  double rate = 3.5;        // 1/s: additional speed for each metre beyond the gap
+  double slant = 0.3;       // least cosine of the angle to the keeper at which the rule applies
   double with_ball = 0.45;  // m/s, allowed with the ball between the two
-  double retreat = 0.0;     // m: the robot backs off from a nearer keeper, also from one that comes
+  double retreat = 0.0;     // m: the robot backs off from a nearer keeper, even if the keeper comes
 };
 
-// Returns the distance to keep under the rules of a leg. SimuroSot rules, which the control period
-// shows, call each touch of a keeper.
+// Returns the distances to keep under the rules of a leg. Under SimuroSot rules, which are told by
+// the control period, each touch of a keeper is a foul.
 inline Distance keeper_distance(const Setup& setup) {
   if (setup.control_period > 0.02) return {.gap = setup.robot_side + 0.035};
   return {.gap = 0.12, .speed = 0.0, .rate = 4.0, .slant = 0.0, .with_ball = 0.2, .retreat = 0.135};
@@ -40,7 +40,7 @@ inline bool has_ball(const Setup& setup, const Observation& now, const Robot& ro
 inline void spare_keeper(const Setup& setup, const Observation& now, Command& command,
                          const Distance& keep) {
   for (int j = 0; j < now.robots; ++j) {
-    // Where the robot will be when the command is driven.
+    // The robot at the moment when its command is driven.
     const Robot& other = now.opponent[j];
     const Point keeper = position(other) + 0.05 * Point{other.vx, other.vy};
     const bool is_home = keeper.x > setup.half_length - setup.goal_area_depth - 0.05 &&
@@ -76,8 +76,8 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
 }
 
 // True if a robot that does not attack is about to be in the opponents' goal area, in which only
-// one robot may be. Keeping away costs goals. It is worth that only under SimuroSot rules, which
-// the control period shows, because they call it often.
+// one robot may be. Keeping away from the area costs goals, and pays only under SimuroSot rules, in
+// which the referee often calls this foul; the control period tells the rules.
 inline bool must_leave_area(const Setup& setup, const Robot& robot) {
   if (setup.control_period > 0.02) return false;
   return robot.x + 0.1 * robot.vx > setup.half_length - setup.goal_area_depth - 0.1 &&

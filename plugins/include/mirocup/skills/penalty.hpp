@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Penalties. A good keeper reads the run-up: it stands where a shot along the kicker's heading
-// would arrive. So the kicker runs up to one corner, looks where the keeper goes, and if the keeper
-// also goes there, turns to the other corner just before the ball.
+// would arrive. So the kicker runs up towards one corner. If the keeper goes to that corner, the
+// kicker turns to the other corner just before the ball.
 //
 //        keeper goes along ->  K
 //   post ----------------------+--- post
@@ -23,9 +23,9 @@
 namespace mirocup::strategy {
 
 struct PenaltyHabits {
-  double run_up = 0.35;     // m, from the middle of the kicker to that of the ball
-  double turn_from = 0.18;  // m from the ball, where it chooses the corner
-  double reads_at = 0.025;  // m: a keeper this far on the side of the run-up reads it
+  double run_up = 0.35;     // m, from the middle of the kicker to the middle of the ball
+  double turn_from = 0.18;  // m from the ball at which the kicker chooses the corner
+  double reads_at = 0.025;  // m: a keeper this far on the side of the run-up reads the run-up
   double margin = 0.05;     // m, from the post to the ball's path
   double speed = 1.8;       // m/s
 };
@@ -36,14 +36,14 @@ class PenaltyTaker {
  public:
   explicit PenaltyTaker(const PenaltyHabits& habits = {}) : habits_(habits) {}
 
-  // Returns the pose of the kicker. `y_bias`: as in open_corner(); draw it at random, so that
-  // nobody knows the corner of the run-up.
+  // Returns the pose of the kicker. `y_bias` is as in open_corner(); a random value hides the
+  // corner of the run-up.
   mirocup_pose stand(const Setup& setup, const Observation& now, double y_bias) {
     aim_ = open_corner(setup, now, habits_.margin, y_bias);
     return run_up(ball(now), aim_, habits_.run_up);
   }
 
-  // Returns the wheel speeds of the kicker. `robot`: where it will be at its next command.
+  // Returns the wheel speeds of the kicker. `robot` is the kicker's state at its next command.
   Wheels drive(const Setup& setup, const Observation& now, const Robot& robot) {
     if (length(ball(now) - position(robot)) > habits_.turn_from) {
       is_decided_ = false;
@@ -58,7 +58,7 @@ class PenaltyTaker {
   }
 
  private:
-  // The place of the keeper in a moment, m.
+  // The place of the keeper a moment later, m.
   static double keeper_y(const Observation& now) {
     int keeper = 0;
     for (int j = 1; j < now.robots; ++j) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Roles: the tasks of the robots. A role goes to the robot with the least cost. The robot that had
-// it in the last tick keeps it unless another robot is clearly better: robots that change places
-// all the time do nothing at all.
+// the role in the last tick keeps it unless another robot is clearly better, because robots that
+// always change places achieve nothing.
 //
 //   cheapest_robot   the robot that takes one role
-//   time_behind      the cost of attacking: how soon a robot is behind the ball
+//   time_behind      the cost of attacking: the time until a robot is behind the ball
 //   assign_places    the robots for several places
 //
 // Frames and units are those of strategy.h.
@@ -33,8 +33,8 @@ int cheapest_robot(const Observation& now, int first, int last, double bonus, co
   return best;
 }
 
-// Returns the time after which a robot meets the ball on its path, s, plus `round_s` if it has to
-// drive round the ball.
+// Returns the time, s, after which a robot meets the ball on its path, plus `round_s` if the robot
+// has to drive round the ball.
 inline double time_behind(const BallPath& path, const Robot& robot, double round_s = 0.35) {
   const Interception meet = intercept(path, robot);
   return meet.seconds + (robot.x > meet.ball.at.x - 0.03 ? round_s : 0.0);
@@ -44,12 +44,12 @@ inline double time_behind(const Setup& setup, const Observation& now, int i,
   return time_behind(BallPath(setup, moving_ball(now)), now.own[i], round_s);
 }
 
-// The robot of each place.
+// The number of the robot of each place.
 using Assignment = std::array<int, MIROCUP_MAX_ROBOTS>;
 
-// Gives each place, the most important first, to the nearest robot that is still free. `free`: the
-// robots to choose from, as many as places. `last`: the assignment of the last tick, by place; the
-// last robot of a place counts as `bonus` m nearer to it.
+// Gives each place, the most important first, to the nearest robot that is still free. `free` are
+// the robots to choose from, as many as places. `last` is the assignment of the last tick, by
+// place; the last robot of a place counts as `bonus` m nearer to the place.
 inline Assignment assign_places(const Observation& now, std::span<const Point> places,
                                 std::span<const int> free, const Assignment& last,
                                 double bonus = 0.1) {

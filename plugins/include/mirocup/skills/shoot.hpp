@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Shooting. A robot is a square without a kicker: the ball leaves at a right angle to the face that
-// hits it, from any part of the face. So a shot is straight if the heading is right at the touch,
-// and hard if the robot is fast then.
+// hits it, from any part of the face. So a shot is straight if the robot's heading is right at the
+// touch, and hard if the robot is fast at the touch.
 //
-//   follow_line   drives along a line, also from beside it
+//   follow_line   drives along a line, also if the robot is beside it
 //   shoot         drives along the line through the ball to a point
 //   open_corner   the point in the opponents' goal to aim at
 //   run_up        the pose before a shot at a resting ball
@@ -18,7 +18,7 @@ namespace mirocup::strategy {
 
 // How a robot comes back to a line.
 struct LineFollowing {
-  double aim_ahead = 0.2;  // m: it steers at the point of the line that is this far ahead
+  double aim_ahead = 0.2;  // m: the robot steers at the point of the line this far ahead
   double gain = 10.0;      // 1/s: rad/s of turn for each rad of error
   double lead_s = 0.08;    // s: a turn continues for this time after a command
 };
@@ -44,17 +44,17 @@ inline Wheels follow_line(const Setup& setup, const Robot& robot, Point point, d
   return wheels_for(setup, direction * forward, turn);
 }
 
-// Drives through a ball so that it goes to `aim`. Precondition: seen from `aim`, the robot is
-// behind the ball. `speed`: m/s.
+// Drives through a ball so that the ball goes to `aim`. Precondition: seen from `aim`, the robot is
+// behind the ball. `speed` is in m/s.
 inline Wheels shoot(const Setup& setup, const Robot& robot, Point ball, Point aim,
                     double speed = 1.8) {
   const Point to = aim - ball;
   return follow_line(setup, robot, ball, math::atan2(to.y, to.x), speed);
 }
 
-// Returns the point on the opponents' goal line to aim at: near the post that their robot nearest
+// Returns the point on the opponents' goal line to aim at: near the post that the opponent nearest
 // to the line leaves open. `margin`: distance of the ball inside the post, m. `y_bias` is added to
-// that robot's y, m; it decides the corner if the robot stands in the middle.
+// that opponent's y, m, and decides the corner if the opponent stands in the middle.
 inline Point open_corner(const Setup& setup, const Observation& now, double margin = 0.05,
                          double y_bias = 0.0) {
   double farthest = -2.0 * setup.half_length;
@@ -69,7 +69,7 @@ inline Point open_corner(const Setup& setup, const Observation& now, double marg
 }
 
 // Returns the pose from which a robot shoots a ball that rests at `ball` to `aim`: on the line of
-// the shot, `distance` (m) behind the ball, so that it is fast when it hits the ball.
+// the shot, `distance` (m) behind the ball, so that the robot is fast when it hits the ball.
 inline mirocup_pose run_up(Point ball, Point aim, double distance = 0.2) {
   const Point along = unit(aim - ball);
   const Point place = ball - distance * along;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// A field of directions that leads to a pose: at each place it gives the direction to drive in. A
-// robot that follows it from anywhere reaches the target with the wanted heading, since it arrives
-// along one of two spirals, one on each side. Obstacles turn the field aside.
+// A field of directions that leads to a pose: at each place it gives the direction to drive in.
+// From any place, a robot that follows the field reaches the target with the wanted heading, since
+// it arrives along one of two spirals on the two sides of the target. Obstacles turn the field
+// aside.
 //
 //   field_heading    the direction at a place
-//   around           the same direction, turned aside by an obstacle that moves
-//   round_others     the same direction, turned aside by all other robots
+//   around           a direction, turned aside by a moving obstacle
+//   round_others     a direction, turned aside by all other robots
 //   follow_heading   drives in a direction
 //   follow_field     drives along the field, slower where it bends
 //
@@ -21,16 +22,16 @@ namespace mirocup::strategy {
 
 struct UnivectorField {
   double radius = 0.075;  // m, of the circles beside the target
-  double smooth = 0.07;   // m: a greater value makes a wider way round from far off
+  double smooth = 0.07;   // m: a greater value makes a wider way round the target
 };
 
-// A place and the heading to have there.
+// A place and the wanted heading at the place.
 struct Target {
   Point at;        // m
   double heading;  // rad
 };
 
-// Returns the direction at `here`, rad.
+// Returns the field's direction at `here`, rad.
 inline double field_heading(const UnivectorField& field, Point here, const Target& target) {
   const double c = math::cos(target.heading);
   const double s = math::sin(target.heading);
@@ -54,19 +55,20 @@ inline double field_heading(const UnivectorField& field, Point here, const Targe
   return wrapped(target.heading + math::atan2(sum.y, sum.x));
 }
 
-// An obstacle that moves.
+// A moving obstacle.
 struct Obstacle {
   Point at;        // m
   Point velocity;  // m/s
 };
 
 struct Avoidance {
-  double nearest = 0.085;  // m between the middles: a nearer robot only avoids the obstacle
-  double width = 0.045;    // m: with a greater width, avoiding begins more softly
-  double lead_s = 0.15;    // s: obstacles count at their relative place after this time
+  double nearest = 0.085;  // m between the middles; a nearer robot only avoids the obstacle
+  double width = 0.045;    // m: a greater width makes avoiding begin more softly
+  double lead_s = 0.15;    // s: obstacles count at their relative places after this time
 };
 
-// Returns `heading`, turned aside by an obstacle on the way. `velocity`: of the robot, m/s.
+// Returns `heading`, turned aside by an obstacle on the way. `velocity` is the velocity of the
+// robot, m/s.
 inline double around(double heading, Point here, Point velocity, const Obstacle& obstacle,
                      const Avoidance& how = {}) {
   const Point to = obstacle.at - here;
@@ -76,16 +78,17 @@ inline double around(double heading, Point here, Point velocity, const Obstacle&
   const double gap = length(to + shift);
   const double bearing = math::atan2(to.y, to.x);
   const double side = wrapped(heading - bearing);
-  if (std::abs(side) > pi / 2.0) return heading;  // it drives away from the obstacle
-  // Past the obstacle on the side of the way, and a little away from it.
+  if (std::abs(side) > pi / 2.0) return heading;  // the robot drives away from the obstacle
+  // The new heading passes the obstacle on the side of the way, and a little away from the
+  // obstacle.
   const double past = bearing + (side >= 0.0 ? 1.0 : -1.0) * 0.6 * pi;
   const double far = math::max(0.0, gap - how.nearest) / how.width;
   const double weight = math::exp(-0.5 * far * far);
   return wrapped(heading + weight * wrapped(past - heading));
 }
 
-// Returns `heading`, turned aside by the other robots within `sight` m, except those at `target`
-// itself. `robot` is number `me`, where it will be at its next command.
+// Returns `heading`, turned aside by the other robots within `sight` m, except robots at `target`.
+// `robot` is the state of robot number `me` at its next command.
 inline double round_others(const Observation& now, int me, const Robot& robot, Point target,
                            double heading, double sight = 0.35, const Avoidance& how = {}) {
   const auto pass = [&](const Robot& other) {
@@ -102,7 +105,8 @@ inline double round_others(const Observation& now, int me, const Robot& robot, P
 }
 
 // Drives in the direction `heading` at `speed` m/s, forwards or backwards; a robot that already
-// moves keeps its direction of motion if it can. `turn`: rad/s that the direction itself turns.
+// moves keeps its direction of motion if it can. `turn` is the rate at which `heading` itself
+// turns, rad/s.
 inline Wheels follow_heading(const Setup& setup, const Robot& robot, double heading, double speed,
                              double turn = 0.0) {
   const double lead_s = 0.06;  // s: a turn continues for this time after a command
@@ -121,8 +125,8 @@ inline Wheels follow_heading(const Setup& setup, const Robot& robot, double head
 }
 
 // Drives along the field to a target at up to `speed` m/s and round `count` obstacles. Reads the
-// field at the robot's place in `lead_s` seconds, because motors follow late. A robot on the axis
-// before the target may choose either side.
+// field at the robot's place `lead_s` seconds later, because motors follow late. A robot on the
+// axis before the target may choose either side.
 inline Wheels follow_field(const Setup& setup, const Robot& robot, const Target& target,
                            double speed, const Obstacle* obstacles = nullptr, int count = 0,
                            const UnivectorField& field = {}, double lead_s = 0.08) {
@@ -132,7 +136,7 @@ inline Wheels follow_field(const Setup& setup, const Robot& robot, const Target&
     for (int i = 0; i < count; ++i) heading = around(heading, here, velocity, obstacles[i]);
     return heading;
   };
-  // Where the robot will be when its motors have followed the command.
+  // The place of the robot when its motors have followed the command.
   const Point here = position(robot) + lead_s * velocity;
   const double heading = direction(here);
   const double step = 0.03;  // m

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The worth of a scene for a team that tries moves before it makes them: from the place and the
-// motion of the ball, and the robot that is first behind it. About 1 is a goal, -1 a goal against.
+// The worth of a scene, for a team that tries moves before it makes them. The worth depends on
+// place and motion of the ball and on the robot that is first behind the ball. About 1 is a goal
+// for the team, -1 a goal against it.
 //
 //   worth_of             the worth of a scene in play
-//   time_to_get_behind   about how soon a robot is behind the ball
+//   time_to_get_behind   about the time until a robot is behind the ball, s
 //   out_of_reach         whether a ball that goes in passes all robots of a team
 //
 // Frames and units are those of strategy.h.
@@ -15,7 +16,7 @@
 namespace mirocup::strategy {
 
 // Returns how far a ball that goes in passes from the robots of a team: 0 at a robot, 1 out of
-// reach of all.
+// reach of all robots.
 inline double out_of_reach(const Robot* robots, int count, Point ball) {
   double nearest = 1.0;
   for (int i = 0; i < count; ++i) {
