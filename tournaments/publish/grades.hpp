@@ -27,15 +27,17 @@ enum class GradesLayout {
 //   house_beaten                         the house teams against which it has won more legs than
 //                                        it has lost, of those that count
 //   display, members                     the names in teams.json; members are separated by "; ",
-// or `member` is one of them points_per_leg, state, entry         state: plays, no entry, paused,
-// withdrawn, or not in the league then the further columns of the class list, and the team's score
-// in each drill and in all drills together. If a cell has as many parts between semicolons as the
-// team has members, each member gets one part. `drills_csv` is the output of `mirocup drill …
-// --csv`, read from `path`; "": there are no drills. Its teams are matched by their names, and a
-// missing mark is an empty cell. For Moodle and Gradescope, the score is the points in per cent of
-// the points of a team that wins each leg. Students are named by their mail and number, further
-// columns of the class list; teams without both have no row. Errc::input if `drills_csv` is not
-// such an output or names no team of the league, or if no student has a mail and a number.
+//                                        or `member` is one of them
+//   points_per_leg, state, entry         state: plays, no entry, paused, withdrawn, or not in the
+//                                        league
+// then the further columns of the class list, and the team's score in each drill and in all drills
+// together. If a cell has as many parts between semicolons as the team has members, each member
+// gets one part. `drills_csv` is the output of `mirocup drill … --csv`, read from `path`; "": there
+// are no drills. Its teams are matched by their names, and a missing mark is an empty cell. For
+// Moodle and Gradescope, the score is the points in per cent of the points of a team that wins each
+// leg. Students are named by their mail and number, further columns of the class list; teams
+// without both have no row. Errc::input if `drills_csv` is not such an output or names no team of
+// the league, or if no student has a mail and a number.
 Result<SiteFile> grades(const Overview& overview, const PeopleOfTeams& people,
                         std::string_view drills_csv, const std::string& path,
                         GradesLayout layout = GradesLayout::teams);

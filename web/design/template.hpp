@@ -23,9 +23,9 @@ using TemplateFiles = std::string_view (*)(std::string_view name);
 //   {{{key}}}               is the value as markup, for pictures that the program draws
 //   {{#key}}…{{/key}}       stands for each element of a list, or once if there is a value
 //   {{^key}}…{{/key}}       stands if there is no value: null, false, "", an empty list
-// {{>name}}               is the text of another template, taken from `files` Templates are part of
-// the program: a template with a mistake ends the program with a message that names template and
-// mistake. `name` is the name of the template in `files`.
+//   {{>name}}               is the text of another template, taken from `files`
+// Templates are part of the program: a template with a mistake ends the program with a message that
+// names template and mistake. `name` is the name of the template in `files`.
 std::string filled(TemplateFiles files, std::string_view name,
                    const nlohmann::ordered_json& values);
 
