@@ -20,10 +20,10 @@
 // How exact it is
 //   From a scene that a simulator made, or from robots and a ball that were just put down, a
 //   simulator computes the next ticks of a match under `exact` conditions to the last bit, if you
-//   give it the commands of both teams. An observation lacks the contact memory of the last tick, which matters
-//   little, and the commands of the opponents, which matter most. Under `hall` each wheel turns up
-//   to 4 % faster or slower than commanded. Under `camera` an observation is late and its
-//   velocities are noisy: a prediction is only as good as the observation.
+//   give it the commands of both teams. An observation lacks the contact memory of the last tick,
+//   which matters little, and the commands of the opponents, which matter most. Under `hall` each
+//   wheel turns up to 4 % faster or slower than commanded. Under `camera` an observation is late
+//   and its velocities are noisy: a prediction is only as good as the observation.
 //
 // Link mirocup::predict (CMake), or libmirocup_predict.a. Frames and units are those of strategy.h.
 #pragma once

@@ -14,7 +14,7 @@
  * Wheels
  *   A robot is a square that is driven by two wheels. You ask for wheel speeds in rad/s, at most
  *   wheel_speed_limit in either direction. A greater speed is clamped, a speed that is not finite
- *   becomes 0, and the record counts both. Speeds are rounded to 1/256 rad/s. A motor follows with
+ *   becomes 0, and the record counts both cases. Speeds are rounded to 1/256 rad/s. A motor follows with
  *   the time constant motor_time_constant:
  *     forward speed aimed at    = wheel_radius * (right + left) / 2
  *     angular velocity aimed at = wheel_radius * (right - left) / wheel_distance
@@ -24,7 +24,7 @@
  *
  * Tick and delay
  *   One tick is control_period: 33 ms of simulated time, 1/60 s under SimuroSot rules, 16 ms under
- *   those of VSSS. The answer to the observation of tick t is driven in tick t + 1, for both teams
+ *   VSSS rules. The answer to the observation of tick t is driven in tick t + 1, for both teams
  *   alike.
  *
  * Play
@@ -56,8 +56,8 @@
  *   rounded to 2^-24 m, headings to 2^-24 rad.
  *
  * Time
- *   A match is played as fast as both teams answer. It counts the processor time of your process,
- *   also between two calls. A leg gives you 2 s, 1 ms for each tick and 20 ms for each place(). One
+ *   A match is played as fast as both teams answer. The host counts the processor time of your
+ *   process, also between two calls. A leg gives you 2 s, 1 ms for each tick and 20 ms for each place(). One
  *   tick may take 1 s, place() 1 s more, loading and create() together 10 s. A leg allows 10 s of
  *   sleeping and waiting in all. A team that needs more loses the leg. `mirocup check` shows the
  *   time that you use. In a match in real time a late team drives on with its last command for a
@@ -73,8 +73,8 @@
  *   which keeps 64 KiB.
  *
  * Thoughts
- *   Draw a target, a path or a number in a tick. The replay of `mirocup match --thoughts` shows it,
- *   step by step with the play, and nothing else does.
+ *   Draw a target, a path or a number in a tick. Only the replay of `mirocup match --thoughts`
+ *   shows the drawing, step by step with the play.
  *     setup->draw_line(setup->host, "plan", 0xff8000ff, x1, y1, x2, y2)
  *   Points are in your own frame; a colour is 0xRRGGBBAA; a layer is a name of at most 31 bytes,
  *   which the page switches on and off. A text of the form "name = 1.5" is also shown as a curve. A
@@ -85,19 +85,19 @@
  * Parameters
  *   A number that you want to vary need not be a constant of your code:
  *     setup->parameter(setup->host, "wait", 0.45)
- *   is 0.45, unless another value comes from `mirocup match --param wait=0.4`, from `check` or
+ *   returns 0.45, unless another value comes from `mirocup match --param wait=0.4`, from `check` or
  *   `join` with the same option, or from "parameters" of your team in league.json. A name has
  *   letters, digits, '_', '-' and '.', begins with a letter and has at most 31 bytes. A leg gives a
- *   team at most 32. The record keeps them, and `mirocup rerun` gives them again.
+ *   team at most 32 parameters. The record keeps all, and `mirocup rerun` gives them again.
  *
  * Clocks
- *   The time of day begins at 1 January 2000 in every leg. Differences between two readings are
- *   true, on every clock, and so is processor time.
+ *   The time of day begins at 1 January 2000 in every leg. Differences between two readings of
+ *   a clock are true, and processor time is also true.
  *
  * Random numbers
- *   Derive them from `seed`; then a leg can be played again exactly. Clocks, addresses and
+ *   Derive random numbers from `seed`, so that a leg can be played again exactly. Clocks, addresses and
  *   std::random_device make a leg that cannot be repeated; `mirocup check` refuses such a library.
- *   It plays a leg twice, the second time on another day and with clocks that run as in real time.
+ *   The check plays a leg twice, the second time on another day and with clocks of real time.
  *
  * Versions
  *   A library with another MIROCUP_ABI_VERSION is refused: build it again with today's strategy.h.
@@ -122,12 +122,11 @@
 extern "C" {
 #endif
 
-/* A library with another number is refused. The number changes only when libraries that were built
- * before can no longer play; compatible additions show in the sizes of the structures. */
+/* The host refuses a library with another number. The number changes only when older libraries can
+ * no longer play; compatible additions show in the sizes of the structures. */
 #define MIROCUP_ABI_VERSION 2u
 
-/* The length of every array of robots; setup.robots and observation.robots tell how many are
- * used. */
+/* The length of every array of robots; setup.robots and observation.robots give the used length. */
 #define MIROCUP_MAX_ROBOTS 11
 
 /* The most corners of a robot's outline, and of a polygon that a team draws. */
@@ -139,7 +138,7 @@ enum mirocup_league { MIROCUP_SMALL = 0, MIROCUP_MIDDLE = 1, MIROCUP_LARGE = 2 }
 enum mirocup_colour { MIROCUP_BLUE = 0, MIROCUP_YELLOW = 1 };
 
 enum mirocup_state {
-  MIROCUP_READY = 0, /* placed for a restart; robots stand until the whistle */
+  MIROCUP_READY = 0, /* bodies are placed; robots stand until the whistle */
   MIROCUP_PLAY = 1,
   MIROCUP_OVER = 2
 };
@@ -147,11 +146,11 @@ enum mirocup_state {
 enum mirocup_phase {
   MIROCUP_FIRST_HALF = 0,
   MIROCUP_SECOND_HALF = 1,
-  MIROCUP_EXTRA_TIME = 2, /* after a knock-out match that is level */
+  MIROCUP_EXTRA_TIME = 2, /* after a level knock-out match */
   MIROCUP_SHOOT_OUT = 3   /* only the kicker (robot 1) and the keeper (robot 0) may move */
 };
 
-/* The last restart. Under MiroSot rules the ball of a kick-off must first go to the kicker's own
+/* The kinds of restart. Under MiroSot rules the ball of a kick-off must first go to the kicker's own
  * side. */
 enum mirocup_restart {
   MIROCUP_NO_RESTART = 0,
@@ -174,37 +173,37 @@ typedef struct mirocup_setup {
   uint32_t size;         /* of this structure, bytes */
   int32_t league;        /* enum mirocup_league */
   int32_t team;          /* enum mirocup_colour: yours in this leg */
-  int32_t robots;        /* of each team: 3, 5 or 11 */
+  int32_t robots;        /* number of each team: 3, 5 or 11 */
   uint64_t seed;         /* for your own random numbers; your opponent gets another seed */
-  double control_period; /* s between two calls of decide() */
-  double half_s;         /* length of a half */
+  double control_period; /* time between two calls of decide(), s */
+  double half_s;         /* length of a half, s */
 
   /* The field: |x| <= half_length, |y| <= half_width, its corners cut off by triangles with legs
      corner_leg; goals |y| < goal_half_width, goal_depth deep. Your goal is at -half_length. m */
   double half_length, half_width, corner_leg, goal_half_width, goal_depth;
-  double goal_area_depth, goal_area_half_width;       /* without its arc */
-  double penalty_area_depth, penalty_area_half_width; /* 0: the small league has none */
+  double goal_area_depth, goal_area_half_width;       /* without the arc, m */
+  double penalty_area_depth, penalty_area_half_width; /* m; 0 in the small league */
   double centre_circle_radius;
 
   double robot_side, robot_mass;
   double wheel_distance, wheel_radius, wheel_speed_limit, motor_time_constant;
-  double grip; /* infinite: wheels that never slide */
+  double grip; /* infinite: wheels never slide */
   double ball_radius, ball_mass;
 
-  /* The handle of the host for this team, which the functions below take as their first argument.
-     They are never null. */
+  /* The handle of the host for this team: the first argument of the functions below. These
+     functions are never null. */
   void* host;
 
   /* Writes a line to the log of the leg. If create() then returns null, the report of the leg has
      the last line as its reason. */
   void (*log)(void* host, const char* text);
 
-  /* Returns the parameter of that name which the leg gives this team, or `fallback` if it gives
-     none. See "Parameters". */
+  /* Returns the parameter of a name, or `fallback` if the leg does not give it to this team. See
+     "Parameters". */
   double (*parameter)(void* host, const char* name, double fallback);
 
-  /* Draw a shape into the replay, see "Thoughts". The points of a polygon are x, y of each of its 3
-     to MIROCUP_MAX_POLYGON_CORNERS corners. */
+  /* Draw a shape into the replay, see "Thoughts". `points` has x, y of each corner of a polygon,
+     which has 3 to MIROCUP_MAX_POLYGON_CORNERS corners. */
   void (*draw_line)(void* host, const char* layer, uint32_t colour, double x1, double y1, double x2,
                     double y2);
   void (*draw_circle)(void* host, const char* layer, uint32_t colour, double x, double y,
@@ -215,11 +214,11 @@ typedef struct mirocup_setup {
                     const char* text);
 
   /* Further numbers of this pitch (`mirocup match --pitch`). */
-  double turn_time_constant;  /* lag of the angular velocity */
-  double brake_time_constant; /* lag of the forward speed while both wheels are commanded 0 */
+  double turn_time_constant;  /* lag of the angular velocity, s */
+  double brake_time_constant; /* lag of the forward speed at the command 0, 0, s */
   double rolling_resistance;  /* the ball slows down by (rolling_resistance * 9.81 +        */
   double viscous_friction;    /* viscous_friction * speed / ball_mass) / 1.4, m/s^2         */
-  /* Speed of separation divided by speed of approach; and Coulomb's friction. */
+  /* Restitution: speed of separation divided by speed of approach. Friction: Coulomb's. */
   double ball_wall_restitution, ball_robot_restitution;
   double robot_wall_restitution, robot_robot_restitution;
   double ball_wall_friction, ball_robot_friction, robot_wall_friction, robot_robot_friction;
@@ -230,56 +229,56 @@ typedef struct mirocup_setup {
   double corner_x[MIROCUP_MAX_CORNERS], corner_y[MIROCUP_MAX_CORNERS];
 
   /* The sizes of the structures that this host passes to decide() and place(), bytes. A library
-     that was built with a newer header must write no member of them that lies behind. */
+     that was built with a newer header must write no member behind these sizes. */
   uint32_t command_size, placement_size;
 
-  /* The limits of the laws, at which the referee calls what an observation counts. */
-  double stalemate_limit_s;       /* of stalemate_s */
-  double advantage_limit_s;       /* of advantage_s */
-  double keeper_hold_limit_s;     /* of keeper_hold_s */
-  double defenders_limit_s;       /* of two_defenders_s and four_defenders_s */
-  double attackers_limit_s;       /* of two_attackers_s */
-  double ready_s;                 /* from a placement to the whistle */
-  int32_t defenders_allowed;      /* robots of the defenders in their own goal area, */
-  int32_t area_defenders_allowed; /* in their own penalty area, */
-  int32_t attackers_allowed;      /* and of the attackers in the goal area before them */
+  /* The limits of the laws: the referee calls when a count of an observation reaches its limit. */
+  double stalemate_limit_s;       /* limit of stalemate_s */
+  double advantage_limit_s;       /* limit of advantage_s */
+  double keeper_hold_limit_s;     /* limit of keeper_hold_s */
+  double defenders_limit_s;       /* limit of two_defenders_s and four_defenders_s */
+  double attackers_limit_s;       /* limit of two_attackers_s */
+  double ready_s;                 /* time from a placement to the whistle */
+  int32_t defenders_allowed;      /* most defenders in their own goal area */
+  int32_t area_defenders_allowed; /* most defenders in their own penalty area */
+  int32_t attackers_allowed;      /* most attackers in the opponents' goal area */
   int32_t reserved_limits;        /* 0 */
 } mirocup_setup;
 
-/* The referee's counts about a team. A robot counts if more than half of its body is inside and it
-   was not pushed there. A time, s, runs while the law is being broken, and is 0 otherwise. */
+/* The referee's counts about a team. A robot counts if more than half of its body is inside the area
+   and it was not pushed there. A time, s, runs while a team breaks the law, otherwise it is 0. */
 typedef struct mirocup_counts {
-  int32_t defenders;         /* in its own goal area, where one is allowed */
-  int32_t area_defenders;    /* in its own penalty area */
-  int32_t attackers;         /* in the opponents' goal area, where one is allowed */
-  int32_t keeper;            /* its robot that counts as keeper; -1: none */
-  int32_t advantage_against; /* 1: it fouled, and is called unless the opponents score at once */
+  int32_t defenders;         /* robots in the own goal area; one is allowed */
+  int32_t area_defenders;    /* robots in the own penalty area */
+  int32_t attackers;         /* robots in the opponents' goal area; one is allowed */
+  int32_t keeper;            /* the robot that counts as keeper; -1: none */
+  int32_t advantage_against; /* 1: the team fouled; called unless the opponents score at once */
   int32_t reserved;          /* 0 */
   double two_defenders_s, four_defenders_s, two_attackers_s;
-  double keeper_hold_s; /* how long the ball is in its goal area with no opponent near */
+  double keeper_hold_s; /* how long the ball is in the own goal area with no opponent near */
 } mirocup_counts;
 
 /* The observation of one tick, in the team's own frame. */
 typedef struct mirocup_observation {
   uint32_t size;       /* of this structure, bytes */
   uint32_t tick;       /* counts up from 0 */
-  double time;         /* simulated seconds since the match began */
-  double clock;        /* s of the half; stops while play is stopped */
+  double time;         /* simulated time since the match began, s */
+  double clock;        /* time in the half, s; stops while play is stopped */
   int32_t state;       /* enum mirocup_state */
   int32_t phase;       /* enum mirocup_phase */
-  int32_t restart;     /* enum mirocup_restart */
+  int32_t restart;     /* enum mirocup_restart: the last restart */
   int32_t own_restart; /* 1 if the last restart was awarded to you */
   int32_t own_score, opponent_score;
-  int32_t robots;  /* of each team */
+  int32_t robots;  /* number of each team */
   int32_t placing; /* 1: place() is called for this tick */
   double ball_x, ball_y, ball_vx, ball_vy;
   mirocup_robot own[MIROCUP_MAX_ROBOTS];
   mirocup_robot opponent[MIROCUP_MAX_ROBOTS];
   mirocup_counts own_counts, opponent_counts;
   double stalemate_s; /* how long the ball has made no progress */
-  double advantage_s; /* how long a foul has waited for a goal; 0: none does */
-  /* How many ticks ago each body was seen where it is shown. More than 0 only under the conditions
-     `camera`, which sees late and now and then loses a body; then its last pose is repeated. */
+  double advantage_s; /* how long a foul has waited for a goal; 0: no foul waits */
+  /* The age of each body's pose, ticks. It is above 0 only under the conditions `camera`: the
+     camera sees late and now and then loses a body, whose last pose is then repeated. */
   int32_t own_age_ticks[MIROCUP_MAX_ROBOTS];
   int32_t opponent_age_ticks[MIROCUP_MAX_ROBOTS];
   int32_t ball_age_ticks;
@@ -290,7 +289,7 @@ typedef struct mirocup_wheels {
   double left, right; /* rad/s */
 } mirocup_wheels;
 
-/* The answer of a team. It is all zero when decide() is called. */
+/* The answer of a team. All speeds are 0 when decide() is called. */
 typedef struct mirocup_command {
   mirocup_wheels wheels[MIROCUP_MAX_ROBOTS];
 } mirocup_command;
@@ -300,8 +299,8 @@ typedef struct mirocup_pose {
   double heading; /* rad */
 } mirocup_pose;
 
-/* The places that a team requests at a restart. When place() is called, it holds the present
- * places: change those that you like. You may move the ball at your own kick-off and goal kick. */
+/* The places that a team requests at a restart. When place() is called, this structure holds
+ * the present places: change the places that you like. You may move the ball at your own kick-off and goal kick. */
 typedef struct mirocup_placement {
   double ball_x, ball_y;
   mirocup_pose robots[MIROCUP_MAX_ROBOTS]; /* your own */
@@ -310,20 +309,20 @@ typedef struct mirocup_placement {
 typedef struct mirocup_strategy {
   uint32_t abi_version; /* MIROCUP_ABI_VERSION */
   uint32_t size;        /* of this structure, bytes */
-  const char* name;     /* of the team, used in reports */
+  const char* name;     /* name of the team in reports */
 
-  /* Returns a pointer to the data that you keep between calls; null refuses to play. `setup` stays
+  /* Returns a pointer to the data that you keep between calls; with null you refuse to play. `setup` stays
    * valid and unchanged until destroy(). */
   void* (*create)(const mirocup_setup* setup);
 
-  /* Answers one tick. `team` is what create() returned; the other pointers are valid only during
+  /* Answers one tick. `team` is the result of create(); the other pointers are valid only during
    * the call. */
   void (*decide)(void* team, const mirocup_observation* observation, mirocup_command* command);
 
-  /* Ends the team. May be null. Not called if the host ends the process by force. */
+  /* Ends the team. May be null. The host does not call it if it ends the process by force. */
   void (*destroy)(void* team);
 
-  /* Chooses the places at a restart. May be null: then your robots stand in the default places. The
+  /* Chooses the places at a restart. If null, your robots stand in the default places. The
    * pointers are valid only during the call. */
   void (*place)(void* team, const mirocup_observation* observation, mirocup_placement* placement);
 } mirocup_strategy;

@@ -15,8 +15,8 @@
 //   MIROCUP_EXPORT_TEAM(Mine, "mine")
 //
 // Frames, units, delays and limits are those of strategy.h. All functions are inline and keep
-// nothing between two calls. They are in types.hpp, driving.hpp, laws.hpp and here; this header
-// includes all.
+// nothing between two calls. The functions are in types.hpp, driving.hpp, laws.hpp and here. This
+// header includes the other three.
 //
 //   numbers     math::sin(x) and its family, with the same bits everywhere; math::min(a, b),
 //               max(a, b), clamp(x, low, high)
@@ -43,9 +43,9 @@
 //               log("format", values...), draw_line, draw_circle, draw_polygon, draw_text,
 //               draw_value
 //
-// Folder skills/ beside this header has stronger ones: attack.hpp is the first to look at.
-// The functions that drive return the wheel speeds of one robot for this tick; call them again in
-// every tick. They are good enough to start from, and meant to be copied and improved.
+// The folder skills/ beside this header has stronger functions: read attack.hpp first. Functions
+// that drive return the wheel speeds of one robot for this tick; call them again in every tick.
+// These functions are good enough to start from: copy and improve them.
 #pragma once
 
 #if __cplusplus < 202002L
@@ -71,8 +71,8 @@
 
 namespace mirocup::strategy {
 
-// Kicks the ball towards a point: drives to a place behind the ball first, and then through it. The
-// point may lie behind the goal line; the middle of the opponents' goal is {half_length, 0}.
+// Kicks the ball towards a point: drives first to a place behind the ball, then through the ball.
+// The point may lie behind the goal line; the middle of the opponents' goal is {half_length, 0}.
 inline Wheels kick_to(const Setup& setup, const Observation& now, const Robot& robot, Point point,
                       double pace = 1.5) {
   const Point meet = meeting_point(setup, now, robot);
@@ -88,33 +88,34 @@ inline Wheels kick_to(const Setup& setup, const Observation& now, const Robot& r
                      pace);
 }
 
-// True if the ball is still on the spot of your own kick-off. The ball has to go backwards first.
+// True if the ball is still on the spot of your own kick-off. The first touch must play the ball
+// backwards.
 inline bool must_kick_off(const Observation& now) {
   return now.restart == MIROCUP_KICK_OFF && now.own_restart != 0 &&
          math::hypot(now.ball_x, now.ball_y) < 0.055;
 }
 
 // Takes a kick-off: rolls the ball straight back to the team-mates. If no robot touches it, the
-// ball stops before the own goal line. A ball that stays near the centre would belong to the
-// opponents: their kicker waits on the side of the ball from which it can shoot, and the taker has
-// to go round it first.
+// ball stops before the own goal line. A ball that stays near the centre would go to the opponents:
+// their kicker waits on the side of the ball from which it can shoot, while the taker must first go
+// round the ball.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
-  // Drives through the ball from wherever the robot was put, and fast: opponents come.
+  // Drives through the ball from any place, and fast, because opponents come.
   const double near = setup.robot_side + 0.025;                     // m
   const double pace = length(position(robot)) > near ? 0.8 : 0.28;  // m/s
   return drive_to(setup, robot, -0.1 * unit(position(robot)), pace, pace);
 }
 
 // Returns the y, m, at which the bisector of the angle of the own goal, as seen from the ball,
-// meets the goal line: the middle of the goal to cover.
+// meets the goal line: the place from which a keeper covers the goal.
 inline double middle_of_goal_view(const Setup& setup, Point ball) {
   const double left = length(ball - Point{-setup.half_length, setup.goal_half_width});
   const double right = length(ball - Point{-setup.half_length, -setup.goal_half_width});
   return setup.goal_half_width * (right - left) / (right + left);
 }
 
-// Gets a stuck ball free: drives at it, and spins beside it, so that a corner of the robot throws
-// it forward; before the opponents' goal the corner throws it towards the middle of the goal.
+// Frees a stuck ball: drives at the ball, and spins beside it, so that a corner of the robot throws
+// the ball forward or, before the opponents' goal, towards the middle of the goal.
 inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot& robot) {
   const Point to = ball(now) - position(robot);
   const double beside = setup.robot_side / 2.0 + 0.0325;  // m
@@ -129,9 +130,10 @@ inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot&
   return wheels_for(setup, 0.0, is_left ? 30.0 : -30.0);
 }
 
-// Keeps the goal: stays in its mouth, where the ball will meet its face, and kicks away a slow ball
-// in the goal area, not inwards. A ball that comes along the end wall then meets the middle of the
-// keeper's face; farther out it would meet a corner, and turn the keeper aside.
+// Keeps the goal: the robot stays in the mouth of the goal, where the ball will meet its face, and
+// kicks a slow ball in the goal area away, not inwards. From this place, a ball along the end wall
+// meets the middle of the keeper's face; if the keeper stood farther out, the ball would meet a
+// corner and turn the keeper aside.
 inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot& robot) {
   const double line = -setup.half_length + 0.4 * setup.robot_side;
   const Point here = position(robot);
@@ -145,9 +147,10 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
   if (is_slow && is_in_reach && is_outer) {
     return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
   }
-  // If the ball comes, the y is where it will meet the face that looks into the field; otherwise
-  // the middle of the goal to cover. At the place where the ball would cross the goal line, the
-  // keeper would meet a ball from the side with another face, and turn it into the goal.
+  // If the ball comes, the keeper goes to the y at which the ball will meet the face that looks
+  // into the field; otherwise to the middle of the goal's view. If the keeper waited where the ball
+  // would cross the goal line, it would meet a ball from the side with another face, and turn the
+  // ball into the goal.
   const double face = line + setup.robot_side / 2.0 + setup.ball_radius;
   double y = middle_of_goal_view(setup, ball(now));
   if (now.ball_vx < -0.1) {
@@ -162,18 +165,18 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
   return drive_round(setup, robot, post, ball(now), 0.0, 1.5);
 }
 
-// Returns the parameter of that name, or `fallback` if the leg gives the team no such parameter, or
-// the host is older than parameters. See "Parameters" in strategy.h.
+// Returns the parameter of a name, or `fallback` if the leg does not give it to the team, or if the
+// host does not support parameters. See "Parameters" in strategy.h.
 inline double parameter(const Setup& setup, const char* name, double fallback) {
   const bool is_there = setup.size >= offsetof(Setup, parameter) + sizeof setup.parameter;
   if (!is_there || setup.parameter == nullptr) return fallback;
   return setup.parameter(setup.host, name, fallback);
 }
 
-// These functions draw into the replay of `mirocup match --thoughts`; on older hosts they do
-// nothing. `setup` is that of a Team. See "Thoughts" in strategy.h: own frame, m; colours are
-// 0xRRGGBBAA; a layer can be switched off in the page. mirocup/skills/draw.hpp draws targets, roles
-// and shots with them.
+// These functions draw into the replay of `mirocup match --thoughts`; on older hosts they have no
+// effect. `setup` is the setup of a Team. See "Thoughts" in strategy.h: own frame, m; colours are
+// 0xRRGGBBAA; a layer can be switched off in the page. mirocup/skills/draw.hpp uses them to draw
+// targets, roles and shots.
 inline void draw_line(const Setup& setup, const char* layer, std::uint32_t colour, Point from,
                       Point to) {
   if (setup.draw_line == nullptr) return;
@@ -197,7 +200,7 @@ inline void draw_text(const Setup& setup, const char* layer, std::uint32_t colou
   setup.draw_text(setup.host, layer, colour, at.x, at.y, text);
 }
 
-// Returns a copy of the setup, which ends after `size` bytes. Every host has the members up to
+// Returns a copy of a setup of which only `size` bytes exist. Every host has the members up to
 // `log`.
 inline Setup copy_of(const Setup& setup) {
   Setup copy{};
@@ -207,7 +210,8 @@ inline Setup copy_of(const Setup& setup) {
   return copy;
 }
 
-// The base class of a team in C++. It keeps the setup and has random numbers from its seed.
+// The base class of a team in C++. It keeps the setup, and has random numbers from the setup's
+// seed.
 class Team {
  public:
   explicit Team(const Setup& setup) : setup_(copy_of(setup)), random_(setup.seed) {}
@@ -217,8 +221,7 @@ class Team {
   virtual void decide(const Observation& now, Command& command) = 0;
 
   // Chooses the places of the robots at a restart, and of the ball at an own kick-off or goal kick.
-  // strategy.h says which places are allowed. Bodies whose poses it does not change stay where they
-  // are.
+  // strategy.h says which places are allowed. A body whose pose you do not change stays.
   virtual void place(const Observation& now, Placement& placement) {
     (void)now;
     (void)placement;
@@ -228,8 +231,8 @@ class Team {
   const Setup& setup() const { return setup_; }
   Random& random() { return random_; }
 
-  // Returns the parameter of that name, or `fallback` if the leg gives none. Read it when the team
-  // is made, as a member: `const double wait_ = parameter("wait", 0.45);`
+  // Returns the parameter of a name, or `fallback` if the leg does not give it. Read a parameter
+  // when the team is made, as a member: `const double wait_ = parameter("wait", 0.45);`
   double parameter(const char* name, double fallback) const {
     return strategy::parameter(setup_, name, fallback);
   }
@@ -238,7 +241,7 @@ class Team {
   // log("ball at %.2f", now.ball_x), which the compiler checks, and the line is cut after 255
   // bytes. Without values the text is written unchanged, percent signs included.
   void log(const char* text) const { setup_.log(setup_.host, text); }
-  // This is a template only so that a call without values selects the overload above.
+  // This function is a template only so that a call without values selects the overload above.
   template <int = 0>
   MIROCUP_PRINTF(2, 3)
   void log(const char* format, ...) const {
@@ -250,7 +253,7 @@ class Team {
     setup_.log(setup_.host, line);
   }
 
-  // The drawing functions above, with the setup of this team.
+  // The drawing functions above this class, with the setup of this team.
   void draw_line(const char* layer, std::uint32_t colour, Point from, Point to) const {
     strategy::draw_line(setup_, layer, colour, from, to);
   }
@@ -277,7 +280,7 @@ class Team {
   Random random_;
 };
 
-// True if place() of a team is the one of Team, with a placement that it can change.
+// True if place() of a team overrides Team::place(), with a placement that the team can change.
 template <class T>
 concept places_by_reference = requires {
   static_cast<void (T::*)(const Observation&, Placement&)>(&T::place);
@@ -285,8 +288,9 @@ concept places_by_reference = requires {
 
 }  // namespace mirocup::strategy
 
-// Exports a class as the team of the library. Its constructor takes the setup. The assertion is for
-// a place() that takes a copy, which would have no effect.
+// Exports a class as the team of the library. The constructor of the class takes the setup. The
+// assertion finds a place() that takes a copy of the placement, because changes of a copy would
+// have no effect.
 #define MIROCUP_EXPORT_TEAM(Class, Name)                                               \
   static_assert(mirocup::strategy::places_by_reference<Class>,                         \
                 "declare it: void place(const Observation&, Placement&) override");    \

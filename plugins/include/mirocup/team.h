@@ -3,25 +3,25 @@
  * libmirocup_team: a team in its own program, in any language that can call C.
  *
  *   mirocup_team_open    names the match and the team; returns at once
- *   mirocup_team_wait    waits for what happens next: a seat, a tick, the end
+ * mirocup_team_wait    waits for the next event: a seat, a tick, the end
  *   mirocup_team_place   requests places for the robots at a restart
  *   mirocup_team_send    answers the tick
  *   mirocup_team_close   leaves the match
  *
  * Frames, units, the delay of a command and the meaning of every number are those of strategy.h.
- * The program can run on any computer that reaches the match server by UDP. It has no sandbox and
- * no budget of processor time; only its answers and their arrival times count.
+ * The team's program can run on any computer that reaches the match server by UDP. The program has
+ * no sandbox and no budget of processor time; only its answers and their arrival times count.
  *
- * The connection recovers by itself from lost packets and from a server that is started again. A
- * team that is started again in the middle of a match opens the same match in a new process, which
- * gets the seat once the old process has been silent for a moment.
+ * The connection recovers by itself from lost packets and from a server that is started again.
+ * After a crash in the middle of a match, a team opens the match in a new process, which gets the
+ * seat once the old process has been silent for a moment.
  *
  * The replay of `mirocup match --thoughts` shows the shapes that a program draws with the functions
  * of its setup (strategy.h, "Thoughts") before the answer to a tick.
  *
  * A connection may be used by one thread at a time. A process may have one connection at a time,
  * because credentials and the address of the server belong to the DDS domain of the whole process.
- * Texts and structures that it returns stay valid until the next call with the same connection.
+ * Returned texts and structures stay valid until the next call with the same connection.
  * Enumerations are passed as int32_t, because compilers differ in the size of an enum. team.hpp is
  * a C++ layer on top of this header, docs/interfaces.md has the conventions.
  */
@@ -36,7 +36,7 @@
 extern "C" {
 #endif
 
-/* What to join. Set all to 0, then `size`, `team`, `match` and `name`. */
+/* The match to join. Set all members to 0, then set `size`, `team`, `match` and `name`. */
 typedef struct mirocup_team_call {
   uint32_t size;           /* of this structure, bytes; it grows only at its end */
   int32_t team;            /* enum mirocup_colour: the colour to play */
@@ -51,7 +51,7 @@ typedef struct mirocup_connection mirocup_connection;
 
 /* The result of mirocup_team_wait(). */
 enum mirocup_team_news {
-  MIROCUP_TEAM_NOTHING = 0, /* nothing happened in the time given */
+  MIROCUP_TEAM_NOTHING = 0, /* nothing happened in the given time */
   MIROCUP_TEAM_SEATED = 1,  /* the team has a seat in a new leg; see _setup() */
   MIROCUP_TEAM_TICK = 2,    /* see _observation(); answer it with _send() */
   MIROCUP_TEAM_OVER = 3,    /* the leg is over; see _text() ("full_time", "forfeit") and _score() */
@@ -64,10 +64,11 @@ enum mirocup_team_news {
 mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, size_t size);
 
 /* Waits at most `seconds` of wall time. Returns an enum mirocup_team_news. Ticks come in order,
- * each once, but a slow team misses some. */
+ * each tick once, but a slow team misses ticks. */
 int32_t mirocup_team_wait(mirocup_connection* connection, double seconds);
 
-/* Returns the facts of the leg, as of the last MIROCUP_TEAM_SEATED. Valid until the next one. */
+/* Returns the facts of the leg of the last MIROCUP_TEAM_SEATED, valid until the next
+ * MIROCUP_TEAM_SEATED. */
 const mirocup_setup* mirocup_team_setup(const mirocup_connection* connection);
 
 /* Returns the observation of the last MIROCUP_TEAM_TICK. */
@@ -76,23 +77,23 @@ const mirocup_observation* mirocup_team_observation(const mirocup_connection* co
 /* Requests places at a restart, while the last tick has `placing` 1. The following _send() sends
  * the request. The rules of place() in strategy.h hold, but fill `placement` completely: give
  * robots that should stay, and the ball, the values of the tick. Without a request all robots stay.
- * Returns 0, or -1 in any other tick, in which the call has no effect. */
+ * Returns 0; in a tick without `placing` returns -1 and has no effect. */
 int32_t mirocup_team_place(mirocup_connection* connection, const mirocup_placement* placement);
 
-/* Sends the answer to the last tick. Call it once for a tick. Returns 0, or -1 if the match is
- * over or refused the team: mirocup_team_text() says how. A lost connection shows in
- * mirocup_team_wait(). */
+/* Sends the answer to the last tick. Call this function once for a tick. Returns 0, or -1 if the
+ * match is over or has refused the team: mirocup_team_text() has the reason. A lost connection
+ * shows in mirocup_team_wait(). */
 int32_t mirocup_team_send(mirocup_connection* connection, const mirocup_command* command);
 
 /* Returns the MIROCUP_ABI_VERSION of the strategy.h that this library was built with, whose
- * structures it uses. A program with another one must be built again. */
+ * structures the library uses. A program with another MIROCUP_ABI_VERSION must be built again. */
 uint32_t mirocup_team_version(void);
 
 /* Returns the sentence for the person who must act: how the leg ended or why the team was refused;
- * before that, why it has no seat yet, "" if it has one. */
+ * before that, why the team has no seat yet, "" if it has a seat. */
 const char* mirocup_team_text(const mirocup_connection* connection);
 
-/* Returns the official score once the leg is over, two numbers: [0] blue, [1] yellow. */
+/* Returns the official score when the leg is over: [0] blue, [1] yellow. */
 const int32_t* mirocup_team_score(const mirocup_connection* connection);
 
 /* Leaves the match and frees the connection. Null has no effect. */

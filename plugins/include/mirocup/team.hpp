@@ -57,8 +57,8 @@ class Connection {
     is_wrong_ = connection_ == nullptr && errno == EINVAL;
   }
 
-  // False if the network cannot be used. Then why() has the reason, and no other function may be
-  // called.
+  // False if the network cannot be used. In this case why() has the reason, and no other function
+  // may be called.
   bool is_open() const { return connection_ != nullptr; }
   const std::string& why() const { return why_; }
   // True if the call or the credentials are wrong, so that another try is of no use.
@@ -69,7 +69,8 @@ class Connection {
   const mirocup_observation& observation() const {
     return *mirocup_team_observation(connection_.get());
   }
-  // False if it has no effect: place() in a tick without `placing`, send() after the end.
+  // Return false if the call has no effect: place() in a tick without `placing`, send() after the
+  // end.
   bool place(const mirocup_placement& placement) {
     return mirocup_team_place(connection_.get(), &placement) == 0;
   }
@@ -78,8 +79,8 @@ class Connection {
   }
 
   // Draw a shape into the replay of `mirocup match --thoughts`, before the answer to the tick: see
-  // "Thoughts" in strategy.h. Only after MIROCUP_TEAM_SEATED. The points of a polygon are x, y of
-  // each corner.
+  // "Thoughts" in strategy.h. Call them only after MIROCUP_TEAM_SEATED. The points of a polygon are
+  // x, y of each corner.
   void draw_line(const char* layer, std::uint32_t colour, double x1, double y1, double x2,
                  double y2) {
     setup().draw_line(setup().host, layer, colour, x1, y1, x2, y2);
