@@ -14,8 +14,8 @@
  * Wheels
  *   A robot is a square that is driven by two wheels. You ask for wheel speeds in rad/s, at most
  *   wheel_speed_limit in either direction. A greater speed is clamped, a speed that is not finite
- *   becomes 0, and the record counts both cases. Speeds are rounded to 1/256 rad/s. A motor follows with
- *   the time constant motor_time_constant:
+ *   becomes 0, and the record counts both cases. Speeds are rounded to 1/256 rad/s. A motor follows
+ *   with the time constant motor_time_constant:
  *     forward speed aimed at    = wheel_radius * (right + left) / 2
  *     angular velocity aimed at = wheel_radius * (right - left) / wheel_distance
  *   On some pitches turning has a separate lag, and wheels with the command 0, 0 brake faster: see
@@ -57,11 +57,11 @@
  *
  * Time
  *   A match is played as fast as both teams answer. The host counts the processor time of your
- *   process, also between two calls. A leg gives you 2 s, 1 ms for each tick and 20 ms for each place(). One
- *   tick may take 1 s, place() 1 s more, loading and create() together 10 s. A leg allows 10 s of
- *   sleeping and waiting in all. A team that needs more loses the leg. `mirocup check` shows the
- *   time that you use. In a match in real time a late team drives on with its last command for a
- *   few ticks and then stands; at a restart its robots stay on their default places.
+ *   process, also between two calls. A leg gives you 2 s, 1 ms for each tick and 20 ms for each
+ *   place(). One tick may take 1 s, place() 1 s more, loading and create() together 10 s. A leg
+ *   allows 10 s of sleeping and waiting in all. A team that needs more loses the leg. `mirocup
+ *   check` shows the time that you use. In a match in real time a late team drives on with its last
+ *   command for a few ticks and then stands; at a restart its robots stay on their default places.
  *
  * Surroundings
  *   Your library runs in a separate sandboxed process, with 1 GiB of memory, 8 MiB of stack and one
@@ -95,9 +95,10 @@
  *   a clock are true, and processor time is also true.
  *
  * Random numbers
- *   Derive random numbers from `seed`, so that a leg can be played again exactly. Clocks, addresses and
- *   std::random_device make a leg that cannot be repeated; `mirocup check` refuses such a library.
- *   The check plays a leg twice, the second time on another day and with clocks of real time.
+ *   Derive random numbers from `seed`, so that a leg can be played again exactly. Clocks, addresses
+ *   and std::random_device make a leg that cannot be repeated; `mirocup check` refuses such a
+ *   library. The check plays a leg twice, the second time on another day and with clocks of real
+ *   time.
  *
  * Versions
  *   A library with another MIROCUP_ABI_VERSION is refused: build it again with today's strategy.h.
@@ -150,8 +151,8 @@ enum mirocup_phase {
   MIROCUP_SHOOT_OUT = 3   /* only the kicker (robot 1) and the keeper (robot 0) may move */
 };
 
-/* The kinds of restart. Under MiroSot rules the ball of a kick-off must first go to the kicker's own
- * side. */
+/* The kinds of restart. Under MiroSot rules the ball of a kick-off must first go to the kicker's
+ * own side. */
 enum mirocup_restart {
   MIROCUP_NO_RESTART = 0,
   MIROCUP_KICK_OFF = 1,
@@ -245,8 +246,8 @@ typedef struct mirocup_setup {
   int32_t reserved_limits;        /* 0 */
 } mirocup_setup;
 
-/* The referee's counts about a team. A robot counts if more than half of its body is inside the area
-   and it was not pushed there. A time, s, runs while a team breaks the law, otherwise it is 0. */
+/* The referee's counts about a team. A robot counts if more than half of its body is inside the
+   area and it was not pushed there. A time, s, runs while a team breaks the law, else it is 0. */
 typedef struct mirocup_counts {
   int32_t defenders;         /* robots in the own goal area; one is allowed */
   int32_t area_defenders;    /* robots in the own penalty area */
@@ -300,7 +301,8 @@ typedef struct mirocup_pose {
 } mirocup_pose;
 
 /* The places that a team requests at a restart. When place() is called, this structure holds
- * the present places: change the places that you like. You may move the ball at your own kick-off and goal kick. */
+ * the present places: change the places that you like. You may move the ball at your own kick-off
+ * and goal kick. */
 typedef struct mirocup_placement {
   double ball_x, ball_y;
   mirocup_pose robots[MIROCUP_MAX_ROBOTS]; /* your own */
@@ -311,8 +313,8 @@ typedef struct mirocup_strategy {
   uint32_t size;        /* of this structure, bytes */
   const char* name;     /* name of the team in reports */
 
-  /* Returns a pointer to the data that you keep between calls; with null you refuse to play. `setup` stays
-   * valid and unchanged until destroy(). */
+  /* Returns a pointer to the data that you keep between calls; with null you refuse to play.
+   * `setup` stays valid and unchanged until destroy(). */
   void* (*create)(const mirocup_setup* setup);
 
   /* Answers one tick. `team` is the result of create(); the other pointers are valid only during
