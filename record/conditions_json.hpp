@@ -23,8 +23,8 @@ nlohmann::ordered_json to_json(const match::Conditions& conditions);
 // other keys. Complains about an unknown key, a wrong type and a number out of its range.
 match::Conditions read_conditions(const JsonReader& json);
 
-// Returns the preset with changes from a command line: each is KEY=VALUE with a value in JSON. An
-// error is Errc::input.
+// Returns the preset with changes from a command line: each is KEY=VALUE with a value in JSON.
+// Errors: Errc::input.
 Result<match::Conditions> conditions_with_changes(match::ConditionsPreset preset,
                                                   const std::vector<std::string>& changes);
 

@@ -25,8 +25,8 @@ class Durations {
   std::uint64_t count() const { return count_; }
   double max() const { return max_; }
 
-  // A duration, s, that at least this share (0 to 1) of the durations did not exceed; 0 if there
-  // are none.
+  // Returns a duration, s, that at least this share (0 to 1) of the durations did not exceed; 0
+  // without durations.
   double quantile(double share) const {
     assert(share >= 0.0 && share <= 1.0);
     std::uint64_t until = 0;
@@ -40,7 +40,7 @@ class Durations {
   }
 
   struct Range {
-    double below = 0.0;  // s; the range reaches down to half of it
+    double below = 0.0;  // upper end of the range, s; the lower end is half of it
     std::uint64_t count = 0;
   };
 

@@ -10,7 +10,7 @@ namespace mirocup::record {
 class JsonReader;
 
 // Complains about an angle beyond +-max_angle, rad, and about a pair [cos, sin] that is not of
-// length 1 within 1e-12. Such a pair is not normalized, because that would change its last bits.
+// length 1 within 1e-12. A pair is not normalized, because normalizing would change its last bits.
 Heading read_heading(const JsonReader& json, double max_angle);
 
 }  // namespace mirocup::record

@@ -10,11 +10,11 @@
 //     f.if_set("note", one.note);
 //   }
 //
-// fields_json(one) is then the object, and read_fields<Try>(json) reads it as JsonReader does: it
-// never throws, and reports the first problem. A value is a number, a bool, a text, an enum with
-// names, a struct with list_fields, or an optional or a vector of these. The numbers after a value
-// are its least and its largest value; for a vector, its least and its largest size. list_fields is
-// in the namespace of its struct or in this one, not in an unnamed one.
+// With this list, fields_json(one) makes the object, and read_fields<Try>(json) reads it like
+// JsonReader: it never throws, and reports the first problem. A value is a number, a bool, a text,
+// an enum with names, a struct with list_fields, or an optional or a vector of these. Numbers after
+// a value are its least and greatest value, or the least and greatest size of a vector. list_fields
+// must be in the namespace of its struct or in mirocup::record, not in an unnamed namespace.
 #pragma once
 
 #include "record/json_reader.hpp"
@@ -66,7 +66,7 @@ class FieldWriter {
   void as_if_set(bool is_set, const char* key, Write write, Read) {
     if (is_set) object_[key] = write();
   }
-  // A key for readers of the file, whose value follows from other keys.
+  // A key for people, which is written and not read, because its value follows from other keys.
   void only_written(const char* key, Json value) { object_[key] = std::move(value); }
   bool has(const char*) const { return true; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads a JSON document and remembers the first problem with its JSON pointer (RFC 6901) and a
-// reason: a key that is missing or unknown, a value of the wrong type or out of its range.
+// reason: a missing or unknown key, a value of the wrong type or out of its range.
 //
 // A reader never throws. After a problem it still returns a value of the requested type. So a
 // parser is a plain list of the keys and types that it expects, and looks for a problem once, at
@@ -22,12 +22,12 @@
 //   }
 //
 // The error of a wrong league is then "limits.json: /league: one of small, middle, large is
-// expected, not "huge"". A reader of files that later versions may extend calls expect_object()
-// without a list of keys: then unknown keys are ignored.
+// expected, not "huge"". For files that later versions may extend, call expect_object() without a
+// list of keys: it ignores unknown keys.
 //
-// Documents may come from strangers. Only parse_json() turns text into a tree, within JsonLimits:
-// it builds nothing larger, and no tree that is too deep for recursive functions. A message quotes
-// at most a short piece of the document.
+// Documents may come from strangers. Only parse_json() turns text into a tree. It builds no tree
+// beyond JsonLimits, so none too deep for recursive functions. A message quotes at most a short
+// piece of the document.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -55,8 +55,8 @@ struct JsonProblem {
   std::string reason;
 };
 
-// One value of the document. Cheap to copy; the document and `problem` must outlive it. Not for
-// several threads at once, since all readers of a document share `problem`.
+// One value of the document. A copy is cheap. The document and `problem` must outlive the reader.
+// Threads: one for all readers of a document, since they share `problem`.
 class JsonReader {
  public:
   using Json = nlohmann::ordered_json;
@@ -65,20 +65,21 @@ class JsonReader {
   JsonReader(const Json& value, std::string pointer, std::optional<JsonProblem>& problem)
       : value_(&value), pointer_(std::move(pointer)), problem_(&problem) {}
 
-  // Reports a problem of this value, unless the document has one already. A long reason is cut.
+  // Reports a problem of this value, unless the document has a problem already. A long reason is
+  // cut.
   void complain(const std::string& reason) const;
 
-  // True if this is an object. Otherwise complains.
+  // True if the value is an object. Otherwise complains.
   bool expect_object() const;
 
-  // True if this is an object without keys other than these. Otherwise complains about the first
-  // key that is not among them.
+  // True if the value is an object with no keys but these. Otherwise complains about the first
+  // unknown key.
   bool expect_object(std::initializer_list<std::string_view> keys) const;
 
-  // True if this is an array of min_size to max_size elements. Otherwise complains.
+  // True if the value is an array of min_size to max_size elements. Otherwise complains.
   bool expect_array(std::size_t min_size, std::size_t max_size) const;
 
-  // Complains unless the key "schema" of this object has that value.
+  // Complains unless the key "schema" of this object has the given value.
   void expect_schema(std::string_view schema) const;
 
   bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
@@ -88,12 +89,12 @@ class JsonReader {
   // Returns the number of elements of an array; 0 for any other value.
   std::size_t size() const { return value_->is_array() ? value_->size() : 0; }
 
-  // Returns the member of that key, or the element of that index. If there is none, complains and
+  // Returns the member with a key, or the element with an index. If it is missing, complains and
   // returns a reader of null.
   JsonReader at(const std::string& key) const;
   JsonReader at(std::size_t index) const;
 
-  // Returns the member of that key. If it is missing or null, returns nothing and does not
+  // Returns the member with a key. If the member is missing or null, returns nothing and does not
   // complain.
   std::optional<JsonReader> find(const std::string& key) const;
 
@@ -107,23 +108,24 @@ class JsonReader {
   // complains and returns no members.
   std::vector<std::pair<std::string, JsonReader>> members() const;
 
-  // Returns a finite number in [min, max]. After a complaint: 0, or the limit that it exceeds.
+  // Returns a finite number in [min, max]. After a complaint, returns 0 or the exceeded limit.
   double number(double min = -std::numeric_limits<double>::infinity(),
                 double max = std::numeric_limits<double>::infinity()) const;
 
-  // Returns a number above 0. After a complaint: 1.
+  // Returns a number above 0. After a complaint, returns 1.
   double positive_number() const;
 
-  // Returns a number without a fraction in [min, max]; 3.0 is such a number. After a complaint: the
-  // number of the range nearest to the value, or nearest to 0 if the value is not a number.
+  // Returns a number without a fraction in [min, max]; 3.0 is such a number. After a complaint,
+  // returns the number of the range nearest to the value, or nearest to 0 if the value is not a
+  // number.
   template <std::integral T>
   T integer(T min = std::numeric_limits<T>::min(), T max = std::numeric_limits<T>::max()) const;
 
   bool boolean() const;
   std::string text() const;
 
-  // Returns the enumerator of that name; E needs enum_names (core/base/names.hpp). After a
-  // complaint: the first enumerator.
+  // Returns the enumerator with the name in the value; E needs enum_names (core/base/names.hpp).
+  // After a complaint, returns the first enumerator.
   template <class E>
   E name() const;
 
@@ -131,14 +133,14 @@ class JsonReader {
   template <class T>
   T as() const;
 
-  // Sets `value` to the member of that key; leaves it as it is if there is no such key. A null is
-  // of the wrong type, as in at().
+  // Sets `value` to the member with a key; without the key, `value` stays unchanged. As in at(), a
+  // null is a value of the wrong type.
   template <class T>
   void read_if_present(const std::string& key, T& value) const {
     if (has(key)) value = at(key).as<T>();
   }
 
-  // The value for a message: its JSON text, cut if it is long, or "an object", "an array".
+  // Returns the value as text for a message: its JSON, cut if long, or "an object", "an array".
   std::string quoted() const;
 
   const Json& json() const { return *value_; }
@@ -146,7 +148,7 @@ class JsonReader {
  private:
   using Whole = std::variant<std::int64_t, std::uint64_t>;
 
-  // The number if it has no fraction; otherwise complains.
+  // Returns the number if it has no fraction; otherwise complains.
   std::optional<Whole> whole_number() const;
   void complain_of_range(const std::string& value, bool is_below, const std::string& limit) const;
 
@@ -158,7 +160,7 @@ class JsonReader {
 // The limits of a document. The defaults are many times larger than the files of this project.
 struct JsonLimits {
   std::size_t bytes = 32u << 20;   // of the whole text
-  std::size_t depth = 64;          // lists and objects within each other
+  std::size_t depth = 64;          // depth of nested lists and objects
   std::size_t values = 1'000'000;  // numbers, texts, lists, objects, …, all together
   std::size_t members = 256;       // of one object: keys are compared one by one
   std::size_t number = 1024;       // characters of one number
@@ -170,12 +172,12 @@ struct JsonLimits {
 struct ParsedJson {
   JsonReader::Json value;
   std::optional<JsonProblem> problem;
-  std::size_t values = 0;  // counted as in the limits
+  std::size_t values = 0;  // number of values, counted as in JsonLimits
 };
 ParsedJson parse_json(std::string_view text, const JsonLimits& limits = {});
 
-// The text of a value, in one line or with this many spaces for each level. Bytes that are not
-// UTF-8 become U+FFFD, so the text is always JSON.
+// Returns the text of a value, in one line or with this many spaces for each level. Bytes that are
+// not UTF-8 become U+FFFD, so the text is always JSON.
 std::string json_text(const JsonReader::Json& value, int indent = -1);
 
 // Returns the error that a person reads: "PATH: POINTER: REASON".

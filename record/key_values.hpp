@@ -12,8 +12,8 @@
 
 namespace mirocup::record {
 
-// Returns the object with these changes: each is KEY=VALUE with a value in JSON. An error is
-// Errc::input and names the option.
+// Returns the object with changes; each change is KEY=VALUE with a value in JSON. Errors:
+// Errc::input, which names the option.
 Result<nlohmann::ordered_json> with_changes(nlohmann::ordered_json object,
                                             const std::vector<std::string>& changes,
                                             const std::string& option);

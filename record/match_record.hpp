@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The record of one leg: a JSON file, and beside it the replay file that proves it.
+// The record of one leg: a JSON file, and beside it the replay file that proves the record.
 //
-// This is the only code that knows the JSON of matches; schema.md is its specification. A record is
-// written as a Json tree and read with JsonReader.
+// Only this code knows the JSON of matches, which schema.md specifies. A record is written as a
+// Json tree and read with JsonReader.
 #pragma once
 
 #include "core/match/team_parameters.hpp"
@@ -34,7 +34,7 @@ struct TeamInfo {
   match::TeamParameters parameters = {};
 };
 
-// The time that a team used. `bad_commands` counts commands, not the values in them.
+// The time that a team used. `bad_commands` counts commands, not the bad values in a command.
 struct BudgetReport {
   double cpu_seconds = 0.0;
   double slowest_tick_ms = 0.0;
@@ -53,9 +53,9 @@ inline bool is_on_network(TeamKind kind) {
 struct DatagramReport {
   std::uint64_t received = 0;        // commands of the team's own sender
   std::uint64_t placements = 0;      // of the team
-  std::uint64_t stale = 0;           // came after the answer that counted, or for another step
-  std::uint64_t malformed = 0;       // not a message, whoever sent it
-  std::uint64_t replacements = 0;    // refused, whoever sent it
+  std::uint64_t stale = 0;           // commands after the answer that counted, or for another step
+  std::uint64_t malformed = 0;       // datagrams of any sender that are not a message
+  std::uint64_t replacements = 0;    // refused replacements of any sender
   std::uint64_t not_finite = 0;      // commands with NaN or an infinity
   std::uint64_t unknown_robots = 0;  // commands to a robot that does not exist
 };
@@ -68,14 +68,14 @@ struct NetworkReport {
   std::uint64_t late_driven = 0;  // late commands that were driven
   std::uint64_t duplicate = 0;    // further commands for the tick that was answered last
   std::uint64_t ahead = 0;        // for a tick that had not begun
-  std::uint64_t foreign = 0;      // from a process that is not the team's
+  std::uint64_t foreign = 0;      // from a process without the seat
   int processes = 0;              // processes that played for the team in turn
   std::vector<Absence> absences;
   Durations answers;  // wall time from a tick's state to the answer in step
-  std::optional<DatagramReport> datagrams = std::nullopt;  // of a firasim team
+  std::optional<DatagramReport> datagrams = std::nullopt;  // of a team on FIRASim's protocol
 };
 
-// The lateness of a match in real time, or in a multiple of it.
+// The lateness of a match at real time or at a multiple of real time.
 struct PaceReport {
   double period = 0.0;  // wall seconds between two ticks
   Durations lateness;   // of the ticks: start minus due time
@@ -87,17 +87,17 @@ struct PaceReport {
 struct Software {
   std::string version;
   std::string build;
-  std::string behaviour_hash;  // JSON key "game"; "": a record from before it was written down
+  std::string behaviour_hash;  // JSON key "game"; "": an old record without the hash
 
   bool operator==(const Software&) const = default;
 };
 
-// The record from which a leg was played on. This leg has the commands of that record up to `tick`;
-// its own teams played only from then on.
+// The record that a leg continues. The leg has the commands of that record up to `tick`; its own
+// teams played only from `tick` on.
 struct PlayedOnFrom {
   std::uint32_t tick = 0;            // the first tick that the teams of this leg answered
-  std::uint64_t state_hash = 0;      // of the whole leg of that record
-  match::ByTeam<std::string> teams;  // the names of the teams that had played before
+  std::uint64_t state_hash = 0;      // hash of the whole leg of the continued record
+  match::ByTeam<std::string> teams;  // the teams of the continued record
 };
 
 struct MatchRecord {
@@ -105,9 +105,10 @@ struct MatchRecord {
   match::ByTeam<TeamInfo> teams;
   match::ByTeam<BudgetReport> budget;
   match::ByTeam<std::optional<NetworkReport>> network;  // written, but not read
-  std::optional<PaceReport> pace;                       // also only written; empty at full speed
-  std::string isolation;                                // "T2", "T1", "none", "network"
-  std::optional<PlayedOnFrom> from;                     // empty: played from its start
+  // Written, but not read; empty at full speed.
+  std::optional<PaceReport> pace;
+  std::string isolation;             // "T2", "T1", "none", "network"
+  std::optional<PlayedOnFrom> from;  // empty: the leg was played from its start
   replay::Recording recording;
 };
 
@@ -115,8 +116,8 @@ struct MatchRecord {
 std::string software_version();
 Software this_software();
 
-// True if the record was played by a program with other physics or laws. A difference then says
-// nothing about the record or its teams.
+// True if the record was played by a program with other physics or laws. In this case a difference
+// says nothing about the record or its teams.
 bool has_other_behaviour(const MatchRecord& record);
 
 // Returns the error for a record with other behaviour that differs from `tick` on: Errc::damaged,
@@ -126,8 +127,8 @@ Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std
 Json to_json(const match::Outcome& result);
 Json to_json(const match::LoggedDecision& decision);
 
-// The whole record except the keys that save() adds: the replay's name and digest, and the record's
-// own digest.
+// Returns the whole record except the keys that save() adds: the replay's name and digest, and the
+// record's own digest.
 Json to_json(const MatchRecord& record);
 
 // Writes the replay, then the record, so that a record never lacks its replay.
@@ -144,19 +145,20 @@ struct RecordFile {
 // Reads the text of a record. Errc::damaged names `path`, the JSON pointer and the reason.
 Result<RecordFile> parse_record(const std::string& text, const std::string& path);
 
-// Returns the text of a record whose replay file has that name and these bytes.
+// Returns the text of a record whose replay file has the given name and bytes.
 std::string record_text(const MatchRecord& record, const std::string& replay_name,
                         std::string_view replay);
 
-// Adds the content of its replay to the record.
+// Adds the content of a replay file to its record.
 void add_replay(MatchRecord& record, Replay replay);
 
 // Whether load() checks the digest of the record's own text, which is its last key. The digest
-// finds every byte that was changed or lost. It does not find forgery, since a forger can compute
-// digests as well; replay::verify() finds that. The digest of the replay is always checked.
+// finds every byte that was changed or lost. The digest does not find forgery, since a forger can
+// compute digests as well; replay::verify() finds forgery. The digest of the replay is always
+// checked.
 enum class ChecksumPolicy { checked, ignored };
 
-// Returns Errc::damaged, with the path, unless the text of a record is as it was written.
+// Returns Errc::damaged, with the path, if the text of a record has changed since it was written.
 Result<void> expect_whole(const std::string& text, const std::string& path);
 
 // Reads the record and its replay, which must be in the same folder. Errors: Errc::unavailable if a
@@ -164,7 +166,7 @@ Result<void> expect_whole(const std::string& text, const std::string& path);
 Result<MatchRecord> load(system::Files& files, const std::string& path,
                          ChecksumPolicy policy = ChecksumPolicy::checked);
 
-// "leg.json" -> "leg.replay.zst"
+// Converts a path: "leg.json" to "leg.replay.zst".
 std::string replay_path_of(const std::string& record_path);
 
 }  // namespace mirocup::record

@@ -13,10 +13,10 @@ namespace mirocup::record {
 // An empty text shows nothing.
 struct OwnTexts {
   match::ByTeam<std::string> thoughts;  // JSON lines of mirocup/thoughts/1
-  match::ByTeam<std::string> logs;      // what the teams printed
+  match::ByTeam<std::string> logs;      // output of the teams
 };
 
-// The teams whose thoughts and logs somebody may see.
+// The teams whose thoughts and logs a reader may see.
 using Whose = match::ByTeam<bool>;
 inline constexpr Whose of_nobody{false, false};
 inline constexpr Whose of_both{true, true};
@@ -25,7 +25,7 @@ inline constexpr Whose of_both{true, true};
 bool has_thoughts(system::Files& files, const std::string& record_path, const Whose& whose);
 
 // Reads the thoughts and logs of these teams in the leg. Texts whose files are missing are empty.
-// Errors: those of Files::read(), and of unpacked_thoughts().
+// Errors are those of Files::read() and of unpacked_thoughts().
 Result<OwnTexts> read_own_texts(system::Files& files, const std::string& record_path,
                                 const Whose& whose, system::Links links = system::Links::refused);
 

@@ -22,12 +22,13 @@ inline constexpr double max_control_period = 1.0;
 // Returns an object from which read_pitch() makes the same pitch.
 nlohmann::ordered_json to_json(const match::PitchSpec& pitch);
 
-// Reads the name of a preset, or an object. Values that an object leaves out are those of its key
-// "preset", by default mirosot. Complains about an unknown key, a wrong type, and parameters that
-// make no robot.
+// Reads the name of a preset, or an object. Values that an object leaves out come from the preset
+// of its key "preset", by default mirosot. Complains about an unknown key, a wrong type, and
+// impossible parameters of a robot.
 match::PitchSpec read_pitch(const JsonReader& json);
 
-// Reads a file. The error, Errc::input, names `path`, the JSON pointer and the reason.
+// Reads a pitch from the text of a file. The error, Errc::input, names `path`, the JSON pointer and
+// the reason.
 Result<match::PitchSpec> parse_pitch(std::string_view text, const std::string& path);
 
 // Returns the pitch of a command line's --pitch: the name of a preset, a file, or the JSON text

@@ -20,25 +20,25 @@ struct Replay {
   replay::StateTrace trace;
 };
 
-// Returns the bytes of the file. `robots`: number of robots of a team.
+// Returns the bytes of a replay file. `robots`: number of robots of a team.
 std::string pack_replay(const replay::Recording& recording, int robots);
 
-// The same before compression, and without the magic word.
+// Returns these bytes before compression, and without the magic word.
 std::string plain_replay(const replay::Recording& recording, int robots);
 
-// The size of a replay, as its record states it.
+// The size of a replay according to its record.
 struct ReplayShape {
   int robots = 0;         // of a team
-  std::size_t ticks = 0;  // of the leg
+  std::size_t ticks = 0;  // number of ticks of the leg
 };
 
-// Reads the bytes, which may come from strangers: it decompresses nothing larger than a replay of
-// this shape can be, and no more ticks than the bytes can hold. The error is Errc::damaged and
+// Reads a replay from bytes, which may come from strangers. Decompresses at most the size of a
+// replay of this shape, and no more ticks than the bytes can hold. The error is Errc::damaged and
 // names `path`.
 Result<Replay> unpack_replay(std::string_view bytes, const ReplayShape& shape,
                              const std::string& path);
 
-// The same for the bytes before compression. `plain` may be anything.
+// Reads a replay from bytes before compression. `plain` may be any bytes.
 Result<Replay> read_plain_replay(const std::string& plain, const ReplayShape& shape,
                                  const std::string& path);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The parameters of the laws as JSON, in records, league files and situations: {"preset": NAME,
-// KEY: VALUE, …}. A limit that is off is null, a count that is off is 0.
+// KEY: VALUE, …}. A limit that is switched off is null; a count that is switched off is 0.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -29,13 +29,13 @@ referee::Rules read_rules(const JsonReader& json, League league);
 // Applies all keys of the object but "preset" to `rules`.
 void read_parameters(const JsonReader& json, referee::Rules& rules);
 
-// As read_rules(), for the value of the key "rules". The error has `code` and begins with the JSON
-// pointer: "/rules/half_s: ...".
+// Like read_rules(), for the value of the key "rules". The error has `code` and begins with the
+// JSON pointer: "/rules/half_s: ...".
 Result<referee::Rules> rules_from_json(const nlohmann::ordered_json& object, Errc code,
                                        League league);
 
-// As rules_from_json(), with changes from a command line: each is KEY=VALUE with a value in JSON.
-// An error is Errc::input.
+// Like rules_from_json(), with changes from a command line: each change is KEY=VALUE with a value
+// in JSON. Errors: Errc::input.
 Result<referee::Rules> rules_with_changes(nlohmann::ordered_json object,
                                           const std::vector<std::string>& changes, League league);
 

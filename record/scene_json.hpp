@@ -18,7 +18,7 @@ namespace mirocup::record {
 // names the file `path`, the JSON pointer and the reason.
 Result<simulator::Scene> parse_scene(std::string_view text, const std::string& path);
 
-// `cpu_seconds`: processor time of the simulation.
+// Returns the result of a scene. `cpu_seconds` is the processor time of the simulation.
 nlohmann::ordered_json to_json(const simulator::Scene& scene, const simulator::SceneResult& result,
                                double cpu_seconds);
 

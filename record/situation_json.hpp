@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The start of a leg as JSON: a situation, "mirocup/situation/1". docs/situations.md specifies it.
-// Files of people and the key "situation" of records have the same form.
+// A file that a person writes and the key "situation" of a record have this form.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -26,7 +26,7 @@ struct Situation {
 // first tick separates them.
 inline constexpr double max_start_overlap = 1e-3;
 
-// Returns the situation with every value, headings as [cos, sin] so that no bit is lost.
+// Returns a situation with all values; headings are [cos, sin], so that no bit is lost.
 nlohmann::ordered_json to_json(const Situation& situation);
 
 // Complains about an unknown key, a wrong type, a number out of its range, and bodies that overlap
@@ -34,7 +34,7 @@ nlohmann::ordered_json to_json(const Situation& situation);
 // played.
 Situation read_situation(const JsonReader& json);
 
-// As read_situation(), for the text of a file. An error is Errc::input.
+// Like read_situation(), for the text of a file. Errors: Errc::input.
 Result<Situation> parse_situation(std::string_view text, const std::string& path);
 
 }  // namespace mirocup::record

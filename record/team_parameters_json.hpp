@@ -21,13 +21,13 @@ nlohmann::ordered_json to_json(const match::TeamParameters& parameters);
 // Complains about parameters that no team can have.
 match::TeamParameters read_team_parameters(const JsonReader& json);
 
-// Returns the parameters with changes from a command line: each is KEY=VALUE; if a name comes
-// twice, the last value counts. An error is Errc::input and names `option`.
+// Returns the parameters with changes from a command line: each change is KEY=VALUE; if a name
+// comes twice, the last value counts. Errors: Errc::input, which names `option`.
 Result<match::TeamParameters> parameters_with_changes(match::TeamParameters parameters,
                                                       const std::vector<std::string>& changes,
                                                       const std::string& option);
 
-// Returns the same parameters for a command line: `option`, KEY=VALUE, and so on.
+// Converts parameters to arguments of a command line: `option`, KEY=VALUE, and so on.
 std::vector<std::string> parameter_options(const match::TeamParameters& parameters,
                                            const std::string& option);
 

@@ -2,8 +2,8 @@
 //
 // One shape as a line of mirocup/thoughts/1 (schema.md): JSON with a line break behind it.
 //
-// A team may draw two hundred shapes in a tick, and a tick of a leg takes some 20 us. So a line
-// reuses the part that it shares with the line before, instead of formatting it again.
+// A team may draw two hundred shapes in a tick, and a tick of a leg takes some 20 us. So a new line
+// reuses the part that it shares with the previous line, instead of formatting that part again.
 #pragma once
 
 #include "core/match/thought.hpp"
@@ -25,10 +25,10 @@ class ThoughtLine {
   void write_head(std::uint32_t tick, const match::Thought& thought);
   void write_tail(const match::Thought& thought);
 
-  std::string line_;      // the head and what follows it
+  std::string line_;      // the head and the rest of the line
   std::size_t head_ = 0;  // size of the head, which has tick, layer, colour and kind; 0: none
   std::size_t tick_ = 0;  // size of the part of the head that has the tick
-  std::uint32_t head_tick_ = 0;  // the values in the head
+  std::uint32_t head_tick_ = 0;  // the tick in the head
   match::ThoughtKind kind_ = match::ThoughtKind::line;
   std::uint32_t colour_ = 0;
   std::string layer_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The file with the shapes that a team drew in a leg (mirocup/thoughts/1 of schema.md): JSON lines,
-// one for each shape, packed with zstd. It lies beside the record, and nothing else depends on it.
+// one for each shape, packed with zstd. The file lies beside the record, and no other file depends
+// on it.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -21,22 +22,22 @@ namespace mirocup::record {
 // Returns the path of a team's thoughts: NAME.blue.thoughts.zst beside NAME.json.
 std::string thoughts_path(const std::string& record_path, Team team);
 
-// Collects the thoughts of one team in a leg. It packs them while they come, so that a leg needs no
-// memory for all of them.
+// Collects the thoughts of one team in a leg. The writer packs thoughts while they come, so that a
+// leg needs no memory for all thoughts.
 class ThoughtsWriter {
  public:
   // Adds a shape of a tick. Drops the first shape with which the leg would exceed
   // max_thought_bytes, and all shapes after it.
   void add(std::uint32_t tick, const match::Thought& thought);
 
-  // Counts shapes that were dropped before they came here.
+  // Counts shapes that were dropped before they came to this writer.
   void count_left_out(std::uint32_t shapes) { left_out_ += shapes; }
 
   // Returns how many shapes of the leg were dropped so far.
   std::uint64_t left_out() const { return left_out_; }
 
-  // Ends the file and returns its bytes. If shapes were dropped, the last line is a text that says
-  // so. Nothing can be added afterwards.
+  // Ends the file and returns its bytes. If shapes were dropped, the last line is a text about the
+  // number. After this call nothing can be added.
   std::string packed();
 
  private:
@@ -56,8 +57,8 @@ class ThoughtsWriter {
   bool is_full_ = false;
 };
 
-// Returns the JSON lines of a file. The error names `path` and says why the bytes are not such a
-// file.
+// Returns the JSON lines of a file. The error names `path` and says why the bytes are not a file of
+// thoughts.
 Result<std::string> unpacked_thoughts(std::string_view bytes, const std::string& path);
 
 }  // namespace mirocup::record

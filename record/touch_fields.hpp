@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A robot that touched the ball, as records and statistics have it.
+// The JSON of a robot that touched the ball, in records and statistics.
 #pragma once
 
 #include "core/match/goal_credit.hpp"

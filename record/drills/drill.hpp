@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A drill: a situation that is tried many times, the events that count in it, and their marks. As
-// JSON it is "mirocup/drill/1"; docs/drills.md specifies it.
+// A drill: a situation that is tried many times, the events that count in a try, and their marks.
+// The JSON of a drill is "mirocup/drill/1", specified in docs/drills.md.
 //
-// The tested team is blue. Places and areas are in its frame, in which it attacks +x. Metres,
-// seconds, radians.
+// The tested team is blue. Places and areas are in the tested team's frame, in which it attacks +x.
+// Units are metres, seconds and radians.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -26,55 +26,55 @@ inline constexpr Team tested = Team::blue;
 
 enum class EventKind { goal, no_goal, save, touch, pass, pose, in_area, no_foul };
 
-// The frame of a pose. `ball`: the origin is the ball, and +x points from there to the middle of
+// The frame of a pose. `ball`: the origin is the ball, and +x points from the ball to the middle of
 // the opponents' goal.
 enum class Frame { field, ball };
 
-// An event that must happen in a try, or must not. Its kind decides which members count. If a drill
-// has an event that must happen, an event that must not happen gives no marks, but costs all marks
-// of the try if it happens.
+// An event that must happen in a try, or must not. The kind of the event decides which members
+// count. In a drill with an event that must happen, an event that must not happen gives no marks,
+// but takes all marks of the try if it happens.
 struct Event {
   EventKind kind = EventKind::goal;
   double marks = 1.0;
-  double by = std::numeric_limits<double>::infinity();  // s since the start: the latest time
-  int count = 1;                                        // goal, save, touch, pass: at least so many
-  int most = 0;                                         // no_goal, no_foul: at most so many
+  double by = std::numeric_limits<double>::infinity();  // the latest time, s since the start
+  int count = 1;                                        // goal, save, touch, pass: the least number
+  int most = 0;                                         // no_goal, no_foul: the greatest number
   std::optional<int> robot;      // touch, pose, in_area: this robot; empty: any robot
-  bool first = false;            // touch: before any opponent
-  bool is_of_ball = true;        // in_area: the ball, not a robot
+  bool first = false;            // touch: true: before any opponent
+  bool is_of_ball = true;        // in_area: true: the ball must be there; false: a robot
   std::array<double, 4> area{};  // in_area: low x, low y, high x, high y
   Frame frame = Frame::field;    // pose
   Pose pose;                     // pose
-  double within = 0.005;         // pose: m from it
-  double within_angle = 0.2;     // pose: rad from its heading
-  double hold = 0.0;             // pose, in_area: s without a break
+  double within = 0.005;         // pose: greatest distance from it, m
+  double within_angle = 0.2;     // pose: greatest difference of heading, rad
+  double hold = 0.0;             // pose, in_area: least time without a break, s
 
-  // False for an event that must not happen: then the end of the try decides.
+  // False for an event that must not happen, which is decided at the end of the try.
   bool has_to_happen() const { return kind != EventKind::no_goal && kind != EventKind::no_foul; }
 };
 
 // Deductions from the marks of a try, as shares of full marks.
 struct Deductions {
-  double time = 0.0;  // for a success in the last moment; less for an earlier one
+  double time = 0.0;  // for a success in the last moment; less for an earlier success
   double foul = 0.0;  // for each foul
 };
 
 struct Drill {
-  std::string name;  // of the file, without its suffix
+  std::string name;  // name of the file without its suffix
   std::string title;
   std::string teaches;
-  int version = 1;  // scores of one version can be compared
+  int version = 1;  // only scores of one version can be compared
   League league = League::small;
   referee::Rules rules;
   match::Conditions conditions;
   nlohmann::ordered_json situation;  // numbers may be {"from", "to"}
-  std::string opponent;              // as on the command line
+  std::string opponent;              // the opponent, as on the command line
   std::string mates;                 // "": the tested team steers all robots
-  referee::RobotSet robots;          // steered by the tested team; the mates steer the others
+  referee::RobotSet robots;          // robots of the tested team; the mates steer the others
   match::TeamParameters parameters;  // of the tested team
-  double seconds = 10.0;             // of play in a try
+  double seconds = 10.0;             // time of play in a try, s
   int tries = 60;
-  bool plays_on = false;  // false: a try is over when the referee stops play
+  bool plays_on = false;  // false: the try ends when the referee stops play
   std::vector<Event> success;
   Deductions deductions;
 };
@@ -83,8 +83,8 @@ struct Drill {
 Result<Drill> parse_drill(std::string_view text, const std::string& path);
 
 // Returns the setup of one try. The seed draws the numbers of the situation that have a range, and
-// disturbs the leg. The leg ends by itself after the drill's seconds of play. The error says why no
-// draw gave a playable situation.
+// disturbs the leg. The leg ends by itself after the drill's seconds of play. The error says why
+// every drawn situation was not playable.
 Result<match::Setup> setup_of(const Drill& drill, std::uint64_t seed);
 
 }  // namespace mirocup::drills

@@ -18,19 +18,19 @@ namespace mirocup::drills {
 
 // The result of one try.
 struct TryResult {
-  bool passed = false;   // all events of the drill came out as asked
+  bool passed = false;   // true: all events of the drill came out as required
   double marks = 0.0;    // 0 to 1
-  double seconds = 0.0;  // of play, until it was over
-  std::string why;       // the first thing that was missing: "goal"; "" if it passed
+  double seconds = 0.0;  // s of play until the try was over
+  std::string why;       // the first missing event: "goal"; "" if the try passed
 };
 
 class Judge {
  public:
-  // Drill and leg outlive the judge. Made before the leg's first tick.
+  // Drill and leg must outlive the judge. To be made before the leg's first tick.
   Judge(const Drill& drill, const match::Leg& leg);
 
-  // Looks at the tick that the leg has just played. Returns false when the try is decided, or the
-  // leg is over; not to be called after that.
+  // Judges the tick that the leg has just played. Returns false when the try is decided, or the leg
+  // is over; after false, not to be called again.
   bool follow();
 
   // Returns the result of the try so far.
@@ -40,12 +40,12 @@ class Judge {
   struct State {
     int count = 0;
     double held = 0.0;         // s
-    std::optional<double> at;  // s since the start: when it came true
+    std::optional<double> at;  // s since the start: when the event came true
   };
   struct Contact {
     match::Touch who;
     std::uint32_t tick = 0;  // the last one
-    Vec2 ball{0.0, 0.0};     // where the ball was in that tick
+    Vec2 ball{0.0, 0.0};     // place of the ball in the contact's last tick
   };
 
   void see_decisions();
@@ -66,13 +66,13 @@ class Judge {
   std::vector<State> states_;  // of the drill's events
   double begin_ = 0.0;         // the clock at the start
   double last_clock_ = 0.0;
-  std::size_t decisions_ = 0;  // looked at so far
+  std::size_t decisions_ = 0;  // number of decisions judged so far
   bool was_stopped_ = false;   // since the start
   bool touched_by_opponent_ = false;
   int conceded_ = 0;
   int fouls_ = 0;
   std::optional<Contact> contact_;  // the last one
-  std::optional<double> saved_at_;  // s, of a save that may yet fail
+  std::optional<double> saved_at_;  // time of a save that may still fail, s
   simulator::BallState ball_before_;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Counts the statistics of a leg, tick by tick. docs/statistics.md defines the count of each
-// function; the numbers below are the limits that it names.
+// Counts the statistics of a leg, tick by tick. docs/statistics.md defines each count; the numbers
+// below are the limits that this page names.
 //
-// A half-turn of the field and an exchange of the colours leave every count as it is.
+// A half-turn of the field and an exchange of the colours do not change any count.
 #pragma once
 
 #include "core/field/field.hpp"
@@ -11,13 +11,14 @@
 
 namespace mirocup::statistics {
 
-inline constexpr double min_flight_m = 0.15;    // of a pass, and of a ball that is intercepted
+inline constexpr double min_flight_m = 0.15;    // least way of a passed or intercepted ball
 inline constexpr double shot_speed = 0.5;       // m/s; a slower ball is not a shot
-inline constexpr double shot_distance_m = 1.0;  // to the goal line; farther away is not a shot
+inline constexpr double shot_distance_m = 1.0;  // greatest distance of a shot to the goal line
 inline constexpr double wide_goals = 2.0;       // a shot misses by at most half a goal's width
-inline constexpr double shot_pause_s = 0.5;     // after a longer pause it is a new shot
-inline constexpr double save_s = 0.5;           // a goal within this time: not a save
-inline constexpr double duel_pause_s = 0.5;     // without a contested tick, then it is over
+inline constexpr double shot_pause_s = 0.5;     // after a longer pause, a new shot begins
+inline constexpr double save_s = 0.5;           // no goal may fall for this time after a save
+// A duel is over after this time without a contested tick.
+inline constexpr double duel_pause_s = 0.5;
 
 class Counter {
  public:
@@ -27,7 +28,7 @@ class Counter {
   // To be called for each tick in its order.
   void add(const PlayTick& tick);
 
-  // Returns the numbers as if play had ended now. If a duel is undecided, no team wins it.
+  // Returns the statistics as if play had ended now. If a duel is undecided, no team wins it.
   LegStatistics statistics() const;
 
  private:
@@ -39,10 +40,10 @@ class Counter {
   // A ball on its way to the other goal, which counts as one shot.
   struct Shot {
     Team team = Team::blue;
-    std::size_t mark = 0;            // its place in LegStatistics::shots
-    bool on_goal = false;            // at any time
-    std::uint32_t last = 0;          // last tick on its way, past or into the goal
-    std::uint32_t last_on_goal = 0;  // tick in which it was on its way into the goal
+    std::size_t mark = 0;            // index of the shot in LegStatistics::shots
+    bool on_goal = false;            // true: the ball was on its way into the goal at any time
+    std::uint32_t last = 0;          // last tick with the ball on its way past or into the goal
+    std::uint32_t last_on_goal = 0;  // last tick with the ball on its way into the goal
   };
   struct Save {
     Team team;
@@ -53,7 +54,7 @@ class Counter {
     referee::Restart kind = referee::Restart::none;
     referee::Law law = referee::Law::toss;
     Team taker = Team::blue;
-    std::uint32_t play_ticks = 0;  // before the restart
+    std::uint32_t play_ticks = 0;  // ticks of play before the restart
   };
   enum class Course { elsewhere, wide, on_goal };
 
@@ -74,7 +75,7 @@ class Counter {
 
   field::Field field_;
   double control_period_;
-  LegStatistics counted_;  // without the times
+  LegStatistics counted_;  // counts so far, without times
   std::uint32_t play_ticks_ = 0;
   std::uint32_t dead_ticks_ = 0;
   ByTeam<std::uint32_t> possession_ticks_{};
@@ -90,7 +91,7 @@ class Counter {
   ByTeam<std::optional<Loss>> last_loss_;
   std::optional<Shot> shot_;
   std::optional<Save> save_;                   // a save that may still fail
-  std::optional<std::uint32_t> last_contest_;  // tick; nothing if no duel is on
+  std::optional<std::uint32_t> last_contest_;  // tick of the last contest; nothing if no duel is on
 };
 
 // Counts a leg: a LegWatcher and a Counter.

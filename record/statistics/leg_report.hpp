@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The statistics of legs that were recorded. A record holds no positions, so the leg is played
-// again from its commands.
+// The statistics of recorded legs. A record holds no positions, so the leg is simulated again from
+// its commands.
 #pragma once
 
 #include "core/replay/playback.hpp"
@@ -15,7 +15,7 @@ namespace mirocup::statistics {
 
 // A leg and its statistics.
 struct LegReport {
-  std::string record;  // its path
+  std::string record;  // path of the record
   std::string leg;     // "r3-f1 leg 2" in a league; "" otherwise
   ByTeam<std::string> names;
   ByTeam<int> played{};  // goals scored on the field, without a forfeit or a ruling
@@ -28,16 +28,16 @@ struct LegReport {
 LegReport report_of(const std::string& path, const record::MatchRecord& record,
                     LegStatistics statistics);
 
-// Plays the leg again and counts. The error is the first tick that is not reproduced.
+// Plays the leg again and counts. The error names the first tick that is not reproduced.
 tl::expected<LegReport, replay::Divergence> count_leg(const std::string& path,
                                                       const record::MatchRecord& record);
 
-// Reads the record, plays it again and counts. Errors: those of record::load(); Errc::damaged for a
-// record that is not reproduced, with the first tick that differs.
+// Reads the record, plays it again and counts. Errors are those of record::load(), and
+// Errc::damaged, with the first different tick, for a record that is not reproduced.
 Result<LegReport> count_record(system::Files& files, const std::string& path);
 
 // Counts several records, on all processors, and returns the reports in the order of `paths`. The
-// error is that of the first record that has one. `files` is used by several threads.
+// error is that of the first record with an error. Several threads use `files`.
 Result<std::vector<LegReport>> count_records(system::Files& files,
                                              const std::vector<std::string>& paths);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One tick of a leg as the counter sees it: plain data, so that a test can write it by hand.
-// Everything is in the field's frame; metres, m/s.
+// One tick of a leg for the counter: plain data, so that a test can write a tick by hand. All
+// values are in the field's frame, in m and m/s.
 #pragma once
 
 #include "record/statistics/statistics.hpp"
@@ -34,7 +34,7 @@ class LegWatcher {
 
  private:
   match::Snapshot before_;
-  std::size_t decisions_ = 0;  // seen so far
+  std::size_t decisions_ = 0;  // number of decisions already passed on
 };
 
 }  // namespace mirocup::statistics

@@ -13,13 +13,13 @@ namespace mirocup::statistics {
 // The content and the form of a report.
 struct ReportOptions {
   bool goals = false;  // true: goals and lost balls; false: the numbers
-  std::string team;    // only its legs, and only goals against it; "": all teams
+  std::string team;    // only legs of this team, and only goals against it; "": all teams
   bool csv = false;    // comma-separated values instead of text for people
   bool json = false;   // one object
 };
 
-// Returns what `mirocup stats` prints about these legs. JSON holds both subjects. Errors:
-// Errc::input if the team has no leg.
+// Returns what `mirocup stats` prints about these legs. The JSON has both goals and numbers.
+// Errors: Errc::input if the team has no leg.
 Result<std::string> report(std::vector<LegReport> legs, const ReportOptions& options);
 
 // Returns the numbers of each team over all legs, as lines for a terminal.
@@ -29,13 +29,13 @@ std::string numbers_text(const std::vector<LegReport>& legs);
 std::string numbers_csv(const std::vector<LegReport>& legs);
 
 // Returns how goals fell against each team, where it lost the ball and which laws it broke, with
-// record and tick, as lines for a terminal. With a name, returns only those of this team.
+// record and tick, as lines for a terminal. With a name, returns only the lines of this team.
 std::string goals_text(const std::vector<LegReport>& legs, const std::string& team = "");
 
 // Returns one line for each goal and each foul.
 std::string goals_csv(const std::vector<LegReport>& legs);
 
-// The share as "47 %"; "-" if there is none.
+// Returns a share as "47 %"; "-" for an empty share.
 std::string percent(const std::optional<double>& share);
 
 }  // namespace mirocup::statistics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The statistics of football: plain numbers of one leg. docs/statistics.md defines each of them,
-// counter.hpp counts them.
+// The statistics of football: plain numbers of one leg. docs/statistics.md defines each number,
+// counter.hpp counts.
 //
 // Times are in seconds, lengths in metres. A place is in the frame of its own team, which attacks
 // +x. A shoot-out does not count.
@@ -19,8 +19,8 @@ namespace mirocup::statistics {
 
 using match::ByTeam;
 
-// The kind of a goal, from the view of the team the team the team for which it counts:
-// match::GoalKind, or an own goal of the opponents. Attempts of a shoot-out are not goals.
+// The kind of a goal, from the view of the team for which it counts: match::GoalKind, or an own
+// goal of the opponents. Attempts of a shoot-out are not goals.
 enum class GoalOrigin {
   open_play,
   kick_off,
@@ -32,10 +32,10 @@ enum class GoalOrigin {
   own_goal,
 };
 
-// A third of the field along its length, as a team sees it.
+// A third of the field along its length, from the view of a team.
 enum class Third { own, middle, opponent };
 
-// How a team lost the ball to the other one while play was on.
+// How a team lost the ball to the opponents while play was on.
 enum class LossKind {
   interception,  // the ball was on its way, and an opponent was the next to touch it
   save,          // an interception of a ball on its way into the goal
@@ -77,7 +77,7 @@ struct TeamStatistics {
   int saves = 0;
   int passes = 0;
   int interceptions = 0;
-  PerName<Third> losses{};  // of the ball, by the third in which the team touched it last
+  PerName<Third> losses{};  // losses of the ball, by the third in which the team touched it last
   int duels_won = 0;
   PerName<referee::Law> fouls{};
   double possession_s = 0.0;
@@ -96,28 +96,28 @@ struct TeamStatistics {
 struct Loss {
   std::uint32_t tick = 0;  // the tick in which an opponent got the ball
   LossKind kind = LossKind::tackle;
-  Vec2 place{0.0, 0.0};  // where the losing team touched it last
+  Vec2 place{0.0, 0.0};  // where the losing team touched the ball last
   Third third = Third::own;
 };
 
-// A goal, and what came before it.
+// A goal, and the events before it.
 struct Goal {
   std::uint32_t tick = 0;
-  Team team = Team::blue;  // for which it counts
+  Team team = Team::blue;  // the team for which the goal counts
   GoalOrigin origin = GoalOrigin::open_play;
   std::optional<match::Touch> scorer;
   referee::Restart restart = referee::Restart::none;  // the last restart, the law that gave it, …
   referee::Law restart_law = referee::Law::toss;
   Team taker = Team::blue;     // … and the team that took it
   double since_restart = 0.0;  // s of play
-  // The last loss of the conceding team since the restart; empty if it did not have the ball or did
-  // not lose it.
+  // The last loss of the ball by the conceding team since the restart; empty if the team did not
+  // lose the ball.
   std::optional<Loss> loss;
 };
 
 // A counted shot and its outcome.
 struct ShotMark {
-  std::uint32_t tick = 0;  // the tick in which it began
+  std::uint32_t tick = 0;  // the tick in which the shot began
   Team team = Team::blue;
   Vec2 place{0.0, 0.0};  // where the team touched the ball before
   bool on_goal = false;
@@ -140,7 +140,7 @@ struct Foul {
   std::uint32_t tick = 0;
   Team team = Team::blue;  // the team that offended
   referee::Law law = referee::Law::push;
-  referee::Restart restart = referee::Restart::none;  // the restart that it cost
+  referee::Restart restart = referee::Restart::none;  // the restart that the foul cost
 };
 
 struct LegStatistics {

@@ -14,23 +14,23 @@ namespace mirocup::statistics {
 
 using record::Json;
 
-// The statistics of a leg without its record and names: {play_s, dead_ball_s, …, teams, goals,
-// fouls}.
+// Returns the statistics of a leg without its record and names: {play_s, dead_ball_s, …, teams,
+// goals, fouls}.
 Json to_json(const LegStatistics& statistics);
 
-// A leg with its record and the names of its teams.
+// Returns the statistics of a leg with its record and the names of its teams.
 Json to_json(const LegReport& leg);
 
 Json to_json(const TeamTotals& team);
 
-// The whole document: {schema, legs, teams}.
+// Returns the whole document: {schema, legs, teams}.
 Json report_json(const std::vector<LegReport>& legs);
 
-// Reads the text of one leg as `to_json(LegReport)` writes it. Errors: Errc::damaged, also for a
+// Reads the text of one leg in the form of `to_json(LegReport)`. Errors: Errc::damaged, also for a
 // text of another version.
 Result<LegReport> parse_leg_report(std::string_view text, const std::string& path);
 
-// The text of the file that keeps a leg's statistics beside its replay page.
+// Returns the text of the file that keeps a leg's statistics beside its replay page.
 std::string leg_report_text(const LegReport& leg);
 
 }  // namespace mirocup::statistics

@@ -11,12 +11,12 @@
 namespace mirocup::statistics {
 
 // The sums over the legs of one team. A value that both teams of a leg share counts in the sums of
-// each.
+// both teams.
 struct TeamTotals {
   std::string name;
   int legs = 0;
   TeamStatistics own;
-  TeamStatistics against;  // the sums of its opponents in these legs
+  TeamStatistics against;  // the sums of the opponents in these legs
   double play_s = 0.0;
   double dead_ball_s = 0.0;
   int duels = 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A recorded situation as `mirocup referee` reads it: one line of JSON with key frames.
-// docs/referee-traces.md specifies the format. Metres, radians, seconds; the frame of the field.
+// A recorded situation for `mirocup referee`: one line of JSON with key frames.
+// docs/referee-traces.md specifies the format. Units are metres, radians and seconds, in the frame
+// of the field.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -18,7 +19,7 @@
 
 namespace mirocup::traces {
 
-// The positions from time `t` on. A value that a frame leaves out is the value of the frame before.
+// The positions from time `t` on. A value that a frame leaves out stays as in the frame before.
 struct KeyFrame {
   double t = 0.0;
   Vec2 ball{0.0, 0.0};
@@ -37,9 +38,9 @@ struct KeyFrame {
 struct Motion {
   enum class Type { none, sine, line };
   Type type = Type::none;
-  double amplitude = 0.0;   // m along x, of a sine
-  double frequency = 0.0;   // Hz
-  Vec2 velocity{0.0, 0.0};  // m/s, of a line
+  double amplitude = 0.0;   // amplitude of a sine along x, m
+  double frequency = 0.0;   // of a sine, Hz
+  Vec2 velocity{0.0, 0.0};  // velocity along a line, m/s
 };
 
 enum class TraceState { PLAY, READY, PLACE, HALF_TIME };
@@ -60,7 +61,7 @@ struct HandOnField {
 // A penalty attempt of a shoot-out in progress.
 struct Attempt {
   End taker = End::left;
-  double t = 0.0;  // since its start
+  double t = 0.0;  // s since the start of the attempt
 };
 
 struct Trace {
@@ -74,16 +75,16 @@ struct Trace {
   bool is_interpolated = false;
   Motion motion;
   std::optional<double> hold;  // the situation lasts until this time; empty: until the last frame
-  std::vector<std::pair<double, double>> clock_stops;     // from, to
-  std::optional<referee::Placement> requested_placement;  // with state PLACE
-  referee::ByEnd<int> requested_robots{};                 // how many poses each team gave
+  std::vector<std::pair<double, double>> clock_stops;     // start and end of each stop of the clock
+  std::optional<referee::Placement> requested_placement;  // only with state PLACE
+  referee::ByEnd<int> requested_robots{};                 // number of poses that each team gave
   std::vector<TeamRequest> requests;
   std::vector<HandOnField> hands;
-  referee::ByEnd<bool> missing{};  // with state HALF_TIME: the teams that are late
+  referee::ByEnd<bool> missing{};  // teams that are late, only with state HALF_TIME
   std::optional<Attempt> attempt;
 };
 
-// Reads one situation. An error, Errc::input, begins with the JSON pointer of the wrong key.
+// Reads one situation. Errors: Errc::input, which begins with the JSON pointer of the wrong key.
 // Unknown keys are ignored.
 Result<Trace> trace_from_json(nlohmann::ordered_json json);
 

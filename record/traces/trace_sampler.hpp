@@ -11,14 +11,14 @@ inline constexpr double sample_period = 0.033;  // s
 
 class TraceSampler {
  public:
-  // Both must outlive the sampler.
+  // Both arguments must outlive the sampler.
   TraceSampler(const Trace& trace, const referee::Pitch& pitch);
 
   // Returns the number of the last sample: the first sample that shows the last frame or, if later,
   // the last sample within `hold`.
   int last_sample() const { return last_sample_; }
 
-  // Returns the situation at the time k * sample_period, with the motion since the sample before.
+  // Returns the situation at the time k * sample_period, with the motion since the previous sample.
   // Sample 0 has the duration 0.
   referee::Situation sample(int k) const;
 

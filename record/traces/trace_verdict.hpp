@@ -10,7 +10,7 @@ namespace mirocup::traces {
 
 nlohmann::ordered_json judge_trace(const Trace& trace);
 
-// The verdict on a line that is not a situation: REJECTED, with the reason.
+// Returns the verdict on a line that is not a situation: REJECTED, with the reason.
 nlohmann::ordered_json reject_trace(const std::string& id, const std::string& reason);
 
 }  // namespace mirocup::traces
