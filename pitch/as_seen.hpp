@@ -9,8 +9,8 @@
 namespace mirocup::pitch {
 
 // Plays the leg again and returns a recording with a picture at the start of each tick, without
-// noise. The commands of a frame are those that drive the robots in that tick; while play is
-// stopped, robots are commanded to stand. Errc::damaged if the leg differs from its record.
+// noise. A frame has the commands that drive the robots in that tick; while play is stopped, the
+// commands are 0. Errc::damaged if the leg differs from its record.
 Result<Recording> as_seen(const replay::Recording& leg, const std::string& path);
 
 }  // namespace mirocup::pitch

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Chooses the windows of a recording that are simulated, and where they begin.
+// Chooses the windows of a recording to simulate, and the start of each window.
 //
-// A window begins where pictures tell all that its motion depends on: nothing touches, and wheels
-// hold. A robot that has just slid or been hit has a sideways speed that a camera hardly sees, and
-// that would pass for a lag of its motors. Pictures before the window decide whether wheels hold.
-// Their noise is independent of the noise in the window, so the choice does not bias the numbers.
+// A window begins at a frame whose motion is known from pictures alone: no bodies touch, and wheels
+// hold. A robot that has just slid or was hit has a sideways speed that a camera hardly sees, and
+// that the fit would take for a lag of the motors. Pictures before the window decide whether wheels
+// hold. The noise of those pictures is independent of the noise in the window, so the choice does
+// not bias the numbers.
 #pragma once
 
 #include "pitch/windows.hpp"
@@ -14,8 +15,8 @@
 
 namespace mirocup::pitch {
 
-// Returns windows of the ball alone, of up to two seconds: long windows show best how it slows
-// down.
+// Returns windows of the ball alone, of up to two seconds: long windows show best how the ball
+// slows down.
 std::vector<Window> rolls(const Footage& footage, const simulator::Parameters& parameters);
 
 // Returns windows of one robot alone whose commands are known, of up to half a second.

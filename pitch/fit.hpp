@@ -18,17 +18,19 @@
 namespace mirocup::pitch {
 
 // A window in the fit. Its bodies have unknowns at its start: the ball x, y, vx, vy; a robot x, y,
-// heading, forward, turn and, if wheels may slide, its sideways speed. If the wheels hold after
-// all, nothing depends on the sideways speed, so a separate residual keeps it near 0.
+// heading, forward, turn and, if wheels may slide, its sideways speed. If the wheels hold in the
+// simulation, nothing depends on the sideways speed, so a separate residual keeps that speed near
+// 0.
 struct Piece {
   const Footage* footage = nullptr;
   Window window;
   std::vector<simulator::BodyState> start;
-  std::array<bool, unknown_count> tells{};  // true: its bodies depend on the number
-  int states = 0;                           // unknowns of the starts
-  int rows = 0;                             // residuals: 2 or 3 a sight, then sideways speeds
-  double square = 0.0;                      // sum of its squared residuals, weighted
-  bool counts = true;                       // false: it fits the pictures from no start
+  std::array<bool, unknown_count> tells{};  // true: the motion in the window depends on the number
+  int states = 0;                           // number of unknowns of the starts
+  // Number of residuals: 2 or 3 for each sight, then sideways speeds.
+  int rows = 0;
+  double square = 0.0;  // weighted sum of the squared residuals
+  bool counts = true;   // false: no start fits the pictures of the window
   std::vector<simulator::BodyState> trial;
   Eigen::MatrixXd gain;  // of the starts on the pitch: A^-1 B
   Eigen::VectorXd own;   // A^-1 a
@@ -47,8 +49,8 @@ class Fit {
  public:
   Fit(const Guess& start, const Noise& noise) : guess_(start), noise_(noise) {}
 
-  // Adds a window, unless too few pictures show its bodies at its start, or they touch something
-  // there.
+  // Adds a window, unless too few pictures show its bodies at the start, or a body touches
+  // something at the start.
   void add(const Footage& footage, Window window);
   // Ends windows of several bodies a little after their first impact in the simulator, because each
   // further impact multiplies errors. Windows without an impact tell nothing about impacts, and are
@@ -61,7 +63,8 @@ class Fit {
   const Noise& noise() const { return noise_; }
   void set_noise_known(bool known) { noise_is_known_ = known; }
 
-  // Sets whether an unknown is searched. A tied lag equals the lag of driving.
+  // Sets whether an unknown is searched. If the lag of turning is tied, it equals the lag of
+  // driving.
   void set_free(int unknown, bool free) { is_free_[unknown] = free; }
   bool is_free(int unknown) const { return is_free_[unknown]; }
   void tie_turn_lag(bool tied) { turn_is_tied_ = tied; }
@@ -73,19 +76,19 @@ class Fit {
   // Fits some of the windows from each guess, and keeps the best result, because the cost can have
   // several minima.
   void choose(std::span<const Guess> guesses);
-  // Steps until the cost no longer falls. `hard`: drops outliers instead of giving them less
+  // Steps until the cost no longer falls. `hard`: outliers are dropped instead of getting less
   // weight.
   void run(bool hard);
   // Looks for better starts of windows that their present starts explain badly: a hit with the
   // other edge first is a separate minimum.
   void retry();
-  // The least cost of the windows that depend on an unknown, at each of some values of it, with the
-  // other numbers of the pitch fixed. A sweep upwards and one downwards find the best starts of
-  // each window. If the best value is better than the present value, profile() sets the unknown to
-  // it.
+  // Returns, at some values of an unknown, the least cost of the windows that depend on it, with
+  // the other numbers of the pitch fixed. A sweep upwards and a sweep downwards find the best
+  // starts of each window. If the best of these values is better than the present value, profile()
+  // sets the unknown to the best value.
   struct Profile {
     std::vector<double> values, costs;
-    std::vector<std::vector<double>> parts;  // of each window, its cost at each value
+    std::vector<std::vector<double>> parts;  // cost of each window at each value
 
     int windows() const { return static_cast<int>(parts.size()); }
   };
@@ -94,7 +97,7 @@ class Fit {
   void linearise();
   // Returns the inverse of the covariance of the free unknowns, in their order.
   const Eigen::MatrixXd& information() const { return information_; }
-  // The information of one window, and the gradient of its cost.
+  // Return the information of one window, and the gradient of the window's cost.
   struct Told {
     Eigen::MatrixXd information;
     Eigen::VectorXd gradient;
@@ -135,7 +138,7 @@ class Fit {
   bool brake_is_tied_ = false;
   bool hard_ = false;
   Eigen::MatrixXd information_;
-  std::vector<Told> told_;  // one for each window that counts
+  std::vector<Told> told_;  // an entry for each window that counts
   Eigen::VectorXd gradient_;
   double cost_ = 0.0;
   double damping_ = 1e-3;

@@ -5,13 +5,13 @@
 //
 // Least squares over windows (windows.hpp). The unknowns are the numbers of the pitch, and the
 // state of each body at the start of each window. Steps are those of Levenberg and Marquardt. The
-// states are eliminated window by window (Schur's complement), so a step costs one small system for
-// each window and one of the size of the pitch. The reduced equations of a window are its
-// information about the pitch, and their sum is the inverse of the covariance.
+// states are eliminated window by window (Schur's complement), so a step solves a small system for
+// each window and one system of the size of the pitch. The reduced equations of a window are its
+// information about the pitch, and the sum over all windows is the inverse of the covariance.
 //
-// It is robust: a picture counts less the further it is from the simulation (Huber), and in the end
-// pictures beyond five standard deviations do not count. Windows that no state explains, for
-// example because a hand moves a robot, are dropped and counted.
+// The method is robust: pictures far from the simulation get less weight (Huber), and in the end
+// pictures beyond five standard deviations get none. Windows that no state explains, for example
+// because a hand moves a robot, are dropped and counted.
 #pragma once
 
 #include "pitch/recording.hpp"
@@ -31,10 +31,13 @@ struct Estimate {
 };
 
 struct Identified {
-  Guess guess;  // numbers that are not known are those of the pitch from which the search began
-  std::array<std::optional<Estimate>, unknown_count> known;  // empty: the recording does not tell
-  std::array<std::string, unknown_count> why_not;            // a sentence for each empty one
-  bool has_one_lag = true;                                   // turning and driving lag equally
+  Guess guess;  // unknown numbers are those of the pitch from which the search began
+  // Empty: the recording does not determine the number.
+  std::array<std::optional<Estimate>, unknown_count> known;
+  // A sentence for each empty entry of known.
+  std::array<std::string, unknown_count> why_not;
+  // True: turning and driving have the same lag.
+  bool has_one_lag = true;
   bool has_brake = false;
   Estimate deceleration;  // of the ball at 0.5 m/s, m/s^2; meaningless without a rolling ball
   bool has_deceleration = false;
@@ -46,8 +49,8 @@ struct Identified {
   int unexplained = 0;      // windows that no state explains
 };
 
-// Identifies from one recording or several of the same pitch, from `start` on. Errc::input if no
-// window has a body that moves by known commands or a ball that rolls.
+// Identifies a pitch from one or several recordings of it. The search begins at `start`.
+// Errc::input if no window has a body that moves by known commands or a ball that rolls.
 Result<Identified> identify(const std::vector<Recording>& recordings, const Guess& start);
 
 }  // namespace mirocup::pitch

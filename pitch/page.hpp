@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Pages of an identification and of a validation: one file each, with its pictures in it.
+// Pages of an identification and of a validation. Each page is one file that contains its pictures.
 #pragma once
 
 #include "pitch/identify.hpp"
@@ -10,11 +10,11 @@
 
 namespace mirocup::pitch {
 
-// `title` is text; the page escapes it.
+// Return a page. `title` is plain text; the page escapes it.
 std::string page_of(const Identified& identified, const std::string& title);
 std::string page_of(const Validation& validation, const std::string& title);
 
-// The same as text for a terminal.
+// Return the content of the page as text for a terminal.
 std::string text_of_result(const Identified& identified);
 std::string text_of_result(const Validation& validation);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A recording: the robots and the ball as a camera saw them, and the commands of the robots. Schema
+// A recording: the robots and the ball, seen by a camera, and the commands of the robots. Schema
 // mirocup/recording/1, JSON lines, which docs/pitches.md describes with a camera program that
 // writes it.
 //
-// Metres, radians counter-clockwise, seconds, rad/s, in the field's frame. `t` is the time at which
-// a picture was taken, or a command was sent.
+// Units are metres, radians counter-clockwise, seconds and rad/s, in the field's frame. `t` is the
+// time at which a picture was taken, or a command was sent.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -20,25 +20,26 @@
 
 namespace mirocup::pitch {
 
-// A robot as it was seen.
+// A robot that a picture shows.
 struct SeenPose {
   Vec2 position{0.0, 0.0};
   double heading = 0.0;
 };
 
-// One line: a picture, a command, or both. Values that were not seen or are not known are empty.
+// One line of a recording: a picture, a command, or both. Values that the camera did not see, or
+// that are not known, are empty.
 struct Frame {
   double t = 0.0;
   std::optional<Vec2> ball;
   match::ByTeam<std::vector<std::optional<SeenPose>>> robots;
-  match::ByTeam<std::vector<simulator::WheelSpeeds>> commands;  // empty: no command to that team
+  match::ByTeam<std::vector<simulator::WheelSpeeds>> commands;  // empty: no command to the team
 };
 
 struct Recording {
   std::string path;  // for messages
   League league = League::small;
   int robots = 0;                // listed robots of each team
-  std::optional<double> period;  // s between two pictures; empty: irregular
+  std::optional<double> period;  // time between two pictures, s; empty: irregular
   std::string pitch;             // the name of the pitch; "": not known
   std::vector<Frame> frames;     // in the order of their times
 
@@ -47,12 +48,12 @@ struct Recording {
   const std::optional<SeenPose>& robot(const Frame& frame, int body) const {
     return frame.robots[body / robots][body % robots];
   }
-  // Returns the usual time between two pictures, s: the median. Precondition: two frames.
+  // Returns the median time between two pictures, s. Precondition: at least two frames.
   double usual_period() const;
 };
 
 // The most pictures of a recording, four hours at 30 Hz and half a GiB of memory. In memory a
-// picture has all robots, so it may be some hundred times larger than its line.
+// picture has all robots, so a picture may be some hundred times larger than its line.
 inline constexpr std::size_t max_pictures = 450'000;
 
 // Reads a recording. The error, Errc::input, names the file, the line, the key and the reason.
@@ -60,9 +61,10 @@ Result<Recording> parse_recording(std::string_view text, const std::string& path
                                   std::size_t most_pictures = max_pictures);
 Result<Recording> read_recording(const std::string& path);
 
-// The same from a table with commas and a first line of names: t, ball_x, ball_y, blue0_x, blue0_y,
-// blue0_heading, blue0_left, blue0_right, blue1_x, …, yellow0_x, …, in any order. An empty field
-// means that the body was not seen. read_recording() reads files that end in ".csv" this way.
+// Reads a recording from a table with commas and a first line of names: t, ball_x, ball_y, blue0_x,
+// blue0_y, blue0_heading, blue0_left, blue0_right, blue1_x, …, yellow0_x, …, in any order. An empty
+// field means that the camera did not see the body. read_recording() reads files that end in ".csv"
+// this way.
 Result<Recording> parse_csv(std::string_view text, const std::string& path,
                             std::size_t most_pictures = max_pictures);
 
@@ -72,8 +74,8 @@ std::string print_recording(const Recording& recording);
 struct CameraNoise {
   double position = 0.002;     // m, standard deviation of each coordinate
   double heading = 0.0174533;  // rad
-  double gaps = 0.02;          // share of bodies that are not seen in a picture
-  double outliers = 0.01;      // share of bodies that are seen anywhere on the field
+  double gaps = 0.02;          // share of bodies missing in a picture
+  double outliers = 0.01;      // share of bodies seen at a random place of the field
   std::uint64_t seed = 1;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The numbers that can be identified from a recording: those of the model, and the delay of
+// The numbers that can be identified from a recording: numbers of the model, and the delay of
 // commands.
 #pragma once
 
@@ -15,29 +15,30 @@ namespace mirocup::pitch {
 // A pitch while it is being identified.
 struct Guess {
   simulator::Parameters parameters;
-  double command_delay = 0.0;  // s, from the time at which a command was sent to its first effect
+  double command_delay = 0.0;  // time from the sending of a command to its first effect, s
 };
 
 // One number of a pitch.
 struct Unknown {
-  std::string_view name;   // "wheel_radius", "restitution/ball_wall", "command_delay"
-  bool is_ratio;           // found as a logarithm: it is positive, and its interval is a factor
+  std::string_view name;  // "wheel_radius", "restitution/ball_wall", "command_delay"
+  // Searched as a logarithm: the number is positive, and its interval is a factor.
+  bool is_ratio;
   double least, most;      // its range
   double widest;           // a number whose 95 % interval has a larger half-width is not known;
                            // of the logarithm if is_ratio, otherwise of the number
-  std::string_view needs;  // the motion that a recording needs to tell it
+  std::string_view needs;  // the motion that a recording must have to identify it
 };
 
 inline constexpr int unknown_count = 13;
-// Indices of unknowns to which other sources refer.
+// Indices of the unknowns that other source files use.
 inline constexpr int motor_lag = 2, turn_lag = 3, brake_lag = 4, grip_limit = 5;
 inline constexpr int rolling_resistance = 6, viscous_friction = 7;
 inline constexpr int ball_on_wall = 8, ball_on_robot = 9, robot_on_wall = 10, robot_on_robot = 11;
 
 const std::array<Unknown, unknown_count>& unknowns();
 
-// value_of() returns the number, set_value() sets it, clamped to its range. If is_ratio, both take
-// its logarithm instead.
+// value_of() returns the number, set_value() sets the number, clamped to its range. If is_ratio,
+// both functions use its logarithm instead.
 double value_of(const Guess& guess, int unknown);
 void set_value(Guess& guess, int unknown, double value);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Validation: the errors of the simulator's predictions some pictures ahead in a recording, beside
-// those of yardsticks.
+// the errors of yardsticks.
 //
 // Every few pictures a prediction begins: all bodies start with the positions and velocities that
 // the pictures until then show. The yardsticks start from the same states:
@@ -24,8 +24,8 @@
 
 namespace mirocup::pitch {
 
-// The kind of event that a body has in the simulator, between the start and the picture ahead. Of
-// several kinds, the first in this list counts.
+// The kind of event of a body in the simulator between the start and the picture ahead. If a body
+// has several kinds, the first of this list counts.
 enum class EventKind { push, robot_and_robot, robot_and_ball, wall, slide, drive, free_roll };
 
 inline constexpr std::array<int, 5> horizons{1, 2, 5, 10, 30};  // pictures
@@ -40,23 +40,23 @@ struct ErrorCell {
   std::array<bool, predictors> beats_simulator{};  // by two standard errors at least
 };
 
-// One prediction for a picture: where a body was seen, and where it was predicted.
+// One prediction for a picture of the page: the seen and the predicted places of a body.
 struct Track {
   EventKind kind = EventKind::drive;
   bool is_ball = false;
   std::string body;    // "blue 1", "the ball"
   double t = 0.0;      // s, of the recording
-  double error = 0.0;  // m, of the simulator at the last horizon
+  double error = 0.0;  // error of the simulator at the last horizon, m
   std::vector<Vec2> seen;
   std::array<std::vector<Vec2>, predictors> predicted;
 };
 
 struct Validation {
   std::string peer;     // the name of the other engine; "": none
-  double noise = 0.0;   // m, of the camera
-  double period = 0.0;  // s, between two pictures
+  double noise = 0.0;   // noise of the camera, m
+  double period = 0.0;  // time between two pictures, s
   std::array<std::array<ErrorCell, horizons.size()>, 7> cells{};  // [kind][horizon]
-  std::vector<Track> examples;  // for each kind that was seen, one of median error
+  std::vector<Track> examples;  // an example of median error for each kind that occurred
   // Sentences about the cells in which a yardstick is better than the simulator.
   std::vector<std::string> objections;
 };
@@ -64,15 +64,15 @@ struct Validation {
 // Another engine as a yardstick.
 struct Peer {
   std::string name;
-  // Calls see(frame, place in window.bodies, position) for each body in each frame of the window
-  // but its first, in that order, after the bodies were set to `start`.
+  // Sets the bodies to `start`, and calls see(frame, place in window.bodies, position) for each
+  // body in each later frame of the window, in the order of frames and bodies.
   using See = std::function<void(int, std::size_t, const Vec2&)>;
   std::function<void(const Recording&, const Footage&, const Guess&, const Window&,
                      const std::vector<simulator::BodyState>& start, const See&)>
       play;
 };
 
-// `peer` may be null.
+// Validates a pitch. `peer` may be null.
 Validation validate(const std::vector<Recording>& recordings, const Guess& pitch,
                     const Peer* peer = nullptr);
 

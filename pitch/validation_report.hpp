@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A validation from files to a page, for `mirocup validate`, and for mirocup-bench with a peer.
+// A validation from files to a page, for `mirocup validate` and, with a peer, for mirocup-bench.
 #pragma once
 
 #include "pitch/validate.hpp"
@@ -22,7 +22,7 @@ struct ValidationReport {
   bool is_worse = false;  // true: a yardstick is better in some cell
 };
 
-// Reads all files, and errors name them. `peer` may be null.
+// Reads all files, validates and reports. Errors name the file. `peer` may be null.
 Result<ValidationReport> report_of(const ValidationRequest& request, const Peer* peer);
 
 Result<std::vector<Recording>> read_recordings(const std::vector<std::string>& paths);

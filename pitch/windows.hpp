@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Windows: short pieces of a recording in which a few bodies move by themselves. The state of each
-// body at the start of its window is unknown, and the simulator moves the body from there. So an
-// error of the model shows within a window and does not add up over the recording.
+// body at the start of its window is unknown, and the simulator moves the body from this state. So
+// errors of the model show within a window and do not add up over the recording.
 #pragma once
 
 #include "core/simulator/world.hpp"
@@ -19,12 +19,14 @@
 
 namespace mirocup::pitch {
 
-// Frames first to last of the recording, and the bodies that met nothing but each other in it.
-// Bodies are numbered as in the recording; the ball is 2 * robots, and is the last of the list.
+// The frames `first` to `last` of a recording, and the bodies that met only each other in these
+// frames. Bodies have the numbers of the recording; the ball has the number 2 * robots, and is the
+// last of the list.
 struct Window {
   int first = 0, last = 0;
   std::vector<int> bodies;
-  bool may_slide = false;  // wheels may slide at the start: then sideways speeds are also unknown
+  // True: wheels may slide at the start, so sideways speeds are also unknown.
+  bool may_slide = false;
 };
 
 // The recording in flat arrays for windows, without obvious outliers.
@@ -35,7 +37,7 @@ class Footage {
   struct Sight {
     bool is_seen = false;
     Vec2 position{0.0, 0.0};
-    double heading = 0.0;  // unwrapped: no jumps by 2 pi
+    double heading = 0.0;  // without jumps by 2 pi
   };
   // A command that holds from `t` on.
   struct Told {
@@ -52,25 +54,25 @@ class Footage {
   const field::Field& field() const { return field_; }
   double usual_period() const { return period_; }
 
-  // A body's state at a frame, from pictures near it: position and velocity of a line or a parabola
-  // through them.
+  // A body's state at a frame: position and velocity of a line or a parabola through the pictures
+  // near the frame.
   struct FittedState {
     simulator::BodyState state;
     double misfit = 0.0;  // m: root mean square residual of the pictures, per degree of freedom
     // Variances of a coordinate and of its velocity, and their covariance, for a noise of 1 m.
     double position = 0.0, both = 0.0, velocity = 0.0;
   };
-  // Fits the `count` pictures from the frame on or, with a negative count, up to it. `degree` is 1
-  // for a line, 2 for a parabola. Returns nothing if less than half of them, or fewer than degree +
-  // 2, see the body.
+  // Fits `count` pictures from the frame on or, with a negative count, -count pictures up to the
+  // frame. `degree` is 1 for a line, 2 for a parabola. Returns nothing if less than half of the
+  // pictures, or fewer than degree + 2, show the body.
   std::optional<FittedState> state_at(int body, int frame, int count, int degree) const;
 
-  // True if a body is moved by hand between two frames of the range (no robot is that fast), or if
-  // the camera pauses between them.
+  // True if, between two frames of the range, a hand moves a body (faster than any robot), or the
+  // camera pauses.
   bool is_broken(int first, int last) const;
 
   // Returns the camera's noise of a coordinate, m, estimated robustly from third differences, in
-  // which motion hardly shows. 0: too few pictures.
+  // which motion hardly shows; 0 if too few pictures exist.
   double position_noise() const;
 
  private:
@@ -85,15 +87,14 @@ class Footage {
   std::vector<int> breaks_;                 // breaks_[f]: number of breaks before frame f
 };
 
-// Simulates windows under one guess. Keeps a world for each kind of window.
+// Simulates windows under one guess. The object keeps a world for each kind of window.
 class Rerun {
  public:
   Rerun(const Footage& footage, const Guess& guess) : footage_(footage), guess_(guess) {}
 
-  // Calls see(frame, place in window.bodies, state) for each body in each frame of the window but
-  // its first, after the bodies were set to `start`.
-  // With `statistics` it records the impacts; their times count from the first frame. A robot whose
-  // commands are not known keeps the speeds that it starts with.
+  // Sets the bodies to `start`, and calls see(frame, place in window.bodies, state) for each body
+  // in each later frame of the window. If `statistics` is given, records the impacts with times
+  // since the first frame. A robot whose commands are not known keeps its first speeds.
   template <class See>
   void play(const Window& window, const std::vector<simulator::BodyState>& start, See see,
             simulator::RunStatistics* statistics = nullptr) {
@@ -119,7 +120,8 @@ class Rerun {
 
   const Footage& footage_;
   Guess guess_;
-  std::array<simulator::WheelSpeeds, simulator::max_robots> kept_{};  // for unknown commands
+  // Wheel speeds of robots with unknown commands.
+  std::array<simulator::WheelSpeeds, simulator::max_robots> kept_{};
   std::map<std::pair<int, bool>, std::unique_ptr<simulator::World>> worlds_;
 };
 
