@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Matches that are stepped together, on several threads, into the caller's buffers.
+// Matches that take their steps together, on several threads, and write into the caller's buffers.
 #pragma once
 
 #include "mirocup/training.h"
@@ -28,7 +28,7 @@ class Batch {
   Result<void> step();
   void set_weights(const Weights& weights) { config_.weights = weights; }
 
-  // Returns the match of that number; an error if it does not exist, or has not been reset yet.
+  // Returns the match with a number; an error if it does not exist or was not yet reset.
   Result<Match*> match(int number) const;
   Result<match::Snapshot> snapshot(int number) const;
   Result<void> record(int number, bool last, const std::string& path) const;
@@ -48,7 +48,7 @@ class Batch {
   mirocup_training_buffers buffers_{};
   std::vector<std::unique_ptr<Match>> matches_;
   Workers workers_;
-  std::vector<std::unique_ptr<simulator::World>> worlds_;  // of each thread
+  std::vector<std::unique_ptr<simulator::World>> worlds_;  // the world of each thread
   std::string spec_;
 };
 

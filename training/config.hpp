@@ -21,7 +21,7 @@ enum class Agents { team, robot };
 
 enum class ObservationKind {
   standard,  // ball, robots, restart: observations.hpp
-  relative,  // the same in the frame of the robot that learns
+  relative,  // like `standard`, in the frame of the robot that learns
   vss,       // the 40 numbers of rSoccer's VSS environment
 };
 
@@ -35,8 +35,9 @@ enum class Autoreset { next_step, same_step, disabled };
 
 // One team of every match.
 struct Side {
-  std::vector<int> learners;         // indices of the robots that learn, ascending
-  std::string mates = "idle";        // steers the other robots: "noise", a house team, or a library
+  std::vector<int> learners;  // indices of the robots that learn, ascending
+  // Steers the robots that do not learn: "noise", a house team, or a library.
+  std::string mates = "idle";
   std::string library;               // path of the mates' library; "" for "noise" or no mates
   match::TeamParameters parameters;  // of the library
 
@@ -46,28 +47,29 @@ struct Side {
 struct Config {
   int matches = 1;
   int threads = 0;     // 0: one for each processor
-  match::Setup setup;  // its seed is not used
+  match::Setup setup;  // the seed in it is not used
   match::ByTeam<Side> sides;
   Agents agents = Agents::team;
   ObservationKind observation = ObservationKind::standard;
   ActionKind action = ActionKind::wheels;
   Autoreset autoreset = Autoreset::next_step;
-  double episode_s = 30.0;          // of play, after which an episode is truncated; infinite: never
+  // After this time of play, s, an episode is truncated; infinite: never.
+  double episode_s = 30.0;
   bool ends_at_goal = true;         // a goal terminates the episode
   bool skips_stops = true;          // a step lasts until play is on; while stopped, robots stand
-  std::vector<StartRanges> starts;  // of episodes; empty: the kick-off
-  nlohmann::ordered_json pitch;     // "parameters" of a scene, with ranges; null: those of a match
+  std::vector<StartRanges> starts;  // starts of episodes; empty: the kick-off
+  nlohmann::ordered_json pitch;     // "parameters" of a scene, with ranges; null: as in a match
   int ticks_per_step = 1;           // control periods for which an action holds
   Weights weights = default_weights();
   std::string text;  // the JSON, without the number of matches and threads
 };
 
-// `folder` is a further place to look for house teams, besides those of programs. Errors:
-// Errc::input, with the JSON pointer of the key.
+// Reads a configuration. `folder` is a further place to look for house teams, besides those of
+// programs. Errors: Errc::input, with the JSON pointer of the key.
 Result<Config> parse_config(std::string_view json, const std::string& folder);
 
-// Returns the setup of the leg of an episode; `seed` draws its start and its pitch. The error is
-// that of a start without a playable draw.
+// Returns the setup of the leg of an episode; `seed` draws start and pitch. The error says that a
+// start has no playable draw.
 Result<match::Setup> setup_of(const Config& config, std::uint64_t seed);
 
 }  // namespace mirocup::training

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The data with which an episode can be played again: its seed, the commands of each tick, and the
-// placement requests at restarts. Everything else follows from them.
+// placement requests at restarts. All other data follow from these.
 #pragma once
 
 #include "core/match/leg.hpp"
@@ -21,7 +21,7 @@ struct Episode {
   // match::DrivenCommand has them.
   std::vector<std::int16_t> wheels;
   std::vector<match::LoggedPlacementRequest> requests;  // in the order of the ticks
-  std::vector<match::TeamFault> faults;                 // the faults that ended it
+  std::vector<match::TeamFault> faults;                 // the faults that ended the episode
 
   std::uint32_t ticks(int robots) const {
     return static_cast<std::uint32_t>(wheels.size() / (4 * static_cast<std::size_t>(robots)));
@@ -34,8 +34,8 @@ struct Episode {
   match::ByTeam<match::Answer> answers(std::uint32_t tick, int robots) const;
 };
 
-// Plays the episode again and writes it as a record, with its replay beside it. An episode that was
-// truncated, or has not ended yet, becomes a void leg.
+// Plays the episode again and writes it as a record, with its replay beside it. A truncated or
+// unfinished episode becomes a void leg.
 Result<void> save_record(const Config& config, const Episode& episode, const std::string& path);
 
 }  // namespace mirocup::training

@@ -26,7 +26,7 @@ struct Slots {
   explicit Slots(const Config& config);
 };
 
-// The statistics of an episode: these values, then the sum of each term.
+// The statistics of an episode: the values below, then the sum of each term.
 inline constexpr std::array<std::string_view, 5> first_statistics{"return", "steps", "seconds",
                                                                   "score", "opponent_score"};
 inline constexpr int statistics = static_cast<int>(first_statistics.size()) + terms;
@@ -43,22 +43,23 @@ struct Rows {
   float* statistics = nullptr;
 };
 
-// Returns a world for legs of a setup. The field outlives it.
+// Returns a world for legs of a setup. The field must outlive the world.
 std::unique_ptr<simulator::World> make_world(const match::Setup& setup, const field::Field& field);
 
 class Match {
  public:
-  // The arguments outlive the match. `seed` is that of its first episode.
+  // The arguments must outlive the match. `seed` is the seed of the first episode.
   Match(const Config& config, const Slots& slots, const Observer& observer, std::uint64_t seed);
 
-  // The functions below use a world only while they run, and leave nothing in it. So matches of one
-  // thread share a world, and a match needs little memory between steps. make_world() makes it.
+  // The functions below use a world only while they run, and leave nothing in the world. So matches
+  // of one thread share a world from make_world(), and a match needs little memory between steps.
 
-  // Starts an episode: the first episode of a seed, or without a seed the next one. The error is
-  // that of a team that does not start.
+  // Starts an episode: the first episode of a seed or, without a seed, the next episode. The error
+  // says why a team does not start.
   Result<void> reset(std::optional<std::uint64_t> seed, const Rows& rows, simulator::World& world);
 
-  // Plays one step, or starts the next episode if it is due. Must not be called before reset().
+  // Plays one step, or starts the next episode if a new episode is due. Must not be called before
+  // reset().
   Result<void> step(const Rows& rows, const Weights& weights, simulator::World& world);
 
   bool has_started() const { return leg_.has_value(); }
@@ -68,7 +69,7 @@ class Match {
   const Episode& episode() const { return episode_; }
   const std::optional<Episode>& last_episode() const { return last_; }
 
-  // save() returns the match's state as bytes; restore() sets the match to such a state.
+  // save() returns the match's state as bytes; restore() sets the match to a state from save().
   std::string save() const;
   Result<void> restore(std::string_view copy, simulator::World& world);
 
@@ -86,7 +87,7 @@ class Match {
   struct Measures {
     RewardMeter meter;
     Terms sums{};
-    double total = 0.0;  // of the rewards
+    double total = 0.0;  // sum of the rewards
   };
 
   Result<void> start_episode(const Rows& rows, simulator::World& world);
@@ -112,14 +113,14 @@ class Match {
   const Config& config_;
   const Slots& slots_;
   const Observer& observer_;
-  std::uint64_t first_seed_;      // of the series of episodes
-  std::uint64_t episodes_ = 0;    // of the series, begun so far
+  std::uint64_t first_seed_;      // seed of the series of episodes
+  std::uint64_t episodes_ = 0;    // number of episodes of the series begun so far
   std::uint64_t max_play_ticks_;  // of an episode
   std::optional<match::Leg> leg_;
   match::ByTeam<std::unique_ptr<plugins::TrustedController>> teams_;  // null: no library plays
   match::ByTeam<Noise> noise_;
   Counts counts_;
-  std::vector<Measures> measures_;  // of each learner
+  std::vector<Measures> measures_;  // the measures of each learner
   Episode episode_;
   std::optional<Episode> last_;
 };

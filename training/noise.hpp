@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Robots that move at random, as the robots without a learner do in rSoccer's VSS environment: the
+// Robots that move at random, like the robots without a learner in rSoccer's VSS environment: the
 // speed of each wheel is an Ornstein-Uhlenbeck process, x += theta (0 - x) dt + sigma sqrt(dt) n,
 // with theta = 0.17/s and sigma = 0.5/sqrt(s), in shares of the speed limit.
 #pragma once
@@ -12,11 +12,11 @@
 
 namespace mirocup::training {
 
-// A plain value.
+// The random motion of a team. The class is a plain value.
 class Noise {
  public:
   Noise() = default;
-  // The motion of one team in the episode of that seed.
+  // Makes the motion of one team in the episode with a seed.
   Noise(std::uint64_t seed, Team team);
 
   // Returns the wheel speeds of all robots for a tick of `period` seconds; `limit` is in rad/s.

@@ -5,19 +5,19 @@
 // `standard`: the ball (x, y, velocity along x and y); then for each robot of the own team, and
 // then of the opponents, x, y, cosine and sine of its heading, velocity along x and y, turn; then
 // the taker of the last restart, and the time for which the ball has been stuck. If the learner is
-// one robot, it comes first in its team.
+// one robot, this robot comes first in its team.
 //
-// `relative`: the same in the frame of the one robot that learns, whose x points forward: the ball;
+// `relative`: values in the frame of the one robot that learns, whose x points forward: the ball;
 // its own velocity and turn; the middle of both goals; then the places of the robot and the ball on
 // the field; the directions of the ball, of the goal, and of the place behind the ball
-// (training/behind_ball.hpp), and how near ball and place are; the shot from the ball to the goal;
-// then for each mate and each opponent x, y, velocity, and cosine and sine of its heading; restart
-// and stalemate.
+// (training/behind_ball.hpp), and the nearness of the ball and of this place; the shot from the
+// ball to the goal; then for each mate and each opponent x, y, velocity, and cosine and sine of its
+// heading; restart and stalemate.
 //
 // `vss`: the observation of rSoccer's VSS environment: the ball, the own robots with sine before
 // cosine, the opponents without heading.
 //
-// Under conditions with a camera, observations show the field as the camera sees it.
+// Under conditions with a camera, observations show the camera's view of the field.
 #pragma once
 
 #include "training/config.hpp"
@@ -32,8 +32,8 @@ namespace mirocup::training {
 // One number of an observation.
 struct Quantity {
   std::string name;    // "own_0_x"
-  std::string unit;    // of value * scale: "m", "m/s", "rad/s", "1", "s"
-  double scale = 1.0;  // value * scale is in that unit
+  std::string unit;    // unit of value * scale: "m", "m/s", "rad/s", "1", "s"
+  double scale = 1.0;  // value * scale is in `unit`
   double low = -1.0;   // the values are clamped to these bounds
   double high = 1.0;
 };
@@ -57,12 +57,12 @@ class Observer {
                       int self, std::span<float> to) const;
 
   ObservationKind kind_;
-  double goal_x_ = 1.0;  // m, of the opponents' goal
-  double gap_ = 0.0;     // m, from the ball to the middle of a robot that pushes it
-  double metre_ = 1.0;   // m, of an observed 1
+  double goal_x_ = 1.0;  // x of the opponents' goal, m
+  double gap_ = 0.0;     // distance from the ball to the middle of a robot that pushes it, m
+  double metre_ = 1.0;   // length that is observed as 1, m
   double speed_ = 1.0;   // m/s
   double turn_ = 1.0;    // rad/s
-  double bound_ = 1.0;   // of positions
+  double bound_ = 1.0;   // bound of positions
   double fast_ = 1.0;    // bound of velocities
   std::vector<Quantity> quantities_;
 };

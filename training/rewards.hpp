@@ -15,15 +15,15 @@
 namespace mirocup::training {
 
 enum class Term {
-  goal,           // 1: goals of the own team minus those of the opponents
+  goal,           // 1: goals of the own team minus goals of the opponents
   ball_to_goal,   // m: by how much the ball came nearer to the middle of the opponents' goal
   robot_to_ball,  // m: by how much the nearest robot of the learner came nearer to the ball
   behind_ball,    // m: by how much the nearest robot came nearer to the place behind the ball
   touch,          // 1: ticks in which a robot of the learner was the last to touch the ball
-  foul,           // 1: decisions against the opponents minus those against the own team
+  foul,           // 1: decisions against the opponents minus decisions against the own team
   energy,         // s: minus the mean share of the wheel speed limit, times the time
   time,           // s: minus the time
-  // The terms of rSoccer's VSS environment, with its definitions, for one step.
+  // The terms of rSoccer's VSS environment, with the definitions of that environment, for one step.
   vss_goal,
   vss_ball_grad,
   vss_move,
@@ -34,14 +34,14 @@ inline constexpr int terms = 12;
 using Terms = std::array<double, terms>;
 using Weights = Terms;
 
-// Goals alone.
+// The default weights: goals alone.
 constexpr Weights default_weights() {
   Weights weights{};
   weights[static_cast<int>(Term::goal)] = 1.0;
   return weights;
 }
 
-// The unit and the meaning of a term, for the spec.
+// Returns the unit and the meaning of a term, for the spec.
 struct TermText {
   std::string_view unit;
   std::string_view meaning;
@@ -54,7 +54,7 @@ struct Learner {
   referee::RobotSet robots;
 };
 
-// Measures the terms of one learner through an episode. A plain value.
+// Measures the terms of one learner through an episode. The class is a plain value.
 class RewardMeter {
  public:
   // To be called when an episode starts.
@@ -67,23 +67,23 @@ class RewardMeter {
                 const std::array<simulator::WheelSpeeds, max_robots_per_team>& command,
                 std::size_t decisions);
 
-  // Returns the terms of the step that ends here, and begins the next one.
+  // Returns the terms of the step that ends now, and begins the next step.
   Terms take_step(const match::Leg& leg, const Learner& learner, double step_s);
 
  private:
   // Distances between bodies, m, in the frame of the learner's team.
   struct Ways {
     double ball_to_goal = 0.0;
-    double robot_to_ball = 0.0;  // of the nearest robot
+    double robot_to_ball = 0.0;  // distance of the nearest robot
     double behind_ball = 0.0;    // of the robot that is nearest to the place behind the ball
   };
   static Ways ways(const match::Leg& leg, const Learner& learner);
 
   Terms now_{};
-  Ways ways_;               // at the end of the last tick
-  double potential_ = 0.0;  // of the ball, as rSoccer has it
+  Ways ways_;               // distances at the end of the last tick
+  double potential_ = 0.0;  // potential of the ball, as in rSoccer
   bool has_potential_ = false;
-  double wheel_sum_ = 0.0;  // rad/s, of the learner's first robot
+  double wheel_sum_ = 0.0;  // sum of wheel speeds of the learner's first robot, rad/s
 };
 
 }  // namespace mirocup::training

@@ -14,19 +14,19 @@
 
 namespace mirocup::training {
 
-// A situation, "mirocup/situation/1", whose numbers may be ranges. docs/situations.md
+// A situation, "mirocup/situation/1" (docs/situations.md), whose numbers may be ranges.
 struct StartRanges {
-  std::string name;  // in messages
+  std::string name;  // name of the start in messages
   nlohmann::ordered_json situation;
 };
 
-// Reads one start or a list of them: a situation, the name of a drill, or the file of a situation
-// or a drill. `folder` is the library's folder; drills are searched near it. Complains about a
-// start without a playable draw and, if `is_even`, about an uneven score.
+// Reads one start or a list of starts: a situation, the name of a drill, or the file of a situation
+// or a drill. `folder` is the library's folder; drills are searched near this folder. Complains
+// about a start without a playable draw and, if `is_even`, about an uneven score.
 std::vector<StartRanges> read_starts(const record::JsonReader& json, League league, bool is_even,
                                      const std::string& folder);
 
-// Draws one of the starts, which are not empty, and its numbers.
+// Draws one of the starts, and its numbers. Precondition: `starts` is not empty.
 Result<match::Start> draw_start(const std::vector<StartRanges>& starts, League league,
                                 Random& random);
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The threads of a batch. They divide numbered pieces of work among themselves. The result must not
-// depend on which thread does a piece.
+// The threads of a batch. The threads divide numbered pieces of work among themselves. The result
+// of a piece must not depend on its thread.
 //
 // Each thread begins with its own share of the pieces, the same share in every run, so that its
-// data stay in its processor's caches. A thread that has finished helps the others.
+// data stay in its processor's caches. A thread that has finished its share helps the other
+// threads.
 #pragma once
 
 #include <atomic>
@@ -29,12 +30,12 @@ class Workers {
   using DoPiece = std::function<void(int piece, int thread)>;
 
   // Does the pieces 0 .. pieces-1 and returns when all are done. Each thread works with the default
-  // floating-point mode, whatever the caller's is. do_piece() throws nothing.
+  // floating-point mode, not with the caller's mode. do_piece() must not throw.
   void run(int pieces, const DoPiece& do_piece);
 
  private:
-  // The pieces that a thread begins with: from `next`, which its thread counts up, to `end`. It has
-  // a separate cache line, because its thread writes it often.
+  // The pieces that a thread begins with: from `next`, which its thread counts up, to `end`. Each
+  // share has a separate cache line, because its thread writes it often.
   struct alignas(64) Share {
     std::atomic<int> next{0};
     int end = 0;
@@ -46,9 +47,9 @@ class Workers {
   std::vector<Share> shares_;  // by thread
   const DoPiece* do_piece_ = nullptr;
   bool is_closing_ = false;
-  // Writes before a change of these two are visible to threads that saw the change.
-  std::atomic<std::uint32_t> runs_{0};  // begun so far
-  std::atomic<int> busy_{0};            // other threads that have not finished this run
+  // Writes before a change of the two members below are visible to threads that saw the change.
+  std::atomic<std::uint32_t> runs_{0};  // number of runs begun so far
+  std::atomic<int> busy_{0};            // number of other threads that have not finished this run
   std::vector<std::thread> others_;
 };
 

@@ -23,10 +23,11 @@ struct Array {
 };
 
 inline constexpr std::size_t max_arrays = 256;
-inline constexpr std::size_t max_array_bytes = 64u << 20;   // of one array, unpacked
+inline constexpr std::size_t max_array_bytes = 64u << 20;   // of an unpacked array
 inline constexpr std::size_t max_total_bytes = 256u << 20;  // of all arrays together
 
-// Reads all arrays, by name. The error, Errc::damaged or Errc::input, names `path` and the array.
+// Reads all arrays and returns them by name. The error, Errc::damaged or Errc::input, names `path`
+// and the array.
 Result<std::map<std::string, Array>> read_npz(std::string_view bytes, const std::string& path);
 
 }  // namespace mirocup::policy

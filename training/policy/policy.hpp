@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A learned network that plays as a team: its observation, its action, and its layers. The file,
-// "mirocup/policy/1", is an .npz as numpy.savez writes it; docs/training.md describes its arrays.
+// A learned network that plays as a team: its observation, its action, and its layers. The file of
+// a policy, "mirocup/policy/1", is an .npz of numpy.savez; docs/training.md describes its arrays.
 //
-// The file may come from a stranger: it is read with limits, and nothing in it is run.
+// The file may come from a stranger: the program reads it with limits, and runs nothing in it.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -29,7 +29,7 @@ struct Entry {
   double high = 1.0;
 };
 
-// Multiplies with the weights, a row for each output, and adds the biases.
+// A layer: multiplies with the weights (a row for each output) and adds the biases.
 struct Layer {
   int inputs = 0;
   int outputs = 0;
@@ -48,13 +48,13 @@ struct Policy {
   std::vector<Layer> layers;
 };
 
-// Reads the bytes of a policy. Errors: Errc::damaged if the file is not an .npz; Errc::input if it
-// is not a policy, with `path` and the array or key.
+// Reads the bytes of a policy. Errors: Errc::damaged if the file is not an .npz; Errc::input, with
+// `path` and the array or key, if the file is not a policy.
 Result<Policy> parse_policy(std::string_view bytes, const std::string& path);
 
-// Returns the source of a team in C++17 that needs strategy.h alone. `name` is that of the team.
-// Its results depend on the observation only: it computes in double precision, with its own tanh,
-// and rounds observations and actions to float as training does.
+// Returns the source of a team in C++17 that needs strategy.h alone. `name` is the name of the
+// team. The results of the team depend on the observation only: the team computes in double
+// precision, with its own tanh, and rounds observations and actions to float as training does.
 std::string source_of(const Policy& policy, const std::string& name);
 
 }  // namespace mirocup::policy

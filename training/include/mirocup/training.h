@@ -8,8 +8,8 @@
  *   mirocup_training_reset     starts episodes
  *   mirocup_training_step      plays one step of every match, on all threads of the batch
  *
- * docs/training.md has the keys of the configuration and all names. {"matches": 64} is enough: 3 a
- * side, blue learns, yellow is the house team `idle`.
+ * docs/training.md has the keys of the configuration and all names. {"matches": 64} is enough: its
+ * matches have 3 robots a side, blue learns, and yellow is the house team `idle`.
  *
  * Rows
  *   A match has one slot for each learner: a team, or with "agents": "robot" a robot. The slots of
@@ -55,7 +55,7 @@ typedef struct mirocup_training mirocup_training;
 /* Returns the MIROCUP_TRAINING_VERSION that the library was built with. */
 uint32_t mirocup_training_version(void);
 
-/* Lengths of the arrays below. Constant while a batch lives. */
+/* Lengths of the arrays below. The lengths are constant while a batch lives. */
 typedef struct mirocup_training_sizes {
   uint32_t size; /* of this structure, bytes; it grows only at its end */
   int32_t matches;
@@ -65,12 +65,12 @@ typedef struct mirocup_training_sizes {
   int32_t observation; /* numbers in a row of observations */
   int32_t action;      /* numbers in a row of actions, each in [-1, 1] */
   int32_t terms;       /* of the reward */
-  int32_t statistics;  /* of an episode */
+  int32_t statistics;  /* number of statistics of an episode */
   int32_t threads;
 } mirocup_training_sizes;
 
-/* The caller's arrays, row after row, which must live as long as they are bound. A null array is
- * not wanted. Only `actions` is read. */
+/* The caller's arrays, row after row, which must live as long as they are bound. Null means that
+ * you do not want an array. The batch reads only `actions` and writes the other arrays. */
 typedef struct mirocup_training_buffers {
   uint32_t size;             /* of this structure, bytes; it grows only at its end */
   const float* actions;      /* rows * action */
@@ -85,8 +85,8 @@ typedef struct mirocup_training_buffers {
 
 /* An episode of a match. */
 enum mirocup_training_episode {
-  MIROCUP_TRAINING_CURRENT_EPISODE = 0, /* as far as it has been played */
-  MIROCUP_TRAINING_LAST_EPISODE = 1     /* that ended last */
+  MIROCUP_TRAINING_CURRENT_EPISODE = 0, /* the present episode, as far as it has been played */
+  MIROCUP_TRAINING_LAST_EPISODE = 1     /* the episode that ended last */
 };
 
 /* Returns null after an error, with a sentence in `error` (`size` bytes, ended with 0). Loads and
@@ -99,14 +99,14 @@ const mirocup_training_sizes* mirocup_training_get_sizes(const mirocup_training*
 const char* mirocup_training_spec(const mirocup_training* training);
 const char* mirocup_training_error(const mirocup_training* training);
 
-/* Names the caller's arrays. The batch reads and writes them only during reset() and step(), so
- * others may be bound between two steps. */
+/* Names the caller's arrays. The batch reads and writes the arrays only during reset() and step(),
+ * so you may bind other arrays between two steps. */
 int32_t mirocup_training_bind(mirocup_training* training, const mirocup_training_buffers* buffers);
 
 /* Starts an episode in each match whose `mask` is not 0 (null: in all), writes its observations and
  * sets its rewards and ends to 0. `seeds` (null: none) has a seed for each match, from which all
  * later episodes of the match follow as well. Without seeds, the match continues with its next
- * episode. Both have `matches` entries. */
+ * episode. `mask` and `seeds` have `matches` entries. */
 int32_t mirocup_training_reset(mirocup_training* training, const uint8_t* mask,
                                const uint64_t* seeds);
 
@@ -126,11 +126,11 @@ int32_t mirocup_training_record(mirocup_training* training, int32_t match,
                                 int32_t episode, /* enum mirocup_training_episode */
                                 const char* path);
 
-/* Copies a match, so that it can be taken up again from here, in this or another match or process
- * with the same configuration. save() returns the size of the copy in bytes, and writes it if
- * `size` is large enough; a copy is never empty, so 0 is an error. The copy holds the commands of
- * the episode, so restoring costs as much as playing it. restore() asks teams that do not learn
- * again, so they must be deterministic. */
+/* save() copies a match, so that restore() can continue it from this moment, in this or another
+ * match or process with the same configuration. save() returns the size of the copy in bytes, and
+ * writes it if `size` is large enough; a copy is never empty, so 0 is an error. The copy holds the
+ * commands of the episode, so restoring takes as long as playing the episode. restore() asks teams
+ * that do not learn for their commands again, so such teams must be deterministic. */
 size_t mirocup_training_save(const mirocup_training* training, int32_t match, void* copy,
                              size_t size);
 int32_t mirocup_training_restore(mirocup_training* training, int32_t match, const void* copy,
