@@ -7,10 +7,10 @@
 
 namespace mirocup::system {
 
-// Call it first in main(). Errc::unavailable if /proc is missing, because programs find their parts
-// and watch their teams with it. From now on, here and in programs that this one starts, a write
-// beyond the limit on the size of files (RLIMIT_FSIZE) returns an error instead of ending the
-// process.
+// Call this function first in main(). Errc::unavailable if /proc is missing, because programs use
+// /proc to find their parts and to watch their teams. From now on, here and in programs that this
+// one starts, a write beyond the limit on the size of files (RLIMIT_FSIZE) returns an error instead
+// of ending the process.
 Result<void> begin();
 
 }  // namespace mirocup::system

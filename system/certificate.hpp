@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// When certificates expire.
+// The time at which certificates expire.
 #pragma once
 
 #include <cstdint>

@@ -3,8 +3,8 @@
 // Starts programs: as child processes, or in the place of this one. ProcessSet
 // (system/process_set.hpp) waits for several children.
 //
-// The kernel kills a child when the thread that started it ends, so also when this process ends. A
-// child inherits no descriptor but standard input, output and error, and no blocked signal.
+// The kernel kills a child when the thread that started the child ends, so also when this process
+// ends. A child inherits no descriptor but standard input, output and error, and no blocked signal.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -21,10 +21,10 @@ inline constexpr int not_found = 127;
 // The program of a child process, and its surroundings.
 struct ChildOptions {
   std::vector<std::string> arguments;  // [0]: the program, a path or a name on the PATH
-  int cpu = -1;                        // the only processor that it may use; -1: any
+  int cpu = -1;                        // the only processor that the child may use; -1: any
   // The file for its output and errors: a regular file of this user, or a device. The child then
   // has no input and a separate process group, so that an interrupt at the terminal reaches this
-  // process alone. "": it shares input, output, errors and process group with this process.
+  // process alone. "": the child shares input, output, errors and process group with this process.
   std::string log;
 };
 
@@ -37,8 +37,8 @@ Result<pid_t> start_child(const ChildOptions& options);
 // that ended it.
 Result<int> run_child(const ChildOptions& options);
 
-// Runs the program arguments[0], a path, in the place of this process. Returns only if that fails,
-// with the reason.
+// Runs the program arguments[0], a path, in the place of this process. Returns only if the program
+// cannot be run, with the reason.
 Error become_program(std::vector<std::string> arguments);
 
 }  // namespace mirocup::system

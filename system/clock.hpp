@@ -14,8 +14,8 @@
 
 namespace mirocup::system {
 
-// Returns the time in seconds since 1970. The environment variable MIROCUP_CLOCK_OFFSET moves it by
-// that number of seconds, so that a term can be rehearsed in minutes.
+// Returns the time in seconds since 1970. The environment variable MIROCUP_CLOCK_OFFSET moves the
+// returned time by a number of seconds, so that a term can be rehearsed in minutes.
 std::int64_t now_s();
 
 // Returns a time, in seconds since 1970, as "2026-11-30T18:00:00Z".
@@ -51,8 +51,8 @@ class TimeZone {
   std::string text(std::int64_t time) const;
   std::string date(std::int64_t time) const;  // "2026-11-30"
 
-  // Returns the time at which clocks in the zone show `shown`. If there are two, returns the first;
-  // in a gap, the time after the gap.
+  // Returns the time at which clocks in the zone show `shown`: of two such times the first, in a
+  // gap the time after the gap.
   std::int64_t from_local(std::int64_t shown) const;
 
   // If no clock in the zone ever shows `shown`, because clocks are put forward past it, returns the
@@ -65,7 +65,7 @@ class TimeZone {
 };
 
 // Returns a time of the journal as people of the zone read it: "2026-11-30 19:00 CET". A text that
-// is not a time stays as it is.
+// is not a time stays unchanged.
 std::string in_zone(const TimeZone& zone, const std::string& utc);
 
 }  // namespace mirocup::system

@@ -17,9 +17,9 @@ namespace mirocup::system {
 
 // The parts of a command's help besides its options.
 struct CommandHelp {
-  const char* name;         // of the subcommand
-  const char* group;        // its heading in the program's help; "": not in the help
-  const char* description;  // on its line in the program's help
+  const char* name;         // name of the subcommand
+  const char* group;        // heading of its group in the program's help; "": not in the help
+  const char* description;  // description in the program's help
   std::vector<const char*> examples;
 };
 
@@ -31,13 +31,13 @@ using ValueNames = std::map<std::string, const char*>;
 // "ADDR:PORT", "N" of "N:INT in [1 - 10]".
 std::string own_value_name(const std::string& type);
 
-// Gives the program one layout of help, the names of values, groups and examples. Called once,
+// Sets the program's layout of help, the names of values, groups and examples. To be called once,
 // after all commands are declared.
 void finish_help(CLI::App& app, std::span<const CommandHelp> commands, const ValueNames& names);
 
-// Returns the completions of the last of the words, one a line: "WORD<tab>DESCRIPTION". `words` are
-// the words after the program's name; the last may be "". A last line ":files" means that the word
-// may also be a file. `teams` are the names of the house teams.
+// Returns the completions of the last word, a completion in a line: "WORD<tab>DESCRIPTION". `words`
+// are the words after the program's name; the last may be "". A last line ":files" means that the
+// word may also be a file. `teams` are the names of the house teams.
 std::string completions(const CLI::App& app, std::span<const std::string> words,
                         std::span<const std::string> teams);
 

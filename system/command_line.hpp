@@ -16,7 +16,7 @@ class App;
 namespace mirocup::system {
 
 // Returns the word of `words` for which `word` is probably a misspelling: at most two letters, and
-// at most a third of the word, are changed, missing, added or exchanged. "" if there is none.
+// at most a third of the word, are changed, missing, added or exchanged. "" if no word is similar.
 std::string closest_word(std::string_view word, std::span<const std::string> words);
 
 // Parses the arguments from argv[1] on. The app's name is the way to call it, such as "mirocup
@@ -26,12 +26,12 @@ std::string closest_word(std::string_view word, std::span<const std::string> wor
 std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv);
 
 // Answers a command line about the program itself, for a shell or a packager: `complete WORD…`
-// prints completions(), `man DIR` writes the manual's pages. Returns nothing for any other command
-// line.
+// prints completions(), `man DIR` writes the manual's pages. Returns nothing for all other command
+// lines.
 std::optional<int> tell_about(const CLI::App& app, int argc, char** argv,
                               const std::string& version, std::span<const std::string> teams);
 
-// Returns why a text is not a seed, an integer from 0 to 2^64 - 1; "" if it is.
+// Returns why a text is not a seed, an integer from 0 to 2^64 - 1; "" if the text is a seed.
 std::string problem_with_seed(const std::string& text);
 
 }  // namespace mirocup::system

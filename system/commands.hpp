@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The subcommands of a program. Each declares its options in the source that runs it; the program
-// lists the subcommands. Only this room knows the library that parses command lines (CLI11).
+// lists the subcommands. Only this folder knows the library that parses command lines (CLI11).
 #pragma once
 
 #include "core/base/error.hpp"
@@ -28,12 +28,12 @@ class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
-  // Sets the name of its value in the help: "FILE".
+  // Sets the name of the option's value in the help: "FILE".
   Option named(const std::string& value) const;
   Option required() const;
   Option shows_default() const;
 
-  // Sets the range of accepted values; others are wrong usage.
+  // Sets the range of accepted values; other values are wrong usage.
   Option between(int low, int high) const;
   Option between(double low, double high) const;
   Option between_or(int low, int high, const std::string& word) const;
@@ -41,12 +41,12 @@ class Option {
   Option one_of(const std::vector<std::string>& words) const;
   Option one_of_numbers(const std::vector<int>& numbers) const;
   Option is_a_seed() const;  // an integer of 64 bits
-  // `problem` returns why a text is wrong, or "".
+  // Sets a check of the value. `problem` returns why a text is wrong, or "".
   Option checked(const std::string& value, std::string (*problem)(const std::string&)) const;
 
-  // Makes its value a list that the separator divides: "a,b".
+  // Makes the option's value a list that the separator divides: "a,b".
   Option split_at(char separator) const;
-  // Sets the number of words after it.
+  // Sets the number of words after the option.
   Option takes(int least, int most) const;
 
   Option excludes(const Option& other) const;
@@ -96,14 +96,15 @@ class Commands {
     Options& options;
   };
 
-  // Adds a subcommand. Its options are declared next and fill `options`, which `run` gets.
+  // Adds a subcommand. Declare its options next: they fill `options`, which `run` gets.
   template <class Options>
   Added<Options> add(const CommandHelp& help, Result<int> (*run)(const Options&)) {
     auto options = std::make_shared<Options>();
     return {add_run(help, [options, run] { return run(*options); }), *options};
   }
 
-  // Adds the help of a command that another program runs, so that it never comes to read().
+  // Adds the help of a command that another program runs, so that this command never comes to
+  // read().
   void add_other(const CommandHelp& help);
 
   // Returns the subcommand that was chosen. If the command line asks for help or is wrong, prints

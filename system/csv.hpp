@@ -16,7 +16,7 @@ namespace mirocup::system {
 std::string csv_line(const std::vector<std::string>& cells);
 
 struct CsvRow {
-  int line = 1;  // the line in which it begins, from 1
+  int line = 1;  // the line in which the row begins, from 1
   std::vector<std::string> cells;
 };
 

@@ -21,7 +21,7 @@ class Descriptor {
 
   bool is_open() const { return fd_ >= 0; }
 
-  // The descriptor, which stays owned; negative if there is none.
+  // Returns the descriptor, which this object still owns; negative if there is none.
   int get() const { return fd_; }
 
   // Closes the descriptor and owns `fd` from now on.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // An exclusive lock on a file (flock), held as long as the object lives. The kernel releases it
-// when the process ends, in whatever manner, so a lock file alone does not mean that the lock is
-// held.
+// when the process ends, in any way, so a lock file alone does not mean that the lock is held.
 //
 // Only this user can open the file (mode 0600), because a user who can read a file can lock it. A
-// link is refused, and so is a file that belongs neither to this user nor to the owner of the
-// folder.
+// link is refused; a file that belongs neither to this user nor to the owner of the folder is also
+// refused.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -28,8 +27,8 @@ class FileLock {
   // file names this process until its end, so that signal_holder() finds it.
   static Result<std::optional<FileLock>> try_acquire(const std::string& path);
 
-  // Sends the signals to the process that holds the lock. Returns false if no process does.
-  // Errc::unavailable if the holder is not known for certain, for example because it runs on
+  // Sends the signals to the process that holds the lock. Returns false if no process holds the
+  // lock. Errc::unavailable if the holder is not known for certain, for example because it runs on
   // another computer: no other process is ever signalled.
   static Result<bool> signal_holder(const std::string& path, std::span<const int> signals);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Access to the disk. A caller that reads says how large the file may be, and whether its name may
+// Access to the disk. A reading caller gives the largest size of the file, and whether its name may
 // be a link. Only regular files are read, so no reader waits for a pipe or reads a device without
-// an end. A file that is written whole is at any moment either the old file or the new one, also
-// after a crash. Appended bytes are on disk when append() returns. Tests replace the disk by a disk
-// with faults.
+// an end. A file that is written whole is at any moment either the old or the new file, also after
+// a crash. Appended bytes are on disk when append() returns. Tests replace the disk by a disk with
+// faults.
 //
 // Errors name the file and the reason. A file of the wrong kind, too large or a link is
 // Errc::input; a refusal of the system is Errc::unavailable.
@@ -23,10 +23,10 @@
 
 namespace mirocup::system {
 
-// How large a file of each kind may be, bytes. Each limit is several times larger than a useful
+// The largest size of a file of each kind, bytes. Each limit is several times larger than a useful
 // file, and small enough for memory.
 namespace size_limit {
-inline constexpr std::uint64_t entry = 32u << 20;        // a strategy as it is handed in
+inline constexpr std::uint64_t entry = 32u << 20;        // a handed-in strategy
 inline constexpr std::uint64_t scene = 64u << 20;        // a scene, or one situation of a league
 inline constexpr std::uint64_t trace = 256u << 20;       // situations, one a line
 inline constexpr std::uint64_t record = 64u << 20;       // the JSON of a leg
@@ -55,10 +55,10 @@ struct ReadOptions {
   std::uint64_t max_size;  // bytes; a larger file is refused before its first byte is read
   Links links = Links::refused;
   Growth growth = Growth::refused;
-  std::string_view if_too_large = "";  // ends the message: what the file's owner can do
+  std::string_view if_too_large = "";  // end of the message: a remedy for the file's owner
 };
 
-// A regular file that is open for reading, as it was when it was opened.
+// A regular file that is open for reading, and its properties at the time of opening.
 struct OpenFile {
   std::string path;
   ReadOptions options;
@@ -66,12 +66,13 @@ struct OpenFile {
   std::uint64_t size = 0;     // bytes
   uid_t owner = 0;            // user
   std::uint64_t names = 1;    // number of hard links
-  std::uint64_t inode = 0;    // with `changed`, tells whether it is the same file as before
+  std::uint64_t inode = 0;    // with `changed`, identifies the file
   std::int64_t changed = 0;   // ns since 1970 of the last change, also of its owner and names
   std::int64_t modified = 0;  // ns since 1970 of the last change of its bytes
 };
 
-// Opens a file. It never waits, neither for the other end of a pipe nor for the holder of a lease.
+// Opens a file. open() never waits, neither for the other end of a pipe nor for the holder of a
+// lease.
 Result<OpenFile> open_file(const std::string& path, const ReadOptions& options);
 
 // True if the name stands for a device, a pipe or something that is already open, for example
@@ -83,7 +84,7 @@ bool is_written_in_place(const std::string& path);
 // change. Errors: Errc::unavailable.
 Result<Descriptor> sealed_copy(std::string_view bytes);
 
-// Reads the file from `offset` to the size that it had when it was opened.
+// Reads the file from `offset` to its size at the time of opening.
 Result<std::string> read_file(const OpenFile& file, std::uint64_t offset = 0);
 
 // The users who may read a written file. Only its owner may write it again.
@@ -126,7 +127,7 @@ class Files {
   // Cuts the file to its first `size` bytes.
   virtual Result<void> truncate(const std::string& path, std::size_t size) = 0;
 
-  // Returns false only if nothing has that name. If the system cannot tell, or if a link on the way
+  // Returns false only if no file has the name. If the system cannot tell, or if a link on the way
   // leads to nothing, returns true; reading the file then gives the reason.
   virtual bool exists(const std::string& path) = 0;
 
@@ -138,7 +139,7 @@ class Files {
   // Returns the names in a folder, sorted by their bytes.
   virtual Result<std::vector<std::string>> names_in(const std::string& folder) = 0;
 
-  // The same; returns no names if nothing has the folder's name.
+  // Like the function above, but returns no names if the folder does not exist.
   Result<std::vector<std::string>> names_if_there(const std::string& folder);
 
   // Removes a file, or a folder with everything in it. Links are removed, not followed. A missing
@@ -152,11 +153,11 @@ class Files {
 bool is_unfinished(const std::string& path);
 
 // A file that arrives in parts, for example over a network, and is hashed on its way. It has a
-// temporary name in the folder of its later path until keep() gives it that path. The destructor
-// removes a file that is not kept; after a crash Files::remove_unfinished() does.
+// temporary name in the folder of its later path until keep() moves the file to its path. The
+// destructor removes a file that is not kept; after a crash Files::remove_unfinished() does.
 class IncomingFile {
  public:
-  // Begins a file that only its owner can read. The folder must be there.
+  // Begins a file that only its owner can read. The folder must exist.
   static Result<IncomingFile> begin(const std::string& path);
   IncomingFile(IncomingFile&& other) noexcept = default;
   IncomingFile& operator=(IncomingFile&& other) noexcept = default;
@@ -166,10 +167,10 @@ class IncomingFile {
   Result<void> add(std::string_view bytes);
   std::uint64_t size() const { return size_; }
 
-  // Flushes the file to disk and returns its SHA-256. Nothing can be added after that.
+  // Flushes the file to disk and returns its SHA-256. After this call nothing can be added.
   Result<std::string> finish();
 
-  // Renames the finished file, which is then on disk under that name. The path is on the same disk.
+  // Renames the finished file to a path on the same disk; the new name is then also on disk.
   Result<void> keep(const std::string& path);
 
  private:
@@ -181,7 +182,7 @@ class IncomingFile {
   Sha256 digest_;
 };
 
-// The real disk. It has no state: any number of objects may be used from any thread.
+// The real disk. The class has no state, so any number of objects may be used from any thread.
 class Disk final : public Files {
  public:
   Result<std::string> read(const std::string& path, const ReadOptions& options) override;

@@ -10,8 +10,8 @@
 namespace mirocup::system {
 
 // Returns the first IPv4 address of `host`, a name or an address, as 10.0.0.5. Errc::unavailable if
-// there is none, or if the resolver does not answer within `seconds`; then it continues in another
-// thread.
+// the host has no IPv4 address, or if the resolver does not answer within `seconds`; in this case
+// the resolver continues in another thread.
 Result<std::string> address_of(const std::string& host, double seconds);
 
 }  // namespace mirocup::system

@@ -8,10 +8,11 @@ namespace mirocup::system {
 class Interrupt {
  public:
   // Blocks both signals from now on, in this thread and in threads that it starts later. So create
-  // it before any thread.
+  // this object before any thread.
   Interrupt();
 
-  // True if one of the signals has arrived since the construction. Costs a system call until then.
+  // True if one of the signals has arrived since the construction. Each call before a signal makes
+  // a system call.
   bool is_asked_for();
 
  private:

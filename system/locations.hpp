@@ -36,7 +36,7 @@ std::string browser_folder();
 // Returns the names of the house teams, sorted.
 std::vector<std::string> house_teams();
 
-// Returns the path of the library of a house team; "" if there is no such team.
+// Returns the path of the library of a house team; "" if no house team has the name.
 std::string house_team(const std::string& name);
 // The same for a library that another program has loaded: `folder` is the library's.
 std::string house_team(const std::string& name, const std::string& folder);

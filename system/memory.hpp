@@ -18,15 +18,15 @@ inline constexpr std::size_t memory_of_a_leg = 2 * memory_of_a_team + memory_of_
 
 // Returns how much memory this process and its children could take before the kernel has to end a
 // process, bytes: the least of what the kernel calls available and of the room that each memory
-// cgroup around this process has left. Nothing if the kernel does not tell. Tests pass another
-// `root`.
+// cgroup around this process has left. Returns nothing if the kernel does not say. Tests pass
+// another `root`.
 std::optional<std::size_t> available_memory(const std::string& root = "");
 
-// Returns how many processes the kernel has ended for want of memory since it was started; nothing
-// if it does not tell.
+// Returns how many processes the kernel has ended for lack of memory since its start; nothing if
+// the kernel does not say.
 std::optional<std::uint64_t> out_of_memory_kills(const std::string& root = "");
 
-// Returns a size as a person reads it, "181 MiB".
+// Returns a size as text for a person: "181 MiB".
 std::string mebibytes(std::size_t bytes);
 
 }  // namespace mirocup::system

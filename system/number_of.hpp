@@ -41,7 +41,7 @@ inline std::optional<double> number_of<double>(std::string_view text) {
 }
 #endif
 
-// The same for an integer in hexadecimal digits.
+// Returns the integer that the whole text spells in hexadecimal digits.
 template <std::unsigned_integral Number>
 std::optional<Number> hexadecimal_of(std::string_view text) {
   return whole_number<Number>(text, 16);

@@ -16,15 +16,15 @@ enum class LineEnds {
 
 // Returns the text with every byte as \xNN that a terminal, a page or a reader could mistake for
 // something else: control characters, bytes that are not UTF-8, and the characters that change the
-// direction of writing. Tabs are kept, and line ends if `ends` says so. Text that is escaped
-// already stays as it is.
+// direction of writing. Tabs are kept, and line ends if `ends` says so. Text that is already
+// escaped stays unchanged.
 std::string printable(std::string_view text, LineEnds ends = LineEnds::escaped);
 
 bool is_utf8(std::string_view text);
 
-// Returns the first character of a text in UTF-8 that nobody sees, as "U+200B"; "" if there is
-// none. A joiner or a variation selector counts as hidden only after a letter of a script before
-// Arabic (U+0600), or after itself.
+// Returns the first character of a text in UTF-8 that nobody sees, as "U+200B"; "" if all
+// characters are visible. A joiner or a variation selector counts as hidden only after a letter of
+// a script before Arabic (U+0600), or after itself.
 std::string hidden_character(std::string_view text);
 
 // Returns a stranger's words as a part of a sentence: on one line, escaped, in double quotation

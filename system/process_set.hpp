@@ -44,15 +44,15 @@ class ProcessSet {
   // one child must run.
   std::optional<Exit> wait();
 
-  // Waits at most that time for the next child to end, or for SIGINT or SIGTERM.
+  // Waits at most a given time for the next child to end, or for SIGINT or SIGTERM.
   struct News {
     std::optional<Exit> exit;
     bool is_asked_to_stop = false;
   };
   News wait_within(double seconds);
 
-  // Waits for that time, even if children end. Returns true as soon as SIGINT or SIGTERM arrives.
-  // With 0 s, returns at once, true if a signal has arrived.
+  // Waits for a given time, even if children end. Returns true as soon as SIGINT or SIGTERM
+  // arrives. With 0 s, returns at once, true if a signal has arrived.
   bool is_asked_to_stop_within(double seconds);
 
   // Kills one child, and waits for its end. wait() will not report it.
@@ -69,7 +69,7 @@ class ProcessSet {
   std::vector<Running> children_;
 };
 
-// Returns the processors that this process may use; {-1} if the system does not tell.
+// Returns the processors that this process may use; {-1} if the system does not say.
 std::vector<int> processors();
 
 }  // namespace mirocup::system

@@ -16,7 +16,8 @@
 
 namespace mirocup::system {
 
-// An encrypted connection over a socket, which it does not own. After an error it must not be used.
+// An encrypted connection over a socket that the caller owns. After an error the connection must
+// not be used.
 class TlsConnection {
  public:
   TlsConnection(TlsConnection&&) noexcept;
@@ -26,15 +27,15 @@ class TlsConnection {
   // True if read() can return bytes without waiting, even if none wait in the socket.
   bool has_bytes() const;
 
-  // Reads up to `size` bytes. Returns their number; 0 at the end, negative after an error or if
-  // nothing comes within `ms`.
+  // Reads up to `size` bytes. Returns the number of read bytes; 0 at the end; a negative number
+  // after an error or if nothing comes within `ms`.
   ssize_t read(char* bytes, std::size_t size, int ms);
 
-  // Writes all bytes. Returns their number; negative after an error or if the other end receives
-  // nothing for `ms`.
+  // Writes all bytes. Returns the number of bytes; a negative number after an error or if the other
+  // end receives nothing for `ms`.
   ssize_t write(std::string_view bytes, int ms);
 
-  // Tells the other end that nothing more is written.
+  // Tells the other end that no more bytes follow.
   void say_end();
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells whether only root and this (the effective) user can have put a file where it is. mirocup
-// runs no other program in its own place, and reads no other list of programs.
+// Tells whether only root and this (effective) user can have put a file at its path. mirocup
+// replaces itself only with such a program, and reads only such a list of programs.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -23,14 +23,14 @@ inline constexpr const char* asks_no_other = "MIROCUP_IS_ASKED";
 //
 // The check looks only at the bits of the mode. The group bits of a file with a POSIX access
 // control list show the most that the list grants to anybody, so a list that lets others write is
-// refused. Lists of NFS are not seen.
+// refused. The check does not see lists of NFS.
 //
 // Errors: Errc::input if the path is not trusted, with the name and the reason; Errc::unavailable
 // if a name does not exist or cannot be read.
 Result<std::string> trusted_path(const std::string& path);
 
-// The same for a program, whose real name must be `name`. A link to another program is refused
-// (Errc::input), and so is anything but a regular file that this user may run.
+// Like trusted_path(), for a program, whose real name must be `name`. A link to another program is
+// refused (Errc::input), as is everything but a regular file that this user may run.
 Result<std::string> trusted_program(const std::string& path, const std::string& name);
 
 }  // namespace mirocup::system
