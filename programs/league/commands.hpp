@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `mirocup league`, one source each: its options, their declaration, and what it
-// does; acts.cpp has all acts of the staff. A run returns the exit code of an answer, exit_yes or
-// exit_no, or an error.
+// The subcommands of `mirocup league`. Each has one source with its options, their declaration and
+// its work; acts.cpp has all acts of the staff. A run returns the exit code of an answer, exit_yes
+// or exit_no, or an error.
 #pragma once
 
 #include "system/commands.hpp"
@@ -60,7 +60,7 @@ void add_credentials(system::Commands& commands);
 // The argument DIR, the league's folder.
 void add_folder(const system::Command& command, std::string& folder);
 
-// Returns what is wrong with a text as the name of a folder, or "".
+// Returns why a text cannot be the name of a folder; "" if it can.
 std::string problem_with_folder(const std::string& text);
 
 }  // namespace mirocup::league

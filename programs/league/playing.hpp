@@ -12,33 +12,33 @@
 
 namespace mirocup::league {
 
-// A league that this process alone plays, as long as it holds the lock.
+// A league that this process alone plays as long as this object holds the lock.
 struct HeldLeague {
   LeagueStore store;
   system::FileLock lock;
 };
 
-// Opens a league in order to play it, and prints any repair of its journal. Errors: those of
-// expect_owner(); Errc::unavailable if another process plays it, with `advice` as the end of the
-// sentence.
+// Opens a league in order to play it, and prints any repair of its journal. Errors are those of
+// expect_owner(), and Errc::unavailable, with `advice` as the end of the sentence, if another
+// process plays the league.
 Result<HeldLeague> hold_league(system::Files& files, const Folder& folder,
                                const std::string& advice);
 
-// How a league is played.
+// The settings with which a league is played.
 struct PlayTerms {
-  std::string engine = "local";        // or "slurm"
-  int jobs = 0;                        // legs at once; 0: one for each processor
-  bool watched = false;                // league serve shows the legs of this host
-  int dds_domain = 0;                  // for legs with teams over DDS
-  bool accepts_other_program = false;  // continues a league that another program began
+  std::string engine = "local";        // "local" or "slurm"
+  int jobs = 0;                        // legs at once; 0: a leg for each processor
+  bool watched = false;                // true: league serve shows the legs of this host
+  int dds_domain = 0;                  // the DDS domain of legs with teams over DDS
+  bool accepts_other_program = false;  // true: continues a league that another program began
 };
 
-// Plays until no leg can be played, and returns the state. Errors are also those of
+// Plays until no leg can be played, and returns the state. Errors include those of
 // expect_program().
 Result<LeagueState> play_league(system::Files& files, LeagueStore store, ProgressReporter& progress,
                                 const PlayTerms& terms);
 
-// The option --other-program of these subcommands.
+// Adds the option --other-program of these subcommands.
 void add_other_program(const system::Command& command, bool& accepts_other_program);
 
 // Prints to standard error why the league has not ended.

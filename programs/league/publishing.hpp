@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Parts of the subcommands that publish a league: `publish`, `start`, `nightly`, and acts that
-// change its pages.
+// change the pages.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"
@@ -24,12 +24,12 @@ struct NightNews {
 Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store);
 
 // Returns the function that makes the page in which visitors play by hand; null if the module for
-// browsers was not built. `files` outlives it.
+// browsers was not built. `files` must outlive the function.
 std::function<std::string()> playground_maker(system::Files& files);
 
-// Returns what gives the modules with which browsers prove the legs of this league; null if the
-// host wants no proofs. A kept module that this host does not trust is not used. `files` outlives
-// it.
+// Returns the function that gives the modules with which browsers prove the legs of this league;
+// null if the host wants no proofs. A kept module that this host does not trust is not used.
+// `files` must outlive the function.
 ModuleOfGame module_finder(system::Files& files, const Folder& folder, const LeagueFile& file);
 
 // Writes the pages of a state to the folder's site/; `jobs` replay pages are made at once (0: one

@@ -12,7 +12,7 @@ namespace mirocup::league {
 
 class ScratchFolder {
  public:
-  // Its name begins with `prefix`.
+  // Makes the folder. Its name begins with `prefix`.
   explicit ScratchFolder(const std::string& prefix) {
     std::string name = (std::filesystem::temp_directory_path() / (prefix + "-XXXXXX")).string();
     if (mkdtemp(name.data()) != nullptr) path_ = name;
@@ -23,7 +23,7 @@ class ScratchFolder {
     std::error_code ignored;
     if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
   }
-  const std::string& path() const { return path_; }  // "": it could not be made
+  const std::string& path() const { return path_; }  // "": the folder could not be made
 
  private:
   std::string path_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A league as `mirocup league serve` shows it: the pages that publish would write, made from the
-// present journal; records and replays; and the legs that are being played. It only reads the
-// folder.
+// The site of `mirocup league serve`: the pages that publish would write, made from the present
+// journal; records and replays; and the legs that are being played. The class only reads the
+// league's folder.
 //
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
@@ -36,37 +36,37 @@ class ServedLeague {
   // From now on the pages link to the form for hand-ins.
   void offer_hand_in() { takes_hand_ins_ = true; }
 
-  // Drills have the field of the small league.
+  // True if entries try drills, which have the field of the small league.
   bool has_drills() const { return store_.state().file.league == League::small; }
 
-  // Returns why no entry of this team is taken at a time (UTC); "" if entries are taken.
+  // Returns why the league takes no entry of a team at a time (UTC); "" if it takes entries.
   std::string why_not(const std::string& team, const std::string& now);
 
   // Returns the decided legs of a team.
   std::vector<OwnLeg> legs_of(const std::string& team);
 
-  // Returns what the last night changed for a team, as the inside of a page of the desk; "" if that
-  // is hidden, or there was no night.
+  // Returns the digest of a team's last night as part of a page of the desk; "" if the night is
+  // hidden, or if there was no night.
   std::string digest_of(const std::string& team);
 
-  // Returns the replay page of a leg that a team may see, released or not. If thoughts of these
-  // teams were kept, it shows them and what the teams printed.
+  // Returns the replay page of a leg that a team may see, released or not. The page shows the kept
+  // thoughts and the output of the given teams.
   std::optional<std::string> own_replay(const std::string& name, const record::Whose& whose);
 
-  // Returns the teams with an entry that would play now, and the entry's number. The answer is at
-  // most a few seconds old.
+  // Returns the teams with an entry that would play now, and the number of the entry. The data are
+  // at most a few seconds old.
   std::map<std::string, int> entries_that_play();
 
-  // Returns the teams next to a team in the table, above before below; none before the start.
+  // Returns the neighbours of a team in the table, the team above first; none before the start.
   std::vector<std::string> neighbours_of(const std::string& team);
 
-  // Returns the name by which people know a team.
+  // Returns the name of a team that pages show.
   std::string shown_name_of(const std::string& team);
 
   // Returns a time of the journal in the league's time zone: shown_time().
   std::string time_in_words(const std::string& utc);
 
-  // Returns the football statistics of a team, HTML; "" if there are none.
+  // Returns the football statistics of a team, HTML; "" if the team has no statistics.
   std::string statistics_of(const std::string& team);
 
   // Returns the page that replays the record at a path, with the thoughts and output of the teams
@@ -76,7 +76,7 @@ class ServedLeague {
  private:
   // A leg that is being played and can be watched.
   struct LiveLeg {
-    std::string name;  // of its record, without ".json"
+    std::string name;  // name of the leg's record, without ".json"
     Json about;        // for page/league.js
     int port = 0;
 
@@ -111,19 +111,19 @@ class ServedLeague {
   std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made
   std::size_t lines_of_pages_ = 0;      // lines_ when the pages were made
   std::chrono::steady_clock::time_point pages_rest_until_{};
-  std::unique_ptr<Site> site_;  // of the released part; null before the first page
+  std::unique_ptr<Site> site_;  // the site of the released part; null before the first page
   std::string said_;            // teams.json and notice.txt
   FactsOfLegs facts_;
   KnownReports known_reports_;
-  std::map<int, std::string> statistics_;  // of teams that were asked for
+  std::map<int, std::string> statistics_;  // HTML of teams whose statistics were requested
   std::map<std::string, int> entries_that_play_;
   std::chrono::steady_clock::time_point entries_looked_up_at_{};
   std::map<std::string, web::Page> pages_;  // pages of site_ that were asked for, by path
-  std::set<std::string> records_;           // names without .json
+  std::set<std::string> records_;           // names of records without .json
 
   std::mutex replaying_;  // held while a replay page is made, so one at a time
   std::once_flag module_made_;
-  std::optional<SiteModule> module_;  // of this program; set by module()
+  std::optional<SiteModule> module_;  // the module of this program; set by module()
 };
 
 }  // namespace mirocup::league

@@ -7,7 +7,7 @@
 
 namespace mirocup::league {
 
-// Returns the text of show/NAME; empty if there is no such file.
+// Returns the text of the file show/NAME; empty if the program lacks the file.
 std::string_view show_file(std::string_view name);
 
 }  // namespace mirocup::league

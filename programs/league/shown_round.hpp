@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A round as `mirocup league show` shows it on a projector: the page, the recorded legs, the table
-// after each of them, and the commands of a remote. The league is read once, so legs that are
-// played later are not shown.
+// A round that `mirocup league show` shows on a projector: the page, the recorded legs, the table
+// after each leg, and the commands of a remote. The league is read once, so the page does not show
+// legs that are played later.
 //
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
@@ -23,10 +23,9 @@ namespace mirocup::league {
 
 class ShownRound {
  public:
-  // `round` is its key ("r3", "k1"); "": the last round of which a leg was played. `key` is the
-  // secret of the remote. `at_once`: number of legs side by side, until the remote says another.
-  // Errors: Errc::input if there is no such round, or no leg of it has a
-  // record.
+  // `round` is the key of a round ("r3", "k1"); "": the last round with a played leg. `key` is the
+  // secret of the remote. `at_once`: number of legs side by side, until the remote changes the
+  // number. Errors: Errc::input if the league lacks the round, or no leg of the round has a record.
   static Result<ShownRound> of(system::Files& files, const LeagueStore& store,
                                const std::string& round, std::string key, int at_once);
 
@@ -42,7 +41,7 @@ class ShownRound {
   struct Leg {
     Json about;          // for the programme
     std::string record;  // path
-    std::string page;    // path of its replay page, if the league has been published
+    std::string page;    // path of the leg's replay page, if the league was published
   };
 
   ShownRound(system::Files& files, std::string key, int at_once)
@@ -61,7 +60,7 @@ class ShownRound {
   std::vector<std::string> next_;       // fixtures of the next round, in words
   std::string champion_;                // HTML; "": the league is not over after this round
 
-  // Both on the heap, so that the round can be moved before it is served.
+  // Members on the heap, so that the round can be moved before it is served.
   struct Commands {
     std::mutex mutex;  // guards `given`
     std::vector<std::string> given;

@@ -18,17 +18,17 @@ struct ClipSpan {
 
 inline constexpr double max_clip_s = 60.0;
 
-// Reads "12:18" or "12.5:18". Errors: Errc::input if it is something else, if it ends before it
-// begins, or if it is longer than max_clip_s.
+// Reads "12:18" or "12.5:18". Errors: Errc::input if the text has another form, or if the part ends
+// before it begins or is longer than max_clip_s.
 Result<ClipSpan> parse_clip(const std::string& text);
 
-// True if a file of that name can be a video: .webm, .mp4 or .gif.
+// True if the name of a file is one of a video: .webm, .mp4 or .gif.
 bool is_video_name(const std::string& path);
 
-// Draws the part of the leg tick by tick and lets ffmpeg, which must be installed, make a video of
-// it, in real time. The pictures are in a temporary folder beside `output`. Errors: Errc::input if
-// the leg has ended before `from`; Errc::damaged if the record is not reproduced; Errc::unavailable
-// if ffmpeg is missing or fails.
+// Draws the part of the leg tick by tick and lets ffmpeg, which must be installed, make a video in
+// real time. The pictures are in a temporary folder beside `output`. Errors: Errc::input if the leg
+// has ended before `from`; Errc::damaged if the record is not reproduced; Errc::unavailable if
+// ffmpeg is missing or fails.
 Result<void> write_clip(system::Files& files, const record::MatchRecord& record,
                         const ClipSpan& span, const std::string& output);
 

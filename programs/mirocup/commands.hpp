@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `mirocup`, one source each: its options, their declaration, and what it does.
-// A run returns the exit code of an answer, exit_yes or exit_no, or an error.
+// The subcommands of `mirocup`. Each has one source with its options, their declaration and its
+// work. A run returns the exit code of an answer, exit_yes or exit_no, or an error.
 #pragma once
 
 #include "system/commands.hpp"
@@ -45,8 +45,8 @@ void add_parameters(const system::Command& command, const char* option,
                     std::vector<std::string>& changes, const std::string& whose);
 
 // `mirocup league …` and `mirocup tune …` are the program mirocup-league, and `mirocup bench …` and
-// `mirocup validate --against …` are mirocup-bench: runs the program of that name in the place of
-// this process, with the arguments from argv[first] on. Returns only if it cannot be run.
+// `mirocup validate --against …` are mirocup-bench: runs that program in the place of this process,
+// with the arguments from argv[first] on. Returns only if the program cannot be run.
 Result<int> become_sibling_program(const std::string& name, int argc, char** argv, int first = 2);
 
 }  // namespace mirocup::app

@@ -27,20 +27,23 @@ Score score_of(const std::vector<PlayedTry>& tries);
 struct DrillReport {
   std::string team;
   std::vector<const drills::Drill*> drills;
-  std::vector<std::vector<PlayedTry>> tries;  // of each drill
+  std::vector<std::vector<PlayedTry>> tries;  // the tries of each drill
 
-  double score() const;  // the mean over the drills
+  double score() const;  // the mean score of the drills
 };
 
 std::string text_of(const DrillReport& report);
 
-// One team: {"team", "drills", "score"}. Several: {"teams": [of each such an object]}.
+// Returns {"team", "drills", "score"} for one team, {"teams": [an object like this for each team]}
+// for several.
 nlohmann::ordered_json json_of(const std::vector<DrillReport>& reports);
 
-// Returns the page that lists the failed tries, with links to their pages, which are in its folder.
+// Returns the page that lists the failed tries, with links to pages of the tries in the same
+// folder.
 std::string failed_page(const std::vector<DrillReport>& reports);
 
-// A line for each team and drill, and one for all drills of a team, below a line of titles.
+// Returns CSV: a line of titles, a line for each team and drill, and a line for all drills of each
+// team.
 std::string csv_of(const std::vector<DrillReport>& reports);
 
 }  // namespace mirocup::app

@@ -28,22 +28,22 @@ struct DrillTask {
   int tries = 0;
 };
 
-// A try as it was played.
+// A played try.
 struct PlayedTry {
   std::uint64_t seed = 0;
   drills::TryResult result;
-  std::string fault;  // of the tested team; "": none
+  std::string fault;  // fault of the tested team; "": none
 };
 
 struct DrillTerms {
   std::uint64_t first_seed = 1;
   int jobs = 0;               // tries at once; 0: one for each processor
-  std::string replay_folder;  // where record and page of a failed try go; "": nowhere
+  std::string replay_folder;  // folder for record and page of a failed try; "": not kept
 };
 
-// Plays all tries and returns those of each task, in the order of their seeds. `progress` is called
-// now and then with the number of tries that have been played. An error is a failure of the host, a
-// replay that cannot be written, or Errc::interrupted.
+// Plays all tries and returns the tries of each task in the order of their seeds. The function
+// calls `progress` now and then with the number of played tries. An error is a failure of the host,
+// a replay that cannot be written, or Errc::interrupted.
 Result<std::vector<std::vector<PlayedTry>>> play_drills(const std::vector<DrillTask>& tasks,
                                                         const DrillTerms& terms,
                                                         const std::function<void(int)>& progress);

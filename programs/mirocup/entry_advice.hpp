@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Advice to the author of an entry: what to do about a fault of the team, in one sentence.
+// Advice to the author of an entry: a remedy for a fault of the team, in one sentence.
 #pragma once
 
 #include "core/match/controller.hpp"
@@ -21,7 +21,7 @@ struct FaultEvidence {
 
 std::string advice_on(const FaultEvidence& evidence);
 
-// Advice for a team that takes too much time.
+// Returns advice for a team that takes too much time.
 inline constexpr const char* advice_on_time =
     "a tick has 1 ms of processor time in the mean of a leg; compute less, and do not wait";
 

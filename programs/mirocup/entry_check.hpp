@@ -24,8 +24,8 @@ namespace mirocup::app {
 struct Check {
   std::string name = {};            // for scripts: "file", "complete", ...
   std::optional<bool> passed = {};  // empty: not run, because an earlier check failed
-  std::string text = {};            // the finding; after a failure, a sentence that says what to do
-  // After a failure, the parts of the text, and where in the file or the leg it happened.
+  std::string text = {};            // the finding; after a failure, a sentence with a remedy
+  // After a failure, the parts of the text, and the place of the failure in the file or the leg.
   std::string what = {};
   std::string where = {};
   std::string cure = {};
@@ -38,7 +38,7 @@ struct Note {
 };
 
 struct EntryReport {
-  std::string sha256;  // "" if the file can be no entry
+  std::string sha256;  // "" if the file cannot be an entry
   plugins::Isolation isolation = plugins::Isolation::T2;
   std::vector<Check> checks;
   double start_ms = 0.0;
@@ -48,9 +48,9 @@ struct EntryReport {
   double leg_seconds = 0.0;                  // processor time that a leg of full length would take
   double leg_share = 0.0;                    // leg_seconds / the time that such a leg gives
   std::size_t peak_memory = 0;               // bytes
-  double used_seconds = 0.0;                 // of the check, as CheckPlan counts
-  match::TeamParameters unknown_parameters;  // given, but the team never asked for them
-  int bad_values = 0;                        // of its commands, zeroed or clamped
+  double used_seconds = 0.0;                 // use of the check, as CheckPlan counts
+  match::TeamParameters unknown_parameters;  // given parameters for which the team never asked
+  int bad_values = 0;                        // values of commands that were zeroed or clamped
   int moved_placements = 0;                  // requested places that were not legal
   std::vector<LegStory> legs;                // the whole legs against striker, as far as played
   std::vector<Note> notes;
@@ -61,11 +61,11 @@ struct EntryReport {
   std::optional<replay::Recording> gate_leg;
   Team gate_colour = Team::blue;
 
-  // The first check that failed; null if none did.
+  // Returns the first check that failed; null if no check failed.
   const Check* failure() const;
 };
 
-// The leg that an entry is for.
+// The legs for which an entry is checked.
 struct EntryTerms {
   League league = League::small;
   referee::Rules rules;  // with the length of a half in the league
@@ -82,8 +82,8 @@ using OnStep = std::function<void(int number, int of, const char* name)>;
 // other addresses and at another time. Takes three seconds for a usual team. A slow team plays
 // shorter legs, so that the check takes at most 20 s of processor time, of all its processes
 // together, and 15 s more to find out why an entry is refused. Only an entry that takes more than 2
-// s to load needs more, since each leg loads it. An error means that there is no answer: the file
-// cannot be read, or the host failed.
+// s to load needs more, since each leg loads it. An error means that the check has no answer: the
+// file cannot be read, or the host failed.
 Result<EntryReport> check_entry(const std::string& path, const EntryTerms& terms,
                                 const OnCheck& on_check = {}, const OnStep& on_step = {});
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The state of the checks of one entry, and what all of them use. Each kind of check is a source:
+// The state of the checks of one entry, and their common functions. Each kind of check is a source:
 // file_checks.cpp looks at the bytes, play_checks.cpp lets the entry play, and repeat_checks.cpp
-// repeats legs. They run one after the other, in the order of check_names.
+// repeats legs. Checks run one after the other, in the order of check_names.
 #pragma once
 
 #include "plugins/host/sealed_entry.hpp"
@@ -35,23 +35,23 @@ struct Examination {
   std::optional<plugins::SealedEntry> striker{};
   TrialLeg blue{};  // the leg as blue
   TrialLeg knockout{};
-  std::set<MetRestart> restarts{};  // in the legs so far
+  std::set<MetRestart> restarts{};  // restarts in the legs so far
   double slept = 0.0;               // s of sleep, scaled to a leg of full length
-  std::size_t grown = 0;            // bytes that its memory grew by in a leg
-  std::string requests{};           // of the team, a line each
+  std::size_t grown = 0;            // growth of its memory in a leg, bytes
+  std::string requests{};           // requests of the team, a line each
   CheckPlan plan{};
   EntryReport report{};
 };
 
-// The checks. Each adds the results of some of check_names, and returns false after one that
-// failed. An error is a failure of the host.
+// The checks. Each function adds the results of some of check_names, and returns false after a
+// failed check. An error is a failure of the host.
 Result<bool> examine_file(Examination& e);
 Result<bool> load_and_answer(Examination& e);
 Result<bool> play_whole_legs(Examination& e);
 Result<bool> play_knockout(Examination& e);
 Result<bool> repeat_elsewhere(Examination& e);
 
-// Says which check comes next.
+// Tells the name of the next check.
 void tell_next(const Examination& e);
 
 // These functions add the result of the next check and return true if it passed.
@@ -59,7 +59,7 @@ bool pass(Examination& e, std::string text);
 // Adds the failure of the next check. The text has the finding and, after its last ": ", the
 // advice.
 bool fail_with(Examination& e, const std::string& text);
-bool fail_with(Examination& e, Check failed);  // text and name follow from its parts
+bool fail_with(Examination& e, Check failed);  // text and name follow from the parts of `failed`
 // Passes with the text, or fails with the fault of the leg and advice.
 Result<bool> judge(Examination& e, const TrialLeg& leg, const TrialTerms& terms, std::string text);
 
@@ -69,12 +69,12 @@ TrialTerms trial(const Examination& e, Team team, const plugins::SealedEntry& op
 TrialTerms knockout_terms(const Examination& e);
 inline constexpr int repeated_legs = 2;  // the leg as blue, and the knock-out leg
 
-// Plays a leg, and counts what it used.
+// Plays a leg, and counts its use.
 Result<TrialLeg> play(Examination& e, const TrialTerms& terms);
 // Adds the entry's use and play in a leg to the report.
 void note_use(Examination& e, const TrialLeg& leg, const TrialTerms& terms);
 
-// True if the text of a fault is that of the careful process, which watches memory.
+// True if the text of a fault comes from the careful process, which watches memory.
 bool is_memory_mistake(const std::string& text);
 
 }  // namespace mirocup::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What happened in a trial leg, for the author of the entry: the score, and what the robots did.
+// The story of a trial leg for the author of the entry: the score, and the behaviour of the robots.
 #pragma once
 
 #include "core/match/leg.hpp"
@@ -10,7 +10,7 @@
 
 namespace mirocup::app {
 
-// A share is the mean over the entry's robots, of the time in which the ball was in play.
+// A share is a part of the time in which the ball was in play, as a mean over the entry's robots.
 struct LegStory {
   Team team = Team::blue;        // the colour of the entry
   std::string opponent;          // a house team
@@ -21,9 +21,9 @@ struct LegStory {
   double backwards = 0.0;        // share: drove backwards
   double fastest_wheel = 0.0;    // commanded by the entry, rad/s
   double towards_own_end = 0.0;  // share of the speed that its touches gave the ball
-  double given_speed = 0.0;      // all of that speed, m/s
+  double given_speed = 0.0;      // speed that its touches gave the ball, m/s
   unsigned told_left = 0;        // bit i: a command turned the left wheel of robot i
-  unsigned told_right = 0;       // the same of the right wheels
+  unsigned told_right = 0;       // bit i: a command turned the right wheel of robot i
 };
 
 // Watches the leg of an entry tick by tick.

@@ -8,11 +8,11 @@
 
 namespace mirocup::app {
 
-// True for the name of such a project: .dsp of version 6, .vcproj, .vcxproj.
+// True for the name of a project of Visual C++: .dsp of version 6, .vcproj, .vcxproj.
 bool is_old_project(const std::string& path);
 
 // Returns the files that the project compiles or shows, in the order of the text, relative to its
-// folder, with "/" between folders. Empty if the text names none.
+// folder, with "/" between folders. Empty if the text names no file.
 std::vector<std::string> files_of_project(const std::string& text);
 
 }  // namespace mirocup::app

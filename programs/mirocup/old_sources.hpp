@@ -12,14 +12,14 @@
 namespace mirocup::app {
 
 struct OldSources {
-  std::vector<std::string> files;    // all to be kept: sources and what they include
+  std::vector<std::string> files;    // all files to keep: sources and included files
   std::string header;                // defines the structures of the platform
   std::vector<std::string> sources;  // to be compiled
   std::string style;                 // "classic", "restart", "v5"
-  std::string standard;              // of C++, as g++ calls it
+  std::string standard;              // standard of C++, as g++ names it
 };
 
-// Paths are relative to `folder`. Errc::input if it holds no team, or more than one.
+// Returns paths relative to `folder`. Errc::input if the folder holds no team, or several teams.
 Result<OldSources> find_old_sources(const std::string& folder);
 
 }  // namespace mirocup::app

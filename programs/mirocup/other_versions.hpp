@@ -9,8 +9,8 @@
 
 namespace mirocup::app {
 
-// Returns the path of a program that reproduces the record at `path`; "" if there is none.
-// Precondition: its checksum is right. The function looks for programs in the folders of
+// Returns the path of a program that reproduces the record at `path`; "" if no such program exists.
+// Precondition: the record's checksum is right. The function looks for programs in the folders of
 // $MIROCUP_VERSIONS and in /opt/mirocup/*, each in bin/ and in the folder itself. It runs a program
 // only if no stranger can have put it there (system/trusted_program.hpp), it is called mirocup, and
 // `--version` prints the version that the record names. Standard error names each program that a

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks, before the work, that its result can be written.
+// Checks, before some work, that its result can be written.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -14,7 +14,7 @@ namespace mirocup::app {
 // or a pipe needs no folder: system::is_written_in_place().
 Result<void> expect_writable_folder_of(const std::string& path);
 
-// The same for an output that must not replace one of the input files. "": there is no output.
+// Like the function above, for an output that must not replace an input file. "": there is no output.
 Result<void> expect_writable_output(const std::string& path,
                                     const std::vector<std::string>& inputs);
 

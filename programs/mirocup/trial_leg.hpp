@@ -26,34 +26,34 @@ struct TrialTerms {
   Team team = Team::blue;  // the colour of the entry
   match::TeamParameters parameters;
   std::uint32_t max_ticks = UINT32_MAX;
-  double max_seconds = CheckPlan::longest;  // of use while it plays; then the leg stops
+  double max_seconds = CheckPlan::longest;  // most use while the leg plays, s; then the leg stops
   plugins::Isolation isolation = plugins::Isolation::T2;
   plugins::Surroundings surroundings;
   bool is_recorded = false;
-  bool is_careful = false;  // played by mirocup-careful-host
+  bool is_careful = false;  // true: played by mirocup-careful-host
 };
 
-// A restart, and whether the entry took it.
+// A restart, and whether the entry took that restart.
 using MetRestart = std::pair<referee::Restart, bool>;
 
-// What the entry did. A leg that was stopped early has no fault.
+// The result of a trial leg. A leg that was stopped early has no fault.
 struct TrialLeg {
   std::optional<FaultEvidence> fault;
   std::vector<match::TickLog> log;
   int bad_values = 0;                          // values of commands that were zeroed or clamped
   int moved_placements = 0;                    // requested places that were not legal
-  double start_seconds = 0.0;                  // to load and create
+  double start_seconds = 0.0;                  // processor time to load and create the team
   double playing_seconds = 0.0;                // processor time
   double slowest_tick_ms = 0.0;                // processor time
-  std::uint32_t places = 0;                    // times that it was asked to place
-  double slept_seconds = 0.0;                  // neither computing nor waiting for a processor
+  std::uint32_t places = 0;                    // times that the entry was asked to place
+  double slept_seconds = 0.0;                  // time neither computing nor waiting for a processor
   double used_seconds = 0.0;                   // as CheckPlan counts, loading included
-  double used_to_start = 0.0;                  // the part of it before the first tick
-  bool is_whole = false;                       // played to the end of the leg
-  std::size_t memory_at_start = 0;             // bytes, when its team was created
+  double used_to_start = 0.0;                  // the part of used_seconds before the first tick
+  bool is_whole = false;                       // true: the leg was played to its end
+  std::size_t memory_at_start = 0;             // memory when the team was created, bytes
   std::size_t peak_memory = 0;                 // bytes
   std::set<MetRestart> restarts;               // restarts with a call of place()
-  std::optional<replay::Recording> recording;  // of a leg that was played to its end
+  std::optional<replay::Recording> recording;  // recording of a leg that was played to its end
   LegStory story;                              // without the opponent's name
   std::string output;
   std::string requests;  // lines of ProcessController::requests()
