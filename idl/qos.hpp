@@ -12,13 +12,13 @@ namespace mirocup::idl {
 
 struct TopicQos {
   const char* name;
-  bool reliable;               // lost samples are sent again
-  bool kept_for_late;          // a reader that joins later still gets the samples
+  bool reliable;               // true: lost samples are sent again
+  bool kept_for_late;          // true: a reader that joins later still gets the samples
   std::int32_t written_depth;  // number of samples that a writer keeps
-  std::int32_t read_depth;     // number that a reader keeps, from all writers together
+  std::int32_t read_depth;     // number of samples that a reader keeps, from all writers together
 };
 
-// Not reliable: the state of the next tick arrives before a lost one could be sent again.
+// Not reliable, because the state of the next tick arrives before a lost state could be sent again.
 inline constexpr TopicQos world_state{.name = "WorldState",
                                       .reliable = false,
                                       .kept_for_late = false,
@@ -30,7 +30,7 @@ inline constexpr TopicQos team_command{.name = "TeamCommand",
                                        .kept_for_late = false,
                                        .written_depth = 1,
                                        .read_depth = 256};
-// A tick has one sample; one that is lost is not sent again.
+// A tick has one sample. A lost sample is not sent again.
 inline constexpr TopicQos thoughts{.name = "Thoughts",
                                    .reliable = false,
                                    .kept_for_late = false,

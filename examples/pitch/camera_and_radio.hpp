@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The interfaces of a real pitch, which pitch.cpp uses in place of a simulator. Metres, radians and
-// seconds in the frame of the field: the origin is its centre, x points to the right goal.
+// The interfaces of a real pitch, which pitch.cpp uses in place of a simulator. Units are metres,
+// radians and seconds, in the frame of the field: the origin is its centre, x points to the right
+// goal.
 #pragma once
 
 #include "core/match/command.hpp"

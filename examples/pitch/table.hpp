@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A stand-in for camera and radio, so that the example runs without a pitch: robots that drive on a
-// table, without laws and with hardly any physics. Each picture advances its time by one period.
+// table, without laws and with hardly any physics. Each picture advances the time of the table by
+// one period.
 #pragma once
 
 #include "camera_and_radio.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The common functions of the drill teams: the driving, the laws and the goalkeeping of
-// strategy.hpp and skills/shoot.hpp as they were when the drills were measured. These are copies,
-// so that a better skill makes no drill harder. docs/drills.md says when they may change ("The
-// opponents").
+// The common functions of the drill teams: copies of the driving, the laws and the goalkeeping of
+// strategy.hpp and skills/shoot.hpp from the time at which the drills were measured. With copies, a
+// better skill makes no drill harder. docs/drills.md ("The opponents") says when the copies may
+// change.
 //
-// Frames and units are those of strategy.h. The teams know the laws of the small league alone.
+// Frames and units are those of strategy.h. The drill teams know only the laws of the small league.
 #pragma once
 
 #include "mirocup/elementary.h"
@@ -63,8 +63,8 @@ inline Point nose(const Robot& robot) {
   return {mirocup_cos(robot.heading), mirocup_sin(robot.heading)};
 }
 
-// A drill team: robot 0 keeps the goal, and steer() moves each other robot. In both, `now` is the
-// observation of the tick.
+// A drill team: robot 0 keeps the goal, and steer() moves each other robot. `now` is the observation
+// of the tick.
 class DrillTeam {
  public:
   explicit DrillTeam(const mirocup_setup& setup) : setup(setup), state_(setup.seed) {}
@@ -85,7 +85,7 @@ class DrillTeam {
     after_laws(command);
   }
 
-  // As place() of strategy.h.
+  // Chooses places at a restart, like place() of strategy.h.
   virtual void place(const mirocup_observation& observation, mirocup_placement& placement) {
     (void)observation;
     (void)placement;
@@ -105,7 +105,7 @@ class DrillTeam {
     return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1.0p-53;
   }
 
-  // The wheel speeds for a forward speed (m/s) and an angular velocity (rad/s).
+  // Returns the wheel speeds for a forward speed (m/s) and an angular velocity (rad/s).
   Wheels wheels_for(double forward, double turn) const {
     const double side = turn * setup.wheel_distance / 2.0;
     Wheels w{(forward - side) / setup.wheel_radius, (forward + side) / setup.wheel_radius};
@@ -124,7 +124,7 @@ class DrillTeam {
     return setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
   }
 
-  // Drives to a point and passes it at `arrival` m/s; not faster than `fastest`.
+  // Drives to a point at no more than `fastest` m/s, and passes it at `arrival` m/s.
   Wheels drive_to(const Robot& robot, Point target, double arrival = 0.0,
                   double fastest = 1.5) const {
     const Point to = target - at(robot);
@@ -148,7 +148,7 @@ class DrillTeam {
     return wheels_for(direction * speed, turn);
   }
 
-  // Drives to a point, round an obstacle on the line to it.
+  // Drives to a point, round an obstacle on the line to the point.
   Wheels drive_round(const Robot& robot, Point target, Point obstacle, double arrival,
                      double fastest) const {
     const double berth = 0.11;
@@ -167,7 +167,7 @@ class DrillTeam {
     return drive_to(robot, beside, 0.3, std::min(fastest, 0.9));
   }
 
-  // Drives to a point round the ball or an opponent, and stands square there.
+  // Drives to a point round the ball or an opponent, and stands square at the point.
   Wheels drive_clear(const Robot& robot, Point target, double arrival = 0.0,
                      double fastest = 1.5) const {
     const Point here = at(robot);
@@ -190,7 +190,7 @@ class DrillTeam {
             std::clamp(p.y, -setup.half_width + margin, setup.half_width - margin)};
   }
 
-  // The place where a robot that drives at 1.2 m/s meets the ball.
+  // Returns the place where a robot that drives at 1.2 m/s meets the ball.
   Point meeting_point(const Robot& robot) const {
     Point p = ball;
     for (int i = 0; i < 3; ++i) {
@@ -200,14 +200,15 @@ class DrillTeam {
     return inside(p, setup.ball_radius);
   }
 
-  // A target outside the own goal area, for a robot that is not the keeper.
+  // Returns a target outside the own goal area, for a robot that is not the keeper.
   Point keep_out(Point p) const {
     const double front = -setup.half_length + setup.goal_area_depth + 0.095;
     if (p.x < front && std::abs(p.y) < setup.goal_area_half_width + 0.095) p.x = front;
     return p;
   }
 
-  // Returns the place, moved aside if a ball that the own keeper clears would hit a robot there.
+  // Returns a place, moved aside if a ball that the own keeper clears would hit a robot at the
+  // place.
   Point make_way(Point p) const {
     const bool is_in_front = ball.x < -setup.half_length + setup.goal_area_depth + 0.15 &&
                              p.x > ball.x + 0.02 && p.x < ball.x + 0.5;
@@ -221,7 +222,7 @@ class DrillTeam {
     return now->stalemate_s > patience && length(velocity) < 0.15;
   }
 
-  // Spins beside a stuck ball, so that it gets free.
+  // Spins beside a stuck ball, so that the ball gets free.
   Wheels free_ball(const Robot& robot) const {
     const Point to = ball - at(robot);
     if (length(to) > 0.07) return drive_to(robot, ball, 0.6, 1.2);
@@ -234,7 +235,7 @@ class DrillTeam {
     return wheels_for(0.0, cross(to, way) > 0.0 ? 30.0 : -30.0);
   }
 
-  // The ball is on the spot of an own kick-off, which rolls it backwards.
+  // The ball is on the spot of an own kick-off: the robot rolls it backwards.
   bool must_kick_off() const {
     return now->restart == MIROCUP_KICK_OFF && now->own_restart != 0 &&
            mirocup_hypot(ball.x, ball.y) < 0.055;
@@ -250,7 +251,7 @@ class DrillTeam {
   Point velocity;  // of the ball, m/s
 
  private:
-  // Stays in the mouth of the goal where the ball comes, and kicks a slow ball out of the area.
+  // Keeps the goal: stays in its mouth where the ball comes, and kicks a slow ball out of the area.
   Wheels keep_goal(const Robot& robot) const {
     const double line = -setup.half_length + 0.03;
     const Point here = at(robot);
@@ -287,7 +288,7 @@ class DrillTeam {
     return wheels_for(forward, 9.0 * error);
   }
 
-  // The same speeds, or slower ones before an opponent that would be pushed off the ball.
+  // Returns `wheels`, or slower speeds before an opponent that the robot would push off the ball.
   Wheels without_pushing(const Robot& robot, Wheels wheels) const {
     const Point here = at(robot);
     const double forward = forward_of(wheels);
@@ -309,7 +310,7 @@ class DrillTeam {
     return wheels_for(forward < 0.0 ? -allowed : allowed, turn_of(wheels));
   }
 
-  // The same speeds, or those on the shortest way out of the own goal area.
+  // Returns `wheels`, or speeds for the shortest way out of the own goal area.
   Wheels out_of_area(const Robot& robot, Wheels wheels) const {
     const double arc = std::abs(robot.y) < setup.goal_area_half_width / 2.0 ? 0.05 : 0.0;
     const double front = -setup.half_length + setup.goal_area_depth + arc + 0.04;
@@ -346,7 +347,8 @@ class DrillTeam {
     return false;
   }
 
-  // Turns a robot square, or moves it away, if the ball would rebound from it into the own goal.
+  // Turns a robot square or moves it away if the ball would rebound from the robot into the own
+  // goal.
   void avoid_own_goals(mirocup_command& command) const {
     if (ball.x > 0.0 || length(velocity) < 0.25) return;
     if (rolls_into_own_goal(ball, velocity, -0.02)) return;
