@@ -63,8 +63,8 @@ inline Point nose(const Robot& robot) {
   return {mirocup_cos(robot.heading), mirocup_sin(robot.heading)};
 }
 
-// A drill team: robot 0 keeps the goal, and steer() moves each other robot. `now` is the observation
-// of the tick.
+// A drill team: robot 0 keeps the goal, and steer() moves each other robot. `now` is the
+// observation of the tick.
 class DrillTeam {
  public:
   explicit DrillTeam(const mirocup_setup& setup) : setup(setup), state_(setup.seed) {}
