@@ -23,7 +23,7 @@ struct Unknown {
   std::string_view name;  // "wheel_radius", "restitution/ball_wall", "command_delay"
   // Searched as a logarithm: the number is positive, and its interval is a factor.
   bool is_ratio;
-  double least, most;      // its range
+  double least, most;      // range of the number
   double widest;           // a number whose 95 % interval has a larger half-width is not known;
                            // of the logarithm if is_ratio, otherwise of the number
   std::string_view needs;  // the motion that a recording must have to identify it

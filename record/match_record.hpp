@@ -52,7 +52,7 @@ inline bool is_on_network(TeamKind kind) {
 // that reached the server are counted.
 struct DatagramReport {
   std::uint64_t received = 0;        // commands of the team's own sender
-  std::uint64_t placements = 0;      // of the team
+  std::uint64_t placements = 0;      // placements by the team
   std::uint64_t stale = 0;           // commands after the answer that counted, or for another step
   std::uint64_t malformed = 0;       // datagrams of any sender that are not a message
   std::uint64_t replacements = 0;    // refused replacements of any sender

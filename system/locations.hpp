@@ -27,7 +27,7 @@ TeamKit team_kit();
 
 // Returns the folder of the drills that come with mirocup.
 std::string drill_folder();
-// The same for a library that another program has loaded: `folder` is the library's.
+// Like the function above, for a library in another program. `folder` is the library's folder.
 std::string drill_folder(const std::string& folder);
 
 // Returns the folder of the module for browsers, which is not always built.
@@ -38,7 +38,7 @@ std::vector<std::string> house_teams();
 
 // Returns the path of the library of a house team; "" if no house team has the name.
 std::string house_team(const std::string& name);
-// The same for a library that another program has loaded: `folder` is the library's.
+// Like the function above, for a library in another program. `folder` is the library's folder.
 std::string house_team(const std::string& name, const std::string& folder);
 
 // Returns the folder in which programs keep data of this computer that belong to no league:

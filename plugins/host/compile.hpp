@@ -33,7 +33,7 @@ struct CompileLimits {
 
 struct Compiled {
   std::string library;  // the bytes of the library; "" if it was not compiled
-  std::string why_not;  // why the library was not compiled, a sentence; "": it was
+  std::string why_not;  // why nothing was compiled, a sentence; "": it was compiled
   std::string output;   // the compiler's messages, cut at the limit
 };
 

@@ -39,7 +39,7 @@ class ShownRound {
 
  private:
   struct Leg {
-    Json about;          // for the programme
+    Json about;          // about the leg, for the programme
     std::string record;  // path
     std::string page;    // path of the leg's replay page, if the league was published
   };

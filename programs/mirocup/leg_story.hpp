@@ -15,7 +15,7 @@ struct LegStory {
   Team team = Team::blue;        // the colour of the entry
   std::string opponent;          // a house team
   std::array<int, 2> score{};    // goals for the entry, and against it
-  int own_goals = 0;             // of the entry
+  int own_goals = 0;             // own goals of the entry
   double standing = 0.0;         // share
   double turning = 0.0;          // share: turned in place
   double backwards = 0.0;        // share: drove backwards

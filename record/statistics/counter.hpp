@@ -48,7 +48,7 @@ class Counter {
   struct Save {
     Team team;
     std::uint32_t tick;
-    std::size_t mark;  // of the shot
+    std::size_t mark;  // index of the shot in LegStatistics::shots
   };
   struct Restart {
     referee::Restart kind = referee::Restart::none;

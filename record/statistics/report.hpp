@@ -18,7 +18,7 @@ struct ReportOptions {
   bool json = false;   // one object
 };
 
-// Returns what `mirocup stats` prints about these legs. The JSON has both goals and numbers.
+// Returns the output of `mirocup stats` about legs. The JSON has both goals and numbers.
 // Errors: Errc::input if the team has no leg.
 Result<std::string> report(std::vector<LegReport> legs, const ReportOptions& options);
 

@@ -29,7 +29,7 @@ namespace mirocup::league {
 
 enum class HandInState {
   queued,     // waits for its check
-  compiling,  // its sources are being compiled
+  compiling,  // the sources of the hand-in are being compiled
   checking,   // is being checked
   accepted,
   refused,
@@ -64,7 +64,7 @@ struct WaitingHandIn {
 
   HandInState state = HandInState::queued;
   std::string message = {};            // the answer to the team; "": none yet
-  int round = 0;                       // the round in which it is checked
+  int round = 0;                       // the round in which the hand-in is checked
   std::array<int, 3> unanswered = {};  // checks since the server started, by NoAnswer
 
   int times(NoAnswer why) const { return unanswered[static_cast<std::size_t>(why)]; }

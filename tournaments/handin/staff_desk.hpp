@@ -28,7 +28,7 @@ class StaffDesk {
   struct Shown {
     int done = 0;           // the number of the decision just written; 0: none
     std::string said = {};  // a sentence for the top of the page
-    int status = 200;       // of the reply
+    int status = 200;       // status of the reply
     Form given = {};        // first values of the forms: those of a sent form, or of a leg
   };
 

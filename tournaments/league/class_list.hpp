@@ -15,7 +15,7 @@
 namespace mirocup::league {
 
 struct ClassListRow {
-  int line = 1;  // of the file
+  int line = 1;  // number of the line in the file
   std::string team;
   People people;
 };

@@ -80,7 +80,7 @@ struct EntryBooked {
 
   std::string team;
   int entry = 1;       // the number of the entry, from 1
-  std::string sha256;  // of the library
+  std::string sha256;  // of the entry's library
 
   bool operator==(const EntryBooked&) const = default;
 };

@@ -8,7 +8,7 @@
 // Simulator of predict.hpp; without robots its path is equal to 1e-6 m.
 //
 //   rolled       the ball after some seconds
-//   BallPath     the same for a team that asks often: it finds the walls once
+//   BallPath     the ball at many times, for a team that asks often: finds walls once
 //   time_at_x    when and where it reaches a line across the field
 //
 // The goals are open: a ball that passes between the posts rolls on to the wall behind them. Posts
