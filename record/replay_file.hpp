@@ -28,7 +28,7 @@ std::string plain_replay(const replay::Recording& recording, int robots);
 
 // The size of a replay according to its record.
 struct ReplayShape {
-  int robots = 0;         // of a team
+  int robots = 0;         // number of robots of a team
   std::size_t ticks = 0;  // number of ticks of the leg
 };
 

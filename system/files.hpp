@@ -35,7 +35,7 @@ inline constexpr std::uint64_t league_file = 4u << 20;   // league.json
 inline constexpr std::uint64_t journal = 256u << 20;     // of a league
 inline constexpr std::uint64_t page = 256u << 20;        // a page that our programs have made
 inline constexpr std::uint64_t note = 4u << 20;          // verdicts, plans and other small JSON
-inline constexpr std::uint64_t certificate = 1u << 20;   // of one process
+inline constexpr std::uint64_t certificate = 1u << 20;   // credentials: a file of one process
 inline constexpr std::uint64_t log = 16u << 20;          // the output of a child process
 inline constexpr std::uint64_t system_file = 64u << 20;  // of the installation
 }  // namespace size_limit

@@ -10,7 +10,7 @@
 namespace mirocup::system {
 
 struct TreeUse {
-  double seconds = 0.0;      // of processor time
+  double seconds = 0.0;      // processor time, s
   bool is_runnable = false;  // one of the processes runs, or waits for a processor or a disk
 };
 

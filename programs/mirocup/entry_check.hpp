@@ -68,7 +68,7 @@ struct EntryReport {
 // The legs for which an entry is checked.
 struct EntryTerms {
   League league = League::small;
-  referee::Rules rules;  // with the length of a half in the league
+  referee::Rules rules;  // the rules, with the length of a half in the league
   match::TeamParameters parameters;
 };
 

@@ -29,7 +29,7 @@ struct Examination {
   EntryTerms terms;
   const OnCheck& on_check;
   const OnStep& on_step;
-  match::Setup setup{};  // of the trial legs
+  match::Setup setup{};  // the setup of the trial legs
   std::optional<plugins::SealedEntry> entry{};
   std::optional<plugins::SealedEntry> idle{};
   std::optional<plugins::SealedEntry> striker{};

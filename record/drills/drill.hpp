@@ -71,7 +71,7 @@ struct Drill {
   std::string opponent;              // the opponent, as on the command line
   std::string mates;                 // "": the tested team steers all robots
   referee::RobotSet robots;          // robots of the tested team; the mates steer the others
-  match::TeamParameters parameters;  // of the tested team
+  match::TeamParameters parameters;  // parameters of the tested team
   double seconds = 10.0;             // time of play in a try, s
   int tries = 60;
   bool plays_on = false;  // false: the try ends when the referee stops play

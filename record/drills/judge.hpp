@@ -67,7 +67,7 @@ class Judge {
   double begin_ = 0.0;         // the clock at the start
   double last_clock_ = 0.0;
   std::size_t decisions_ = 0;  // number of decisions judged so far
-  bool was_stopped_ = false;   // since the start
+  bool was_stopped_ = false;   // true: play was stopped since the start
   bool touched_by_opponent_ = false;
   int conceded_ = 0;
   int fouls_ = 0;

@@ -58,7 +58,7 @@ class TeamClient {
     assert(briefing_.briefing.field != nullptr);
     return briefing_.briefing;
   }
-  int robots() const { return briefing().field->robots_per_team; }  // of each team
+  int robots() const { return briefing().field->robots_per_team; }  // number of robots of each team
 
   // True if the match keeps the shapes of the team. The value may be false for a moment after
   // Seated.

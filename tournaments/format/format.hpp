@@ -18,11 +18,11 @@ enum class FormatKind { double_round_robin, round_robin, groups, knockout, swiss
 // A kind with its settings. Settings of other kinds are ignored.
 struct Format {
   FormatKind kind = FormatKind::double_round_robin;
-  int legs = legs_per_fixture;  // of each pair of teams, or of each tie of a knockout
+  int legs = legs_per_fixture;  // legs of each pair of teams, or of each tie of a knockout
   int groups = 2;
   int qualifiers = 2;  // teams of each group that enter the knockout
   bool third_place = true;
-  int rounds = 0;     // of a Swiss tournament; 0: usual_swiss_rounds()
+  int rounds = 0;     // rounds of a Swiss tournament; 0: usual_swiss_rounds()
   int sample = 4;     // the number of opponents of a new entry in a ladder
   int opponents = 0;  // of each team in a night; 0: all other teams
 

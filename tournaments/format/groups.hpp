@@ -12,7 +12,7 @@ namespace mirocup::league {
 struct GroupsOptions {
   int groups = 2;
   int qualifiers = 2;           // teams of each group that enter the knockout
-  int legs = legs_per_fixture;  // of each pair in a group
+  int legs = legs_per_fixture;  // number of legs of each pair in a group
   KnockoutOptions knockout;
 };
 

@@ -12,7 +12,7 @@
 namespace mirocup::league {
 
 struct KnockoutOptions {
-  int legs = legs_per_fixture;  // of a tie
+  int legs = legs_per_fixture;  // number of legs of a tie
   bool third_place = true;      // true: the losers of the semi-finals also play
 };
 

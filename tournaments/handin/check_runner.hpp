@@ -76,7 +76,7 @@ class CheckRunner {
   std::function<void(const std::string& line)> tell_;
   CheckLimits limits_;
   CompileTime compile_time_;
-  std::map<int, Running> running_;  // by tag
+  std::map<int, Running> running_;  // the running checks by the tag of their process
   FriendlyRunner friendlies_;
   int next_tag_ = 0;
   std::chrono::steady_clock::time_point last_look_{};

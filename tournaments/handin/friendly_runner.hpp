@@ -46,7 +46,7 @@ class FriendlyRunner {
   Folder folder_;
   FriendlyDesk& desk_;
   system::ProcessSet& processes_;
-  std::map<int, Running> running_;  // by tag
+  std::map<int, Running> running_;  // the running legs by the tag of their process
 };
 
 }  // namespace mirocup::league

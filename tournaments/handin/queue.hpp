@@ -150,7 +150,7 @@ class HandInQueue {
   void put_behind(WaitingHandIn& handed);
 
   int round_ = 0;                          // the round of the last check that began or was answered
-  std::map<std::string, int> last_round_;  // of each team
+  std::map<std::string, int> last_round_;  // the last round of each team
   std::map<Key, WaitingHandIn> all_;
   std::vector<Key> waiting_;  // without an answer, in the order in which they came
 };

@@ -59,8 +59,8 @@ class Journal {
   std::string path_;
   std::vector<Json> lines_;
   std::string last_hash_;
-  std::size_t size_ = 0;    // bytes of whole lines
-  std::size_t values_ = 0;  // of all lines
+  std::size_t size_ = 0;    // size of the whole lines, bytes
+  std::size_t values_ = 0;  // number of JSON values of all lines
   std::size_t most_values_;
   bool is_torn_ = false;  // true: an incomplete line follows the whole lines
 };

@@ -30,7 +30,7 @@ struct Act {
   std::string level = {};     // release: "all", "teams" or "hidden"
   std::string through = {};   // release: a round; "": as for Released::through
   int decision = 0;           // undo: the number of a decision in the list
-  std::string reason = {};    // of each act
+  std::string reason = {};    // the reason of the act
   std::string by = {};        // the person who decides; "": not named
   bool is_dry_run = false;    // returns the same lines and writes nothing
 };

@@ -95,7 +95,7 @@ struct LeagueState {
   LeagueFile file;
   std::vector<FixtureState> fixtures;  // in the order of the schedule
   std::vector<TeamState> teams;        // in the order of file.teams; late joiners come last
-  std::vector<Decision> decisions;     // of persons, in the order of the journal
+  std::vector<Decision> decisions;     // decisions of persons, in the order of the journal
   bool is_started = false;
   bool is_closed = false;
   std::string config_sha256;     // of league.json when the league was started

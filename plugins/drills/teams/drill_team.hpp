@@ -369,7 +369,7 @@ class DrillTeam {
     }
   }
 
-  std::uint64_t state_;  // of the random numbers
+  std::uint64_t state_;  // state of the random numbers
 };
 
 }  // namespace mirocup::drill_teams
