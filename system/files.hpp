@@ -35,7 +35,7 @@ inline constexpr std::uint64_t league_file = 4u << 20;   // league.json
 inline constexpr std::uint64_t journal = 256u << 20;     // of a league
 inline constexpr std::uint64_t page = 256u << 20;        // a page that our programs have made
 inline constexpr std::uint64_t note = 4u << 20;          // verdicts, plans and other small JSON
-inline constexpr std::uint64_t certificate = 1u << 20;   // credentials: a file of one process
+inline constexpr std::uint64_t certificate = 1u << 20;   // a file of credentials
 inline constexpr std::uint64_t log = 16u << 20;          // the output of a child process
 inline constexpr std::uint64_t system_file = 64u << 20;  // of the installation
 }  // namespace size_limit
@@ -46,8 +46,8 @@ enum class Links {
 };
 
 enum class Growth {
-  refused,  // the file is complete: a change while it is read is an error
-  ignored,  // another process appends to it: only the bytes at the opening are read
+  refused,  // an error: the file must not change while it is read
+  ignored,  // another process may append: only the bytes at the opening are read
 };
 
 // Limits of a file that is read.

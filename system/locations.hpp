@@ -20,7 +20,7 @@ struct TeamKit {
   std::string program;    // path of this program
   std::string prefix;     // for find_package(mirocup)
   std::string headers;    // folder of strategy.h, for people to read
-  std::string templates;  // folder with a folder of a new team's files for each language
+  std::string templates;  // has a folder for each language, with the files of a new team
   std::string python;     // folder of the package mirocup for Python; "" if it is not installed
 };
 TeamKit team_kit();

@@ -39,7 +39,7 @@ struct Conditions {
   // ---- camera
   double see_sigma_m = 0.0;        // m, along x and y, of every robot and of the ball in each tick
   double see_sigma_rad = 0.0;      // rad, of the heading of every robot in each tick
-  int delay_ticks = 0;             // the observation shows this many ticks before
+  int delay_ticks = 0;             // age of the observation, ticks
   double unseen_rate = 0.0;        // 1: probability that a body that is seen is lost in a tick
   double unseen_mean_ticks = 0.0;  // mean number of ticks for which a lost body is not seen
 

@@ -7,8 +7,8 @@
 // in this class; the caller decides how fast it passes.
 //
 // At a restart every body is put in its default place in the tick of the decision. In the next tick
-// the team that places first may ask for other places; in the tick after that the other team may,
-// which by then sees where the first team stands.
+// the team that places first may ask for other places. One tick later the other team may ask, which
+// then sees where the first team stands.
 //
 // Threads: none of its own; one thread at a time may call it.
 #pragma once

@@ -44,7 +44,8 @@ ByEnd<RobotSet> misplaced_robots(const Pitch& pitch, const Decision& restart, Ro
                                  const Placement& standing);
 
 // Returns true if the ball may be put at `ball`, m, a place near the spot of the restart. At a
-// kick-off and a goal kick the taker's limits hold, otherwise it may be wherever a hand can put it.
+// kick-off and a goal kick the taker's limits hold; otherwise the ball may be wherever a hand can
+// put it.
 bool may_put_ball(const Pitch& pitch, const Decision& restart, const Vec2& ball);
 
 // Returns a sentence that says which bodies were moved, from where to where, and why. `asked` is

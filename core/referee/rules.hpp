@@ -71,7 +71,7 @@ struct Rules {
   int def_max = 1;                // robots of the defenders allowed in their goal area
   int pa_def_max = 3;             // and in their penalty area
   double def_dwell_s = 0.5;       // how long more than that is forgiven
-  bool def_at_once = false;       // two more are not forgiven at all
+  bool def_at_once = false;       // two robots too many are not forgiven at all
   int att_max = 1;                // robots of the attackers allowed in the goal area
   int pa_att_max = 0;             // and in the penalty area
   double att_dwell_s = 0.33;      // how long one more is forgiven

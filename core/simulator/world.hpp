@@ -78,9 +78,9 @@ class World {
   };
   static std::size_t size_of(const Memory& memory);
 
-  // Saves the memory, and recalls one that a world of the same kind saved, after set_robot() and
-  // set_ball() have set all bodies to their states of that time. From there on both worlds give the
-  // same bits.
+  // save() copies this world's memory. recall() takes over the memory that a world of the same kind
+  // has saved; call it after set_robot() and set_ball() have set all bodies to their states of that
+  // time. From then on both worlds give the same bits.
   void save(Memory& memory) const;
   void recall(const Memory& memory);
 
@@ -94,7 +94,7 @@ class World {
   };
   void save(State& to) const;
   void load(const State& from);
-  // Becomes as a new world with this rolling resistance.
+  // Makes this world equal to a new one with this rolling resistance.
   void clear(double rolling_resistance);
 
   // Sets where impacts and counts are recorded from now on; null, the default, records nothing. The
@@ -149,7 +149,8 @@ class World {
 
   collision::StaticWorld static_world_;
   // Trajectories, of three kinds. Series: the segment is complete. Closed form: the body is in
-  // closed_form_. Step: it is also in step_islands_. These two have segments of begin and end only.
+  // closed_form_. Step: the body is also in step_islands_. In closed form and in a step, a segment
+  // has only its begin and its end.
   std::array<BodyState, max_bodies> bodies_{};  // each at the start of its segment
   std::array<trajectory::Segment, max_bodies> segments_{};
   BodySet closed_form_;                                // bodies without series

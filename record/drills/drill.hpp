@@ -49,7 +49,7 @@ struct Event {
   double within_angle = 0.2;     // pose: greatest difference of heading, rad
   double hold = 0.0;             // pose, in_area: least time without a break, s
 
-  // False for an event that must not happen, which is decided at the end of the try.
+  // Returns false if the event must not happen; the end of the try decides such an event.
   bool has_to_happen() const { return kind != EventKind::no_goal && kind != EventKind::no_foul; }
 };
 

@@ -88,7 +88,7 @@ enum class Colour { BLUE, YELLOW, NONE };
 struct RefereeCommand {
   Foul foul = Foul::FREE_KICK;   // 1
   Colour colour = Colour::NONE;  // 2
-  int quadrant = 0;              // 3: 1 is x, y > 0, then counter-clockwise; 0: none
+  int quadrant = 0;              // 3; quadrant 1 has x, y > 0, then counter-clockwise; 0: none
   double timestamp = 0.0;        // 4, of the half
   int half = 0;                  // 5: first 1, second 2, extra time 3 and 4, shoot-out 5
 };

@@ -28,8 +28,8 @@ struct Format {
 
   bool has_knockout() const { return kind == FormatKind::groups || kind == FormatKind::knockout; }
 
-  // True if the league also takes entries after the start. The table of such a league counts only
-  // results of present entries, and ranks by points per leg.
+  // True if the league also takes entries after the start. The table of a ladder or
+  // a nightly league counts only results of present entries, and ranks by points per leg.
   bool takes_entries() const { return kind == FormatKind::ladder || kind == FormatKind::nightly; }
   int swiss_rounds(int teams) const;
 };

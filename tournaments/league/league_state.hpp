@@ -57,7 +57,7 @@ struct FixtureState {
   // The outcome of a tie of a knockout that was decided because a team had left. The outcome stays
   // if the other team also leaves. Empty in leagues of the former rules.
   std::optional<TieOutcome> walkover;
-  int counted_needed = 0;  // the fixture's part in the league's counts
+  int counted_needed = 0;  // what this fixture adds to the league's counts
   int counted_decided = 0;
 
   // The number of legs that the fixture needs by present results (a level tie needs one more), and

@@ -75,7 +75,7 @@ BodySet bodies_of(std::span<const Contact> contacts);
 inline constexpr int max_contacts = solver::max_unknowns - max_bodies;
 
 // Bodies that touch without overlapping form a planar graph, which has at most 3n - 6 edges, and a
-// pair has at most two contacts. The rest is for obstacles.
+// pair has at most two contacts. The other contacts are with obstacles.
 static_assert(max_contacts >=
               ContactPoints::max_points * (3 * max_bodies - 6) + plane_walls + end_walls);
 

@@ -4,10 +4,10 @@
 // time step.
 //
 // After a step without contact forces two bodies may overlap by more than the distance from their
-// contact to the nearest corner. Then the edge of least penetration can be another edge than the
-// one that was crossed. A correction along that other edge would push the body around the corner,
-// however short the step is. So the edge that separated the pair last is used instead, which
-// textbooks call temporal coherence of the separating axis. Uses model and solver.
+// contact to the nearest corner. With such an overlap the edge of least penetration can be another
+// edge than the one that was crossed. A correction along that other edge would push the body around
+// the corner, however short the step is. So the edge that separated the pair last is used instead,
+// which textbooks call temporal coherence of the separating axis. Uses model and solver.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"

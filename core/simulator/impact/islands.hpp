@@ -37,7 +37,7 @@ BodySet connected(const BodySet& start, std::span<const collision::Contact> cont
 }
 
 // Returns the contact cluster of a body, itself included: the bodies that active resting contacts
-// connect with it. Empty if it has none.
+// connect with it. Empty if the body has no such contact.
 BodySet cluster_of(int body, std::span<const collision::Contact> contacts);
 
 // Returns the union of the islands of these bodies. In an island every contact connects, active or

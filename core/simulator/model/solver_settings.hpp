@@ -51,7 +51,7 @@ inline constexpr struct DifferentialDriveSettings {
   // [1] Share by which the limit of the lateral acceleration lies above grip g. The slide that
   // begins there has a direction in spite of rounding.
   double grip_margin = 1e-7;
-  // [s] Motors with a shorter lag have this one: series are cut to a part of it, 5500 in a tick.
+  // [s] The least lag of a motor. A series is cut to a part of the lag: at most 5500 in a tick.
   double least_lag = 1e-5;
 } differential_drive;
 
@@ -224,12 +224,12 @@ inline constexpr struct TimeStepperSettings {
   // [1] The twists that a step finds may move a body by up to this multiple of that limit.
   double travel_overrun = 1.5;
   int max_refinements = 10;         // fixed-point iterations for the gaps at the end of a step
-  int strict_refinements = 4;       // of these, the first ones must meet the strict gap tolerance
+  int strict_refinements = 4;       // the first of these must meet the strict gap tolerance
   double impulse_tolerance = 1e-9;  // [1] of the largest relative velocity: precision of impulses
   int max_halvings = 6;             // of the step's length; then the last attempt is taken
-  // A step shorter than `undone_overlap` / `max_undoing_speed` [m, m/s] reduces an overlap at its
-  // start by at most `max_undoing_speed` times its length: faster would add energy. A longer step
-  // removes the whole overlap.
+  // Overlaps at the start of a step are removed at `max_undoing_speed` [m/s] at most, because a
+  // faster removal would add energy. A step that lasts `undone_overlap` [m] / `max_undoing_speed`
+  // or longer removes the whole overlap.
   double max_undoing_speed = 2e-4;
   double undone_overlap = 1e-7;
   // [1] enlarges a remembered wheel force, so that rounding does not take it off its bound.

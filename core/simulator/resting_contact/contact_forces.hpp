@@ -4,8 +4,8 @@
 //
 // Bodies touch, and their gaps neither close nor open. Which contacts press, and which wheels
 // hold or slide, is one convex problem in accelerations (Baraff 1994): 0 <= force, 0 <=
-// acceleration of the gap, and one of the two is zero. It is solved for all contacts of an island
-// together with the ground's lateral force on wheels, which is at most grip M g. A ball at rest
+// acceleration of the gap, and one of the two is zero. The problem holds all contacts of an
+// island and the ground's lateral force on wheels, which is at most grip M g. A ball at rest
 // stays at rest until it is pushed harder than its rolling resistance.
 //
 // Contacts with friction (an option) slide: their tangential forces are the coefficient times the

@@ -116,7 +116,7 @@ class TimeStepper {
     double length = 0.0;  // s
 
     BodySet members{};
-    double next_length = 0.0;  // s: what the attempt proposes for the members' next step
+    double next_length = 0.0;  // s: proposed length of the members' next step
   };
 
   static void copy(const Memory& from, Memory& to);
@@ -173,7 +173,7 @@ class TimeStepper {
   solver::Unknowns unconstrained_rate_;
   std::array<solver::ConstraintRow, solver::max_unknowns> tangent_rows_;
   solver::Unknowns tangent_impulse_;                          // N s
-  std::array<int, solver::max_unknowns> normal_of_tangent_;   // its contact's normal unknown
+  std::array<int, solver::max_unknowns> normal_of_tangent_;   // index of the normal's unknown
   std::array<solver::ConstraintRow, max_robots> wheel_rows_;  // of each robot
   std::array<double, max_robots> wheel_impulse_{};            // N s, of each robot
 };

@@ -41,7 +41,7 @@ struct Braking {
   // The unit vector of the motion. Per axis: the sign of each component that is at least k, else 0.
   Series x, y;
   Series speed;                               // m/s; not used while the direction is fixed
-  bool x_is_slow = false, y_is_slow = false;  // per axis: the component is below k
+  bool x_is_slow = false, y_is_slow = false;  // the ball's velocity along the axis is below k
 };
 
 // Returns the braking at the start of a segment. Its direction is that of `velocity`, m/s, if the

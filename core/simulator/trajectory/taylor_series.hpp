@@ -95,7 +95,7 @@ inline double product_term(const Series& a, const Series& b, int k, int first = 
 // Returns the same polynomial counted from another origin: shifted(p, d).at(t) = p.at(t + d).
 Series shifted(const Series& p, double by);
 
-// An interval that holds the change of a series.
+// An interval that contains the change of a series' value.
 struct Range {
   double low;
   double high;

@@ -55,8 +55,9 @@ inline Point cover_point(const Setup& setup, const Observation& now,
   const double line = -setup.half_length + habits.line;
   const double reach = setup.goal_half_width - habits.inside_post;
   const auto at = [&](double y) { return Point{line, math::clamp(y, -reach, reach)}; };
-  // The ball's middle when it meets the face. If the keeper stood farther on, a ball from the side
-  // would meet another face, which turns the ball into the goal.
+  // The ball's middle when it meets the face. If the keeper stood where the ball
+  // crosses the line, a ball from the side would meet another face, which turns the ball into the
+  // goal.
   const double front = line + setup.robot_side / 2.0 + setup.ball_radius;
   const Point where = ball(now);
 

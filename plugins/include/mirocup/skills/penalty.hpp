@@ -30,8 +30,8 @@ struct PenaltyHabits {
   double speed = 1.8;       // m/s
 };
 
-// Takes the penalties of a team. Call stand() in place(), and drive() while must_take_kick() is
-// true, that is, while the ball lies where it was put.
+// Kicks the penalties that a team was given. Call stand() in place(), and drive() while
+// must_take_kick() is true, that is, while the ball lies where it was put.
 class PenaltyTaker {
  public:
   explicit PenaltyTaker(const PenaltyHabits& habits = {}) : habits_(habits) {}
