@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The camera above the field: what both teams and spectators see of a leg.
+// The camera above the field: the leg as both teams and programs on the network see it.
 //
 // One camera sees for everybody. It measures positions and headings with noise, late, and now and
 // then it loses a body; then the last pose is held and its age counts up. It measures no

@@ -171,9 +171,9 @@ class Leg {
   // the leg has no winner.
   void forfeit(std::vector<TeamFault> faults);
 
-  // The state between two ticks.
+  // The true state between two ticks. Pages and records show this one.
   Snapshot snapshot() const;
-  // What teams and spectators see of it: the same, unless a camera sees for them.
+  // The state as teams and programs on the network see it: the same, unless a camera sees for them.
   Snapshot view() const { return camera_ ? camera_->view() : snapshot(); }
   // The state of one body; cheaper than a snapshot if nothing else is needed.
   simulator::BodyState robot(Team team, int i) const { return world_->robot(body_of(team, i)); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A robot as teams and spectators see it. Metres, radians, m/s, rad/s.
+// A robot as teams and programs on the network see it. Metres, radians, m/s, rad/s.
 //
 // The heading is an angle here, rounded to a multiple of 2^-50 rad. So is pi, so a half-turn of the
 // field adds or subtracts pi without rounding: a team sees the same bits at either end, and a
