@@ -45,20 +45,22 @@ bool is_name(std::string_view name) {
          });
 }
 
-// Writes a line of the host to the log, unless it was told before.
-void tell_once(bool& is_told, const std::string& line) {
-  if (!is_told) write_line((line_of_host + line).c_str());
+// Writes the line that make_line() returns to the log, unless a line was told before. The line is
+// made only then, because a team draws and is asked in every tick.
+template <class MakeLine>
+void tell_once(bool& is_told, MakeLine make_line) {
+  if (is_told) return;
   is_told = true;
+  write_line((line_of_host + std::string(make_line())).c_str());
 }
 
 // Tells what the team's author would wonder about: a parameter that nobody can set.
 void note_name(TeamHost& host, std::string_view name) {
   if (!is_name(name)) {
-    tell_once(
-        host.has_told_parameter,
-        "the team asks for the parameter \"" + std::string(name) +
-            "\", which is no name: letters, digits, '_', '-' and '.', a letter first, at most "
-            "31");
+    tell_once(host.has_told_parameter, [&] {
+      return "the team asks for the parameter \"" + std::string(name) +
+             "\", which is no name: letters, digits, '_', '-' and '.', a letter first, at most 31";
+    });
   }
   const std::size_t hash = std::hash<std::string_view>()(name);
   const auto end = host.names.begin() + static_cast<std::ptrdiff_t>(host.different_names);
@@ -79,19 +81,23 @@ void note_shape(void* host, std::uint32_t colour, std::span<const double> number
   if (host == nullptr) return;
   auto& own = *static_cast<TeamHost*>(host);
   if ((colour & opacity) == 0 && colour != 0) {
-    char text[16];
-    (void)std::snprintf(text, sizeof text, "0x%08x", colour);
-    tell_once(own.has_told_colour, std::string("the team draws with the colour ") + text +
-                                       ", which cannot be seen: the last byte of 0xRRGGBBAA is the "
-                                       "opacity, and ff is opaque");
+    tell_once(own.has_told_colour, [&] {
+      char text[16];
+      (void)std::snprintf(text, sizeof text, "0x%08x", colour);
+      return std::string("the team draws with the colour ") + text +
+             ", which cannot be seen: the last byte of 0xRRGGBBAA is the opacity, and ff is opaque";
+    });
   }
   if (!match::is_finite(numbers)) {
-    tell_once(own.has_told_number,
-              "the team draws at a place that is not finite; the replay leaves it out");
+    tell_once(own.has_told_number, [] {
+      return "the team draws at a place that is not finite; the replay leaves it out";
+    });
   }
   if (++own.shapes <= match::max_thoughts) return;
-  tell_once(own.has_told_shapes, "the team draws more than " + std::to_string(match::max_thoughts) +
-                                     " shapes in a tick; the replay shows no more");
+  tell_once(own.has_told_shapes, [] {
+    return "the team draws more than " + std::to_string(match::max_thoughts) +
+           " shapes in a tick; the replay shows no more";
+  });
 }
 
 // Puts a shape on the page of the host, if there is one.
@@ -160,30 +166,34 @@ double parameter_of(void* host, const char* name, double fallback) {
 void note_units(TeamHost& host, const mirocup_placement& placement, std::int32_t robots) {
   for (std::int32_t i = 0; i < robots; ++i) {
     const mirocup_pose& pose = placement.robots[i];
-    const std::string robot = "place() gave robot " + std::to_string(i);
+    const auto robot = [i] { return "place() gave robot " + std::to_string(i); };
     if (std::abs(pose.heading) > full_turn) {
-      tell_once(host.has_told_heading,
-                robot + " the heading " + short_text(pose.heading) +
-                    ", which is more than a full turn: headings are in radians, and 90 degrees are "
-                    "1.5708");
+      tell_once(host.has_told_heading, [&] {
+        return robot() + " the heading " + short_text(pose.heading) +
+               ", which is more than a full turn: headings are in radians, and 90 degrees are "
+               "1.5708";
+      });
     }
     if (std::max(std::abs(pose.x), std::abs(pose.y)) > far_away) {
-      tell_once(host.has_told_place,
-                robot + " the place (" + short_text(pose.x) + ", " + short_text(pose.y) +
-                    "), which is outside of every pitch: places are in metres");
+      tell_once(host.has_told_place, [&] {
+        return robot() + " the place (" + short_text(pose.x) + ", " + short_text(pose.y) +
+               "), which is outside of every pitch: places are in metres";
+      });
     }
   }
   if (std::max(std::abs(placement.ball_x), std::abs(placement.ball_y)) > far_away)
     tell_once(host.has_told_place,
-              "place() put the ball outside of every pitch: places are in metres");
+              [] { return "place() put the ball outside of every pitch: places are in metres"; });
 }
 
 void note_own_name(TeamHost& host, const std::string& name) {
   const bool is_plain =
       std::none_of(name.begin(), name.end(), [](char c) { return c > 0 && c < ' '; });
   if (is_plain && name.size() <= max_own_name) return;
-  tell_once(host.has_told_name, "the team's name is not shown: it may have " +
-                                    std::to_string(max_own_name) + " bytes, on one line");
+  tell_once(host.has_told_name, [] {
+    return "the team's name is not shown: it may have " + std::to_string(max_own_name) +
+           " bytes, on one line";
+  });
 }
 
 void note_command(TeamHost& host, const mirocup_command& command, std::int32_t robots) {
@@ -192,9 +202,10 @@ void note_command(TeamHost& host, const mirocup_command& command, std::int32_t r
     return wheels.left != 0.0 || wheels.right != 0.0;
   });
   if (!is_told) return;
-  tell_once(host.has_told_robot, "decide() set wheels behind those of its " +
-                                     std::to_string(robots) + " robots, which are 0 to " +
-                                     std::to_string(robots - 1));
+  tell_once(host.has_told_robot, [&] {
+    return "decide() set wheels behind those of its " + std::to_string(robots) +
+           " robots, which are 0 to " + std::to_string(robots - 1);
+  });
 }
 
 void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,

@@ -3,7 +3,7 @@
  * libmirocup_team: a team in its own program, in any language that can call C.
  *
  *   mirocup_team_open    names the match and the team; returns at once
- * mirocup_team_wait    waits for the next event: a seat, a tick, the end
+ *   mirocup_team_wait    waits for the next event: a seat, a tick, the end
  *   mirocup_team_place   requests places for the robots at a restart
  *   mirocup_team_send    answers the tick
  *   mirocup_team_close   leaves the match
