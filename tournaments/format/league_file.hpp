@@ -11,6 +11,7 @@
 #include "core/referee/rules.hpp"
 #include "system/clock.hpp"
 #include "tournaments/format/format.hpp"
+#include "tournaments/format/swiss.hpp"
 #include "tournaments/table/table.hpp"
 
 #include <cstddef>
@@ -67,7 +68,8 @@ struct FirasimPlace {
 // For a league.json without a number: tables compare sums.
 inline constexpr int former_rules = 1;
 inline constexpr int bye_goals_rules = 3;  // from these rules on, tie-breaks of goals count a bye
-inline constexpr int current_rules = 3;
+inline constexpr int bye_lots_rules = 4;   // from these on, a lot decides who has a bye of a Swiss
+inline constexpr int current_rules = 4;
 
 struct LeagueFile {
   std::string title = "League";
@@ -113,6 +115,10 @@ struct LeagueFile {
             .seed = seed,
             .evens_out = !has_former_rules(),
             .counts_bye_goals = rules_version >= bye_goals_rules};
+  }
+  SwissBye swiss_bye() const {
+    if (has_former_rules()) return SwissBye::left_over;
+    return rules_version >= bye_lots_rules ? SwissBye::lot : SwissBye::last;
   }
 };
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/format/swiss.hpp"
 
+#include "core/base/random.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -40,10 +43,11 @@ class Pairing {
     return false;
   }
 
-  // The same, with the last team, the bye, for the lowest team for which that is possible.
-  bool find_from_bye(int more) {
+  // The same, with the last team, the bye, for the first of `candidates` for which that is
+  // possible.
+  bool find_from_bye(const std::vector<int>& candidates, int more) {
     const int bye = size() - 1;
-    for (int team = bye - 1; team >= 0; --team) {
+    for (const int team : candidates) {
       if (have_met_[team][bye]) continue;
       partner_[team] = bye;
       partner_[bye] = team;
@@ -99,6 +103,21 @@ class Pairing {
   std::vector<int> partner_;
 };
 
+// The ranks of all teams, those with the fewest points first. The order of teams with equal points
+// is that of `lots`, or from the last team up if there are none. A bye by the table's order would
+// put teams below their equals twice: a team is last of its group because its opponents had few
+// points, and a late bye brings it no stronger opponent.
+std::vector<int> bye_candidates(const std::vector<SwissStanding>& standings,
+                                const std::vector<std::uint64_t>& lots) {
+  std::vector<int> ranks(standings.size());
+  std::iota(ranks.rbegin(), ranks.rend(), 0);
+  if (lots.empty()) return ranks;
+  std::stable_sort(ranks.begin(), ranks.end(), [&](int a, int b) {
+    return std::pair(standings[a].points, lots[a]) < std::pair(standings[b].points, lots[b]);
+  });
+  return ranks;
+}
+
 }  // namespace
 
 int usual_swiss_rounds(int teams) {
@@ -114,15 +133,19 @@ int max_swiss_rounds(int teams) {
 
 std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
                                  const std::vector<Fixture>& before, int round, int rounds,
-                                 bool bye_first) {
+                                 SwissBye bye, std::uint64_t seed) {
   // With an odd number the bye takes part as the last team, so no team has it twice.
   std::map<int, int> rank;
   std::vector<int> team;
   std::vector<std::int64_t> points;
+  std::vector<std::uint64_t> lots;
   for (const SwissStanding& s : standings) {
     rank[s.team] = static_cast<int>(team.size());
     team.push_back(s.team);
     points.push_back(s.points);
+    if (bye == SwissBye::lot && round > 1)
+      lots.push_back(mix_seed(mix_seed(seed + static_cast<std::uint64_t>(round)) +
+                              static_cast<std::uint64_t>(s.team)));
   }
   const bool has_bye = team.size() % 2 == 1;
   if (has_bye) {
@@ -139,8 +162,9 @@ std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
     have_met[away->second][home->second] = true;
   }
   Pairing pairing(std::move(have_met), std::move(points));
-  const bool is_found =
-      has_bye && bye_first ? pairing.find_from_bye(rounds - round) : pairing.find(rounds - round);
+  const bool is_found = has_bye && bye != SwissBye::left_over
+                            ? pairing.find_from_bye(bye_candidates(standings, lots), rounds - round)
+                            : pairing.find(rounds - round);
   if (!is_found) return {};
 
   std::vector<Fixture> fixtures;

@@ -24,16 +24,22 @@ struct SwissStanding {
   std::int64_t points = 0;
 };
 
+// Which team gets the bye, of the teams that have had none and without which the others can be
+// paired.
+enum class SwissBye {
+  left_over,  // the team that is left when the others have been paired
+  last,       // the last of the standings
+  lot,        // one of the teams with the fewest points, by lot; in the first round the last
+};
+
 // Returns the fixtures of round `round` (from 1) of `rounds`. `standings` has all teams that still
 // play, the best first; `before` has all earlier fixtures. With an odd number of teams one team
-// gets a bye, a fixture with no_team as away: the lowest team that has had no bye and without which
-// the other teams can be paired. Within a group of equal points the upper half meets the lower
-// half; from the top down, opponents have points as equal as possible. Returns no fixtures if every
-// pairing repeats a meeting, which is possible only beyond max_swiss_rounds() or after teams have
-// left. `bye_first` is false in leagues of the former rules, in which the team without an opponent
-// got the bye.
+// gets a bye, a fixture with no_team as away; `seed` seeds its lots. Within a group of equal points
+// the upper half meets the lower half; from the top down, opponents have points as equal as
+// possible. Returns no fixtures if every pairing repeats a meeting, which is possible only beyond
+// max_swiss_rounds() or after teams have left.
 std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
                                  const std::vector<Fixture>& before, int round, int rounds,
-                                 bool bye_first = true);
+                                 SwissBye bye = SwissBye::lot, std::uint64_t seed = 1);
 
 }  // namespace mirocup::league

@@ -180,8 +180,8 @@ void ScheduleGrowth::pair_swiss() {
     }
     std::vector<Fixture> before;
     for (const FixtureState& f : fixtures) before.push_back(f.fixture);
-    const auto next =
-        swiss_round(standings, before, round + 1, rounds, !state_.file.has_former_rules());
+    const auto next = swiss_round(standings, before, round + 1, rounds, state_.file.swiss_bye(),
+                                  state_.file.seed);
     if (next.empty()) state_.unpaired_round = round + 1;
     add(next);
     return;

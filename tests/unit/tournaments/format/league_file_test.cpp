@@ -129,11 +129,14 @@ TEST(LeagueFile, KeepsTheRulesWithWhichItWasMade) {
   const auto second = parse_league_file(of_before, "l", 2)->table_rules();
   EXPECT_TRUE(second.evens_out);
   EXPECT_FALSE(second.counts_bye_goals);
+  EXPECT_EQ(parse_league_file(of_before, "l")->swiss_bye(), SwissBye::left_over);
+  EXPECT_EQ(parse_league_file(of_before, "l", 3)->swiss_bye(), SwissBye::last);
+  EXPECT_EQ(parse_league_file(of_before, "l", current_rules)->swiss_bye(), SwissBye::lot);
   EXPECT_TRUE(parse_league_file(of_before, "l", current_rules)->table_rules().counts_bye_goals);
   EXPECT_EQ(parse_league_file(of_before, "l", current_rules)->rules_version, current_rules);
-  EXPECT_NE(print_league_file({}).find("\"rules_version\": 3"), std::string::npos);
+  EXPECT_NE(print_league_file({}).find("\"rules_version\": 4"), std::string::npos);
   EXPECT_EQ(parse_league_file(print_league_file({}), "l")->rules_version, current_rules);
-  EXPECT_FALSE(parse_league_file(R"({"schema": "mirocup/league/1", "rules_version": 4})", "l"));
+  EXPECT_FALSE(parse_league_file(R"({"schema": "mirocup/league/1", "rules_version": 5})", "l"));
 }
 
 }  // namespace
