@@ -3,8 +3,8 @@
 // Errors: failures outside of the game, and how functions report them.
 //
 // A function that can fail for a reason outside the program returns Result<T>. A forfeit, the crash
-// of a strategy or a void leg is not an error but a value of the leg. Once constructed, the objects
-// of core do not fail at all: a bad command is zeroed or clamped, and counted.
+// of a strategy and a void leg are not errors: they are outcomes of the leg. Once constructed, the
+// objects of core do not fail at all: a bad command is zeroed or clamped, and counted.
 #pragma once
 
 #include <tl/expected.hpp>
@@ -23,8 +23,8 @@ enum class Errc {
   interrupted,  // stopped on request: the same command continues later
 };
 
-// A failure. `what` is a sentence for the person who must act: it names the file, the key, the
-// symbol.
+// A failure. `what` is a sentence for the person who must act: it names the file, key or symbol
+// that is wrong.
 struct Error {
   Errc code;
   std::string what;
@@ -34,15 +34,15 @@ struct Error {
 template <class T>
 using Result = tl::expected<T, Error>;
 
-// Returns a failure, to be returned by a function with a Result.
+// Returns a failure for the return statement of a function with a Result.
 inline tl::unexpected<Error> fail(Errc code, std::string what) {
   return tl::unexpected<Error>(Error{code, std::move(what)});
 }
 
 // MIROCUP_TRY(const auto file, open(path)); declares `file` with the value of a Result, or returns
 // its error from the function; MIROCUP_TRY(file, open(path)); assigns the value.
-// MIROCUP_TRY_VOID(write(path)); returns the error, if there is one. Each is a statement of its
-// own and stands in a block.
+// MIROCUP_TRY_VOID(write(path)); returns the error, if there is one. Use each of them as a whole
+// statement inside braces.
 #define MIROCUP_TRY(value, ...)                                                                    \
   auto MIROCUP_TRIED(__LINE__) = __VA_ARGS__;                                                      \
   if (!MIROCUP_TRIED(__LINE__)) return tl::unexpected(std::move(MIROCUP_TRIED(__LINE__)).error()); \
@@ -52,8 +52,8 @@ inline tl::unexpected<Error> fail(Errc code, std::string what) {
 #define MIROCUP_TRIED(line) MIROCUP_TRIED_IN(line)
 #define MIROCUP_TRIED_IN(line) tried_##line
 
-// The exit codes of a program that did its work: 0 if the answer is yes, 1 if it is no (diverged,
-// rejected, fixtures left).
+// The exit codes of a program that did its work: 0 if it reports success, 1 if it reports a no
+// (diverged, rejected, fixtures left).
 inline constexpr int exit_yes = 0;
 inline constexpr int exit_no = 1;
 

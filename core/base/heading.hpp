@@ -2,8 +2,8 @@
 //
 // The heading of a robot, as a unit vector.
 //
-// With an angle a half-turn of the field would be inexact, because x + pi rounds. A unit vector is
-// negated, which is exact to the last bit, so both ends of the field play the same game
+// If a heading were an angle, a half-turn of the field would add pi to it and round the sum. A unit
+// vector is negated, which is exact to the last bit, so both ends of the field play the same game
 // (core/README.md, "Fair ends").
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Elementary functions that give the same bits on every machine, in the core's names. The one
-// implementation is plugins/include/mirocup/elementary.h, which teams also use; it states errors
-// and domains.
+// Elementary functions that give the same bits on every machine, under the names that core uses.
+// The one implementation is plugins/include/mirocup/elementary.h, which teams also use; it states
+// errors and domains.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ struct SinCos {
 // Returns sine and cosine of x in radians.
 SinCos sincos(double x);
 
-// Returns sines and cosines of eight angles, with the same bits as sincos() in less than half of
-// the instructions. No |x| may exceed small_angle.
+// Returns sines and cosines of eight angles: the same bits as eight calls of sincos(), with less
+// than half of their instructions. No |x| may exceed small_angle.
 inline constexpr int angles_at_once = 8;
 inline constexpr double small_angle = 0.25 * pi;
 struct SinCosOfSome {

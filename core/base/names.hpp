@@ -26,9 +26,8 @@ constexpr std::string_view to_string(E value) {
   return enum_names<E>[static_cast<std::size_t>(value)];
 }
 
-// True if these are all enumerators that enum_names has, and their values are 0, 1, 2, … in this
-// order. For a static_assert beside an enum whose numbers leave the program, in a message or a
-// file.
+// True if these enumerators are as many as their enum has names, and their values are 0, 1, 2, … in
+// this order. For a static_assert beside an enum whose numbers are sent or written to files.
 template <auto first, decltype(first)... others>
 constexpr bool is_numbered_in_order() {
   int next = 0;
@@ -36,7 +35,7 @@ constexpr bool is_numbered_in_order() {
          enum_names<decltype(first)>.size() == 1 + sizeof...(others);
 }
 
-// Returns the enumerator of that name, or nothing.
+// Returns the enumerator with this name, or nothing.
 template <class E>
 constexpr std::optional<E> from_string(std::string_view name) {
   const auto& names = enum_names<E>;

@@ -21,7 +21,7 @@ constexpr std::uint64_t mix_seed(std::uint64_t seed) {
   return z ^ (z >> 31);
 }
 
-// A generator. Copies continue independently with the same numbers.
+// A generator. A copy gives the same further numbers as its original; neither affects the other.
 class Random {
  public:
   Random() : Random(0) {}

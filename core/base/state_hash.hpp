@@ -3,8 +3,8 @@
 // A 64-bit fingerprint of a run.
 //
 // In every tick the whole state is folded in, bit by bit, so that two runs agree in the last hash
-// only if they agreed in every bit of every tick. It guards against differences, not against
-// forgery: records carry SHA-256 for that.
+// only if they agreed in every bit of every tick. It reveals differences but does not guard against
+// forgery, for which records carry a SHA-256.
 #pragma once
 
 #include <bit>

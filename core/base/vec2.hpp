@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Points and vectors of the plane, in metres or metres per second; in the field's frame unless the
-// user says otherwise. Operations have the names that they have in Eigen, and round as Eigen's do:
-// every multiplication, addition and division once, x before y.
+// code that uses them says otherwise. Operations have the names that they have in Eigen, and round
+// as Eigen's do: every multiplication, addition and division once, x before y.
 #pragma once
 
 #include <cmath>

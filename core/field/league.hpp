@@ -14,7 +14,7 @@ enum class League { small, middle, large };
 
 template <>
 inline constexpr std::array<std::string_view, 3> enum_names<League>{"small", "middle", "large"};
-// Messages to teams hold these numbers.
+// Messages to teams hold the numbers of these enumerators.
 static_assert(is_numbered_in_order<League::small, League::middle, League::large>());
 
 // The number of robots of a team in the largest league. Arrays of robots have this size.

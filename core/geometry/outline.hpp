@@ -2,8 +2,8 @@
 //
 // Outlines: a circle, or a convex polygon, in the body's own frame around its reference point.
 //
-// Lengths are in metres. The room geometry uses base and field; it knows poses but no world, so the
-// referee also uses it.
+// Lengths are in metres. The room geometry uses base and field; it knows poses but no simulated
+// world, so the referee may use it.
 #pragma once
 
 #include "core/base/math.hpp"
@@ -27,8 +27,8 @@ struct OutlineCorners {
   Vec2 corner(int i) const { return {x[i], y[i]}; }
 };
 
-// The outline of a body or an obstacle, with what queries need of each edge. A plain value; make
-// one with the functions below.
+// The outline of a body or an obstacle, with the numbers of each edge that queries need. A plain
+// value; make one with the functions below.
 struct Outline {
   int corners = 0;  // 0: a circle
 

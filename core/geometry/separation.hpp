@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Gaps of outlines at one instant, by the separating axis theorem (Gottschalk, Lin, Manocha 1996):
-// two convex outlines do not overlap if there is a line between them. The line that leaves the
-// largest gap is the separating axis of this file.
+// two convex outlines do not overlap if there is a line between them. In this file, the separating
+// axis is the normal of the line that leaves the largest gap.
 //
 // All functions are pure. Lengths are in metres, poses in the field's frame.
 #pragma once
@@ -22,7 +22,8 @@ struct Separation {
 
 // Return the separation of two polygons, or of a circle (a) and a polygon (b); or of an outline
 // and a wall. The gap is the Euclidean distance where a corner or a circle faces an edge, and a
-// lower bound of it between two corners. Where the outlines overlap, it is minus the depth.
+// lower bound of it between two corners. If the outlines overlap, it is minus the depth of the
+// overlap.
 Separation separation(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b);
 Separation separation(const Outline& a, const Pose& body_a, const field::Wall& wall);
 
@@ -47,7 +48,7 @@ Axis nearest_axis(const Outline& polygon, const Vec2& point);
 // Returns the axis of polygon b and the reference point of body a, in the frame of b.
 Axis axis_to_centre(const Pose& body_a, const Outline& b, const Pose& body_b);
 
-// An edge of a polygon, and how far outside its line the nearest corner of another one is.
+// An edge of a polygon, and how far outside its line the nearest corner of another polygon is.
 struct EdgeSeparation {
   int edge;
   double separation;  // m, negative if that corner is inside of the line
@@ -57,7 +58,7 @@ struct EdgeSeparation {
 EdgeSeparation best_edge(const Outline& reference, const Outline& other, const Vec2& position,
                          const Heading& heading);
 
-// The reference edge of two polygons: the best separating edge of both.
+// The reference edge of two polygons: of all edges of both, the one that separates them best.
 struct Reference {
   bool is_a;  // the edge belongs to a
   EdgeSeparation best;

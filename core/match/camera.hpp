@@ -2,9 +2,10 @@
 //
 // The camera above the field: the leg as both teams and programs on the network see it.
 //
-// One camera sees for everybody. It measures positions and headings with noise, late, and now and
-// then it loses a body; then the last pose is held and its age counts up. It measures no
-// velocities: these are differences of what was seen. Referee, pages and records know the truth.
+// One camera sees for everybody. It measures positions and headings with noise and delay. If it
+// loses a body for a while, it holds the last pose, whose age counts up. Velocities are not
+// measured: they are differences of the poses that were seen. Referee, pages and records use the
+// true state.
 #pragma once
 
 #include "core/base/random.hpp"
@@ -21,14 +22,15 @@ class Camera {
   Camera(const Conditions& conditions, std::uint64_t seed, int robots, double period);
 
   // Takes the picture of a tick. To be called once a tick with the truth. `were_placed`: the bodies
-  // were put down since the last picture, so the way from there to here is not a motion.
+  // were put down since the last picture, so the difference between the two pictures is not a
+  // motion.
   void look(const Snapshot& truth, bool were_placed);
 
-  // Returns the truth of the latest look() with the bodies as they are seen.
+  // Returns the truth of the latest look(), but with the bodies as the camera sees them.
   const Snapshot& view() const { return view_; }
 
  private:
-  // What is known of one body.
+  // One sighting of a body; the pose in the field's frame, m and rad.
   struct Sighting {
     Vec2 position{0.0, 0.0};
     double heading = 0.0;
@@ -60,8 +62,9 @@ class Camera {
   int robots_;
   double period_;
   std::uint32_t placings_ = 0;
-  int taken_ = 0;                                      // pictures
-  std::array<Picture, max_delay_ticks + 1> pictures_;  // by taken_ modulo the delay + 1
+  int taken_ = 0;  // number of pictures taken
+  // Picture n, from 0, is at [n % (delay in ticks + 1)].
+  std::array<Picture, max_delay_ticks + 1> pictures_;
   Body ball_;
   ByTeam<std::array<Body, max_robots_per_team>> bodies_;
   Snapshot view_;

@@ -5,7 +5,7 @@
 //
 // A command is checked once, where it enters the leg. A speed that is not finite becomes 0, a speed
 // out of range is clamped, and both are counted; then it is rounded to the resolution of the radio.
-// From there on it is a small integer, so that a record holds exactly what was driven.
+// From there on the speed is a small integer, so that a record holds exactly what was driven.
 #pragma once
 
 #include "core/field/league.hpp"
@@ -46,8 +46,8 @@ struct CheckedCommand {
   int bad_values = 0;  // not finite, or out of range
 };
 
-// Checks the commands of the first `robots` robots. `limit` is that of the wheel speed, rad/s, at
-// most max_wheel_speed.
+// Checks the commands of the first `robots` robots. `limit` is the largest allowed wheel speed,
+// rad/s; it is at most max_wheel_speed.
 CheckedCommand check(const Command& command, int robots, double limit);
 
 }  // namespace mirocup::match

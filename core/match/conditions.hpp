@@ -23,28 +23,29 @@ enum class ConditionsPreset {
   camera,  // as hall, and one camera and one radio for everybody
 };
 
-// A disturbance of size 0 does not exist and costs nothing.
+// A size of 0 switches its disturbance off, which then costs nothing. Shares and probabilities have
+// no unit.
 struct Conditions {
-  ConditionsPreset preset = ConditionsPreset::exact;  // from which the values below were changed
+  ConditionsPreset preset = ConditionsPreset::exact;  // the values below may differ from it
 
   // ---- placing by hand at restarts
   double place_sigma_m = 0.0;    // m, along x and y, of each robot and of the ball
   double place_sigma_rad = 0.0;  // rad, of the heading of each robot
 
   // ---- wheels and floor
-  double wheel_gain_sigma = 0.0;    // 1: each wheel turns faster or slower by this for the leg
-  double wheel_jitter_sigma = 0.0;  // 1: each command of each wheel is off by this in its tick
-  double rolling_sigma = 0.0;       // 1: the ball's rolling resistance differs by this in the leg
+  double wheel_gain_sigma = 0.0;    // share by which a wheel is too fast or slow in the whole leg
+  double wheel_jitter_sigma = 0.0;  // share by which a wheel's command is off in each tick
+  double rolling_sigma = 0.0;       // share by which rolling resistance is off in the whole leg
 
   // ---- camera
   double see_sigma_m = 0.0;        // m, along x and y, of every robot and of the ball in each tick
   double see_sigma_rad = 0.0;      // rad, of the heading of every robot in each tick
   int delay_ticks = 0;             // age of the observation, ticks
-  double unseen_rate = 0.0;        // 1: probability that a body that is seen is lost in a tick
+  double unseen_rate = 0.0;        // probability that a seen body is lost in a tick
   double unseen_mean_ticks = 0.0;  // mean number of ticks for which a lost body is not seen
 
   // ---- radio
-  double radio_loss = 0.0;  // 1: probability that a robot does not receive the command of a tick
+  double radio_loss = 0.0;  // probability that a robot does not receive the command of a tick
 
   bool operator==(const Conditions&) const = default;
 

@@ -39,10 +39,10 @@ struct HostFailure {
 };
 
 // The answer did not come in time, which happens only where real time counts. The leg drives
-// `older`, or, without one, repeats the last command for a few ticks.
+// `older` or, if there is none, repeats the last command for a few ticks.
 struct Late {
-  // A command to an earlier tick that has come since the last one was driven. Its placement has no
-  // effect, because it was meant for another tick.
+  // A command that answers an earlier tick and came after the last command was driven. Its
+  // placement has no effect, because it was meant for another tick.
   std::optional<Command> older = std::nullopt;
 };
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Copies between structs of different rooms that give the same things the same names: those of the
-// match, of strategy.h and of the DDS topics. A field that is added here must be added to all of
-// them.
+// Copies between the structs of core, of strategy.h and of the DDS topics, which give the same
+// values the same names. A field that is added here must be added to all of these structs.
 #pragma once
 
 #include "core/field/field.hpp"
@@ -23,7 +22,7 @@ void copy_bodies(const From& from, To& to) {
   to.ball_mass = from.ball_mass;
 }
 
-// Calls visit(name, member) for the limits of the laws that a team receives of the referee::Rules.
+// Calls visit(name, member) for each limit in referee::Rules that a team receives.
 template <class Rules, class Visit>
 void for_each_limit(Rules& rules, Visit visit) {
   visit("stalemate_limit_s", rules.stalemate_s);
@@ -37,8 +36,8 @@ void for_each_limit(Rules& rules, Visit visit) {
   visit("attackers_allowed", rules.att_max);
 }
 
-// Calls visit(name, member) for what a team receives of a simulator::Parameters besides the sizes
-// above: the motors' other lags (0: none), the floor and the contacts.
+// Calls visit(name, member) for each number of simulator::Parameters that a team receives besides
+// those of copy_bodies(): the motors' other lags (0: none), the floor and the contacts.
 template <class P, class Visit>
 void for_each_physics(P& p, Visit visit) {
   visit("turn_time_constant", p.turn_time_constant);
@@ -72,8 +71,8 @@ void copy_field(const field::Field& field, To& to) {
   to.centre_circle_radius = field.centre_circle_radius;
 }
 
-// Copies the referee's pending counts about a team. Their numbers are small integers of different
-// types, and `advantage_against` is a number on one side and a bool on the other.
+// Copies the referee's pending counts about a team. The two structs have integers of different
+// types, and `advantage_against` is a number in one of them and a bool in the other.
 template <class From, class To>
 void copy_counts(const From& from, To& to) {
   to.defenders = static_cast<decltype(to.defenders)>(from.defenders);

@@ -2,11 +2,11 @@
 //
 // The disturbances of one leg, drawn from its seed.
 //
-// Every robot has draws of its own, found by the colour of its team and its number, and drawn in
-// its team's own frame; those of the ball are drawn in the frame of the blue team. So neither the
-// end that a team defends nor the order in which bodies are asked for changes a draw: a leg that is
-// turned by 180 degrees has the same numbers, negated, and in the two legs of a fixture, which have
-// one seed and swapped colours, each team has the luck that the other one had before.
+// Every robot has its own draws, which depend on its team's colour and its number and are in its
+// team's own frame; the ball's draws are in the frame of the blue team. So neither the end that a
+// team defends nor the order in which bodies are asked for changes a draw: a leg that is turned by
+// 180 degrees has the same numbers, negated, and in the two legs of a fixture, which have one seed
+// and swapped colours, each team has the luck that the other one had before.
 #pragma once
 
 #include "core/base/random.hpp"
@@ -20,8 +20,8 @@
 
 namespace mirocup::match {
 
-// Draws from a normal distribution of mean 0 and sigma 1 that is cut off at -2 and 2: draws beyond
-// are drawn again. Its standard deviation is 0.88.
+// Draws from a normal distribution of mean 0 and sigma 1 that is cut off at -2 and 2: a draw beyond
+// these limits is repeated. Its standard deviation is 0.88.
 double cut_normal(Random& random);
 
 // The kinds of draws. Each has a stream of random numbers of its own, so a disturbance that is
@@ -32,7 +32,7 @@ enum class Draw { placing, gain, jitter, rolling, radio, sight, loss_of_sight };
 Random draws_of_robot(std::uint64_t seed, Draw kind, Team team, int robot);
 Random draws_of_ball(std::uint64_t seed, Draw kind);
 
-// By how much a robot stands off the place where it was meant to stand, in its team's own frame.
+// How far a robot stands from the place where it was meant to stand, in its team's own frame.
 struct PlacingError {
   Vec2 offset{0.0, 0.0};  // m
   double turn = 0.0;      // rad, counter-clockwise
@@ -47,7 +47,7 @@ class Disturbances {
   double rolling_factor() const { return rolling_factor_; }
 
   // Returns the errors with which a robot and the ball are put down next; each call draws anew. The
-  // ball's is in the frame of the blue team, m.
+  // ball's error is in the frame of the blue team, m.
   PlacingError put_down_robot(Team team, int robot);
   Vec2 put_down_ball();
 
@@ -60,7 +60,7 @@ class Disturbances {
     robots_[index_of(team)][robot].received = command;
   }
 
-  // Forgets the commands that robots received last: they stand, and wait for the next ones.
+  // Forgets the commands that the robots received last: each robot stands until it receives one.
   void stop_robots();
 
  private:

@@ -26,9 +26,9 @@ struct Touch {
   bool operator==(const Touch&) const = default;
 };
 
-// How a goal came about. It is that of a restart if the taker's team scores before an opponent has
-// touched the ball. It is a rebound if a defender saved a ball that would have gone in, less than
-// rebound_s before the scorer touched it.
+// How a goal came about. A goal belongs to the last restart if the taker's team (at a free ball,
+// either team) scores before an opponent has touched the ball. It is a rebound if a defender saved
+// a ball that would have gone in, less than rebound_s before the scorer touched it.
 enum class GoalKind {
   open_play,
   kick_off,
@@ -83,7 +83,7 @@ class BallContacts {
 struct Goal {
   Team scoring = Team::blue;                          // the team for which it counts
   End end = End::left;                                // of the goal
-  referee::Restart restart = referee::Restart::none;  // the last one
+  referee::Restart restart = referee::Restart::none;  // the last restart
   Team taker = Team::blue;                            // of that restart
   double control_period = 0.0;                        // s
 };
@@ -92,7 +92,7 @@ struct Goal {
 GoalCredit credit_of(const Goal& goal, const BallContacts& contacts, const field::Field& field,
                      const simulator::Parameters& parameters);
 
-// Returns true if the ball, rolling on alone with walls and posts only, goes into that goal.
+// Returns true if the ball, rolling on alone among walls and posts, goes into the goal at `end`.
 bool would_go_in(const simulator::BallState& ball, End end, const field::Field& field,
                  const simulator::Parameters& parameters, double control_period);
 

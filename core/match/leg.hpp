@@ -2,13 +2,13 @@
 //
 // One leg from the toss to the outcome, tick by tick.
 //
-// A tick is one control period. Both teams observe its start, and their answers take effect in the
-// next tick: a fixed decision delay, like that of camera and radio. Simulated time is the only time
-// in this class; the caller decides how fast it passes.
+// A tick is one control period. Both teams observe the state at its start, and their answers take
+// effect in the next tick: a fixed decision delay, like that of a camera and a radio. This class
+// knows simulated time only; the caller decides how fast that time passes.
 //
 // At a restart every body is put in its default place in the tick of the decision. In the next tick
-// the team that places first may ask for other places. One tick later the other team may ask, which
-// then sees where the first team stands.
+// the team that places first may ask for other places. One tick later the other team, which then
+// sees where the first team stands, may ask.
 //
 // Threads: none of its own; one thread at a time may call it.
 #pragma once
@@ -37,8 +37,8 @@
 
 namespace mirocup::match {
 
-// The control period of a preset, s: that of the platform whose rules it has. SimuroSot asks its
-// teams 60 times a second, FIRASim every 16 ms; 33 ms are the sample time of MiroSot.
+// The control period of a preset, s: that of the platform whose rules the preset holds. SimuroSot
+// asks its teams 60 times a second, FIRASim every 16 ms; 33 ms are the sample time of MiroSot.
 constexpr double control_period_of(referee::Preset preset) {
   switch (preset) {
     case referee::Preset::simurosot:
@@ -63,13 +63,14 @@ struct Setup {
   simulator::Tolerances tolerances;
   Conditions conditions;
   std::optional<Team> left;  // the team that defends the left end first; empty: a toss decides
-  // Where the leg starts; if empty, with the kick-off. Nothing overlaps in it by more than a
-  // millimetre, and with a restart everything stands where the law allows it. Its `left` counts.
+  // The state from which the leg starts; if empty, it starts with the kick-off. Bodies must not
+  // overlap by more than a millimetre, and if the start has a restart, all bodies must stand where
+  // its law allows them. Its `left` replaces the one above.
   std::optional<Start> start;
 };
 
-// Gives the setup the name, the parameters and the control period of a pitch. A pitch without a
-// period leaves that of the rules.
+// Gives the setup the name, the parameters and the control period of a pitch. If the pitch has no
+// control period, that of the setup stays.
 void set_pitch(Setup& setup, const PitchSpec& pitch);
 
 // The ways in which a leg can end.
@@ -130,21 +131,21 @@ class Leg {
   // Tosses for the ends and the kick-off, and places the bodies for the kick-off, unless the setup
   // has a start.
   explicit Leg(const Setup& setup, TickLogs tick_logs = TickLogs::kept);
-  // The same in a world that the leg shares with others, which outlives it: one that was made for
-  // the same field, parameters and tolerances, and for this leg's number of robots. The play is the
-  // same. The leg has the world until lay_aside(), and again after each take_up(); without it, only
-  // functions of the referee, the setup and the logs may be called.
+  // The same play in a world that the leg shares with other legs. The world outlives the leg and
+  // was made for its field, parameters, tolerances and number of robots. The leg has the world
+  // until lay_aside(), and again after each take_up(). While it does not have the world, only
+  // functions about the referee, the setup and the logs may be called.
   Leg(const Setup& setup, TickLogs tick_logs, simulator::World& shared);
   Leg(const Leg&) = delete;
   Leg& operator=(const Leg&) = delete;
 
-  // Takes the bodies out of the shared world, and puts them into it again.
+  // Take the bodies out of the shared world, and put them into a shared world again.
   void lay_aside();
   void take_up(simulator::World& shared);
 
   const Setup& setup() const { return setup_; }
   const field::Field& field() const { return field_; }
-  const referee::Pitch& pitch() const { return pitch_; }  // what the leg is judged on
+  const referee::Pitch& pitch() const { return pitch_; }  // on which the leg is judged
 
   // Returns the briefing of the team before the first tick. It points into the leg.
   Briefing briefing(Team team) const;
@@ -171,9 +172,10 @@ class Leg {
   // the leg has no winner.
   void forfeit(std::vector<TeamFault> faults);
 
-  // The true state between two ticks. Pages and records show this one.
+  // The true state between two ticks. Pages and records show it.
   Snapshot snapshot() const;
-  // The state as teams and programs on the network see it: the same, unless a camera sees for them.
+  // The state as teams and programs on the network see it: the true one, unless the conditions have
+  // a camera.
   Snapshot view() const { return camera_ ? camera_->view() : snapshot(); }
   // The state of one body; cheaper than a snapshot if nothing else is needed.
   simulator::BodyState robot(Team team, int i) const { return world_->robot(body_of(team, i)); }
@@ -194,7 +196,8 @@ class Leg {
     return placement_requests_;
   }
 
-  // The hash of the states of all ticks played until now; without meaning if they are dropped.
+  // The hash of the states of all ticks played until now; without meaning if the tick logs are
+  // dropped.
   std::uint64_t state_hash() const { return hash_.value(); }
   // The last robot to touch the ball in the most recent tick; nothing if none touched it.
   std::optional<Touch> last_touch() const;
@@ -246,10 +249,10 @@ class Leg {
   Team left_ = Team::blue;
   std::optional<Disturbances> disturbances_;     // nothing under exact conditions
   std::optional<Camera> camera_;                 // nothing unless the conditions have one
-  bool were_placed_ = false;                     // since the camera looked last
-  std::unique_ptr<simulator::World> own_world_;  // null if it shares one
+  bool were_placed_ = false;                     // bodies, since the camera looked last
+  std::unique_ptr<simulator::World> own_world_;  // null if the leg shares a world
   simulator::World* world_ = nullptr;
-  simulator::World::State laid_aside_;  // of the shared world
+  simulator::World::State laid_aside_;  // the bodies, while the leg is laid aside
   std::unique_ptr<referee::Referee> referee_;
 
   std::uint32_t tick_ = 0;

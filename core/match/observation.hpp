@@ -20,7 +20,7 @@ struct Observation {
   State state = State::READY;
   referee::Phase phase = referee::Phase::FIRST_HALF;
   referee::Restart restart = referee::Restart::none;  // the last restart
-  bool own_restart = false;                           // the observing team takes it
+  bool own_restart = false;                           // the observing team takes this restart
   bool placing = false;  // the team may ask for a placement in its answer
   int own_score = 0;
   int opponent_score = 0;
@@ -32,7 +32,7 @@ struct Observation {
   referee::TeamCounts opponent_counts;
   Vec2 ball{0.0, 0.0};
   Vec2 ball_velocity{0.0, 0.0};
-  int ball_age = 0;  // ticks since the ball was seen like this
+  int ball_age = 0;  // ticks since a camera saw the ball like this; 0 without a camera
   std::array<ObservedRobot, max_robots_per_team> own;
   std::array<ObservedRobot, max_robots_per_team> opponent;
 };

@@ -2,9 +2,10 @@
 //
 // A robot as teams and programs on the network see it. Metres, radians, m/s, rad/s.
 //
-// The heading is an angle here, rounded to a multiple of 2^-50 rad. So is pi, so a half-turn of the
-// field adds or subtracts pi without rounding: a team sees the same bits at either end, and a
-// program that receives the robot in the field's frame can compute what the team sees, bit for bit.
+// The heading is an angle here, rounded to a multiple of 2^-50 rad. As a double, pi is also such a
+// multiple, so a half-turn of the field adds or subtracts pi without rounding: a team sees the same
+// bits at either end, and a program that receives the robot in the field's frame can compute what
+// the team sees, bit for bit.
 #pragma once
 
 #include "core/field/frames.hpp"

@@ -44,14 +44,15 @@ bool bit_equal(const PlacementRequest& a, const PlacementRequest& b, int robots)
 // The resolution of a request, m and rad: far below the tolerance of every rule of placement.
 inline constexpr double placement_step = 0x1p-24;
 
-// Returns the request with the ball and each pose that differs from the one `shown` to the team
-// rounded to multiples of placement_step. `robots` is the number of robots that count.
+// Returns the request, in which the ball's place and each pose are rounded to multiples of
+// placement_step unless they equal the ones `shown` to the team. `robots` is the number of robots
+// that count.
 PlacementRequest rounded(const PlacementRequest& asked, const PlacementRequest& shown, int robots);
 
 // Returns the placement, in the field's frame, in which the team of one end stands as requested and
-// all other bodies as in `standing`. A pose that equals the one `shown` to the team keeps the bits
-// that it has there, so an unchanged request moves no body by a rounding error. A heading that is
-// not finite or is too large makes a pose of NaNs, which no check accepts.
+// all other bodies as in `standing`. A body for which the team asks the pose that was `shown` to it
+// keeps the bits of its pose in `standing`, so an unchanged request moves no body by a rounding
+// error. A heading that is not finite or is too large makes a pose of NaNs, which no check accepts.
 referee::Placement requested_placement(const referee::Placement& standing, End end,
                                        const PlacementRequest& shown, const PlacementRequest& asked,
                                        int robots);

@@ -8,7 +8,7 @@
 
 namespace mirocup::match {
 
-// What a hand puts down. The other bodies stay where they are.
+// The bodies that a hand puts down. The others stay where they are.
 struct Moved {
   referee::ByEnd<referee::RobotSet> robots;
   bool ball = false;
@@ -20,8 +20,9 @@ struct Moved {
 };
 
 // Returns where the bodies come to stand. `wanted` is legal, and every body that was moved stands
-// off its place by the error that is drawn for it. An error that the law of the restart does not
-// allow is halved until it does. `left` is the team that defends the left end.
+// off its wanted place by the error that is drawn for it. If the law of the restart does not allow
+// the place with the error, the error is halved until the law does. `left` is the team that defends
+// the left end.
 referee::Placement put_down(const referee::Pitch& pitch, const referee::Decision& restart,
                             referee::Roles roles, const referee::Placement& wanted,
                             const Moved& moved, Team left, Disturbances& disturbances);

@@ -41,7 +41,7 @@ struct Snapshot {
   double advantage_s = 0.0;
   ByTeam<referee::TeamCounts> counts;
   simulator::BallState ball;
-  int ball_age = 0;  // ticks since the ball was seen like this (core/match/camera.hpp)
+  int ball_age = 0;  // ticks since a camera saw the ball like this; 0 without a camera
   ByTeam<std::array<ObservedRobot, max_robots_per_team>> robots;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The state from which a leg starts, if not with the toss and its kick-off: bodies anywhere on the
-// field, in motion or placed for a restart, at any clock and score. As JSON it is a situation
-// (docs/situations.md).
+// The state from which a leg starts, if it does not start with the toss and its kick-off: bodies
+// anywhere on the field, in motion or placed for a restart, at any clock and score. As JSON it is a
+// situation (docs/situations.md).
 //
 // Units: m, s, rad; positions and velocities in the field's frame. A start that is turned by 180
 // degrees, with the other team on the left, gives the same leg, turned.
@@ -21,8 +21,8 @@ namespace mirocup::match {
 // One robot at the start.
 struct RobotStart {
   std::optional<simulator::BodyState> state;  // empty: at rest in its default place
-  // The command that it drives in the first tick, before its team's first answer takes effect.
-  // rad/s.
+  // rad/s: the command that the robot drives in the first tick, before its team's first answer
+  // takes effect.
   simulator::WheelSpeeds wheels;
   bool is_broken = false;  // it stands: its team's commands do not move it in this leg
 };
@@ -44,11 +44,12 @@ struct Start {
   ByTeam<int> score{};
 };
 
-// Returns the decision that gives the restart; without one, a decision without effect.
+// Returns the decision that gives the start's restart; if the start has none, a decision without
+// effect.
 referee::Decision restart_of(const Start& start);
 
-// Returns where everything stands at the start: what the start does not give, in the default places
-// of its restart, or of a kick-off by the blue team if play is on.
+// Returns where all bodies stand at the start. Those that the start does not give stand in the
+// default places of its restart or, if play is on, of a kick-off by the blue team.
 referee::Placement placement_of(const referee::Pitch& pitch, const Start& start);
 
 }  // namespace mirocup::match

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Numbers that the host of a leg gives a team, by name: `--param wait=0.4`. A leg does not know
-// them: they are handed over when its controller starts the team.
+// them: its controller hands them over when it starts the team.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a team draws into the replay for its own eyes. Thoughts have no effect on the leg: they are
-// no part of its hash, its record or its verification.
+// Shapes and texts that a team draws into the replay for its own eyes. Thoughts have no effect on
+// the leg: they are not part of its hash, its record or its verification.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -18,7 +18,7 @@ namespace mirocup::match {
 
 enum class ThoughtKind { line, circle, polygon, text };
 
-// One shape of one tick, in the team's own frame. It refers to memory of its giver.
+// One shape of one tick, in the team's own frame. It refers to memory of the object that gives it.
 struct Thought {
   ThoughtKind kind = ThoughtKind::line;
   std::uint32_t colour = 0;  // 0xRRGGBBAA
@@ -28,12 +28,12 @@ struct Thought {
   std::string_view text;  // any bytes
 };
 
-// The limits of one tick and of one leg; what is more is counted and left out.
+// The limits of one tick and of one leg; thoughts beyond them are counted and dropped.
 inline constexpr std::size_t max_layer_name = 31;      // bytes
 inline constexpr std::size_t max_thoughts = 200;       // in a tick
 inline constexpr std::size_t max_thought_text = 4096;  // bytes in a tick
 inline constexpr std::size_t max_polygon_corners = 32;
-inline constexpr std::size_t max_thought_bytes = 32u << 20;  // in a leg, as they are written
+inline constexpr std::size_t max_thought_bytes = 32u << 20;  // in a leg, in their written form
 inline constexpr std::size_t max_thought_numbers = 10 * max_thoughts;  // in a tick
 
 // Says whether a shape of that kind can have that many numbers.

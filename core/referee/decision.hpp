@@ -35,8 +35,8 @@ enum class Verdict {
   MATCH_END,
 };
 
-// The laws of play have a file each in laws/ (the four about crowded areas share one). The others
-// are applied by the referee and by placement, `forfeit` by the match.
+// The laws of play have a file each in laws/ (the four about crowded areas share one). The referee
+// and the placement apply the other laws; the match applies `forfeit`.
 enum class Law {
   toss,
   kick_off,
@@ -88,9 +88,9 @@ struct Decision {
   Restart restart = Restart::none;
   End taker = End::left;            // takes the restart; at a free ball, the defender of that half
   Vec2 spot{0.0, 0.0};              // where the ball is put, m
-  Phase phase = Phase::FIRST_HALF;  // that begins; of HALF_END, PHASE
-  bool goal_cancelled = false;      // the foul came before a goal in the same tick
-  bool scored = false;              // of ATTEMPT_END
+  Phase phase = Phase::FIRST_HALF;  // the phase that begins, for HALF_END and PHASE
+  bool goal_cancelled = false;      // a goal of the same tick does not count
+  bool scored = false;              // for ATTEMPT_END: the attempt was a goal
 
   // Adds a robot to those involved.
   void add_robot(const RobotId& robot) { robots[index_of(robot.end)].set(robot.index); }

@@ -28,8 +28,8 @@ struct Judgement {
   std::optional<Decision> decision;
   std::vector<Decision> notes;
 
-  // Adds what a law called, if anything. The first call of a tick is the decision; later calls, and
-  // those with the verdict NONE, become notes.
+  // Adds the call of a law, if it made one. The first call of a tick is the decision; later calls,
+  // and calls with the verdict NONE, become notes.
   void call(std::optional<Decision> decision);
 
   // Adds a note: the decision without its verdict and restart.
@@ -62,8 +62,9 @@ struct LawBook {
   WallPushMemory wall_push;
 };
 
-// Judges one tick of play. The book's occupancy is already up to date. `goal` is what the goal law
-// called in this tick; it becomes the decision unless a foul of the attackers cancels it.
+// Judges one tick of play. The book's occupancy is already up to date. `goal` is the call of the
+// goal law in this tick, if it made one; it becomes the decision unless a foul of the attackers
+// cancels it.
 Judgement judge_play(const Pitch& pitch, const Situation& situation,
                      const std::optional<Decision>& goal, LawBook& book);
 
@@ -71,7 +72,7 @@ Judgement judge_play(const Pitch& pitch, const Situation& situation,
 Judgement judge_attackers(const Pitch& pitch, const Situation& situation,
                           const std::optional<Decision>& goal, LawBook& book);
 
-// Ends the advantage and returns the call of the foul that waited.
+// Ends the advantage and returns the call of the foul that has waited in it.
 Decision advantage_is_over(const Situation& situation, Advantage& advantage);
 
 }  // namespace mirocup::referee

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The occupancy tracker: what several laws need to know about a tick and the ticks before it. Which
-// robots stand in which area, which robot keeps goal, and which robots are pushed about by
-// opponents.
+// The occupancy tracker for several laws: which robots stand in which area, which robot keeps goal,
+// and which robots are pushed about by opponents.
 #pragma once
 
 #include "core/referee/pitch.hpp"
@@ -19,15 +18,15 @@ struct Occupancy {
 
   // The time for which each robot has been in its own goal area without a break, s.
   ByRobot<double> at_home_s{};
-  // The keeper of each end: the robot that has been in its own goal area for the longest time, the
-  // lowest index first. Nothing if no robot of the team is there.
+  // The keeper of each end: the robot that has been in its own goal area for the longest time; of
+  // several, that of the lowest index. Nothing if no robot of the team is there.
   ByEnd<std::optional<RobotId>> keeper;
 
-  // The time for which each robot is still excused for its place, s. It is `shoved_s` of the rules
-  // while an opponent that touches the robot drives at it and the robot does not drive back; then
-  // it runs down to 0.
+  // The time for which each robot is still excused for standing in an area, s. It is `shoved_s` of
+  // the rules while an opponent that touches the robot drives at it and the robot does not drive
+  // back; afterwards it runs down to 0.
   ByRobot<double> excused_s{};
-  ByEnd<RobotSet> shoved;  // the robots with time left
+  ByEnd<RobotSet> shoved;  // the robots that are still excused
 };
 
 // Brings the occupancy up to the end of the situation's tick. Called once a tick, before the laws.

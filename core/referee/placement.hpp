@@ -3,11 +3,11 @@
 // Where everything stands at a restart by default.
 //
 // Robot 0 of a team is its keeper, robot 1 its kicker or contender; the others follow in the order
-// of the tables. The poses are legal for every restart and overlap nothing
+// of the tables in placement.cpp. The poses are legal for every restart and overlap nothing
 // (tests/unit/core/referee/placement_test.cpp).
 //
-// Sources: the figures of the FIRA rule texts where they give poses (penalty, free ball); else
-// common practice.
+// Sources: for penalty and free ball, the figures of the FIRA rule texts, which give poses; for the
+// other restarts, common practice.
 #pragma once
 
 #include "core/referee/decision.hpp"

@@ -26,7 +26,7 @@ struct CheckedPlacement {
   bool any_moved() const { return ball_moved || moved[0].any() || moved[1].any(); }
 };
 
-// Checks what both teams ask for at once.
+// Checks the requests of both teams together.
 CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Roles roles,
                                  const Placement& asked);
 
@@ -38,14 +38,14 @@ CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Ro
 CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End team, Roles roles,
                             const Placement& asked);
 
-// Returns the robots that may not stand where they do, with the ball where it lies: as few as would
-// have to be moved. So of two robots that are too near to each other only one is named.
+// Returns the fewest robots that would have to be moved so that all stand where they may, with the
+// ball where it lies. So of two robots that are too near to each other only one is named.
 ByEnd<RobotSet> misplaced_robots(const Pitch& pitch, const Decision& restart, Roles roles,
                                  const Placement& standing);
 
 // Returns true if the ball may be put at `ball`, m, a place near the spot of the restart. At a
-// kick-off and a goal kick the taker's limits hold; otherwise the ball may be wherever a hand can
-// put it.
+// kick-off and a goal kick the place must be one that the taker may choose; at other restarts every
+// place clear of the walls is allowed.
 bool may_put_ball(const Pitch& pitch, const Decision& restart, const Vec2& ball);
 
 // Returns a sentence that says which bodies were moved, from where to where, and why. `asked` is

@@ -29,7 +29,7 @@ struct PlacementRules {
 // True if the pose is finite and the robot's whole body is inside the walls.
 bool is_inside_walls(const Pitch& pitch, const Pose& robot);
 
-// True if any robot of the team may stand like this.
+// True if the law allows this pose to every robot of the team, whatever its role.
 bool may_stand(const PlacementRules& rules, End team, const Pose& robot);
 
 // True if the robot stands in the special place of its team, where one robot alone may or must

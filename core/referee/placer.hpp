@@ -3,13 +3,14 @@
 // The placer decides which robots keep the places that were asked for at a restart, and where the
 // others go.
 //
-// As few robots as possible are moved. Among the choices that move equally few, the one with the
-// least way in total counts; if that is also equal, robots with low numbers stay. A robot that is
-// moved goes to the free place nearest to the one that was asked for, of those that the law allows:
-// a default place of its team, or a place on rings around the place that was asked for. So nearest
-// means: to within a tenth of the way or 5 mm, whichever is more. A robot whose requested place is
-// far from the field goes to its default place, or to a free place near it. A robot that fills a
-// place which the restart needs goes to the default place for that.
+// As few robots as possible are moved. Among the choices that move equally few, the one that moves
+// them the shortest way in total is taken; if these ways are also equal, robots with low numbers
+// stay. A robot that is moved goes to the free place, of those that the law allows, that is nearest
+// to the requested one: a default place of its team, or a place on rings around the requested
+// place. It is the nearest to within a tenth of the way or 5 mm, whichever is more. A robot whose
+// requested place is far from the field goes to its default place, or to a free place near it. A
+// robot that is moved to fill the special place, because the restart needs a robot there, goes to
+// the default of that place if it is free.
 #pragma once
 
 #include "core/referee/placement_rules.hpp"
@@ -43,7 +44,7 @@ class Placer {
   // Finds a place for each robot of an accepted team that has none.
   void move_the_others(End team, const Placement& asked);
 
-  // What was decided so far. `moved` are the robots that accept() left without a place.
+  // The decisions so far. `moved` are the robots that accept() left without a place.
   const Placement& placement() const { return standing_.placement; }
   const ByEnd<RobotSet>& moved() const { return moved_; }
   const ByRobot<Misplaced>& why() const { return why_; }
@@ -61,9 +62,10 @@ class Placer {
   struct Request {
     End team;
     const std::array<Pose, max_robots_per_team>& poses;
-    RobotSet in_special_place;                           // and may hold it
-    std::array<Misplaced, max_robots_per_team> alone{};  // regardless of team-mates
-    std::array<RobotSet, max_robots_per_team> clashes;   // the team-mates that may not stay with it
+    RobotSet in_special_place;  // the robots that ask for the special place and may hold it
+    // By robot: what forbids its pose even without team-mates; the team-mates that clash with it.
+    std::array<Misplaced, max_robots_per_team> alone{};
+    std::array<RobotSet, max_robots_per_team> clashes;
   };
 
   Request judged(End team, const Placement& asked) const;

@@ -10,7 +10,7 @@
 
 namespace mirocup::referee {
 
-// Returns both ends, first the one in whose half the ball is. Laws test the ends in this order, so
+// Returns both ends, first the end in whose half the ball is. Laws test the ends in this order, so
 // that no end is favoured when both teams offend in one tick.
 std::array<End, 2> ends_from_ball(const Situation& situation);
 

@@ -29,7 +29,7 @@ struct LegProgress {
   double clock = 0.0;  // s, of the current phase
   ByEnd<int> score{};
   ShootOut shoot_out{};
-  End first = End::left;  // starts the phase: kicks off, or takes the first attempt
+  End first = End::left;  // the team that kicks off the phase, or takes the first attempt
   ByEnd<int> time_outs_taken{};
   ByEnd<int> substitutions_made{};  // while play was on
 };
@@ -38,11 +38,11 @@ struct LegProgress {
 // Each time runs towards the limit of its law, in seconds.
 struct TeamCounts {
   int defenders = 0;               // its robots in its own goal area
-  double two_defenders_s = 0.0;    // how long these are too many
+  double two_defenders_s = 0.0;    // how long they have been too many
   int area_defenders = 0;          // its robots in its own penalty area
-  double four_defenders_s = 0.0;   // how long these are too many
+  double four_defenders_s = 0.0;   // how long they have been too many
   int attackers = 0;               // its robots in the opponents' goal area
-  double two_attackers_s = 0.0;    // how long these are too many
+  double two_attackers_s = 0.0;    // how long they have been too many
   double keeper_hold_s = 0.0;      // how long the ball is uncontested in its goal area
   int keeper = -1;                 // the index of its keeper, -1: none
   bool advantage_against = false;  // its foul is called unless the opponents score
@@ -67,7 +67,7 @@ class Referee {
   const std::optional<RobotId>& last_touch() const { return last_touch_; }
   const LegProgress& progress() const { return now_; }
   PendingCounts pending_counts() const;
-  double stalemate_s() const { return book_.stalemate.still_s; }  // one of them
+  double stalemate_s() const { return book_.stalemate.still_s; }  // that of pending_counts()
 
   // Returns the decision with the restart that opens the current phase.
   Decision opening() const;
@@ -80,8 +80,8 @@ class Referee {
   // decides it, the end of a half whose time is over, or a time-out that a team asked for.
   std::optional<Decision> follow_up(const Decision& decision);
 
-  // Resets every count, because the restart of a decision has been placed. `since`: for how long
-  // play is already on, s. It is 0 in a leg; a recorded trace may start later.
+  // Resets every count, because the restart of a decision has been placed. `since` is how long play
+  // has been on already, s: 0 in a leg; a recorded trace may start later.
   void resume(const Decision& restart, double since = 0.0);
 
   // Starts the half after HALF_END: SECOND_HALF or EXTRA. The ends are swapped and the other team
@@ -93,17 +93,18 @@ class Referee {
   void start_extra_time(End first);
   void start_shoot_out(End first, End lots);
 
-  // Asks for a time-out, which is granted at the next stoppage. Returns a decision only if it is
-  // rejected.
+  // Asks for a time-out, which is granted at the next stoppage. Returns a decision only if the
+  // request is rejected.
   std::optional<Decision> ask_for_time_out(End team);
   int time_outs_left(End team) const;
 
   // Asks to replace a robot in the team's next time-out; asks for a time-out as well if the team
-  // has not done so. Returns a decision only if it is rejected.
+  // has not done so. Returns a decision only if the request is rejected.
   std::optional<Decision> ask_for_substitution(const RobotId& robot);
   int substitutions_left(End team) const;
 
-  // Replaces a robot in the break between the halves, where any number is allowed.
+  // Replaces a robot in the break between the halves, in which any number of robots may be
+  // replaced.
   Decision substitute_in_break(const RobotId& robot) const;
 
  private:

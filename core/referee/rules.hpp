@@ -6,7 +6,7 @@
 //
 // Sources: the FIRA MiroSot rule texts for what they state; where they leave a judgement to a
 // person ("stalemate", "as judged by the referee"), common practice of automatic referees.
-// docs/laws.md says which is which.
+// docs/laws.md says from which of the two a number comes.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -41,7 +41,7 @@ struct Rules {
   double attempt_s = 30.0;         // length of a penalty attempt
   double attempt_hold_s = 1.0;     // the keeper alone touches the ball this long: it holds it
   int time_outs = 2;               // of each team
-  double time_out_s = 120.0;       // length of one
+  double time_out_s = 120.0;       // length of a time-out
   int substitutions = 2;           // of each team while play is on; in the break any number
   double half_late_s = 300.0;      // after the break a late team is waited for this long
   int mercy_goal_diff = 10;        // a lead of this many goals ends the match
@@ -53,9 +53,10 @@ struct Rules {
   double drive_mps = 0.05;      // commanding this speed towards a robot is driving at it
   double contested_m = 0.1125;  // an opponent's centre this near to the ball contests it
   double zone_margin_m = 0.05;  // small league: a goal's zone reaches this far beyond its goal area
-  // The zone of a goal where crowds and charges count: the ball is this near to the goal line, and
-  // this near to the long axis. A depth of 0: the zone is the penalty area, or in the small league
-  // the goal area and its margin; charges then count in the whole half.
+  // The zone of a goal where crowds and charges count: the ball is at most zone_depth_m from the
+  // goal line and at most zone_half_width_m from the long axis. If the depth is 0, the zone is the
+  // penalty area, or in the small league the goal area and its margin; charges then count in the
+  // whole half.
   double zone_depth_m = 0.0;
   double zone_half_width_m = off;
   double shoved_s = 1.0;     // how long a robot is excused after it was pushed
@@ -64,29 +65,29 @@ struct Rules {
   // Kick-off.
   bool kickoff_backward_required = true;  // the ball goes towards the taker's own side first
   double kickoff_move_m = 0.05;           // the side is judged when the ball has moved this far
-  double kickoff_limit_s = 5.0;           // the ball is touched within this time
-  bool kickoff_behind = false;            // the kicker stands on its own side of the ball
+  double kickoff_limit_s = 5.0;           // the ball must be touched within this time
+  bool kickoff_behind = false;            // the kicker must stand on its own side of the ball
 
   // Crowded areas.
   int def_max = 1;                // robots of the defenders allowed in their goal area
-  int pa_def_max = 3;             // and in their penalty area
-  double def_dwell_s = 0.5;       // how long more than that is forgiven
+  int pa_def_max = 3;             // robots of the defenders allowed in their penalty area
+  double def_dwell_s = 0.5;       // how long more robots than that are forgiven
   bool def_at_once = false;       // two robots too many are not forgiven at all
   int att_max = 1;                // robots of the attackers allowed in the goal area
-  int pa_att_max = 0;             // and in the penalty area
-  double att_dwell_s = 0.33;      // how long one more is forgiven
-  bool att_at_once = true;        // two more in the goal area are not forgiven at all
-  bool att_cancels_goal = false;  // no goal counts while one more is there, however short
+  int pa_att_max = 0;             // robots of the attackers allowed in the penalty area
+  double att_dwell_s = 0.33;      // how long one robot too many is forgiven
+  bool att_at_once = true;        // two too many in the goal area are not forgiven at all
+  bool att_cancels_goal = false;  // no goal counts while one is too many there, however briefly
 
   // The keeper.
   double keeper_hold_s = 10.0;    // the ball stays uncontested in a goal area for this time
   double charge_s = 0.10;         // an attacker drives into the keeper for this time
   double charge_speed_mps = 0.5;  // or hits it at this speed
   double push_in_s = 0.5;         // time looked back from a goal
-  double push_in_m = 0.02;        // the keeper was moved this far towards its line
+  double push_in_m = 0.02;        // in that time the keeper was moved this far towards its line
   double block_s = 1.0;           // an attacker stands in the keeper's way for this time
-  double block_gap_m = 0.01;      // this near to it
-  double block_ball_m = 0.25;     // with the ball farther than this from both
+  double block_gap_m = 0.01;      // and is this near to the keeper
+  double block_ball_m = 0.25;     // while the ball is farther than this from both
 
   // Play that gets nowhere.
   double stalemate_s = 10.0;          // the ball stays within the radius for this time
@@ -99,18 +100,18 @@ struct Rules {
   bool stalemate_penalty = false;
 
   // Pushing and holding.
-  double push_dist_m = 0.10;          // an opponent is moved this far
-  double push_angle_rad = 0.70;       // within this angle of the line of centres
+  double push_dist_m = 0.10;          // the pusher moves an opponent this far
+  double push_angle_rad = 0.70;       // at no more than this angle to the line of centres
   double cooldown_s = 2.0;            // the same pair is not called again for this time
   double collision_mps = off;         // a closing speed that could do harm
-  double collision_differ_mps = 0.3;  // one of the two is faster by this much
-  bool collision_foul = false;        // called like a push, not only noted
+  double collision_differ_mps = 0.3;  // and one of the two robots is faster by this much
+  bool collision_foul = false;        // such a collision is called like a push, not only noted
   double hide_m = 0.0128;             // the ball is this deep inside a robot's outline
   double hide_s = 0.2;                // for this time
   bool wall_push = false;             // pushing the ball along an end wall is an offence
   double wall_ball_m = 0.08;          // the ball's centre is this near to the end wall
   double wall_robot_m = 0.0669;       // and a robot's centre this near to the ball
-  double wall_s = 50.0 / 60.0;        // robots of both teams press it for this time
+  double wall_s = 50.0 / 60.0;        // robots of both teams press the ball for this time
 
   bool hand_penalty = false;  // reaching onto the field costs a penalty kick
 };

@@ -40,14 +40,15 @@ struct Situation {
   Vec2 ball{0.0, 0.0};         // at the end
   ByRobot<Pose> robots;        // at the end
 
-  // At the start of the tick, before any impact in it; and what the wheels were commanded.
+  // The velocity at the start of the tick, before any impact in it, and the commanded velocity,
+  // which is that of the wheel command along the heading at the tick's end.
   ByRobot<Vec2> velocity{};
   ByRobot<Vec2> commanded{};
 
   // Touches during the tick, or within the touching distance at its end (touches.hpp).
   ByEnd<RobotSet> touched_ball;
-  ByRobot<RobotSet> touched_opponents;  // symmetric: the set of each robot's opponents
-  ByRobot<RobotSet> touched_mates;      // symmetric, likewise
+  ByRobot<RobotSet> touched_opponents;  // by robot: the opponents that it touched; symmetric
+  ByRobot<RobotSet> touched_mates;      // by robot: the team-mates; symmetric
   // The last robot that touched the ball, in this tick or before.
   std::optional<RobotId> last_touch;
 

@@ -17,11 +17,11 @@ void add_near_touches(const Pitch& pitch, Situation& situation);
 // Adds the touch of two different robots, opponents or team-mates, to the sets of both.
 void set_touch(Situation& situation, const RobotId& a, const RobotId& b);
 
-// Returns the gap between two robots, m. Beyond `reach` the result is only known to be larger than
-// it.
+// Returns the gap between two robots, m. If the gap is larger than `reach`, so is the result, but
+// it need not be the gap.
 double robot_gap(const Pitch& pitch, const Pose& a, const Pose& b, double reach);
 
-// Returns the gap between the ball and a robot, m; negative by its depth if the ball overlaps it.
+// Returns the gap between the ball and a robot, m; minus the depth of the overlap if they overlap.
 double ball_gap(const Pitch& pitch, const Vec2& ball, const Pose& robot);
 
 }  // namespace mirocup::referee

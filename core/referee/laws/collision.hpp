@@ -3,9 +3,9 @@
 // Dangerous collisions. Source: MiroSot law 8.1, "potential to harm".
 //
 // Simulated robots do not break, so the law is off unless `collision_mps` is set. It applies when
-// two opponents start to touch, close at more than that speed, and one of them is faster than the
-// other by more than `collision_differ_mps`. The collision is only noted or, with `collision_foul`,
-// called like a push by the faster robot.
+// two opponents start to touch, approach each other at more than that speed, and one of them is
+// faster than the other by more than `collision_differ_mps`. The collision is only noted or, with
+// `collision_foul`, called like a push by the faster robot.
 #pragma once
 
 #include "core/referee/laws/push.hpp"
@@ -19,7 +19,8 @@ struct CollisionMemory {
   ByRobot<RobotSet> touched;  // the opponents that each robot touched in the last tick
 };
 
-// Finds at most one collision in a tick; the first pair counts, by index of the left robot.
+// Finds at most one collision in a tick: of several pairs, the one whose robot of the left team has
+// the lowest index.
 std::optional<Decision> judge_collision(const Pitch& pitch, const Situation& situation,
                                         CollisionMemory& memory);
 

@@ -14,7 +14,8 @@
 // league has no penalty area, so the laws of four never apply to it.
 //
 // The time is counted wherever the ball is, so that robots cannot park in an area; the call comes
-// when the ball is in the zone of that goal. A robot that was pushed into the area does not count.
+// when the ball is in the zone of that goal (ball_in_zone()). A robot that was pushed into the area
+// does not count.
 #pragma once
 
 #include "core/referee/dwell.hpp"
@@ -37,7 +38,7 @@ struct CrowdingMemory {
 };
 
 // Judges one of the four laws. `goal_at` is the end whose goal line the ball crosses in this tick:
-// for the laws about attackers that counts as a ball in the zone, wherever it came from. The calls
+// for the laws about attackers such a ball counts as in the zone, wherever it came from. The calls
 // of the laws about defenders ignore the advantage, which the referee applies afterwards.
 std::optional<Decision> judge_crowding(CrowdingLaw law, const Pitch& pitch,
                                        const Situation& situation, const Occupancy& occupancy,

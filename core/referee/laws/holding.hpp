@@ -4,8 +4,8 @@
 // ball.
 //
 // Applies when the ball is more than `hide_m` inside a robot's outline for `hide_s`. The texts name
-// no restart, so it is a free ball. The keeper in its goal area and robot 0 in its penalty area are
-// exempt. Square robots cannot hold a ball; a robot in a recorded trace can.
+// no restart; the call is a free ball. The keeper in its goal area and robot 0 in its penalty area
+// are exempt. Square robots cannot hold a ball; a robot in a recorded trace can.
 #pragma once
 
 #include "core/referee/dwell.hpp"

@@ -3,8 +3,9 @@
 // Blocking the goalkeeper. Source: MiroSot laws 8.7 and 12.3, a goal kick.
 //
 // Intent is judged by what can be measured: for `block_s` an attacker is within `block_gap_m` of a
-// keeper that drives at it, while the ball is farther than `block_ball_m` from both and in that
-// half. An attacker does not offend if a team-mate of the keeper holds it.
+// keeper that drives at it, while the ball is in the keeper's half and farther than `block_ball_m`
+// from both. An attacker that a team-mate of the keeper pushes, and that does not push back, does
+// not offend.
 #pragma once
 
 #include "core/referee/dwell.hpp"

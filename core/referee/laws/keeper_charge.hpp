@@ -14,8 +14,8 @@
 namespace mirocup::referee {
 
 struct KeeperChargeMemory {
-  ByEnd<std::array<Dwell, max_robots_per_team>> driven;  // how long, by attacker
-  ByRobot<bool> touched{};  // true if it touched the keeper in the last tick, by attacker
+  ByEnd<std::array<Dwell, max_robots_per_team>> driven;  // time of driving, by attacker
+  ByRobot<bool> touched{};  // by attacker: it touched the keeper in the last tick
 };
 
 std::optional<Decision> judge_keeper_charge(const Pitch& pitch, const Situation& situation,

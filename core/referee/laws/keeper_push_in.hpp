@@ -3,7 +3,7 @@
 // The goalkeeper is pushed into its goal along with the ball. Source: MiroSot law 8.2: the goal
 // does not count and a goal kick is given.
 //
-// Judged by looking back `push_in_s` from the goal: an attacker pressed on the keeper, directly or
+// Judged by the last `push_in_s` before the goal: an attacker pressed on the keeper, directly or
 // through the ball, while the keeper was moved `push_in_m` towards its goal line; and at the moment
 // of the goal the keeper touches the ball or is over the line. A keeper whose own commands took it
 // there was not pushed.
@@ -34,7 +34,8 @@ struct KeeperPushInMemory {
   ByEnd<double> keeper_x{};
 };
 
-// Called in every tick. It decides only in a tick in which the ball crosses the goal of `goal_at`.
+// Called in every tick. It decides only in a tick in which the ball crosses a goal line, at the end
+// `goal_at`.
 std::optional<Decision> judge_keeper_push_in(const Pitch& pitch, const Situation& situation,
                                              const Occupancy& occupancy, std::optional<End> goal_at,
                                              KeeperPushInMemory& memory);

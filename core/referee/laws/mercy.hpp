@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A large lead ends the match. Source: practice of leagues; the MiroSot texts do not state it. Off
-// where `mercy_goal_diff` is 0.
+// if `mercy_goal_diff` is 0.
 #pragma once
 
 #include "core/referee/laws/law.hpp"

@@ -18,7 +18,7 @@ struct PenaltyAttemptMemory {
   bool is_on = false;
   End taker = End::left;
   double for_s = 0.0;        // since the kick was released
-  bool was_in_area = false;  // the ball, in the goal area
+  bool was_in_area = false;  // the ball has been in the goal area
   Dwell held;                // the keeper alone touches the ball
 };
 

@@ -3,10 +3,10 @@
 // Pushing an opponent. Sources: MiroSot laws 8.1 and 10.
 //
 // Intent is judged by what can be measured: a robot drives at an opponent that does not drive back,
-// does not touch the ball, and moves the opponent by `push_dist_m` away from itself. The defending
-// side gives a free kick away. The texts name no restart for the attacking side: it is a goal kick
-// if the ball is in the goal area, else a free ball. The keeper in its goal area has laws of its
-// own.
+// does not touch the ball, and moves the opponent by `push_dist_m` away from itself. A push by the
+// defending side is a free kick for the other team. For a push by the attacking side the texts name
+// no restart: it is a goal kick if the ball is in the goal area, else a free ball. Other laws
+// protect the keeper in its goal area.
 #pragma once
 
 #include "core/referee/laws/law.hpp"
@@ -26,15 +26,16 @@ struct Push {
 struct PushMemory {
   // By pusher and pushed: [index_of(pusher's end)][pusher][pushed].
   ByEnd<std::array<std::array<Push, max_robots_per_team>, max_robots_per_team>> pairs{};
-  ByRobot<RobotSet> on{};  // the pairs that push or are muted, by pusher: the others are skipped
+  ByRobot<RobotSet> on{};  // by pusher: the robots that it pushes, or for which it is muted
 };
 
 // Returns the decision about a push. A team defends if the ball is in its own half or was last
-// touched by the pushed team. `reason` says what the pusher did; the side is added to it.
+// touched by the pushed team. `reason` says what the pusher did; the function adds on which side
+// its team was.
 Decision call_push(const Pitch& pitch, const Situation& situation, const RobotId& pusher,
                    const RobotId& pushed, std::string reason);
 
-// Calls a push of the defending side without the advantage, which is the referee's business.
+// A push of the defending side is called at once; judge_play() applies the advantage to it.
 std::optional<Decision> judge_push(const Pitch& pitch, const Situation& situation,
                                    const Occupancy& occupancy, PushMemory& memory);
 

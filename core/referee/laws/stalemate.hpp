@@ -13,11 +13,10 @@ namespace mirocup::referee {
 
 struct StalemateMemory {
   std::optional<Vec2> anchor;  // where the ball was when the count started
-  double still_s = 0.0;        // since then
+  double still_s = 0.0;        // the count, s
 };
 
-// True if the ball has stayed there for as long as the rules allow. `duration` is that of a tick,
-// s.
+// True if the count has reached the limit of the rules. `duration` is that of a tick, s.
 bool is_stalemate(const Pitch& pitch, const StalemateMemory& memory, double duration);
 
 std::optional<Decision> judge_stalemate(const Pitch& pitch, const Situation& situation,
