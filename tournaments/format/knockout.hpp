@@ -23,12 +23,12 @@ struct KnockoutOptions {
 std::vector<Fixture> knockout(const std::vector<TeamSource>& seeds, const KnockoutOptions& options,
                               int first = 0);
 
-// Returns the seeds (from 0) in the order in which they stand in a bracket of `size` places, which
-// is a power of two.
+// Returns the seeds (from 0) in the order of their places in a bracket, from the top down. `size`,
+// the number of places, is a power of two.
 std::vector<int> bracket_order(int size);
 
-// Return the winner and the loser of a tie: no_team if both teams have left, unknown_team if the
-// tie is not over.
+// The winner and the loser of a tie: no_team if both teams have left, unknown_team if the tie is
+// not over.
 struct TieOutcome {
   int winner = unknown_team;
   int loser = unknown_team;

@@ -12,7 +12,7 @@
 namespace mirocup::league {
 
 // Returns the fixtures of the new entry of `team` against at most `sample` other teams, drawn
-// uniformly. `event` is the number of entries booked so far, with the new entry; `event` becomes
+// uniformly. `event` is the number of entries booked so far, including the new entry; it becomes
 // the round of the fixtures. The same arguments give the same sample.
 std::vector<Fixture> ladder_fixtures(int event, int team, const std::vector<int>& others,
                                      int sample, std::uint64_t league_seed);

@@ -13,7 +13,7 @@ namespace mirocup::league {
 
 // Values that stand for a team.
 inline constexpr int no_team = -1;       // a bye, or a place that stays empty
-inline constexpr int unknown_team = -2;  // known when another fixture is over
+inline constexpr int unknown_team = -2;  // the team is known when another fixture is over
 
 // The source of a team of a fixture.
 struct TeamSource {
@@ -38,7 +38,7 @@ struct Fixture {
   int number = 1;  // from 1 in each round
   int home = 0;    // blue in the first leg; may be no_team or unknown_team
   int away = 0;
-  int legs = 2;  // a tie of a knockout that is level after them has one more
+  int legs = 2;  // a tie of a knockout that is level after these legs has one leg more
   Part part = Part::table;
   int group = 0;             // from 1; Part::group only
   TeamSource home_source{};  // Part::knockout only
@@ -54,8 +54,7 @@ struct Fixture {
 
 inline constexpr int legs_per_fixture = 2;
 
-// Returns the most legs that a fixture can need: `legs`, and in a knockout one more to decide a
-// level tie.
+// The most legs that a fixture can need: in a knockout a further leg decides a level tie.
 inline constexpr int max_legs = legs_per_fixture + 1;
 
 // Returns a fixture for every pair, by the circle method. In each round every team plays at most
@@ -64,7 +63,7 @@ inline constexpr int max_legs = legs_per_fixture + 1;
 std::vector<Fixture> round_robin(int teams);
 
 // Returns fixtures such that every pair plays `legs` legs: fixtures of two legs, and for an odd
-// number a last fixture of one leg. A pair that meets again swaps home and away.
+// number of legs a last fixture of one leg. A pair that meets again swaps home and away.
 std::vector<Fixture> round_robin(int teams, int legs);
 
 // Returns the fixtures of a night (from 1) among some teams, all in one round with the night's

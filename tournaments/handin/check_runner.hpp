@@ -26,7 +26,7 @@ struct CheckLimits {
   // Processor time of a check, s. The check of a source gets the time of CompileTime in addition. A
   // check plans to take half of its limit (programs/mirocup/entry_check.hpp).
   double processor = 40.0;
-  // Wall time, s. If a check takes longer, the host gave it too little of a processor, which counts
+  // Wall time, s. If a check takes longer, the host gave it too little processor time, which counts
   // as the host's fault.
   double clock = 900.0;
 };
@@ -53,7 +53,7 @@ class CheckRunner {
     std::optional<NoAnswer> stopped = std::nullopt;  // why the runner stopped the check
   };
 
-  // A process of a check that runs.
+  // The number of checks and friendlies that run.
   int busy() const { return static_cast<int>(running_.size()) + friendlies_.running(); }
 
   void start_checks();
@@ -80,7 +80,7 @@ class CheckRunner {
   FriendlyRunner friendlies_;
   int next_tag_ = 0;
   std::chrono::steady_clock::time_point last_look_{};
-  // No check begins before, after a fault of the host.
+  // After a fault of the host no check begins before this time.
   std::chrono::steady_clock::time_point rests_until_{};
 };
 

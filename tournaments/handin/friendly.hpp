@@ -31,10 +31,10 @@ enum class FriendlyState {
 // One leg. The team that has asked for the leg plays in blue.
 struct Friendly {
   std::string team;
-  int number = 0;             // of the team's friendlies, from 1; 0: the entry's drills
+  int number = 0;             // number among the team's friendlies, from 1; 0: the entry's drills
   int entry = 0;              // the team's entry that plays
   std::string opponent = {};  // a team of the league, or "house:NAME"
-  int opponent_entry = 0;     // of the opponent's entry; 0: a house team
+  int opponent_entry = 0;     // number of the opponent's entry; 0: a house team
   bool is_burst = false;      // belongs to the burst of an accepted entry
   std::int64_t at = 0;        // s since 1970
 
@@ -73,7 +73,7 @@ class Friendlies {
   const Friendly* find(const std::string& team, int number) const;
   int last_number(const std::string& team) const;
 
-  // Returns the legs that a team or its opponents have asked for, the latest first.
+  // Returns all legs of a team except those of other teams' bursts, the latest first.
   std::vector<const Friendly*> of_team(const std::string& team) const;
 
   // Returns the numbers of the waiting legs of the team's earlier entries.

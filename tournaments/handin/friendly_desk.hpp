@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Accepts friendlies, gives them to the runner, and shows result and replay to the two teams that
-// play. Each team alone sees its thoughts and the log of its process. A leg of a burst is shown
+// play. Only a team itself sees its thoughts and the log of its process. A leg of a burst is shown
 // only to the team whose burst it is.
 //
 // Threads: all public functions may be called by any thread at any time.

@@ -23,14 +23,14 @@ class FriendlyRunner {
   // computer cannot start a process now.
   bool start_next(int tag, std::int64_t now);
 
-  // Books the end of the leg with a tag. Returns false if no leg has the tag.
+  // Books the end of the leg whose process has ended. Returns false if the process is not a leg.
   bool book(const system::Exit& exit, std::int64_t now);
 
   // Kills legs that take too long.
   void look_at_time();
 
   // Stops a leg that has taken some seconds, so that a check can begin. The leg is played again
-  // later. Returns false if every leg is younger.
+  // later. Returns false if no leg has taken so long.
   bool give_way();
 
   int running() const { return static_cast<int>(running_.size()); }

@@ -16,7 +16,7 @@ namespace mirocup::league {
 // mean of the house teams. It is fitted to all friendlies of the list against house teams, so each
 // new friendly changes it. `low` and `high` are the ends of its 95 % interval. `fouls` is the mean
 // number of fouls in a leg, and `slowest_tick_ms` the longest tick of all legs; either is null if
-// no record of it is left. `drills` is the result of `drills_of` for an entry
+// no record of the entry's legs is left. `drills` is the result of `drills_of` for an entry
 // (FriendlyDesk::drills_of()), or null.
 nlohmann::ordered_json progress_of(
     const nlohmann::ordered_json& friendlies,

@@ -63,9 +63,10 @@ struct WaitingHandIn {
   std::int64_t at = 0;  // s since 1970
 
   HandInState state = HandInState::queued;
-  std::string message = {};            // the answer to the team; "": none yet
-  int round = 0;                       // the round in which the hand-in is checked
-  std::array<int, 3> unanswered = {};  // checks since the server started, by NoAnswer
+  std::string message = {};  // the answer to the team; "": none yet
+  int round = 0;             // the round in which the hand-in is checked
+  // The number of checks without an answer since the server started, by NoAnswer.
+  std::array<int, 3> unanswered = {};
 
   int times(NoAnswer why) const { return unanswered[static_cast<std::size_t>(why)]; }
 };
@@ -78,8 +79,8 @@ struct RunningCheck {
   double asleep = 0.0;     // time in which no process of the check wanted a processor
 };
 
-// The limit of processor time for compiling a source of a team, s. After a source of the team was
-// not compiled within the short time, the team's sources get only the short time until one is
+// The limit of processor time for compiling a source of a team, s. If a source of the team was not
+// compiled within `after_slow_one`, the team's sources get only this time until one of them is
 // compiled.
 class CompileTime {
  public:
@@ -144,7 +145,7 @@ class HandInQueue {
  private:
   using Key = std::pair<std::string, int>;
 
-  // The hand-ins without an answer in the order in which they are taken.
+  // The hand-ins without an answer in the order of their checks.
   std::vector<const WaitingHandIn*> order() const;
   // Moves a hand-in to the round of a hand-in that comes now.
   void put_behind(WaitingHandIn& handed);

@@ -49,8 +49,8 @@ std::optional<std::vector<std::string_view>> match_path(std::string_view pattern
 // Returns the reply to a visitor who may not use a route; nothing if the visitor may.
 std::optional<web::Reply> refused_role(Who who, const Visitor& visitor);
 
-// Returns a 405 that names the methods of the path: "use PUT". If the method of the request is one
-// for changes, the reply names only methods for changes.
+// Returns a 405 that names the methods of the path: "use PUT". If the request's method changes
+// something, the reply names only methods that change something.
 web::Reply use_reply(const web::Request& request, const std::vector<std::string_view>& methods);
 
 }  // namespace mirocup::league

@@ -27,7 +27,7 @@ struct Session {
 class Sessions {
  public:
   static constexpr std::int64_t duration = 12 * 3600;  // s
-  // Sessions; a further session ends the oldest.
+  // The most sessions of a token; a further session ends the oldest.
   static constexpr std::size_t max_of_token = 20;
 
   // Begins a session and returns the value of its cookie.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The page of a league's staff at the desk: the teams and their hand-ins, a form for each act, the
-// list of decisions, the grades. Each act has the effect of the command of its name
+// list of decisions, the grades. Each act has the effect of the `league` command with the same name
 // (league/acts.hpp).
 //
 // Threads: any. The league is opened for each request.

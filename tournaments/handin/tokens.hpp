@@ -47,8 +47,8 @@ struct TokenList {
 
   bool has_valid(const std::string& team, const std::string& now) const;
 
-  // Returns the valid token with a text or a SHA-256; null if no valid token has it. The text may
-  // have small letters and blanks.
+  // Returns the valid token with a text or a SHA-256; null if there is none. The text may have
+  // small letters and blanks.
   const Token* find(std::string_view text, const std::string& now) const;
   const Token* find_sha256(const std::string& sha256, const std::string& now) const;
 

@@ -19,9 +19,9 @@ class WrongTokens {
   static constexpr std::int64_t forgotten_after = 600;  // s without a wrong token
   static constexpr std::size_t max_addresses = 10'000;
 
-  // Notes a wrong token at a time, s on any clock that only goes forward. Returns how many seconds
-  // must pass before the next token of the address is checked; 0: none. Further wrong tokens during
-  // the wait do not make it longer.
+  // Notes a wrong token. `now` is in s on any clock that only goes forward. Returns how many
+  // seconds must pass before the next token of the address is checked; 0: none. Further wrong
+  // tokens during the wait do not make it longer.
   std::int64_t note(const std::string& address, std::int64_t now);
 
   std::size_t size() const { return addresses_.size(); }

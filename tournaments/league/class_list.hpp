@@ -43,7 +43,7 @@ Result<void> remember_class_list(system::Files& files, const Folder& folder,
                                  const std::string& path, const std::string& bytes);
 
 // Refuses to write to `path` if it is the kept list (Errc::input). If a shell has emptied the list
-// for the output of this program, fills the list again.
+// because it redirects this program's output to it, fills the list again.
 Result<void> spare_class_list(system::Files& files, const Folder& folder, const std::string& path);
 
 }  // namespace mirocup::league

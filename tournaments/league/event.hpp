@@ -110,7 +110,7 @@ struct LegPlayed {
   std::optional<std::string> winner;  // by goals or a shoot-out; none after a draw
   LegEnd end = LegEnd::full_time;
   std::optional<LegFault> fault;
-  HomeAway penalties;  // given against the team
+  HomeAway penalties;  // given against each team
   std::string record;  // path of the match record inside the league folder
   std::string state_hash;
 
@@ -246,7 +246,7 @@ struct Released {
   static constexpr std::string_view kind = "release";
 
   ReleaseLevel level = ReleaseLevel::all;
-  std::string through;  // the last round, "r3"; "": every round if `all`, otherwise none
+  std::string through;  // the last round, "r3"; "": every round if `level` is `all`, otherwise none
   std::string why;
   std::string by;
   std::string at = {};
@@ -266,7 +266,7 @@ struct Undone {
   bool operator==(const Undone&) const = default;
 };
 
-// From this event on another program plays the league than before.
+// From this event on the named program plays the league, and no longer the program before.
 struct ProgramChosen {
   static constexpr std::string_view kind = "program";
 

@@ -139,8 +139,8 @@ Result<std::string> library_of(system::Files& files, const TeamConfig& team,
                                const std::string& base = "");
 
 // Stores the libraries that league.json names, for teams without an entry and for house teams whose
-// library has changed. So a person may add teams to league.json after `init`. Paths begin at the
-// league's folder. Returns the names of the teams whose library was stored.
+// library has changed. So a person may add teams to league.json after `init`. Relative paths begin
+// at the league's folder. Returns the names of the teams whose library was stored.
 Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Folder& folder,
                                                  const LeagueFile& file);
 

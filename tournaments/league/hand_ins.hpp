@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The memory of a league about each team that hands in: the user whose files count, and its last
-// tries. The memory is in entries/TEAM/hand-ins.json, beside the entries. Only the host can read
-// the file.
+// The memory of a league about each team that hands in: the user whose files count for the team,
+// and the team's last tries. The memory is in entries/TEAM/hand-ins.json, beside the entries. Only
+// the host can read the file.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -41,8 +41,9 @@ struct HandIns {
   std::optional<uid_t> owner;
   std::optional<uid_t> last_user;  // the last user of a shared inbox who tried
   int pinned = 0;                  // the entry that the team wants to play; 0: its latest
-  std::string last_file;           // identifies the last file that was refused unread; "": none
-  std::vector<Try> tries;          // the last tries, oldest first
+  // Identifies the last file that was refused without being read; "": none.
+  std::string last_file;
+  std::vector<Try> tries;  // the last tries, oldest first
 };
 
 // Reads the memory about a team, which is empty for a new team. A damaged file is Errc::damaged.

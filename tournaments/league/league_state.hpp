@@ -23,8 +23,8 @@
 
 namespace mirocup::league {
 
-// The most attempts at a leg that may fail by the host. After them the leg waits for the next start
-// of the program, so that a person can repair the host first.
+// The most attempts at a leg that may fail because of the host. After them the leg waits for the
+// next start of the program, so that a person can repair the host first.
 inline constexpr int max_attempts = 3;
 
 // The result of a decided leg.
@@ -41,11 +41,12 @@ struct PlayedLeg {
 struct LegState {
   std::shared_ptr<const PlayedLeg> played;  // null: not decided
   int voids = 0;                            // number of attempts that count for nothing
-  int host_faults = 0;                      // attempts voided by the host since the last ruling
-  // Number of the next record, from 1; not raised when the host voids.
+  int host_faults = 0;                      // attempts that the host spoiled since the last ruling
+  // Number of the next record, from 1. An attempt that the host spoiled leaves no record to keep,
+  // so its number is used again.
   int version = 1;
   int new_seeds = 0;                 // how often a person voided the leg with a new seed
-  bool awaits_confirmation = false;  // a clock decided the first attempt; the next attempt counts
+  bool awaits_confirmation = false;  // a team exceeded a time limit; the next attempt counts
   // Why a person voided the leg; null: no person did.
   std::shared_ptr<const std::string> void_ruling;
 };
@@ -57,7 +58,7 @@ struct FixtureState {
   // The outcome of a tie of a knockout that was decided because a team had left. The outcome stays
   // if the other team also leaves. Empty in leagues of the former rules.
   std::optional<TieOutcome> walkover;
-  int counted_needed = 0;  // what this fixture adds to the league's counts
+  int counted_needed = 0;  // needed() and decided() as added to the league's counts
   int counted_decided = 0;
 
   // The number of legs that the fixture needs by present results (a level tie needs one more), and

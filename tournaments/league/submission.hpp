@@ -20,8 +20,8 @@ struct HandIn {
   std::string path;
   std::int64_t at = 0;  // s since 1970
 
-  // True for a file of an inbox, because an inbox is read repeatedly: a file that equals the team's
-  // last entry is not new.
+  // True for a file of an inbox. An inbox is read repeatedly, so a file of it that equals the
+  // team's last entry is not handed in again.
   bool is_from_inbox = false;
 
   // The entry's number if the file was stored earlier and waited for its check. 0: the file gets
@@ -30,9 +30,9 @@ struct HandIn {
   // The path of a source that waited for its check; the library is made from it first. "": `path`
   // is the library.
   std::string source = {};
-  std::string language = {};  // of the source: "c", "c++", or "project" (an archive)
+  std::string language = {};  // language of the source: "c", "c++", or "project" (an archive)
   int compile_seconds = 60;   // limit of processor time for compiling the source
-  std::string name = {};      // of the file in the verdict; "": the path
+  std::string name = {};      // name of the file in the verdict; "": `path`
   bool is_house = false;      // the host hands in the house team `name`, "house:NAME"
 
   // In an inbox that several users can write to, the users whose files count like files of the
@@ -64,20 +64,20 @@ Result<void> enter_teams(system::Files& files, LeagueStore& store,
 // Takes a team out of league.json. Precondition: the league has not started, and has the team.
 Result<void> leave_before_start(system::Files& files, LeagueStore& store, const std::string& team);
 
-// Pins an entry, which plays until another entry is pinned; 0: the latest accepted entry plays
-// again. In a ladder that has started, the entry is booked at once. Returns a sentence that says
-// why the entry cannot be pinned; "" if it was pinned.
+// Pins an entry, which plays until another entry is pinned. If `number` is 0, the latest accepted
+// entry plays again. In a ladder that has started, the entry is booked at once. Returns a sentence
+// that says why the entry cannot be pinned; "" if it was pinned.
 Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,
                               int number, std::int64_t now);
 
 // Hands in a library for a team. Before the start of the league, a team that is not in league.json
-// joins with its first accepted entry; its name must differ from others in more than capitals. A
-// mistake in the file and a used-up quota give a Submission that says so; errors are faults of the
-// host or of the call.
+// joins with its first accepted entry; its name must differ from those of other teams in more than
+// capital letters. A mistake in the file and a used-up quota give a Submission that says so; errors
+// are faults of the host or of the call.
 //
-// The result is fixed when entry.json is on disk. A process that dies earlier has had no effect.
-// After a process that dies later, the next call with the same number does not check again, and
-// finishes the missing steps.
+// The result is fixed when entry.json is on disk. A process that dies before has had no effect. If
+// a process dies after that, the next call with the same number does not check again, and finishes
+// the missing steps.
 Result<Submission> submit(system::Files& files, const Folder& folder, const HandIn& handed,
                           const Quota& quota = {});
 

@@ -41,7 +41,7 @@ struct ComparisonRun {
   std::string conditions;  // a preset; "": the default of a match
   std::uint64_t seed = 1;
   int jobs = 0;             // 0: one for each processor
-  int max_fixtures = 4000;  // after so many fixtures of a pair the answer is "undecided"
+  int max_fixtures = 4000;  // after so many fixtures a pair's answer is "undecided"
   bool plays_all = false;   // true: plays max_fixtures for each pair, decided or not
   std::string folder;       // the folder for records; must exist
   bool keeps_legs = false;  // false: removes a record as soon as it is read

@@ -16,8 +16,8 @@ namespace mirocup::league {
 struct LegId {
   Fixture fixture;
   int leg = 1;      // from 1
-  int version = 1;  // number in the name of the leg's record
-  int attempt = 1;  // number in the journal
+  int version = 1;  // number of the record in its file's name
+  int attempt = 1;  // number of the attempt in the journal
 };
 
 // Returns the legs (from 1) of a fixture that can be played now, in order. A leg can be played if

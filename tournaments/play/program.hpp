@@ -14,14 +14,14 @@
 namespace mirocup::league {
 
 // Refuses to play a league that another program has begun to play. With `accepts_other`, instead
-// writes a line that this program continues the league. Another program is a program with another
-// version or another behaviour hash (`game`). The hash to compare with is in the journal or, in old
-// journals, in the last record. Errors: Errc::input.
+// writes to the journal that this program continues the league. Another program is a program with
+// another version or another behaviour hash (`game`). The hash to compare with is in the journal
+// or, in old journals, in the last record. Errors: Errc::input.
 Result<void> expect_program(system::Files& files, LeagueStore& store,
                             const record::Software& program, bool accepts_other);
 
-// If the league has no trusted copies of this match server and of the plugin host that it needs for
-// a rerun, makes these copies in the league's folder. Puts the match server on this host's list
+// Copies this match server, and the plugin host that a rerun needs, to the league's folder, unless
+// it has a copy of this server that this host trusts. Puts the match server on this host's list
 // (league/kept_program.hpp). If the list cannot be written, prints a warning to standard error.
 Result<void> keep_program(system::Files& files, const Folder& folder,
                           const record::Software& program);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Turns match records into events of the journal, alike for every engine that plays a league. A leg
-// gets its result. But if the host failed, or a team lost by a clock for the first time, the
-// attempt is void. A team that loses a number of legs in a row by its own faults is paused.
+// gets its result. But the attempt is void if the host failed, or if a team lost the leg by
+// exceeding a time limit for the first time. A team that loses a number of legs in a row by its own
+// faults is paused.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"
@@ -60,7 +61,7 @@ class ResultRecorder {
   system::Files& files_;
   LeagueStore store_;
   ProgressReporter& progress_;
-  std::map<std::string, int> host_failures_;  // by record, while this program runs
+  std::map<std::string, int> host_failures_;  // by the record's path, while this program runs
 };
 
 // Returns the error for a person who has interrupted the league.

@@ -5,8 +5,8 @@
 // same processor.
 //
 // A finished leg is booked in the journal at once. If the host spoiled a leg, the leg is void and
-// is played again with the same seed. A leg that a clock decided is also void once. A team cannot
-// stop a league.
+// is played again with the same seed. So is a leg that a team lost by exceeding a time limit for
+// the first time. A team cannot stop a league.
 #pragma once
 
 #include "system/process_set.hpp"
@@ -36,8 +36,8 @@ class Runner {
 
   // Starts the league if it has not started, and plays until no leg can be played. Returns the
   // number of legs that are not decided. After the first interrupt (SIGINT or SIGTERM) the present
-  // legs are still played to their end. The second interrupt stops them. After either the error is
-  // Errc::interrupted.
+  // legs are still played to their end. The second interrupt stops them. After either interrupt the
+  // error is Errc::interrupted.
   Result<int> run(const RunOptions& options);
 
   const LeagueState& state() const { return recorder_.state(); }

@@ -20,7 +20,7 @@ std::vector<std::string> open_shards(const LeagueState& state);
 
 // Plays, one after the other, the legs of these fixtures that are not decided and have no record.
 // Returns the number of legs that could not be played. After the first interrupt the present leg is
-// still played to its end. The second interrupt stops the leg. After either the error is
+// still played to its end. The second interrupt stops the leg. After either interrupt the error is
 // Errc::interrupted.
 Result<int> play_shards(system::Files& files, const LeagueStore& store,
                         const std::vector<std::string>& fixtures);

@@ -62,7 +62,7 @@ class SlurmRunner {
   int interrupts_ = 0;
   bool is_silent_ = false;               // true: squeue did not answer last time
   std::vector<SlurmTask> tasks_;         // from the last answer of squeue
-  std::map<std::string, int> restarts_;  // of each task: the restarts whose lost legs are booked
+  std::map<std::string, int> restarts_;  // by task: the number of its restarts that are booked
   std::map<int, PlanLines> plans_;       // the plans that were read so far
 };
 

@@ -16,7 +16,7 @@ struct Best {
   std::string value;
   std::string who;
   std::string where;
-  std::string page;  // link from the top of the site to the replay at that moment; "": none
+  std::string page;  // link from the top of the site to the moment in the replay; "": none
 };
 
 // Returns the bests of the league so far: fastest goal, biggest win, most goals in a leg, biggest

@@ -21,8 +21,8 @@ std::string decisions_json(const LeagueState& state);
 // Returns the content of table.json.
 Json table_json(const Overview& overview);
 
-// Returns the scores of all legs between two teams at [first][second], such as "2:1". Goals of the
-// first team come first.
+// Returns at [first][second] the scores of all legs between two teams, such as "2:1" with the goals
+// of `first` before those of `second`.
 using Meetings = std::vector<std::vector<std::vector<std::string>>>;
 Meetings meetings(const Overview& overview);
 

@@ -28,7 +28,7 @@ Json champion_values(const Overview& overview);
 
 std::string front_html(const SiteContent& content);
 
-// Returns the page of the round with an index.
+// Returns the page of a round. `round` is an index of SiteContent::rounds.
 std::string round_html(const SiteContent& content, std::size_t round);
 
 // crosstable_html() returns the page of the crosstable. Precondition: has_crosstable(), which is

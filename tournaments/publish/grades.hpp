@@ -17,27 +17,29 @@ enum class GradesLayout {
   teams,       // a row for each team
   members,     // a row for each member
   moodle,      // a row for each student, as Moodle's import of grades reads it
-  gradescope,  // a row for each student, as Gradescope has scores
+  gradescope,  // a row for each student, in the form of Gradescope's scores
 };
 
 // Returns grades.csv. It has a row for each team of the table, withdrawn teams last, then a row for
 // each other team in `people`:
 //   rank, team, points, played           as in table.csv; no rank for a team that is not in it
-//   strength, strength_low, strength_high  with the ends of the interval
-//   house_beaten                         the house teams against which it has won more legs than
-//                                        it has lost, of those that count
-//   display, members                     the names in teams.json; members are separated by "; ",
-//                                        or `member` is one of them
+//   strength, strength_low, strength_high  the strength, and the ends of its interval
+//   house_beaten                         the house teams against which the team has won more legs
+//                                        than it has lost, of the legs that count
+//   display, members                     the names in teams.json; members are separated by "; ".
+//                                        A row for a member has the column `member` instead
 //   points_per_leg, state, entry         state: plays, no entry, paused, withdrawn, or not in the
 //                                        league
 // then the further columns of the class list, and the team's score in each drill and in all drills
-// together. If a cell has as many parts between semicolons as the team has members, each member
-// gets one part. `drills_csv` is the output of `mirocup drill … --csv`, read from `path`; "": there
-// are no drills. Its teams are matched by their names, and a missing mark is an empty cell. For
-// Moodle and Gradescope, the score is the points in per cent of the points of a team that wins each
-// leg. Students are named by their mail and number, further columns of the class list; teams
-// without both have no row. Errc::input if `drills_csv` is not such an output or names no team of
-// the league, or if no student has a mail and a number.
+// together. In a row for each member, a cell with as many parts between semicolons as the team has
+// members gives each member one part. `drills_csv` is the output of `mirocup drill … --csv`, read
+// from `path`; "": there are no drills. Its teams are matched by their names, and a missing mark is
+// an empty cell. For Moodle and Gradescope, the score of a team is its points in per cent of the
+// points that it would have if it had won all its legs. Students are named by their mail and
+// number, further columns of the class list. A team for which the list has no members, mails and
+// numbers has no row. Errc::input if `drills_csv` is not such an output or names no team of the
+// league, if the list has neither of these two columns, or if it gives a member neither mail nor
+// number.
 Result<SiteFile> grades(const Overview& overview, const PeopleOfTeams& people,
                         std::string_view drills_csv, const std::string& path,
                         GradesLayout layout = GradesLayout::teams);

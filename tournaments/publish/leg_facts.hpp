@@ -23,8 +23,8 @@ struct GoalFact {
 struct LegFacts {
   double length = 0.0;  // s
   std::vector<GoalFact> goals;
-  HomeAway fouls;                     // decisions against the team
-  std::optional<HomeAway> shoot_out;  // attempts scored
+  HomeAway fouls;                     // decisions against each team
+  std::optional<HomeAway> shoot_out;  // number of scored attempts
 };
 
 // The facts by the path of the record inside the league folder.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A replay page for every leg that was played. `mirocup replay` makes the pages, several at once,
-// and without measured times, so that a page depends on its record only. Beside each page `mirocup
-// replay` writes the statistics of the leg (league_statistics.hpp), so a leg is simulated again
-// only once. An existing page stays, since records do not change; only its links to the league are
-// renewed (replay_nav.hpp).
+// A replay page for every leg that was played. `mirocup replay` makes the pages, several at once.
+// It leaves out measured times, so that a page depends on its record only. Beside each page
+// `mirocup replay` writes the statistics of the leg (league_statistics.hpp), so a leg is simulated
+// again only once. An existing page stays, since records do not change; only its links to the
+// league are renewed (replay_nav.hpp).
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -31,8 +31,8 @@ using ModuleOfGame = std::function<std::optional<SiteModule>(const std::string& 
 // Returns the path inside site/ of the page of a record ("records/x.json").
 std::string replay_page_of(const std::string& record);
 
-// Returns the path of the script file with the leg's commands. The file is beside a page with a
-// proof.
+// Returns the path of the script file with the leg's commands, which exists only beside a page with
+// a proof.
 std::string commands_file_of(const std::string& record);
 
 // Returns the fixture of a record, also of a void attempt: "r1-f2" for "records/r1-f2-1-1.json".
@@ -49,8 +49,8 @@ struct FailedPages {
 };
 
 // Makes the missing pages, `jobs` at once (0: one for each processor), and removes pages of pruned
-// nights and of legs that are not in this state. The statistics of pruned nights stay. A page gets
-// a proof if `module_of` has a module of the program that makes the page.
+// nights and of legs that the overview's state lacks. The statistics of pruned nights stay. A page
+// gets a proof if `module_of` has a module of the program that makes the page.
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
                                       const Overview& overview, int jobs,
                                       const ModuleOfGame& module_of = nullptr);

@@ -29,8 +29,8 @@ namespace mirocup::league {
 enum class ComparisonVerdict { undecided, first, second, equal };
 
 struct ComparisonOptions {
-  double error = 0.05;      // probability of a wrong claim, in (0, 1)
-  double equal_elo = 20.0;  // teams count as equal if less apart; above 0
+  double error = 0.05;      // the largest probability of a wrong claim, in (0, 1)
+  double equal_elo = 20.0;  // teams that are less apart count as equal; above 0
 };
 
 // An interval of shares or of differences in Elo, and the estimate inside the interval.
@@ -57,9 +57,9 @@ class ScoreSequence {
   // is at most `error`.
   ComparisonVerdict verdict(const ComparisonOptions& options = {}) const;
 
-  // Returns the difference of the teams in Elo. The estimate includes half a point for half a
-  // fixture, so the estimate is finite. If nothing is refuted on a side, `low` is minus infinity or
-  // `high` is infinity.
+  // Returns the difference of the teams in Elo. The estimate counts half a drawn fixture in
+  // addition, so it is finite. While no share below the estimate is refuted, `low` is minus
+  // infinity; while no share above it is refuted, `high` is infinity.
   ComparisonInterval difference(const ComparisonOptions& options = {}) const;
 
  private:

@@ -25,7 +25,7 @@ struct LegResult {
   bool both_lose = false;  // a double forfeit
   int home_penalties = 0;  // penalties given against the home team
   int away_penalties = 0;
-  bool counts_for_home = true;  // false: played by an entry that has been replaced
+  bool counts_for_home = true;  // false: the home team has replaced the entry that played
   bool counts_for_away = true;
 
   // Returns how many goals a team is ahead; negative if the team is behind.
@@ -85,15 +85,15 @@ struct TableRules {
 
   // True: a tie-break does not depend on how many legs a team has played. Sums over legs are
   // compared as means. Head-to-head counts only if all pairs of the level teams have met equally
-  // often. A bye or a team that has left counts as an opponent with as many points as the team
-  // itself. Teams that have left come last. False: the former rules, which compare sums.
+  // often. An opponent that has left, or a bye, counts as an opponent with as many points as the
+  // team of the row. Teams that have left come last. False: the former rules, which compare sums.
   bool evens_out = true;
   // True: for goal difference and goals, a bye counts as an average won leg. Requires `evens_out`.
   bool counts_bye_goals = true;
   std::vector<bool> has_left = {};  // true for each team that has left; empty: no team has left
 };
 
-// Returns the rows of these teams, best first. Only results between two of these teams and byes
+// Returns the rows of these teams, best first. Only byes and results between two of these teams
 // count. `stage_reached` is indexed by team and grows with the progress in a knockout; it is empty
 // if there is no knockout.
 std::vector<TableRow> make_table(const std::vector<int>& teams,

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // Finds better values for a team's parameters. CMA-ES searches with candidates that play fixtures.
-// At the end a test plays on seeds that the search has not used.
+// At the end a test plays fixtures with seeds that the search has not used.
 //
-// Noise. All candidates of a generation play the same seeds, so their differences have less noise
-// than their results. If the differences between candidates are hardly larger than chance, the next
-// generation plays more fixtures. If the differences are much larger than chance, it plays fewer.
-// The result of a search is the mean of the distribution, not the luckiest candidate.
+// Noise. All candidates of a generation play the same seeds, so the differences between their
+// results have less noise than the results. If the differences between candidates are hardly larger
+// than chance, the next generation plays more fixtures. If the differences are much larger than
+// chance, it plays fewer. The result of a search is the mean of the distribution, not the luckiest
+// candidate.
 //
 // The claim. The team with the found numbers and the team without parameters play the same fresh
 // fixtures. The gain is the mean of the differences between the two; its 95 % interval is from
-// Student's distribution. A gain is claimed if the interval of the points lies above 0.
+// Student's distribution. A gain is claimed if the whole interval of the gain in points is above 0.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -35,19 +36,20 @@ struct TuningOptions {
   std::vector<TunedParameter> parameters;
   std::uint64_t seed = 1;
   int generations = 12;
-  int fixtures = 4;        // of a candidate in the first generation, against each opponent
-  int most_fixtures = 32;  // the most fixtures, for much noise
+  int fixtures = 4;        // of each candidate in the first generation, against each opponent
+  int most_fixtures = 32;  // the most fixtures in a generation, if there is much noise
   int test_fixtures = 60;  // fixtures of the final test, against each opponent
 };
 
-// The result of a fixture, as a mean over the opponents.
+// The result of a fixture: the mean of the results of this fixture against each opponent.
 struct Mark {
   double goals = 0.0;   // goal difference of a leg
   double points = 0.0;  // share of the points: 1 for a win, 1/2 for a draw
 };
 
-// Plays fixtures with values of the parameters, in the order of the parameters. If `values` is
-// empty, the team plays without parameters. The marks depend on values, seed and number only.
+// Plays `fixtures` fixtures against each opponent and returns a mark for each of them. `values` are
+// in the order of the parameters; if empty, the team plays without parameters. The marks depend
+// only on the arguments.
 using PlayFixtures = std::function<Result<std::vector<Mark>>(
     const std::optional<std::vector<double>>& values, std::uint64_t seed, int fixtures)>;
 
@@ -61,9 +63,9 @@ struct Gain {
 // The result of a generation.
 struct Generation {
   std::vector<double> mean;       // values of the parameters
-  std::vector<double> deviation;  // of the candidates
-  double goals = 0.0;             // mean goals of all candidates
-  double error = 0.0;             // standard error of one candidate
+  std::vector<double> deviation;  // standard deviation of the candidates
+  double goals = 0.0;             // mean goal difference of all candidates
+  double error = 0.0;             // standard error of `goals` for one candidate
   int fixtures = 0;               // the number of fixtures of each candidate
   int played = 0;                 // fixtures of the search so far
 };
@@ -72,7 +74,7 @@ struct TuningResult {
   std::vector<double> values;
   Gain points;
   Gain goals;
-  Mark before;  // of the test
+  Mark before;  // without parameters, in the test
   Mark after;
   int test_fixtures = 0;
   std::vector<Generation> course;
@@ -88,8 +90,8 @@ using TellGeneration = std::function<Result<void>(const std::vector<Generation>&
 Result<TuningResult> tune(const TuningOptions& options, const PlayFixtures& play,
                           const TellGeneration& tell);
 
-// Returns the mean of numbers and its 95 % interval by Student's distribution. Equal numbers say
-// nothing about chance: then the interval is from the number to 0.
+// Returns the mean of numbers and its 95 % interval by Student's distribution. Equal numbers do not
+// show how large chance is; for them the interval reaches from the number to 0.
 Gain mean_with_interval(const std::vector<double>& numbers);
 
 }  // namespace mirocup::league
