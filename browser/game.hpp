@@ -47,7 +47,7 @@ class Game {
   // number of played ticks.
   int play(int ticks);
 
-  // From now on keeps impacts, pressing pairs and thoughts, which takes a quarter of the speed.
+  // From now on keeps impacts, pressing pairs and thoughts, which makes play() a quarter slower.
   void watch();
 
   // Ends the leg, so that record() can return its record.
@@ -70,10 +70,10 @@ class Game {
 
   // {tick, clock, state, phase, left, score, decisions, counts, impacts, pressing, result, drill}:
   // the data that a page shows besides the bodies. `decisions` has the decisions from number
-  // `first` on. `impacts` has the impacts of the ticks last played, [x, y, x and y of the normal, N
-  // s]. `pressing` has the pairs of bodies that push each other, as indices: blue's robots from 0
-  // on, then yellow's, then the ball; -1 is a wall. `impacts` and `pressing` are empty unless the
-  // leg is watched.
+  // `first` on. `impacts` has the impacts of the last call of play(): [x, y, x and y of the normal,
+  // impulse in N s]. `pressing` has the pairs of bodies that push each other, as indices: blue's
+  // robots from 0 on, then yellow's, then the ball; -1 is a wall. `impacts` and `pressing` are
+  // empty unless the leg is watched.
   Json status(std::size_t first) const;
 
   // Returns the record of a leg that is over. It names the replay file leg.replay.zst.

@@ -25,21 +25,21 @@ struct Piece {
   const Footage* footage = nullptr;
   Window window;
   std::vector<simulator::BodyState> start;
-  std::array<bool, unknown_count> tells{};  // true: the motion in the window depends on the number
+  std::array<bool, unknown_count> tells{};  // true: the window depends on this number of the pitch
   int states = 0;                           // number of unknowns of the starts
   // Number of residuals: 2 or 3 for each sight, then sideways speeds.
   int rows = 0;
   double square = 0.0;  // weighted sum of the squared residuals
   bool counts = true;   // false: no start fits the pictures of the window
   std::vector<simulator::BodyState> trial;
-  Eigen::MatrixXd gain;  // of the starts on the pitch: A^-1 B
+  Eigen::MatrixXd gain;  // A^-1 B: minus the change of the starts with the pitch
   Eigen::VectorXd own;   // A^-1 a
 
   bool is_ball(std::size_t i) const { return window.bodies[i] == footage->ball(); }
   bool may_slide(std::size_t i) const { return window.may_slide && !is_ball(i); }
 };
 
-// The camera's noise, of a coordinate (m) and of a heading (rad).
+// Standard deviations of the camera's noise: of a coordinate (m) and of a heading (rad).
 struct Noise {
   double position = 0.005;
   double heading = 0.05;
@@ -79,8 +79,8 @@ class Fit {
   // Steps until the cost no longer falls. `hard`: outliers are dropped instead of getting less
   // weight.
   void run(bool hard);
-  // Looks for better starts of windows that their present starts explain badly: a hit with the
-  // other edge first is a separate minimum.
+  // Looks for better starts of windows that their present starts explain badly. For example, a hit
+  // with the other edge first is a separate minimum of the cost.
   void retry();
   // Returns, at some values of an unknown, the least cost of the windows that depend on it, with
   // the other numbers of the pitch fixed. A sweep upwards and a sweep downwards find the best
@@ -97,7 +97,7 @@ class Fit {
   void linearise();
   // Returns the inverse of the covariance of the free unknowns, in their order.
   const Eigen::MatrixXd& information() const { return information_; }
-  // Return the information of one window, and the gradient of the window's cost.
+  // The information of one window about the free unknowns, and the gradient of the window's cost.
   struct Told {
     Eigen::MatrixXd information;
     Eigen::VectorXd gradient;

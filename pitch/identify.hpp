@@ -31,7 +31,7 @@ struct Estimate {
 };
 
 struct Identified {
-  Guess guess;  // unknown numbers are those of the pitch from which the search began
+  Guess guess;  // numbers that are not known are those of `start`
   // Empty: the recording does not determine the number.
   std::array<std::optional<Estimate>, unknown_count> known;
   // A sentence for each empty entry of known.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A recording: the robots and the ball, seen by a camera, and the commands of the robots. Schema
-// mirocup/recording/1, JSON lines, which docs/pitches.md describes with a camera program that
-// writes it.
+// A recording: the robots and the ball, seen by a camera, and the commands of the robots. The
+// schema is mirocup/recording/1, JSON lines. docs/pitches.md describes it, and a camera program
+// that writes it.
 //
 // Units are metres, radians counter-clockwise, seconds and rad/s, in the field's frame. `t` is the
 // time at which a picture was taken, or a command was sent.

@@ -21,12 +21,12 @@ struct Guess {
 // One number of a pitch.
 struct Unknown {
   std::string_view name;  // "wheel_radius", "restitution/ball_wall", "command_delay"
-  // Searched as a logarithm: the number is positive, and its interval is a factor.
+  // True: the number is positive, and the fit searches its logarithm.
   bool is_ratio;
   double least, most;      // range of the number
   double widest;           // a number whose 95 % interval has a larger half-width is not known;
                            // of the logarithm if is_ratio, otherwise of the number
-  std::string_view needs;  // the motion that a recording must have to identify it
+  std::string_view needs;  // the motion that a recording must show to identify the number
 };
 
 inline constexpr int unknown_count = 13;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Windows: short pieces of a recording in which a few bodies move by themselves. The state of each
-// body at the start of its window is unknown, and the simulator moves the body from this state. So
-// errors of the model show within a window and do not add up over the recording.
+// Windows: short pieces of a recording, each with a few bodies that meet no other body. The state
+// of each body at the start of its window is unknown, and the simulator moves the body from this
+// state. So errors of the model show within a window and do not add up over the recording.
 #pragma once
 
 #include "core/simulator/world.hpp"
@@ -94,7 +94,7 @@ class Rerun {
 
   // Sets the bodies to `start`, and calls see(frame, place in window.bodies, state) for each body
   // in each later frame of the window. If `statistics` is given, records the impacts with times
-  // since the first frame. A robot whose commands are not known keeps its first speeds.
+  // since the first frame. A robot whose commands are not known keeps its first wheel speeds.
   template <class See>
   void play(const Window& window, const std::vector<simulator::BodyState>& start, See see,
             simulator::RunStatistics* statistics = nullptr) {

@@ -24,7 +24,7 @@ struct NetworkTerms {
   std::string credentials;                         // folder; "": anybody may join
   double join_within = 60.0;                       // time that a team has to join, s
   std::optional<double> away_limit;                // allowed absence, s; empty: the default
-  firasim::Addresses firasim{"", "", "", "", ""};  // "": addresses of the instance
+  firasim::Addresses firasim{"", "", "", "", ""};  // "": the address of the instance
   std::string firasim_instance = "0";              // a number, or "auto"
   // Shell commands that start FIRASim teams; "": a person starts the team.
   match::ByTeam<std::string> programs;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The seats of the two teams of a leg. A team is a library or a file of Python, in a separate
-// process or in this one, or a program on the network.
+// process or in this process, or a program on the network.
 #pragma once
 
 #include "plugins/host/process_controller.hpp"
@@ -22,8 +22,8 @@ namespace mirocup::server {
 struct TeamChoice {
   record::TeamInfo info;
   std::string library;       // path of the library or Python file; "" for a team on the network
-  std::string network_name;  // the name of a team on the network; "" for others
-  std::optional<plugins::SealedEntry> entry;  // the library's bytes when it was chosen
+  std::string network_name;  // the name of a team on the network; "" for other teams
+  std::optional<plugins::SealedEntry> entry;  // the bytes of the file at the time of choose_team()
   std::optional<match::Fault> fault;          // the fault of a file that cannot be loaded
 };
 
@@ -110,8 +110,8 @@ class TeamSeat {
   std::optional<match::Fault> load_fault_;
 };
 
-// Keeps this process and its children on the current core. A match and its teams take turns: a
-// handover takes 1 us on one core, and 50 us between cores.
+// Keeps this process and its children on the current core. A match and its teams take turns: the
+// change from one process to the next takes 1 us on the same core, and 50 us between cores.
 void stay_on_this_core();
 
 // Waits until both teams can play, blue first. If a team can never play, the match becomes void or

@@ -57,9 +57,9 @@ struct Session {
   std::optional<record::PlayedOnFrom> from;  // the record that this leg continues
 };
 
-// Plays the recorded ticks before `until`. After them the leg has its whole memory: counts of the
-// laws, disturbances, the camera's view, commands on their way. `path` names the record in errors.
-// Errc::damaged if the record is not reproduced.
+// Plays the recorded ticks before `until`. So the leg remembers everything on which later ticks
+// depend: counts of the laws, disturbances, the camera's view, commands on their way. `path` names
+// the record in errors. Errc::damaged if the record is not reproduced.
 Result<void> play_past(Session& session, const record::MatchRecord& past, std::uint32_t until,
                        const std::string& path);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The program of a team that speaks FIRASim's protocol, if the match starts the program: a shell
-// command of the host, which gets its colour and its addresses in environment variables. The
+// command of the host, which gets the team's colour and addresses in environment variables. The
 // program has all rights of this process.
 #pragma once
 
@@ -17,8 +17,8 @@ namespace mirocup::server {
 
 class TeamProgram {
  public:
-  // `instance` is the number on this host with which `addresses` were made. The program's output
-  // goes to the file `log`. Errc::unavailable if no process can be started.
+  // `instance` is the argument of firasim::addresses_of() that gave `addresses`. The program's
+  // output goes to the file `log`. Errc::unavailable if no process can be started.
   static Result<TeamProgram> start(const std::string& command, Team team, int instance,
                                    const firasim::Addresses& addresses, const std::string& log);
   TeamProgram(TeamProgram&& other) noexcept;

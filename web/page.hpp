@@ -49,12 +49,12 @@ enum class Wheels { shown, left_out };
 struct ReplayPage {
   std::string html;
   statistics::LegStatistics statistics;  // the statistics on the page
-  std::size_t proof_size = 0;            // bytes of the page for the proof of the leg
+  std::size_t proof_size = 0;            // number of bytes in the page for the proof of the leg
 };
 
 // Returns the page of the leg, with its data. Between the comments <!--league--> and <!--/league-->
-// a league may put links to its other pages. For a public page, leave out `own`. Without `proof`,
-// or without a module in `proof`, nobody can prove the page.
+// a league may put links to its other pages. `own` has thoughts and logs of the teams; leave it out
+// for a public page. Visitors can prove the leg only if `proof` has or names a module.
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
                                                          Times times = Times::shown,
                                                          const record::OwnTexts& own = {},

@@ -11,7 +11,7 @@ namespace mirocup::web {
 
 using record::Json;
 
-// Returns the values that change seldom, valid from a tick on: {state, phase, left, score}.
+// Returns the values of a scene that seldom change from tick to tick: {state, phase, left, score}.
 Json moment_json(const match::Snapshot& scene);
 
 // Returns the robots that count as keepers, blue's and yellow's; -1 if the team has no keeper.

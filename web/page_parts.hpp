@@ -34,8 +34,8 @@ std::string page_style();
 enum class ModulePlace { nowhere, in_the_page, beside_it };
 
 // Returns the content security policy of a page with a script: the page loads nothing from
-// elsewhere, and runs only the script and, in a worker, the module if the page has a module. Files
-// beside a page are scripts of its own host.
+// elsewhere, and runs only the script and, in a worker, the module if the page has a module. With
+// ModulePlace::beside_it, the page also runs script files of its own host.
 std::string page_policy(const std::string& script, ModulePlace module);
 
 // Returns JSON as text for a <script> element; no part of the text can close the element.

@@ -20,7 +20,7 @@ class SvgPath {
   SvgPath& move_to(const Vec2& point) { return add('M', point); }
   SvgPath& line_to(const Vec2& point) { return add('L', point); }
 
-  // Follows the shorter arc with a radius (m). `counter_clockwise`: as seen from above.
+  // Follows the shorter arc of a radius (m) to the point. `counter_clockwise`: as seen from above.
   SvgPath& arc_to(double radius, const Vec2& point, bool counter_clockwise);
 
   SvgPath& circle(const Vec2& centre, double radius);

@@ -112,7 +112,7 @@ class ServedLeague {
   std::size_t lines_of_pages_ = 0;      // lines_ when the pages were made
   std::chrono::steady_clock::time_point pages_rest_until_{};
   std::unique_ptr<Site> site_;  // the site of the released part; null before the first page
-  std::string said_;            // teams.json and notice.txt
+  std::string said_;            // the texts of teams.json and notice.txt
   FactsOfLegs facts_;
   KnownReports known_reports_;
   std::map<int, std::string> statistics_;  // HTML of teams whose statistics were requested

@@ -14,10 +14,10 @@ namespace mirocup::app {
 
 class CheckPlan {
  public:
-  static constexpr double all = 20.0;        // of a check
+  static constexpr double all = 20.0;        // use of a check
   static constexpr double causes = 15.0;     // additional use to find the cause of a refusal
   static constexpr double longest = 4.0;     // longest playing of one leg
-  static constexpr double shortest = 0.5;    // shortest playing of a leg that an answer needs
+  static constexpr double shortest = 0.5;    // shortest playing of a leg that must be played
   static constexpr double most_start = 4.0;  // longest processor time for loading an entry
 
   // Adds the use of a leg, and the part of this use for loading the entry.
@@ -34,8 +34,8 @@ class CheckPlan {
     return std::clamp((most_ - used_) / legs - start_, shortest, longest);
   }
 
-  // True if the plan has room for a leg of a given playing time before `legs` legs that must be
-  // played.
+  // True if a leg of a given playing time leaves enough of the plan for `legs` legs that must
+  // follow.
   bool has_room_for(double playing, int legs) const {
     return used_ + start_ + playing + legs * (start_ + shortest) <= most_;
   }

@@ -44,9 +44,9 @@ void add_dds_domain(const system::Command& command, int& domain);
 void add_parameters(const system::Command& command, const char* option,
                     std::vector<std::string>& changes, const std::string& whose);
 
-// `mirocup league …` and `mirocup tune …` are the program mirocup-league, and `mirocup bench …` and
-// `mirocup validate --against …` are mirocup-bench: runs that program in the place of this process,
-// with the arguments from argv[first] on. Returns only if the program cannot be run.
+// Runs another program in the place of this process, with the arguments from argv[first] on:
+// mirocup-league for `mirocup league …` and `mirocup tune …`, mirocup-bench for `mirocup bench …`
+// and `mirocup validate --against …`. Returns only if the program cannot be run.
 Result<int> become_sibling_program(const std::string& name, int argc, char** argv, int first = 2);
 
 }  // namespace mirocup::app

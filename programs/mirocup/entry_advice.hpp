@@ -21,7 +21,7 @@ struct FaultEvidence {
 
 std::string advice_on(const FaultEvidence& evidence);
 
-// Returns advice for a team that takes too much time.
+// Advice for a team that takes too much time.
 inline constexpr const char* advice_on_time =
     "a tick has 1 ms of processor time in the mean of a leg; compute less, and do not wait";
 

@@ -46,7 +46,7 @@ struct EntryReport {
   double slowest_tick_ms = 0.0;              // processor time
   double bank_share = 0.0;                   // mean_tick_ms / the time that a tick adds to the bank
   double leg_seconds = 0.0;                  // processor time that a leg of full length would take
-  double leg_share = 0.0;                    // leg_seconds / the time that such a leg gives
+  double leg_share = 0.0;                    // leg_seconds / the time that a team has in such a leg
   std::size_t peak_memory = 0;               // bytes
   double used_seconds = 0.0;                 // use of the check, as CheckPlan counts
   match::TeamParameters unknown_parameters;  // given parameters for which the team never asked
@@ -78,12 +78,12 @@ using OnCheck = std::function<void(const Check&)>;
 using OnStep = std::function<void(int number, int of, const char* name)>;
 
 // Looks at the file, then lets it play in the sandbox: whole legs against the house team striker in
-// both colours, a knock-out leg, and the first leg again, with a heap that watches its memory, at
-// other addresses and at another time. Takes three seconds for a usual team. A slow team plays
-// shorter legs, so that the check takes at most 20 s of processor time, of all its processes
-// together, and 15 s more to find out why an entry is refused. Only an entry that takes more than 2
-// s to load needs more, since each leg loads it. An error means that the check has no answer: the
-// file cannot be read, or the host failed.
+// both colours, and a knock-out leg. It plays the knock-out leg and the leg as blue again with a
+// heap that watches the entry's memory, at other addresses and at another time. Takes three seconds
+// for a usual team. A slow team plays shorter legs, so that the check takes at most 20 s of
+// processor time, of all its processes together, and 15 s more to find out why an entry is refused.
+// Only an entry that takes more than 2 s to load needs more, since each leg loads it. An error
+// means that the check has no answer: the file cannot be read, or the host failed.
 Result<EntryReport> check_entry(const std::string& path, const EntryTerms& terms,
                                 const OnCheck& on_check = {}, const OnStep& on_step = {});
 

@@ -20,8 +20,8 @@ struct LegStory {
   double turning = 0.0;          // share: turned in place
   double backwards = 0.0;        // share: drove backwards
   double fastest_wheel = 0.0;    // commanded by the entry, rad/s
-  double towards_own_end = 0.0;  // share of the speed that its touches gave the ball
-  double given_speed = 0.0;      // speed that its touches gave the ball, m/s
+  double towards_own_end = 0.0;  // part of given_speed that went towards the own end
+  double given_speed = 0.0;      // sum of the speeds along x that its touches gave the ball, m/s
   unsigned told_left = 0;        // bit i: a command turned the left wheel of robot i
   unsigned told_right = 0;       // bit i: a command turned the right wheel of robot i
 };

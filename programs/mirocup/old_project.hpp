@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Projects of Visual C++, which name the files of a folder that are compiled.
+// Projects of Visual C++, which name the files to compile in a folder.
 #pragma once
 
 #include <string>

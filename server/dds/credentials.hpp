@@ -23,8 +23,8 @@ Result<void> set_credentials(dds_qos_t* qos, const std::string& folder);
 // certificates of its authorities are valid. Returns nothing if the certificates cannot be read.
 std::optional<std::int64_t> credentials_end(const std::string& folder);
 
-// Like valid_until(), for the credentials of a team, from the team's certificate in the folder of
-// the server's credentials. Returns nothing if the folder has no certificate of the team.
+// Like credentials_end(), for a team's certificate in the folder of the server's credentials.
+// Returns nothing if the folder has no certificate of the team.
 std::optional<std::int64_t> team_credentials_end(const std::string& server_folder,
                                                  std::string_view team);
 

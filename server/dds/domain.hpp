@@ -25,7 +25,7 @@ inline constexpr int last_domain = 230;  // later domains have no valid ports
 int port_of(int domain, int index);
 
 // The connection of this process to the network. Its destructor leaves the network properly. A
-// process has at most one at a time.
+// process has at most one Domain at a time.
 struct Domain {
   std::unique_ptr<CycloneLog> log;
   Entity domain;

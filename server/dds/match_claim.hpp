@@ -12,7 +12,8 @@
 namespace mirocup::dds {
 
 // Claims the match ID on this host for as long as the descriptor is open. The system releases the
-// claim when the process ends, in any way. Errc::unavailable: another process has the claim.
+// claim when the process ends, even if it is killed. Errc::unavailable: another process has the
+// claim.
 Result<system::Descriptor> claim_match(const std::string& match_id, int domain);
 
 }  // namespace mirocup::dds

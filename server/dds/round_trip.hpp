@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The time from a state to its answer, measured over the last few ticks. This time decides when the
-// server sends a state without an answer again.
+// The time from a state to its answer, measured over the last few ticks. This time decides how soon
+// the server repeats a state that has no answer.
 #pragma once
 
 #include <algorithm>
@@ -38,8 +38,8 @@ class RoundTrip {
                                           last_.begin() + static_cast<std::ptrdiff_t>(known));
   }
 
-  // Returns the seconds until an unanswered state is sent again: 1.5 times the network's round
-  // trip.
+  // Returns the seconds until an unanswered state is sent again: 1.5 times the shortest time of an
+  // answer, within the limits below.
   double resend_after() const {
     return std::clamp(1.5 * shortest(), min_resend_interval, max_resend_interval);
   }

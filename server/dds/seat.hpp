@@ -60,7 +60,7 @@ struct SeatLink {
   // The time until which the team's credentials are valid, s since 1970 UTC; empty: not known.
   std::optional<std::int64_t> credentials_end;
   std::function<std::string()> last_error;  // the last messages of DDS, as the end of a sentence
-  // Names the networks of teams at the end of a sentence about a team that did not join.
+  // The end of a sentence about a team that did not join: from where teams can reach the server.
   std::string reach;
 };
 
@@ -83,8 +83,8 @@ class Seat final : public match::Controller {
 
   // The server calls these functions while it settles a tick.
   bool has_answered() const { return answer_.has_value(); }
-  // Returns the seconds that are left for an answer in time; in lockstep 1, because every wait is
-  // shorter.
+  // Returns the seconds that are left for an answer in time; in lockstep 1 s, which is longer than
+  // any wait.
   double time_left() const { return terms_.tick ? posted_at_ + *terms_.tick - now() : 1.0; }
   bool is_overdue() const { return time_left() <= 0.0; }
   Standing look();  // like standing(), but first notes whether the team is away
@@ -97,8 +97,8 @@ class Seat final : public match::Controller {
   // True if a command has come since the last call.
   bool take_heard() { return std::exchange(was_heard_, false); }
 
-  // True if a command of the team's process has come lately. For the time before the first tick,
-  // while the server sends the state again and again.
+  // True if a command of the team's process has come lately. To be called only before the first
+  // tick, while the server sends the state again and again.
   bool is_there() const { return !has_left() && now() - heard_at_ < terms_.notice; }
 
   Team team() const { return briefing_.team; }
@@ -140,7 +140,7 @@ class Seat final : public match::Controller {
   dds_instance_handle_t hello_writer_ = 0;
   dds_instance_handle_t command_writer_ = 0;  // 0: the process has not written yet
   int processes_ = 0;
-  // True: standard error has told of commands of another process.
+  // True: the host has got a sentence about commands of another process.
   bool has_told_of_commands_ = false;
 
   Inbox inbox_;

@@ -108,7 +108,7 @@ class TeamClient {
   Domain domain_;
   Link link_;
   WallClock::time_point connected_at_;
-  std::optional<WallClock::time_point> left_at_;  // set until the client joins the network again
+  std::optional<WallClock::time_point> left_at_;  // set while the client is off the network
   WallClock::time_point hello_sent_at_;
   WallClock::time_point last_heard_at_;  // when the last sample of the match came
   std::uint64_t seated_leg_ = 0;

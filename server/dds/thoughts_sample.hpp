@@ -22,8 +22,8 @@ class ThoughtsSample {
   ThoughtsSample(const ThoughtsSample&) = delete;
   ThoughtsSample& operator=(const ThoughtsSample&) = delete;
 
-  // Adds a shape. A shape that is incomplete, not finite, or beyond the room is dropped and
-  // counted. The name of a layer is cut to max_layer_name bytes.
+  // Adds a shape. A shape that is incomplete or not finite, or for which the sample has no room, is
+  // dropped and counted. The name of a layer is cut to max_layer_name bytes.
   void add(const match::Thought& thought);
 
   bool is_empty() const { return sample_.shapes._length == 0 && sample_.left_out == 0; }

@@ -17,8 +17,8 @@ inline constexpr double track = 0.08;         // m
 Vision to_vision(const match::Leg& leg);
 
 // Returns the speeds of this simulator's wheels, rad/s, that move a robot as FIRASim's wheels
-// would. If a speed is beyond the limit, both are scaled down together, so that the robot's curve
-// stays. Precondition: both speeds are finite.
+// would. If a speed is beyond the limit, both speeds are scaled down together, so that the robot
+// drives the same curve. Precondition: both speeds are finite.
 simulator::WheelSpeeds to_wheels(double left, double right,
                                  const simulator::Parameters& parameters);
 

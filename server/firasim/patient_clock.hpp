@@ -11,8 +11,8 @@ namespace mirocup::firasim {
 
 class PatientClock {
  public:
-  // Returns seconds since an arbitrary moment. At most `most_at_once` pass between two calls, so a
-  // caller that waits for a team must call at least that often.
+  // Returns seconds since an arbitrary moment. Between two calls the clock advances by at most
+  // `most_at_once`, so a caller that waits for a team must call at least that often.
   double now() {
     const Clock::time_point seen = Clock::now();
     const double step = std::chrono::duration<double>(seen - seen_).count();

@@ -47,11 +47,11 @@ struct Terms {
 // Counts of datagrams by their fate; the record has these numbers.
 struct Counts {
   std::uint64_t in_time = 0;    // ticks that were answered in time
-  std::uint64_t held = 0;       // ticks in which the last commands were held
+  std::uint64_t held = 0;       // ticks in which the robots drove older commands
   std::uint64_t datagrams = 0;  // datagrams of the team's own sender
   std::uint64_t placements = 0;
-  std::uint64_t repeated = 0;  // commands to a robot that had one in this tick
-  std::uint64_t stale = 0;     // commands that came before the vision that they should answer
+  std::uint64_t repeated = 0;  // commands to a robot that already had a command in this tick
+  std::uint64_t stale = 0;     // packets for another vision or, in lock-step, after the answer
   std::uint64_t malformed = 0;
   std::uint64_t foreign = 0;         // datagrams of another sender
   std::uint64_t replacements = 0;    // refused replacements, because a team may not move bodies
@@ -131,12 +131,12 @@ class Seat final : public match::Controller {
   // Number of commands to each robot in this tick.
   std::array<int, max_robots_per_team> commands_{};
   referee::RobotSet ever_commanded_;
-  // The team never commands some robots, so ticks do not wait for them.
+  // True: the team never commands some robots, and ticks wait only for `ever_commanded_`.
   bool only_ever_commanded_ = false;
   int partial_ticks_ = 0;       // ticks whose wait ended with commands for only some robots
-  int silent_ready_ticks_ = 0;  // one after the other
-  int missing_placements_ = 0;  // one after the other
-  std::optional<TeamPlacement> placement_;  // since the last call
+  int silent_ready_ticks_ = 0;  // in a row
+  int missing_placements_ = 0;  // in a row
+  std::optional<TeamPlacement> placement_;  // since the last call of a restart
   bool may_place_ = false;                  // true: the team may place in this tick
 
   Counts counts_;

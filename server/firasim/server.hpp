@@ -25,8 +25,9 @@ struct Addresses {
 };
 
 // Returns the addresses of an instance: instance 0 has the ports of Addresses, and instance k > 0
-// has 10002 + k, 20011 + k, 40000 + k for the referee and 50000 + k for placements, as some clients
-// expect. Addresses in `changes` that are not "" replace addresses of the instance.
+// has the ports 10002 + k for vision, 20011 + k for commands, 40000 + k for the referee and 50000 +
+// k for placements, as some clients expect. Addresses in `changes` that are not "" replace
+// addresses of the instance.
 Result<Addresses> addresses_of(int instance, const Addresses& changes);
 
 class Server {

@@ -27,19 +27,19 @@ std::string to_text(const Endpoint& endpoint);
 Result<Endpoint> parse_endpoint(const std::string& text, const std::string& option);
 Result<std::vector<Endpoint>> parse_endpoints(const std::string& text, const std::string& option);
 
-// True for an address of this host. No other host can send from such an address: Linux drops such
-// datagrams.
+// True for an address of this host. A datagram with such a sender is from this host: Linux drops
+// those that come from other hosts.
 bool is_of_this_host(const Endpoint& endpoint);
 
-// True for the interface "lo", with which datagrams to a group do not leave this host.
+// The interface with which datagrams to a group do not leave this host.
 inline constexpr const char* this_host = "lo";
 
 // Sends datagrams to a list of addresses.
 //
-// A socket of this host that listens to a group gets each datagram once, whichever interface it
-// joined: Linux delivers datagrams that arrive on an interface that any socket has joined, and the
-// sender has joined its own interface. A client that got two copies would answer twice, and the
-// second answer would look like an answer to the next vision.
+// A sender joins each group on its own interface. If any socket of a host has joined a group on the
+// interface of arrival, Linux gives a datagram to all sockets of the host that listen to the group.
+// So each of them gets the datagram once, whichever interface it has joined. A client that got two
+// copies would answer twice, and the second answer would look like an answer to the next vision.
 class Sender {
  public:
   static Result<Sender> open(std::vector<Endpoint> to, const std::string& interface);

@@ -33,7 +33,7 @@ struct SeenRobot {
   double vx = 0.0, vy = 0.0, turn = 0.0;  // 5, 6, 7: m/s, rad/s
 };
 
-// Field: the sizes of the field, which a client draws and plans with, m.
+// Field: the sizes, m, with which a client draws the field and plans.
 struct FieldSizes {
   double width = 0.0, length = 0.0;                 // 1, 2
   double goal_width = 0.0, goal_depth = 0.0;        // 3, 4
@@ -66,7 +66,7 @@ struct Packet {
   std::vector<WheelCommand> commands;  // cmd 1: robot_commands 1
   bool has_replacement = false;        // replace 2
   // Field 15, an extension that FIRASim skips: the step of the vision that the commands answer.
-  // With it, lock-step need not guess the step.
+  // With this field, lock-step need not guess which vision the commands answer.
   std::optional<std::uint32_t> step;
 };
 // Returns nothing if the bytes are not a Packet.
@@ -89,7 +89,7 @@ struct RefereeCommand {
   Foul foul = Foul::FREE_KICK;   // 1
   Colour colour = Colour::NONE;  // 2
   int quadrant = 0;              // 3; quadrant 1 has x, y > 0, then counter-clockwise; 0: none
-  double timestamp = 0.0;        // 4, of the half
+  double timestamp = 0.0;        // 4, time of the half, s
   int half = 0;                  // 5: first 1, second 2, extra time 3 and 4, shoot-out 5
 };
 std::string encode(const RefereeCommand& command);

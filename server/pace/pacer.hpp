@@ -22,8 +22,8 @@ class Pacer {
     assert(control_period > 0.0 && (!factor || *factor > 0.0));
   }
 
-  // Waits until the tick is due. All ticks are due relative to the first call, so a late tick does
-  // not delay later ticks.
+  // Waits until the tick is due. The due times of all ticks count from the first call, so a late
+  // tick does not delay later ticks.
   void wait_for(std::uint32_t tick) {
     if (period_ == 0.0) return;
     if (!has_started_) start_ = clock_.now() - tick * period_;

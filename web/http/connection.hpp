@@ -17,8 +17,8 @@ class Connection {
   // The caller owns the socket and `tls`. `tls` is empty if the connection is not encrypted.
   Connection(int socket, std::optional<system::TlsConnection>& tls) : socket_(socket), tls_(tls) {}
 
-  // Sets new limits from now on: the most bytes to receive in all, the time of the end, and the
-  // longest silence.
+  // Sets new limits from now on: the most bytes to receive in all, the time for all of them, and
+  // the longest silence of the other end.
   void allow(std::size_t bytes, std::chrono::seconds time, std::chrono::seconds patience);
 
   // Returns the number of bytes received, at least one; 0 at the end of the connection, after an

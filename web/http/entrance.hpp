@@ -34,8 +34,8 @@ struct EntranceLimits {
   std::chrono::milliseconds request_time_if_crowded{2000};
 };
 
-// Returns limits for this machine: 256 connections for each processor, at most 1024, and at most
-// half of the files that this process may open.
+// Returns the capacity for this machine: 256 connections for each processor, at most 1024, and at
+// most half as many as this process may open files.
 int connection_capacity();
 
 enum class Stage {

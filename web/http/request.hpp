@@ -26,7 +26,7 @@ struct Request {
   std::multimap<std::string, std::string> headers{};  // names in lower case
 
   // Returns the value of a header or of a part of the query; "" if no value or several values
-  // exist. So this server and a proxy before it cannot use different values.
+  // exist. So this server and a proxy in front of it cannot read different values.
   std::string header(const std::string& name) const { return only(headers, name); }
   std::string asked(const std::string& name) const { return only(query, name); }
 
