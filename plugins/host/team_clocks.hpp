@@ -16,13 +16,13 @@
 
 namespace mirocup::plugins {
 
-// The first readings of the clocks, s. No reading should be ahead of the machine's clock, or a wait
-// until a time would last too long.
+// The first readings of the clocks, s. A reading should not be ahead of the machine's clock:
+// otherwise a team's wait until a given time would last too long.
 struct ClockReadings {
   std::int64_t time_of_day = 946'684'800;  // when the process starts: 1 January 2000, UTC
-  std::int64_t uptime_behind = 0;          // lag of the time since the machine's start
-  // Time added to every clock between two calls of the team, ns. With the control period, a fast
-  // leg takes as long on the team's clocks as a leg in real time.
+  std::int64_t uptime_behind = 0;  // is subtracted from the time since the machine was started
+  // Time added to every clock between two calls of the team, ns. If this is the control period,
+  // a fast leg takes as long on the team's clocks as a leg in real time.
   std::int64_t between_calls = 0;
   // If not 0, each reading advances every clock by this time, ns, and no other time passes. Then
   // even a team whose answers depend on a clock repeats its answers.

@@ -2,7 +2,7 @@
 //
 // Driving of one robot: to a point, to a pose, round an obstacle. The functions return the wheel
 // speeds of one robot for this tick; call them again in every tick. Sizes and limits come from the
-// setup. Do not include this header, but strategy.hpp.
+// setup. Include strategy.hpp instead of this header.
 #pragma once
 
 #include "mirocup/types.hpp"
@@ -54,9 +54,8 @@ inline Wheels drive_to(const Setup& setup, const Robot& robot, Point target, dou
   return wheels_for(setup, direction * speed, turn);
 }
 
-// Drives to a point and turns to a heading there. From far off the robot aims at a place before the
-// point, so that it arrives with the right heading. A robot that stands beside the point first
-// backs off.
+// Drives to a point and turns to a heading there. A distant robot first aims at a place before the
+// point, so that it arrives with the right heading. A robot beside the point first backs off.
 inline Wheels drive_to_pose(const Setup& setup, const Robot& robot, Point target, double heading,
                             double fastest = 1.5) {
   const Point forward{math::cos(heading), math::sin(heading)};
@@ -69,7 +68,7 @@ inline Wheels drive_to_pose(const Setup& setup, const Robot& robot, Point target
   return drive_to(setup, robot, target - run_up * forward, 0.2, fastest);
 }
 
-// Returns the place of the ball after some seconds if it meets neither robots nor walls. The ball
+// Returns the place of the ball after `seconds` if the ball meets neither robots nor walls and
 // slows down a little.
 inline Point ball_after(const Observation& now, double seconds) {
   return ball(now) + (seconds * (1.0 - 0.1 * seconds)) * ball_velocity(now);
@@ -81,20 +80,20 @@ inline double elbow_room(const Setup& setup) {
   return 0.6 * setup.robot_side;
 }
 
-// Returns the distance from the middle of a robot to the ball at which the robot can turn without
-// touching the ball, m.
+// Returns the distance, m, between the middles of robot and ball at which the robot can turn
+// without touching the ball.
 inline double behind_ball(const Setup& setup) {
   return setup.robot_side + 0.035;
 }
 
-// Returns the nearest point of the field that is at least `margin` (m) away from the walls. Ignores
-// the triangles in the corners.
+// Returns `p`, or the point nearest to `p` that is at least `margin` (m) away from the walls.
+// Ignores the triangles in the corners of the field.
 inline Point inside(const Setup& setup, Point p, double margin) {
   return {math::clamp(p.x, -setup.half_length + margin, setup.half_length - margin),
           math::clamp(p.y, -setup.half_width + margin, setup.half_width - margin)};
 }
 
-// Returns the nearest point of the field at which a robot has room to turn.
+// Returns `p`, or the point nearest to `p` at which a robot has room to turn.
 inline Point inside(const Setup& setup, Point p) {
   return inside(setup, p, elbow_room(setup));
 }

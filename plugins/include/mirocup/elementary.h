@@ -3,7 +3,7 @@
  * Sine, cosine, arctangent, exponential and their family, with the same bits on every system.
  *
  * The sin() of two C libraries can differ in the last bit of a result. Then a team that compares
- * two nearly equal numbers may decide otherwise on the host's computer than on yours, and the host
+ * two nearly equal numbers may decide differently on the host's computer and on yours, and the host
  * cannot play your leg again. These functions use only + - * / and sqrt(), which IEEE 754 fixes to
  * the last bit. The simulator also uses these functions. fabs(), fmod(), remainder(), floor(),
  * round() and sqrt() of the C library are exact and need no replacement; remainder(angle, 2 *
@@ -14,15 +14,15 @@
  * and the CMake target mirocup::strategy do, and without -ffast-math.
  *
  * Angles are in radians. A result is NaN if an argument is NaN or outside of the function's domain.
- * The largest errors, in units in the last place (ulp) of the result, measured by a test against
- * 64-bit mantissas:
+ * A test measures these largest errors against arithmetic with 64-bit mantissas, in units in the
+ * last place (ulp) of the result:
  *
  *   exp                                       1
- *   sin, cos of |x| <= 1000                   1; of results below 0.01, 1 ulp of 0.01
+ *   sin, cos of |x| <= 1000                   1; for results below 0.01, 1 ulp of the number 0.01
  *   sin, cos of |x| > 1000                    as if x were wrong by 1 ulp
  *   hypot                                     1.5
  *   expm1, log, log1p, atan2, tan             5
- *   asin, acos                                8; near 0 and near pi, 8 ulp of 0.01
+ *   asin, acos                                8; near 0 and near pi, 8 ulp of the number 0.01
  *
  * All functions are pure and inline, and need only -lm. The header is C11 and C++.
  */
@@ -52,7 +52,7 @@ typedef struct mirocup_sine_cosine {
 #define MIROCUP_LN2_HIGH 0x1.62e42feep-1
 #define MIROCUP_LN2_LOW 0x1.a39ef35793c76p-33
 
-/* Returns (sin(x)/x - 1)/z for the square z of |x| <= pi/4: Taylor's series to x^19/19!. */
+/* Returns (sin(x)/x - 1)/z for z = x^2 and |x| <= pi/4: Taylor's series to x^19/19!. */
 static inline double mirocup_sine_tail(double z) {
   double s = -1.0 / 121645100408832000.0;
   s = s * z + 1.0 / 355687428096000.0;
@@ -65,7 +65,7 @@ static inline double mirocup_sine_tail(double z) {
   return s * z - 1.0 / 6.0;
 }
 
-/* Returns (cos(x) - 1 + z/2)/z^2 for the square z of |x| <= pi/4: Taylor's series to x^18/18!. */
+/* Returns (cos(x) - 1 + z/2)/z^2 for z = x^2 and |x| <= pi/4: Taylor's series to x^18/18!. */
 static inline double mirocup_cosine_tail(double z) {
   double c = -1.0 / 6402373705728000.0;
   c = c * z + 1.0 / 20922789888000.0;
@@ -164,7 +164,7 @@ MIROCUP_CALLED double mirocup_atan2(double y, double x) {
                                            0x1.700a7c5784634p-1,
                                            0x1.819d0b7158a4dp-1,
                                            0x1.921fb54442d18p-1};
-  /* The angle is reduced to an octant. Then c is the sixteenth nearest to t:
+  /* The angle is reduced to an octant. Then c is the multiple of 1/16 nearest to t, and
      atan(t) = atan(c) + atan(r). */
   const double ax = fabs(x), ay = fabs(y);
   const double longer = ay > ax ? ay : ax;

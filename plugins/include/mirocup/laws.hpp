@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Changes of targets and commands that keep the laws, and keep the ball out of the own goal. Do not
-// include this header, but strategy.hpp.
+// Functions that change targets and commands so that robots keep the laws, and do not turn the ball
+// into their own goal. Include strategy.hpp instead of this header.
 #pragma once
 
 #include "mirocup/driving.hpp"
@@ -10,11 +10,11 @@
 
 namespace mirocup::strategy {
 
-// Returns a target of robot `i`, moved out of the areas that the laws forbid: the own goal area, in
-// which only the keeper may be, and for robots 3 and higher also the penalty area. Do not call this
-// function for the keeper.
+// Returns the target `p` of robot `i`, moved out of the areas that the laws forbid to the robot:
+// the own goal area, in which only the keeper may be, and for robots 3 and higher also the own
+// penalty area. Do not call this function for the keeper.
 inline Point keep_out(const Setup& setup, int i, Point p) {
-  // The margin of the area, for its arc and half a robot, m.
+  // m: room around the area for its arc and half a robot.
   const double margin = setup.robot_side + (setup.league == MIROCUP_LARGE ? 0.075 : 0.02);
   const bool is_crowd = i >= 3 && setup.penalty_area_depth > 0.0;
   const double depth = (is_crowd ? setup.penalty_area_depth : setup.goal_area_depth) + margin;
@@ -26,8 +26,9 @@ inline Point keep_out(const Setup& setup, int i, Point p) {
   return p;
 }
 
-// Returns a place for a waiting robot, moved aside if the place is before the own goal and the ball
-// is nearer to the goal, because a ball that the keeper clears would rebound from the robot.
+// Returns the place `p` of a waiting robot. If the ball is near the own goal and `p` is in front of
+// the ball, the place is moved aside, because a ball that the keeper clears would rebound from the
+// robot.
 inline Point make_way(const Setup& setup, const Observation& now, Point p) {
   const bool is_in_front = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.15 &&
                            p.x > now.ball_x + 0.02 && p.x < now.ball_x + 0.5;
@@ -45,7 +46,7 @@ inline bool is_stuck(const Observation& now, double patience = 0.6) {
 
 // Returns `wheels` unchanged, unless the robot would push an opponent without playing the ball. In
 // this case returns speeds at which the robot slows down before the opponent and backs off. A robot
-// at the ball plays the ball: if both robots backed off, the ball would stay.
+// at the ball counts as playing it: if it and the opponent both backed off, the ball would stay.
 inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
                               Wheels wheels) {
   const Point here = position(robot);
@@ -79,7 +80,7 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
 // be there at its speed. In this case returns speeds that take the robot out on the shortest way.
 // Do not call this function for the keeper.
 inline Wheels out_of_area(const Setup& setup, int i, const Robot& robot, Wheels wheels) {
-  // A robot counts as in the area if more than half of its body is inside, m.
+  // m: half a robot, because a robot counts as in the area if more than half of it is inside.
   const double margin = setup.robot_side / 2.0 + 0.0025;
   const double braking_s = 0.1;  // time for the motors and the delay of a tick, s
   const bool is_crowd = i >= 3 && setup.penalty_area_depth > 0.0;
@@ -100,8 +101,8 @@ inline Wheels out_of_area(const Setup& setup, int i, const Robot& robot, Wheels 
                   is_near_front ? Point{front + 0.1, robot.y} : Point{robot.x, beside});
 }
 
-// Applies without_pushing() and out_of_area() to all robots of a command except the keeper, which
-// holds its place.
+// Applies without_pushing() and out_of_area() to all robots of a command except robot 0, the
+// keeper.
 inline void keep_laws(const Setup& setup, const Observation& now, Command& command) {
   for (int i = 1; i < now.robots; ++i) {
     command.wheels[i] = without_pushing(setup, now, now.own[i], command.wheels[i]);
@@ -117,7 +118,7 @@ inline bool rolls_into_own_goal(const Setup& setup, Point ball, Point velocity, 
   return std::abs(ball.y + seconds * velocity.y) < setup.goal_half_width + margin;
 }
 
-// True if a ball that comes to `robot` within `soon_s` would rebound from it into the own goal.
+// True if the ball will meet `robot` within `soon_s` and would rebound from it into the own goal.
 inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const Robot& robot,
                                double soon_s = 0.4) {
   const Point velocity = ball_velocity(now);
@@ -134,16 +135,16 @@ inline bool would_turn_ball_in(const Setup& setup, const Observation& now, const
     const Point normal{math::cos(heading), math::sin(heading)};
     const double closing = -dot(coming, normal);
     if (closing < 0.2 * length(coming)) continue;
-    // 1.4: 1 and the part of the speed that impacts leave.
+    // 1.4 = 1 + 0.4: the ball keeps 0.4 of its closing speed in the impact.
     const Point off = velocity + (1.4 * closing) * normal;
     if (rolls_into_own_goal(setup, position(robot) + touch * normal, off, 0.05)) return true;
   }
   return false;
 }
 
-// Changes the commands of robots, except the keeper, from which a ball in the own half would
-// rebound into the own goal: a robot that stands at a slant turns square to the field, and a square
-// robot makes way.
+// If a ball in the own half would rebound from a robot other than the keeper into the own goal,
+// changes the robot's command: a robot at a slant turns square to the field, and a robot that is
+// already square makes way.
 inline void avoid_own_goals(const Setup& setup, const Observation& now, Command& command) {
   const Point velocity = ball_velocity(now);
   if (now.ball_x > 0.0 || length(velocity) < 0.25) return;

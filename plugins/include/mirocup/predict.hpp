@@ -2,9 +2,9 @@
 //
 // Prediction with the match's own simulator. Four questions, from cheap to expensive:
 //
-//   the ball alone     rolled() in skills/ball_path.hpp: closed form, walls included, a header only
+//   the ball alone     rolled() in skills/ball_path.hpp: closed form with walls; needs no library
 //   a robot alone      robot_after(): closed form; knows neither walls nor other bodies
-//   a tick before      driven_wheels(), Tracker: which wheel speeds a robot drove
+//   the last tick      driven_wheels(), Tracker: which wheel speeds a robot drove
 //   everything         Simulator: all bodies, walls and contacts, bit for bit as in a match
 //
 //   Scene scene = scene_of(now);
@@ -54,7 +54,8 @@ struct Body {
 Body body_of(const Robot& robot);
 Robot robot_of(const Body& body);
 
-// The contact memory from one tick to the next: opaque, and small while few bodies touch.
+// The simulator's memory of contacts from one tick to the next. It is opaque; while few bodies
+// touch, a copy takes little time.
 class ContactMemory {
  public:
   ContactMemory() = default;
@@ -71,8 +72,8 @@ class ContactMemory {
   alignas(8) std::byte bytes_[14336];
 };
 
-// All bodies at one instant, in your own frame. If you move bodies by hand, set `memory` to {}.
-// Moved bodies must hardly overlap; otherwise the simulator pushes them apart.
+// All bodies at one instant, in your own frame. If you move bodies by hand, set `memory` to {}, and
+// do not let bodies overlap: the simulator would push them apart.
 struct Scene {
   int robots = 0;  // number of each team's robots
   MovingBall ball;
@@ -91,7 +92,8 @@ Scene scene_of(const Observation& now);
 void show(const Scene& scene, Observation& now);
 void show_to_opponents(const Scene& scene, Observation& now);
 
-// Returns the wheel speeds that a robot drives for a command: rounded, and clamped to the limit.
+// Returns the wheel speeds that a robot drives when commanded `wheels`: rounded, and clamped to the
+// limit.
 Wheels sent_wheels(const Setup& setup, Wheels wheels);
 
 // Returns a robot after `seconds` under these wheel speeds if it meets neither walls nor bodies.
@@ -104,8 +106,8 @@ Body robot_after(const Setup& setup, const Body& robot, Wheels wheels, double se
 // that tick.
 Wheels driven_wheels(const Setup& setup, const Robot& before, const Robot& after);
 
-// The memory from tick to tick that predictions need: call saw() at the start of decide() and
-// sent() at its end.
+// Remembers from tick to tick which commands the robots drive, for predictions. Call saw() at the
+// start of decide() and sent() at its end.
 class Tracker {
  public:
   explicit Tracker(const Setup& setup) : setup_(setup) {}
@@ -114,11 +116,11 @@ class Tracker {
   void sent(const Command& command) { sent_ = command; }
 
   // Returns your answer to the observation before the present one. That answer is driven in the
-  // tick that begins with the present observation, and your next answer in the tick after.
+  // tick that begins with the present observation; your next answer is driven one tick later.
   const Command& in_flight() const { return sent_; }
 
-  // Returns the wheel speeds of the opponents in the last tick, the best guess for this tick. All
-  // speeds are zero after a restart.
+  // Returns the wheel speeds of the opponents in the last tick, which are the best guess for this
+  // tick. All speeds are zero after a restart.
   const Command& opponents() const { return opponents_; }
 
  private:
@@ -129,9 +131,9 @@ class Tracker {
   bool has_before_ = false;
 };
 
-// The precision of contacts. `match` is bit for bit as in a match. `coarse` takes half the time of
-// `match` in play at 3 a side, and a quarter at 11. After ten ticks with a kick the ball of
-// `coarse` is 2 mm off in the median, and 3 cm in one case of ten.
+// The precision of contacts. `match` gives the same bits as a match. `coarse` takes half the time
+// of `match` in play at 3 a side, and a quarter at 11. After ten ticks with a kick the ball of
+// `coarse` is 2 mm off in the median, and at least 3 cm in one case of ten.
 enum class Precision { match, coarse };
 
 // The events of a predicted tick. Bit i of a set is robot i.
@@ -140,13 +142,14 @@ struct PredictedTick {
   std::uint32_t opponent_touched_ball = 0;
   // Set of opponents touched by each own robot.
   std::array<std::uint32_t, MIROCUP_MAX_ROBOTS> touched_opponent{};
-  int last_touch = 0;  // last robot at the ball: i + 1 own robot i, -i - 1 opponent i, 0 none
+  // The robot that touched the ball last: i + 1 for own robot i, -i - 1 for opponent i, 0 for none.
+  int last_touch = 0;
   // Number of collisions and changes of motion; measures the cost of a tick without a clock.
   int events = 0;
 };
 
 // The physics of a match in the frame of your team. A Simulator allocates some hundred KiB when it
-// is constructed, and belongs to one thread.
+// is constructed. Only one thread may use it at a time.
 class Simulator {
  public:
   explicit Simulator(const Setup& setup, Precision precision = Precision::match);
@@ -155,8 +158,8 @@ class Simulator {
   Simulator& operator=(const Simulator&) = delete;
 
   // Plays one tick of control_period from the scene, in place. Commands are rounded and clamped as
-  // in a match; `opponent` is in the order of the scene's opponents. If `ticks` is above 1, the
-  // commands hold for so many ticks, which are played as one long tick: this takes less time than
+  // in a match; opponent.wheels[j] drives scene.opponent[j]. If `ticks` is above 1, the commands
+  // hold for this number of ticks, which are played as one long tick: this takes less time than
   // single ticks, and gives the same result up to rounding, but not the same bits.
   PredictedTick advance(Scene& scene, const Command& own, const Command& opponent, int ticks = 1);
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * Skills and prediction for C, and for every language that calls C; mirocup.team calls them for
- * Python. Each function does the same as the C++ function of its name, which is explained in the
- * header that the heading of the group names. Frames and units are those of strategy.h.
+ * Python. Each function does the same as the C++ function of its name; the comment above a group
+ * names the C++ header that explains its functions. Frames and units are those of strategy.h.
  *
  *   gcc -std=c17 -O2 -ffp-contract=off -shared -fPIC -fvisibility=hidden -Iplugins/include mine.c
  *       build/lib/libmirocup_predict.a -lm -o mine.so
  *
- * This command is one line. If you use the simulator (the last group), link by g++ with
+ * This command is one line. If you use the simulator (the last group), link with g++ and
  * -static-libstdc++. In CMake, link mirocup::predict. A team in C:
  *
  *   static void* create(const mirocup_setup* setup) { return (void*)setup; }
@@ -25,7 +25,7 @@
  *   }
  *
  * C has no default arguments, so the comment behind a function gives the usual values of its last
- * arguments. `me` and `i` are numbers of own robots. An int32_t as a result is 0 or 1. You own the
+ * arguments. `me` and `i` are numbers of own robots. A yes or no is an int32_t, 1 or 0. You own the
  * result of a function with `new` in its name until you call its `free`; a null result means that
  * memory is short.
  */
@@ -54,8 +54,8 @@ typedef struct mirocup_crossing {
 } mirocup_crossing;
 
 typedef struct mirocup_interception {
-  mirocup_ball ball; /* when the robot is there */
-  double seconds;
+  mirocup_ball ball; /* when the robot meets it */
+  double seconds;    /* until the meeting */
   int32_t is_reached;
 } mirocup_interception;
 
@@ -171,7 +171,7 @@ double mirocup_field_heading(mirocup_point here, mirocup_pose pose, double radiu
                              double smooth); /* 0.075, 0.07 */
 double mirocup_around(double heading, mirocup_point here, mirocup_point velocity,
                       mirocup_ball moving, double nearest, double width,
-                      double lead_s); /* the obstacle moves; 0.085, 0.045, 0.15 */
+                      double lead_s); /* `moving` is the obstacle; 0.085, 0.045, 0.15 */
 double mirocup_round_others(const mirocup_observation* now, int32_t me, const mirocup_robot* robot,
                             mirocup_point target, double heading, double sight); /* 0.35 */
 mirocup_wheels mirocup_follow_heading(const mirocup_setup* setup, const mirocup_robot* robot,
@@ -228,8 +228,8 @@ void mirocup_spare_keeper(const mirocup_setup* setup, const mirocup_observation*
 int32_t mirocup_must_leave_area(const mirocup_setup* setup, const mirocup_robot* robot);
 mirocup_wheels mirocup_leave_area(const mirocup_setup* setup, const mirocup_robot* robot);
 
-/* skills/roles.hpp. `costs` has one number for each own robot, by its number. assign_places() gives
-   places[k] to robot chosen[k], one of the `count` in `free`; `last` is the answer before. */
+/* skills/roles.hpp. costs[i] is the cost of own robot i. assign_places() gives places[k] to robot
+   chosen[k], one of `free`; `last` is `chosen` of the last tick. All four have `count` elements. */
 double mirocup_time_behind(const mirocup_setup* setup, const mirocup_observation* now, int32_t i,
                            double round_s); /* 0.35 */
 int32_t mirocup_cheapest_robot(const mirocup_observation* now, int32_t first, int32_t last,
@@ -251,7 +251,7 @@ void mirocup_draw_target(const mirocup_setup* setup, const mirocup_robot* robot,
 void mirocup_draw_shot(const mirocup_setup* setup, const mirocup_robot* robot, mirocup_point at,
                        mirocup_point aim);
 
-/* skills/filter.hpp: Filter. `now` gets what see() returns. */
+/* skills/filter.hpp: Filter. see() writes its result to `now`. */
 typedef struct mirocup_filter mirocup_filter;
 mirocup_filter* mirocup_filter_new(const mirocup_setup* setup);
 void mirocup_filter_see(mirocup_filter* filter, const mirocup_observation* seen,
@@ -268,7 +268,7 @@ mirocup_wheels mirocup_penalty_drive(mirocup_penalty* taker, const mirocup_setup
                                      const mirocup_observation* now, const mirocup_robot* robot);
 void mirocup_penalty_free(mirocup_penalty* taker);
 
-/* predict.hpp: the simulator of the match. robot_after() takes and gives observed robots. */
+/* predict.hpp: the simulator of the match. robot_after() takes and returns a robot as observed. */
 typedef struct mirocup_simulator mirocup_simulator;
 typedef struct mirocup_scene mirocup_scene;
 typedef struct mirocup_tracker mirocup_tracker;
@@ -276,7 +276,7 @@ typedef struct mirocup_tracker mirocup_tracker;
 /* The events of a predicted tick. Bit i of a set is robot i. */
 typedef struct mirocup_predicted {
   uint32_t own_touched_ball, opponent_touched_ball;
-  int32_t last_touch; /* last robot at the ball: i + 1 own i, -i - 1 opponent i, 0 none */
+  int32_t last_touch; /* who touched the ball last: i + 1 own i, -i - 1 opponent i, 0 none */
   int32_t events;
 } mirocup_predicted;
 

@@ -34,22 +34,22 @@
  *
  * Restarts
  *   First all robots are put in default places. Then each team with place() may choose other
- *   places, in the tick in which its `placing` is 1; place() is called before decide(). The team
- *   that chooses first is the taker at a kick-off and a goal kick, the opponents at a penalty kick
- *   and a free kick, and the defender of that half at a free ball. The other team chooses one tick
- *   later and sees where the first team stands. Bodies must be completely in the named areas,
- *   inside the walls, clear of the ball and 4 mm from other robots:
+ *   places, in the tick in which its `placing` is 1; place() is called before decide(). The first
+ *   to choose is the taker at a kick-off and a goal kick, the opponents at a penalty kick and a
+ *   free kick, and the team that defends the half of the ball at a free ball. The other team
+ *   chooses one tick later and sees where the first team stands. Bodies must be completely in the
+ *   named areas, inside the walls, clear of the ball and at least 4 mm from other robots:
  *     kick-off     taker: own half and centre circle, the ball anywhere in the circle;
  *                  opponents: own half, outside the circle
  *     goal kick    taker: a robot in its goal area, the ball anywhere in that area, the other
  *                  robots outside the penalty area (small league: goal area), at most one of them
- *                  in the other goal area; opponents: own half
+ *                  in the opponents' goal area; opponents: own half
  *     penalty kick taker: one robot behind the ball; opponents: one robot on its goal line, between
  *                  the posts; all other robots in the taker's half
  *     free kick    taker: one robot behind the ball, the others in their half; opponents: one robot
  *                  in its goal area, the others on the default places in any order
- *     free ball    one robot of each team on its default place, all others outside that quarter;
- *                  robot 0 may also stand in its goal area
+ *     free ball    one robot of each team on its default place, all others outside the quarter of
+ *                  the ball; robot 0 may also stand in its goal area
  *   In a shoot-out robot 1 takes the kick and robot 0, the keeper, may start anywhere in its goal
  *   area. If a robot may not stand where you want it, the referee moves as few robots as possible,
  *   each to the nearest free place, and the record says why. There is no other penalty. Places are
@@ -57,11 +57,12 @@
  *
  * Time
  *   A match is played as fast as both teams answer. The host counts the processor time of your
- *   process, also between two calls. A leg gives you 2 s, 1 ms for each tick and 20 ms for each
- *   place(). One tick may take 1 s, place() 1 s more, loading and create() together 10 s. A leg
- *   allows 10 s of sleeping and waiting in all. A team that needs more loses the leg. `mirocup
- *   check` shows the time that you use. In a match in real time a late team drives on with its last
- *   command for a few ticks and then stands; at a restart its robots stay on their default places.
+ *   process, also between two calls. For a leg you have 2 s, and 1 ms more for each tick and 20 ms
+ *   more for each place(). One tick may take 1 s, a tick with place() 2 s, loading and create()
+ *   together 10 s. A leg allows 10 s of sleeping and waiting in all. A team that needs more loses
+ *   the leg. `mirocup check` shows the time that you use. In a match in real time a team whose
+ *   answer is late drives its last command for a few more ticks and then stands; at a restart its
+ *   robots stay on their default places.
  *
  * Surroundings
  *   Your library runs in a separate sandboxed process, with 1 GiB of memory, 8 MiB of stack and one
@@ -88,7 +89,7 @@
  *   returns 0.45, unless another value comes from `mirocup match --param wait=0.4`, from `check` or
  *   `join` with the same option, or from "parameters" of your team in league.json. A name has
  *   letters, digits, '_', '-' and '.', begins with a letter and has at most 31 bytes. A leg gives a
- *   team at most 32 parameters. The record keeps all, and `mirocup rerun` gives them again.
+ *   team at most 32 parameters. The record keeps them, and `mirocup rerun` gives them again.
  *
  * Clocks
  *   The time of day begins at 1 January 2000 in every leg. Differences between two readings of
@@ -96,9 +97,9 @@
  *
  * Random numbers
  *   Derive random numbers from `seed`, so that a leg can be played again exactly. Clocks, addresses
- *   and std::random_device make a leg that cannot be repeated; `mirocup check` refuses such a
- *   library. The check plays a leg twice, the second time on another day and with clocks of real
- *   time.
+ *   and std::random_device make a leg that cannot be repeated; `mirocup check` refuses a library
+ *   that uses them. The check plays a leg twice, the second time with another time of day and with
+ *   clocks that run as in real time.
  *
  * Versions
  *   A library with another MIROCUP_ABI_VERSION is refused: build it again with today's strategy.h.
@@ -123,8 +124,8 @@
 extern "C" {
 #endif
 
-/* The host refuses a library with another number. The number changes only when older libraries can
- * no longer play; compatible additions show in the sizes of the structures. */
+/* The host refuses a library whose number is not the host's. The number changes only when older
+ * libraries can no longer play; compatible additions show in the sizes of the structures. */
 #define MIROCUP_ABI_VERSION 2u
 
 /* The length of every array of robots; setup.robots and observation.robots give the used length. */
@@ -195,12 +196,12 @@ typedef struct mirocup_setup {
      functions are never null. */
   void* host;
 
-  /* Writes a line to the log of the leg. If create() then returns null, the report of the leg has
-     the last line as its reason. */
+  /* Writes a line to the log of the leg. If create() then returns null, the report of the leg gives
+     the last such line as the reason. */
   void (*log)(void* host, const char* text);
 
-  /* Returns the parameter of a name, or `fallback` if the leg does not give it to this team. See
-     "Parameters". */
+  /* Returns the value of the parameter `name`, or `fallback` if the leg does not give this
+     parameter to this team. See "Parameters". */
   double (*parameter)(void* host, const char* name, double fallback);
 
   /* Draw a shape into the replay, see "Thoughts". `points` has x, y of each corner of a polygon,
@@ -223,8 +224,8 @@ typedef struct mirocup_setup {
   double ball_wall_restitution, ball_robot_restitution;
   double robot_wall_restitution, robot_robot_restitution;
   double ball_wall_friction, ball_robot_friction, robot_wall_friction, robot_robot_friction;
-  /* The outline of a robot that is not a square, counter-clockwise in its own frame, m; 0 corners:
-     a square of robot_side. */
+  /* The corners of a robot's outline, counter-clockwise in the robot's frame, m. If `corners` is 0,
+     the outline is a square with the side robot_side. */
   int32_t corners;
   int32_t reserved_corners; /* 0 */
   double corner_x[MIROCUP_MAX_CORNERS], corner_y[MIROCUP_MAX_CORNERS];
@@ -247,13 +248,13 @@ typedef struct mirocup_setup {
 } mirocup_setup;
 
 /* The referee's counts about a team. A robot counts if more than half of its body is inside the
-   area and it was not pushed there. A time, s, runs while a team breaks the law, else it is 0. */
+   area and it was not pushed there. A time, s, grows while the team breaks a law, else it is 0. */
 typedef struct mirocup_counts {
-  int32_t defenders;         /* robots in the own goal area; one is allowed */
+  int32_t defenders;         /* robots in the own goal area; at most defenders_allowed */
   int32_t area_defenders;    /* robots in the own penalty area */
-  int32_t attackers;         /* robots in the opponents' goal area; one is allowed */
+  int32_t attackers;         /* robots in the opponents' goal area; at most attackers_allowed */
   int32_t keeper;            /* the robot that counts as keeper; -1: none */
-  int32_t advantage_against; /* 1: the team fouled; called unless the opponents score at once */
+  int32_t advantage_against; /* 1: the team fouled; the call waits for a goal of the opponents */
   int32_t reserved;          /* 0 */
   double two_defenders_s, four_defenders_s, two_attackers_s;
   double keeper_hold_s; /* how long the ball is in the own goal area with no opponent near */
@@ -321,7 +322,7 @@ typedef struct mirocup_strategy {
    * the call. */
   void (*decide)(void* team, const mirocup_observation* observation, mirocup_command* command);
 
-  /* Ends the team. May be null. The host does not call it if it ends the process by force. */
+  /* Ends the team. May be null. A host that ends the process by force does not call destroy(). */
   void (*destroy)(void* team);
 
   /* Chooses the places at a restart. If null, your robots stand in the default places. The

@@ -100,22 +100,22 @@ inline bool must_kick_off(const Observation& now) {
 // their kicker waits on the side of the ball from which it can shoot, while the taker must first go
 // round the ball.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
-  // Drives through the ball from any place, and fast, because opponents come.
+  // Drives through the ball from any place, and fast, because the opponents drive at the ball.
   const double near = setup.robot_side + 0.025;                     // m
   const double pace = length(position(robot)) > near ? 0.8 : 0.28;  // m/s
   return drive_to(setup, robot, -0.1 * unit(position(robot)), pace, pace);
 }
 
-// Returns the y, m, at which the bisector of the angle of the own goal, as seen from the ball,
-// meets the goal line: the place from which a keeper covers the goal.
+// Returns the y, m, of the place on the own goal line from which a keeper covers the goal. From the
+// ball, the goal is seen under an angle; the bisector of this angle meets the goal line at this y.
 inline double middle_of_goal_view(const Setup& setup, Point ball) {
   const double left = length(ball - Point{-setup.half_length, setup.goal_half_width});
   const double right = length(ball - Point{-setup.half_length, -setup.goal_half_width});
   return setup.goal_half_width * (right - left) / (right + left);
 }
 
-// Frees a stuck ball: drives at the ball, and spins beside it, so that a corner of the robot throws
-// the ball forward or, before the opponents' goal, towards the middle of the goal.
+// Frees a stuck ball: drives to the ball, then spins beside it, so that a corner of the robot
+// throws the ball forward or, near the opponents' end, towards the middle of their goal.
 inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot& robot) {
   const Point to = ball(now) - position(robot);
   const double beside = setup.robot_side / 2.0 + 0.0325;  // m
@@ -131,9 +131,9 @@ inline Wheels free_ball(const Setup& setup, const Observation& now, const Robot&
 }
 
 // Keeps the goal: the robot stays in the mouth of the goal, where the ball will meet its face, and
-// kicks a slow ball in the goal area away, not inwards. From this place, a ball along the end wall
-// meets the middle of the keeper's face; if the keeper stood farther out, the ball would meet a
-// corner and turn the keeper aside.
+// kicks a slow ball in the goal area away from the goal. A ball that rolls along the end wall meets
+// the middle of the keeper's face; if the keeper stood farther out, such a ball would meet a corner
+// and turn the keeper aside.
 inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot& robot) {
   const double line = -setup.half_length + 0.4 * setup.robot_side;
   const Point here = position(robot);
@@ -148,9 +148,9 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
     return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
   }
   // If the ball comes, the keeper goes to the y at which the ball will meet the face that looks
-  // into the field; otherwise to the middle of the goal's view. If the keeper waited where the ball
-  // would cross the goal line, it would meet a ball from the side with another face, and turn the
-  // ball into the goal.
+  // into the field; otherwise to middle_of_goal_view(). If the keeper waited where the ball would
+  // cross the goal line, a ball from the side would meet another face, which would turn the ball
+  // into the goal.
   const double face = line + setup.robot_side / 2.0 + setup.ball_radius;
   double y = middle_of_goal_view(setup, ball(now));
   if (now.ball_vx < -0.1) {
@@ -165,8 +165,8 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
   return drive_round(setup, robot, post, ball(now), 0.0, 1.5);
 }
 
-// Returns the parameter of a name, or `fallback` if the leg does not give it to the team, or if the
-// host does not support parameters. See "Parameters" in strategy.h.
+// Returns the value of the parameter `name`, or `fallback` if the leg does not give this parameter
+// to the team, or if the host does not support parameters. See "Parameters" in strategy.h.
 inline double parameter(const Setup& setup, const char* name, double fallback) {
   const bool is_there = setup.size >= offsetof(Setup, parameter) + sizeof setup.parameter;
   if (!is_there || setup.parameter == nullptr) return fallback;
@@ -174,9 +174,9 @@ inline double parameter(const Setup& setup, const char* name, double fallback) {
 }
 
 // These functions draw into the replay of `mirocup match --thoughts`; on older hosts they have no
-// effect. `setup` is the setup of a Team. See "Thoughts" in strategy.h: own frame, m; colours are
-// 0xRRGGBBAA; a layer can be switched off in the page. mirocup/skills/draw.hpp uses them to draw
-// targets, roles and shots.
+// effect. `setup` is setup() of a Team. Points are in your own frame, m; colours are 0xRRGGBBAA;
+// the page can switch a layer off. See "Thoughts" in strategy.h. mirocup/skills/draw.hpp draws
+// targets, roles and shots with these functions.
 inline void draw_line(const Setup& setup, const char* layer, std::uint32_t colour, Point from,
                       Point to) {
   if (setup.draw_line == nullptr) return;
@@ -200,8 +200,8 @@ inline void draw_text(const Setup& setup, const char* layer, std::uint32_t colou
   setup.draw_text(setup.host, layer, colour, at.x, at.y, text);
 }
 
-// Returns a copy of a setup of which only `size` bytes exist. Every host has the members up to
-// `log`.
+// Returns a copy of the host's setup. Members that this host does not have, behind `size` bytes,
+// are 0 in the copy; every host has the members up to `log`.
 inline Setup copy_of(const Setup& setup) {
   Setup copy{};
   constexpr std::size_t least = offsetof(Setup, host);
@@ -231,14 +231,14 @@ class Team {
   const Setup& setup() const { return setup_; }
   Random& random() { return random_; }
 
-  // Returns the parameter of a name, or `fallback` if the leg does not give it. Read a parameter
-  // when the team is made, as a member: `const double wait_ = parameter("wait", 0.45);`
+  // Returns the value of the parameter `name`, or `fallback` if the leg does not give it. Read
+  // a parameter once, into a member of your team: `const double wait_ = parameter("wait", 0.45);`
   double parameter(const char* name, double fallback) const {
     return strategy::parameter(setup_, name, fallback);
   }
 
-  // Writes a line to the log of the leg. With values, the first argument is a format of printf(),
-  // log("ball at %.2f", now.ball_x), which the compiler checks, and the line is cut after 255
+  // Writes a line to the log of the leg. With values, as in log("ball at %.2f", now.ball_x), the
+  // first argument is a format of printf(). The compiler checks it, and the line is cut after 255
   // bytes. Without values the text is written unchanged, percent signs included.
   void log(const char* text) const { setup_.log(setup_.host, text); }
   // This function is a template only so that a call without values selects the overload above.
@@ -267,7 +267,7 @@ class Team {
   void draw_text(const char* layer, std::uint32_t colour, Point at, const char* text) const {
     strategy::draw_text(setup_, layer, colour, at, text);
   }
-  // The page shows a curve of the value over time. The name has at most 31 bytes.
+  // The replay shows the value as a curve over time. The name has at most 31 bytes.
   void draw_value(const char* name, double value) const {
     constexpr std::uint32_t invisible = 0;
     char text[64];
@@ -280,7 +280,7 @@ class Team {
   Random random_;
 };
 
-// True if place() of a team overrides Team::place(), with a placement that the team can change.
+// True if T::place() takes the placement by reference, as Team::place() does.
 template <class T>
 concept places_by_reference = requires {
   static_cast<void (T::*)(const Observation&, Placement&)>(&T::place);
@@ -289,7 +289,7 @@ concept places_by_reference = requires {
 }  // namespace mirocup::strategy
 
 // Exports a class as the team of the library. The constructor of the class takes the setup. The
-// assertion finds a place() that takes a copy of the placement, because changes of a copy would
+// assertion rejects a place() that takes a copy of the placement, because changes of the copy would
 // have no effect.
 #define MIROCUP_EXPORT_TEAM(Class, Name)                                               \
   static_assert(mirocup::strategy::places_by_reference<Class>,                         \

@@ -12,9 +12,9 @@
  * The team's program can run on any computer that reaches the match server by UDP. The program has
  * no sandbox and no budget of processor time; only its answers and their arrival times count.
  *
- * The connection recovers by itself from lost packets and from a server that is started again.
- * After a crash in the middle of a match, a team opens the match in a new process, which gets the
- * seat once the old process has been silent for a moment.
+ * The connection recovers by itself from lost packets and from a server that is started again. If
+ * your program crashes in the middle of a match, start it again and open the match: the new process
+ * gets the seat once the old process has been silent for a moment.
  *
  * The replay of `mirocup match --thoughts` shows the shapes that a program draws with the functions
  * of its setup (strategy.h, "Thoughts") before the answer to a tick.
@@ -38,7 +38,7 @@ extern "C" {
 
 /* The match to join. Set all members to 0, then set `size`, `team`, `match` and `name`. */
 typedef struct mirocup_team_call {
-  uint32_t size;           /* of this structure, bytes; it grows only at its end */
+  uint32_t size;           /* of this structure, bytes; later versions add members at its end */
   int32_t team;            /* enum mirocup_colour: the colour to play */
   const char* server;      /* host of the match server; null: this computer */
   const char* match;       /* ID of the match */
@@ -75,9 +75,9 @@ const mirocup_setup* mirocup_team_setup(const mirocup_connection* connection);
 const mirocup_observation* mirocup_team_observation(const mirocup_connection* connection);
 
 /* Requests places at a restart, while the last tick has `placing` 1. The following _send() sends
- * the request. The rules of place() in strategy.h hold, but fill `placement` completely: give
- * robots that should stay, and the ball, the values of the tick. Without a request all robots stay.
- * Returns 0; in a tick without `placing` returns -1 and has no effect. */
+ * the request. The rules of place() in strategy.h hold, but fill `placement` completely: robots
+ * that should stay, and the ball, get their values of the observation. Without a request all robots
+ * stay. Returns 0; in a tick without `placing` returns -1 and has no effect. */
 int32_t mirocup_team_place(mirocup_connection* connection, const mirocup_placement* placement);
 
 /* Sends the answer to the last tick. Call this function once for a tick. Returns 0, or -1 if the
@@ -89,8 +89,8 @@ int32_t mirocup_team_send(mirocup_connection* connection, const mirocup_command*
  * structures the library uses. A program with another MIROCUP_ABI_VERSION must be built again. */
 uint32_t mirocup_team_version(void);
 
-/* Returns the sentence for the person who must act: how the leg ended or why the team was refused;
- * before that, why the team has no seat yet, "" if it has a seat. */
+/* Returns a sentence for the person who runs the team: how the leg ended, or why the team was
+ * refused, or, before that, why the team has no seat yet. "" while the team has a seat. */
 const char* mirocup_team_text(const mirocup_connection* connection);
 
 /* Returns the official score when the leg is over: [0] blue, [1] yellow. */

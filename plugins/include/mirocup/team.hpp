@@ -78,9 +78,9 @@ class Connection {
     return mirocup_team_send(connection_.get(), &command) == 0;
   }
 
-  // Draw a shape into the replay of `mirocup match --thoughts`, before the answer to the tick: see
-  // "Thoughts" in strategy.h. Call them only after MIROCUP_TEAM_SEATED. The points of a polygon are
-  // x, y of each corner.
+  // Draw a shape into the replay of `mirocup match --thoughts`; see "Thoughts" in strategy.h. Call
+  // these functions after MIROCUP_TEAM_SEATED, and before the answer to a tick. The points of
+  // a polygon are x, y of each corner.
   void draw_line(const char* layer, std::uint32_t colour, double x1, double y1, double x2,
                  double y2) {
     setup().draw_line(setup().host, layer, colour, x1, y1, x2, y2);

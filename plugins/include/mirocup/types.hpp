@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The words of a team in C++: the structures of strategy.h under short names, points, angles,
-// random numbers. Do not include this header, but strategy.hpp.
+// random numbers. Include strategy.hpp instead of this header.
 #pragma once
 
 #include "mirocup/elementary.hpp"
@@ -62,7 +62,7 @@ inline double wrapped(double angle) {
   return rest <= -pi ? pi : rest;
 }
 
-// Random numbers (splitmix64) that are equal whenever the leg is played again.
+// Random numbers (splitmix64). They are the same whenever the leg is played again.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}

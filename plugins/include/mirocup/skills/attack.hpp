@@ -40,7 +40,7 @@ inline Point shooting_aim(const Setup& setup, const Observation& now, Point from
 struct Shot {
   Point at;          // m
   Point along;       // of length 1
-  double aside = 0;  // m: distance of the robot to the left of the line of the shot
+  double aside = 0;  // m: how far the robot is to the left of the line of the shot
   bool is_on_line = false;
 };
 
@@ -54,8 +54,8 @@ inline Shot shot_of(const Robot& robot, Point at, Point aim) {
   return shot;
 }
 
-// Returns the point to drive to for a robot on the line of the shot, so that the robot returns to
-// the line until it meets the ball, and then drives through the ball.
+// Returns the point to drive to for a robot that is near the line of the shot: the robot comes back
+// to the line before it meets the ball, and drives through the ball.
 inline Point through(const Shot& shot) {
   return shot.at + 0.3 * shot.along - (2.0 * shot.aside) * Point{-shot.along.y, shot.along.x};
 }
@@ -70,10 +70,10 @@ inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
 struct Attack {
   double speed = 1.8;    // m/s
   double sight = 1e9;    // m: robots farther away are not obstacles
-  double lead_s = 0.08;  // s: the field is read at the robot's place after this time
+  double lead_s = 0.08;  // s: the robot reads the field where it will be after this time
 };
 
-// Shoots the ball that robot `me` meets at `at` to `aim`: the robot comes in along a field of
+// Robot `me` meets the ball at `at` and shoots it to `aim`: the robot comes in along a field of
 // directions round all other robots, and drives through the ball.
 inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me, Point at,
                              Point aim, const Attack& how = {}) {
@@ -98,8 +98,8 @@ inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me,
   return follow_field(setup, robot, target, how.speed, obstacles, count, {}, how.lead_s);
 }
 
-// Shoots the ball to `aim` from the point at which robot `me` meets the moving ball. Draws both
-// points (draw.hpp).
+// Shoots the moving ball to `aim` from the point at which robot `me` meets it. Draws both points
+// (draw.hpp).
 inline Wheels attack_ball(const Setup& setup, const Observation& now, int me, Point aim,
                           const Attack& how = {}) {
   const Point meet = intercept(setup, now, now.own[me]).ball.at;
@@ -114,7 +114,7 @@ inline Point supporting_place(const Setup& setup, const Observation& now, int me
   const int row = rank / 2;
   const double back = 0.3 + 0.25 * row;
   // A robot nearer to the own goal would deflect more of the opponents' balls into the goal: with
-  // 0.75 twice as many own goals fell.
+  // -0.75 here, a team scored twice as many own goals.
   constexpr double deepest = -0.6;  // x, as a part of half the length of the field
   const double x = math::max(deepest * setup.half_length, now.ball_x - back);
   const double part = (x + setup.half_length) / (now.ball_x + setup.half_length + 0.01);

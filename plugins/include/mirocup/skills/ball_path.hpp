@@ -5,11 +5,11 @@
 // roots.
 //
 // A path answers frequent questions about the ball alone. For a ball that meets robots use the
-// Simulator of predict.hpp; without robots its path is equal to 1e-6 m.
+// Simulator of predict.hpp. If no robot is met, the two agree to 1e-6 m.
 //
 //   rolled       the ball after some seconds
 //   BallPath     the ball at many times, for a team that asks often: finds walls once
-//   time_at_x    when and where it reaches a line across the field
+//   time_at_x    when and where the ball reaches a line across the field
 //
 // The goals are open: a ball that passes between the posts rolls on to the wall behind them. Posts
 // count as points of the end wall. Frames and units are those of strategy.h.
@@ -26,11 +26,11 @@ struct Rolling {
   double bounce = 0.8;                   // part of the speed towards a wall that a rebound keeps
 };
 
-// Returns the floor and the walls of this leg; on hosts that do not give them, the defaults of
-// Floor.
+// Returns the floor and the walls of this leg; on hosts that do not give them, the default values
+// of Rolling.
 inline Rolling rolling_of(const Setup& setup) {
   if (setup.size < offsetof(Setup, corners)) return {};
-  // The formulas below divide by both constants, also if only one of the two slows the ball down.
+  // The formulas below divide by both constants, so neither may be 0.
   constexpr double least = 1e-5;
   return {math::max(setup.rolling_resistance * 9.81 / 1.4, least),
           math::max(setup.viscous_friction / (1.4 * setup.ball_mass), least),
@@ -94,7 +94,7 @@ inline WallAhead wall_ahead(const Setup& setup, Point at, Point along) {
   return first;
 }
 
-// Returns the ball after `seconds` on a floor. After eight rebounds the ball stays.
+// Returns the ball after `seconds` on a floor. At its eighth rebound the ball stays.
 inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
                          const Rolling& floor) {
   for (int rebounds = 0; rebounds < 8; ++rebounds) {
@@ -181,7 +181,7 @@ class BallPath {
     Point at;
     Point along;
     double speed = 0.0;
-    double most = 0.0;  // s
+    double most = 0.0;  // s: after this time the ball is at the next wall or at rest
   };
 
   double speed_after(double speed, double t) const {

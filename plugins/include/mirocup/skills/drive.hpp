@@ -4,9 +4,9 @@
 //
 // A motor follows a wanted speed with the time constant T, so a robot that turns at w still turns
 // by w T after the command to stop. With the command c for one tick of length P and then 0, the
-// robot turns by w T + c P in all. This equation, solved for c, gives the command that ends at the
-// wanted heading, without a gain and without overshoot. The same equation in metres holds for
-// driving.
+// robot turns by w T + c P in all. This equation, solved for c, gives the command after which the
+// robot ends at the wanted heading, without a gain and without overshoot. The same equation in
+// metres holds for driving.
 //
 //   when_commanded   where a robot will be when its next command begins
 //   turn_quickly     turns on the spot
@@ -40,7 +40,7 @@ inline double greatest_speed(const Setup& setup) {
 inline Robot when_commanded(const Setup& setup, const Robot& robot, Wheels command) {
   const double lag = setup.motor_time_constant;
   const double period = setup.control_period;
-  // The part of a speed difference that is left.
+  // The part of the difference to the commanded speed that is left after the tick.
   const double left = lag > 0.0 ? math::exp(-period / lag) : 0.0;
   const double forward = setup.wheel_radius * (command.right + command.left) / 2.0;
   const double turn = setup.wheel_radius * (command.right - command.left) / setup.wheel_distance;
@@ -71,7 +71,8 @@ inline Wheels wheels_turning_first(const Setup& setup, double forward, double tu
 }
 
 // Returns the turn (rad/s) to command so that a robot that now turns at `turn` rad/s ends `error`
-// rad farther. Robots do not follow commands exactly, so later ticks correct a part of the error.
+// rad farther. The command corrects only `part` of the error, because robots do not follow commands
+// exactly; later ticks correct the rest.
 inline double turn_for(const Setup& setup, double turn, double error, double part = 0.9) {
   return (part * error - setup.motor_time_constant * turn) / setup.control_period;
 }

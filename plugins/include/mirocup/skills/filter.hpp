@@ -15,11 +15,11 @@
 //     filter_.sent(command);
 //   }
 //
-// Each body has a Kalman filter: a prediction of its motion, which each new picture corrects. A
-// better prediction gets a smaller correction. Own robots are predicted with the motors' law from
-// the commands of the team, opponents at constant speed and turn, the ball as in ball_path.hpp. If
-// a picture is far from the prediction, the body has hit something, and its filter starts anew. A
-// body that is not seen (`..._age_ticks`) is predicted from its last picture.
+// Each body has a Kalman filter: a prediction of its motion, which each new picture corrects. The
+// more certain the prediction, the smaller the correction. The filter predicts own robots with the
+// motors' law from the team's commands, opponents at constant speed and turn, the ball as in
+// ball_path.hpp. If a picture is far from the prediction, the body has hit something, and its
+// filter starts anew. A body that is not seen (`..._age_ticks`) is predicted from its last picture.
 //
 // Kalman, A New Approach to Linear Filtering and Prediction Problems, 1960. Frames and units are
 // those of strategy.h. An observation without delay is exact, and is not filtered.
@@ -31,16 +31,18 @@
 
 namespace mirocup::strategy {
 
-// The filter's trust in its pictures and its predictions.
+// The filter's trust in its pictures and its predictions. Between pictures a velocity becomes less
+// certain: its variance grows by `..._push` in a second (m^2/s^3), that of an angular velocity by
+// `..._turn` (rad^2/s^3).
 struct FilterSettings {
   double see_m = 0.0015;         // standard deviation of a position along x and y
   double see_rad = 0.017;        // standard deviation of a heading
-  double ball_push = 0.002;      // m^2/s^3: rate at which the ball's velocity becomes uncertain
-  double own_push = 0.01;        // rate of an own robot, whose commands are known
-  double opponent_push = 2.0;    // of an opponent
-  double own_turn = 0.5;         // rad^2/s^3: rate of an own robot's angular velocity
-  double opponent_turn = 200.0;  // of an opponent
-  double surprise = 5.0;         // a picture off by more standard deviations means a hit
+  double ball_push = 0.002;      // m^2/s^3
+  double own_push = 0.01;        // m^2/s^3: less than an opponent's, as own commands are known
+  double opponent_push = 2.0;    // m^2/s^3
+  double own_turn = 0.5;         // rad^2/s^3
+  double opponent_turn = 200.0;  // rad^2/s^3
+  double surprise = 5.0;         // more standard deviations from prediction to picture mean a hit
 };
 
 // The uncertainty of a position and its velocity: the variances and the covariance of a Kalman
@@ -60,7 +62,7 @@ struct Uncertainty {
     speed += seconds * push;
   }
   struct Gain {
-    double place, speed;  // parts of a difference, the second in 1/s
+    double place, speed;  // corrections for a difference of 1; speed in 1/s
   };
   // Reduces the uncertainty by a new picture.
   Gain shrink(double variance) {
@@ -75,7 +77,7 @@ struct Uncertainty {
 // Returns a robot after `seconds` in which its motors follow `wheels`, without slip.
 inline Robot driven(const Setup& setup, Robot robot, Wheels wheels, double seconds) {
   const double tau = setup.motor_time_constant;
-  // Remaining part of the difference to the motors' target.
+  // The part of the difference to the motors' target that is left after `seconds`.
   const double left = math::exp(-seconds / tau);
   const double forward = robot.vx * math::cos(robot.heading) + robot.vy * math::sin(robot.heading);
   const double aim = setup.wheel_radius * (wheels.right + wheels.left) / 2.0;
@@ -112,7 +114,7 @@ class Filter {
       : setup_(copy_of(setup)), settings_(settings) {}
 
   // Returns the observation with all bodies at their places `ticks_ahead` ticks later: 1 is the
-  // start of the tick in which the answer is driven, 0 is now. To be called once in every tick.
+  // start of the tick in which the answer is driven, 0 is now. Call this once in every tick.
   Observation see(const Observation& seen, int ticks_ahead = 1) {
     Observation now = seen;
     const bool has_ages = seen.size >= offsetof(Observation, reserved_age);
@@ -150,7 +152,7 @@ class Filter {
   struct Tracked {
     Robot at{};               // pose at the tick of the last picture
     std::uint32_t tick = 0;   // the tick of the last picture
-    Uncertainty place, turn;  // of the heading, in rad
+    Uncertainty place, turn;  // `turn`: of the heading and the angular velocity, in rad
   };
   struct TrackedBall {
     MovingBall at;
@@ -158,7 +160,7 @@ class Filter {
     Uncertainty place;
   };
   struct Sent {
-    std::uint32_t tick = 0;  // the tick that drives the command; 0: none
+    std::uint32_t tick = 0;  // the tick in which the command is driven; 0: no command
     Command command{};
   };
 

@@ -43,9 +43,9 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
   if (depth < how.line + (setup.robot_side / 2.0 + 0.0225) && std::abs(where.y) > reach)
     return side * reach;
 
-  // The y of the ball's middle when it meets the face that looks into the field. If the keeper
-  // stood farther on, a ball from the side would meet another face, which turns the ball into the
-  // goal.
+  // The y of the ball's middle when the ball meets the face that looks into the field. If the
+  // keeper stood where the ball would cross the goal line, a ball from the side would meet another
+  // face, which turns the ball into the goal.
   if (now.ball_vx < -0.1) {
     const double step = 0.033;  // s
     Point before = where;
@@ -76,8 +76,8 @@ inline bool lies_in_area(const Setup& setup, const Observation& now, double slow
          std::abs(now.ball_y) < setup.goal_area_half_width + 0.03;
 }
 
-// Drives along the goal line to a y and looks along the line; a little steering keeps the robot at
-// x.
+// Drives along the goal line to the target's y and looks along the line; a little steering keeps
+// the robot at the target's x.
 inline Wheels slide_quickly(const Setup& setup, const Robot& robot, Point target) {
   const Point to = target - position(robot);
   const double way = robot.heading > 0.0 ? 1.0 : -1.0;

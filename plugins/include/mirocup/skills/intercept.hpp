@@ -15,13 +15,13 @@ namespace mirocup::strategy {
 
 struct Interception {
   MovingBall ball;       // the ball when the robot meets it
-  double seconds = 0.0;  // until the meeting; `most_s` if the robot does not reach the ball
+  double seconds = 0.0;  // until the meeting; above `most_s` if the robot is not there in time
   bool is_reached = false;
 };
 
 // Returns where a robot that drives at a mean speed of `pace` m/s meets the ball within `most_s`
-// seconds. The time for turning and starting does not count, because an attacker that aims farther
-// ahead for it runs past a ball that it is about to reach. `path` is the path of the ball; make it
+// seconds. The time for turning and starting is left out: an attacker that allowed for it would aim
+// farther ahead, and run past a ball that is within reach. `path` is the path of the ball; make it
 // once a tick.
 inline Interception intercept(const BallPath& path, const Robot& robot, double pace = 1.2,
                               double most_s = 1.5) {
@@ -30,7 +30,7 @@ inline Interception intercept(const BallPath& path, const Robot& robot, double p
     return length(ball.at - position(robot)) / pace - t;
   };
   MovingBall ball = path.after(0.0);
-  // Even if the ball rolls straight to the robot, the robot does not reach it earlier.
+  // The robot would meet the ball at `first` if the ball rolled straight to it; never earlier.
   const double first = length(ball.at - position(robot)) / (pace + length(ball.velocity));
   double t = math::min(step * std::floor(first / step), most_s);
   ball = path.after(t);

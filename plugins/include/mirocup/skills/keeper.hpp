@@ -23,16 +23,16 @@ struct KeeperHabits {
   double line = 0.05;        // m, from the goal line to the middle of the keeper
   double inside_post = 0.0;  // m: distance of the keeper's middle inside the posts
   double clear_speed = 0.5;  // m/s: a slower ball in the goal area is cleared
-  double spin = 25.0;        // rad/s, to throw a ball away that lies before the keeper
+  double spin = 25.0;        // rad/s, to throw away a ball that lies before the keeper
 };
 
-// Returns the y at which the line through a ball and along `direction` crosses x, m.
+// Returns the y, m, at which the line through `ball` along `direction` reaches `x` (m).
 inline double y_on_line(Point ball, Point direction, double x) {
   return ball.y + (x - ball.x) / direction.x * direction.y;
 }
 
-// Returns the y at which a resting ball will cross x, m, if an opponent drives at the ball;
-// otherwise no value.
+// If an opponent drives at a slow ball, returns the y, m, at which the shot will reach `x` (m);
+// otherwise returns no value.
 inline std::optional<double> y_of_coming_shot(const Observation& now, double x) {
   if (length(ball_velocity(now)) >= 0.3) return std::nullopt;
   for (int j = 0; j < now.robots; ++j) {
@@ -55,9 +55,9 @@ inline Point cover_point(const Setup& setup, const Observation& now,
   const double line = -setup.half_length + habits.line;
   const double reach = setup.goal_half_width - habits.inside_post;
   const auto at = [&](double y) { return Point{line, math::clamp(y, -reach, reach)}; };
-  // The ball's middle when it meets the face. If the keeper stood where the ball
-  // crosses the line, a ball from the side would meet another face, which turns the ball into the
-  // goal.
+  // The x of the ball's middle when the ball meets the face that looks into the field. If the
+  // keeper stood where the ball crosses the line, a ball from the side would meet another face,
+  // which turns the ball into the goal.
   const double front = line + setup.robot_side / 2.0 + setup.ball_radius;
   const Point where = ball(now);
 
@@ -118,8 +118,8 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
   return follow_line(setup, robot, post, to.y > 0.0 ? pi / 2.0 : -pi / 2.0, speed, how);
 }
 
-// Keeps on the line before the goal, at the point where the ball will cross the line with at most
-// one rebound from a side wall. This function is for teams that ask hundreds of times in a tick.
+// Stays on the line before the goal, where the ball will cross the line after at most one rebound
+// from a side wall. This function is for teams that ask hundreds of times in a tick.
 inline Wheels rough_guard(const Setup& setup, const Observation& now, const Robot& robot) {
   const double line = -setup.half_length + 0.05;
   double y = now.ball_y * 0.3;

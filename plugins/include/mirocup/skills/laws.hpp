@@ -14,33 +14,33 @@
 namespace mirocup::strategy {
 
 struct Distance {
-  double gap = 0.11;        // m between the middles at which an attacker stops
+  double gap = 0.11;        // m between the middles; a nearer attacker backs off
   double speed = 0.3;       // m/s, allowed at that gap
   double rate = 3.5;        // 1/s: additional speed for each metre beyond the gap
-  double slant = 0.3;       // least cosine of the angle to the keeper at which the rule applies
+  double slant = 0.3;       // the rule applies from this cosine between motion and keeper
   double with_ball = 0.45;  // m/s, allowed with the ball between the two
   double retreat = 0.0;     // m: the robot backs off from a nearer keeper, even if the keeper comes
 };
 
-// Returns the distances to keep under the rules of a leg. Under SimuroSot rules, which are told by
-// the control period, each touch of a keeper is a foul.
+// Returns the distances to keep under the rules of a leg. Under SimuroSot rules, known by their
+// control period, each touch of a keeper is a foul.
 inline Distance keeper_distance(const Setup& setup) {
   if (setup.control_period > 0.02) return {.gap = setup.robot_side + 0.035};
   return {.gap = 0.12, .speed = 0.0, .rate = 4.0, .slant = 0.0, .with_ball = 0.2, .retreat = 0.135};
 }
 
-// True if the ball is at the robot, on the side of `to`.
+// True if the ball is at the robot, on the side to which `to`, a vector from the robot, points.
 inline bool has_ball(const Setup& setup, const Observation& now, const Robot& robot, Point to) {
   const Point to_ball = ball(now) - position(robot);
   return length(to_ball) < setup.robot_side + 0.01 && dot(unit(to_ball), unit(to)) > 0.7;
 }
 
-// Slows down all robots but the keeper before the opponents' keeper, unless the ball is between
-// them. Touching a keeper without playing the ball costs a goal kick.
+// Slows down all robots but the own keeper before the opponents' keeper; less if the ball is
+// between robot and keeper. Touching a keeper without playing the ball costs a goal kick.
 inline void spare_keeper(const Setup& setup, const Observation& now, Command& command,
                          const Distance& keep) {
   for (int j = 0; j < now.robots; ++j) {
-    // The robot at the moment when its command is driven.
+    // The keeper's place at about the time at which the command is driven.
     const Robot& other = now.opponent[j];
     const Point keeper = position(other) + 0.05 * Point{other.vx, other.vy};
     const bool is_home = keeper.x > setup.half_length - setup.goal_area_depth - 0.05 &&
@@ -76,8 +76,8 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
 }
 
 // True if a robot that does not attack is about to be in the opponents' goal area, in which only
-// one robot may be. Keeping away from the area costs goals, and pays only under SimuroSot rules, in
-// which the referee often calls this foul; the control period tells the rules.
+// one robot may be. A team whose robots keep away scores less. That pays only under SimuroSot
+// rules, known by their control period, because then the referee often calls this foul.
 inline bool must_leave_area(const Setup& setup, const Robot& robot) {
   if (setup.control_period > 0.02) return false;
   return robot.x + 0.1 * robot.vx > setup.half_length - setup.goal_area_depth - 0.1 &&

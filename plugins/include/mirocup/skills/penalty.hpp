@@ -58,7 +58,7 @@ class PenaltyTaker {
   }
 
  private:
-  // The place of the keeper a moment later, m.
+  // Returns the y, m, of the opponents' keeper a moment later.
   static double keeper_y(const Observation& now) {
     int keeper = 0;
     for (int j = 1; j < now.robots; ++j) {

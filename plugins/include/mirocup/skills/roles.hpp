@@ -18,8 +18,8 @@
 
 namespace mirocup::strategy {
 
-// Returns the robot from `first` on with the least cost; the robot `last` costs `bonus` less.
-// `cost(i)` returns the cost of robot i.
+// Returns the number of the robot with the least cost, of robots `first` and higher. `cost(i)` is
+// the cost of robot i; robot `last` costs `bonus` less.
 template <class Cost>
 int cheapest_robot(const Observation& now, int first, int last, double bonus, const Cost& cost) {
   int best = first;
@@ -44,7 +44,7 @@ inline double time_behind(const Setup& setup, const Observation& now, int i,
   return time_behind(BallPath(setup, moving_ball(now)), now.own[i], round_s);
 }
 
-// The number of the robot of each place.
+// For each place, the number of the robot that takes it.
 using Assignment = std::array<int, MIROCUP_MAX_ROBOTS>;
 
 // Gives each place, the most important first, to the nearest robot that is still free. `free` are

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A field of directions that leads to a pose: at each place it gives the direction to drive in.
-// From any place, a robot that follows the field reaches the target with the wanted heading, since
-// it arrives along one of two spirals on the two sides of the target. Obstacles turn the field
-// aside.
+// From any place, a robot that follows the field reaches the target with the wanted heading,
+// because it arrives along one of two spirals, one on either side of the target. Obstacles turn the
+// field aside.
 //
 //   field_heading    the direction at a place
 //   around           a direction, turned aside by a moving obstacle
@@ -38,7 +38,7 @@ inline double field_heading(const UnivectorField& field, Point here, const Targe
   const Point from = here - target.at;
   const Point p{c * from.x + s * from.y, -s * from.x + c * from.y};  // the target looks along +x
   const double d = field.radius;
-  // The spiral about (0, turn * d): 1 is counter-clockwise, -1 clockwise.
+  // The spiral about (0, turn * d): counter-clockwise for turn 1, clockwise for turn -1.
   const auto spiral = [&](double turn) {
     const Point v{p.x, p.y - turn * d};
     const double rho = length(v);
@@ -62,9 +62,9 @@ struct Obstacle {
 };
 
 struct Avoidance {
-  double nearest = 0.085;  // m between the middles; a nearer robot only avoids the obstacle
+  double nearest = 0.085;  // m between the middles; a nearer robot drives only past the obstacle
   double width = 0.045;    // m: a greater width makes avoiding begin more softly
-  double lead_s = 0.15;    // s: obstacles count at their relative places after this time
+  double lead_s = 0.15;    // s: obstacles count at their places, seen from the robot, in this time
 };
 
 // Returns `heading`, turned aside by an obstacle on the way. `velocity` is the velocity of the
@@ -79,8 +79,8 @@ inline double around(double heading, Point here, Point velocity, const Obstacle&
   const double bearing = math::atan2(to.y, to.x);
   const double side = wrapped(heading - bearing);
   if (std::abs(side) > pi / 2.0) return heading;  // the robot drives away from the obstacle
-  // The new heading passes the obstacle on the side of the way, and a little away from the
-  // obstacle.
+  // The new heading passes the obstacle on the side to which `heading` points, and leads a little
+  // away from the obstacle.
   const double past = bearing + (side >= 0.0 ? 1.0 : -1.0) * 0.6 * pi;
   const double far = math::max(0.0, gap - how.nearest) / how.width;
   const double weight = math::exp(-0.5 * far * far);

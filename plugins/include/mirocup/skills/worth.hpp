@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The worth of a scene, for a team that tries moves before it makes them. The worth depends on
-// place and motion of the ball and on the robot that is first behind the ball. About 1 is a goal
-// for the team, -1 a goal against it.
+// place and motion of the ball and on the robot that is first behind the ball. On its scale a goal
+// for the team is worth about 1, a goal against it about -1.
 //
 //   worth_of             the worth of a scene in play
 //   time_to_get_behind   about the time until a robot is behind the ball, s
@@ -15,8 +15,8 @@
 
 namespace mirocup::strategy {
 
-// Returns how far a ball that goes in passes from the robots of a team: 0 at a robot, 1 out of
-// reach of all robots.
+// Returns whether a ball that is about to roll into a goal at `ball` is out of reach of a team: 0
+// if a robot is within 5 cm of its path, 1 if no robot is within 20 cm, linear in between.
 inline double out_of_reach(const Robot* robots, int count, Point ball) {
   double nearest = 1.0;
   for (int i = 0; i < count; ++i) {
@@ -26,7 +26,7 @@ inline double out_of_reach(const Robot* robots, int count, Point ball) {
   return math::clamp((nearest - 0.05) / 0.15, 0.0, 1.0);
 }
 
-// Returns about how long a robot takes to get behind the ball, seen from a goal, s.
+// Returns about how long, s, a robot takes until the ball is between it and `goal`.
 inline double time_to_get_behind(const Robot& robot, Point ball, Point goal) {
   const Point along = unit(goal - ball);
   const Point to = ball - 0.06 * along - position(robot);
