@@ -18,7 +18,8 @@ namespace mirocup::plugins {
 void begin_care(const Surroundings& surroundings);
 
 // To be called before and after each call of the team's code. after_call() returns a sentence about
-// the team's first mistake in the use of memory, or null. The sentence stays valid.
+// the team's first mistake in the use of memory, or null. The sentence stays valid until the
+// process ends.
 void before_call();
 const char* after_call();
 

@@ -16,7 +16,7 @@ struct ExitStatus {
   int signal = 0;  // 0: the process exited by itself
 };
 
-// Returns the end of a process in words: "signal 11 (Segmentation fault)".
+// Returns a signal in words: "signal 11 (Segmentation fault)".
 std::string signal_text(int signal);
 
 // Owns a child process. Threads: one.
@@ -53,7 +53,7 @@ class Child {
   pid_t pid_;
   clockid_t cpu_clock_ = 0;
   double cpu_ = 0.0;             // s
-  std::size_t peak_memory_ = 0;  // bytes; 0 while it runs
+  std::size_t peak_memory_ = 0;  // bytes; 0 while the process runs
   std::optional<ExitStatus> exit_status_;
 };
 

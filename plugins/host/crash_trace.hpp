@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// In the team's process: the places in the team's library that a crash passed, innermost first.
+// In the team's process: the calls in the team's library that were active at a crash, innermost
+// first.
 #pragma once
 
 #include <array>

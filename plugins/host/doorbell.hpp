@@ -3,8 +3,8 @@
 // Wakes the processes of both teams of a match together.
 //
 // If the server woke one process after the other, the first would take the core at once, answer and
-// sleep before the server could wake the second: four context switches in a tick. One system call
-// that wakes both processes makes three. The teams share no memory for this.
+// sleep before the server could wake the second: four context switches in a tick. With one system
+// call that wakes both processes there are three. The teams share no memory for this.
 #pragma once
 
 #include "plugins/host/mailbox.hpp"
@@ -37,9 +37,9 @@ class Doorbell {
     if (asked_ >= std::min(members_, 2)) ring();
   }
 
-  // Wakes the processes for which a wake-up was asked. Must be called before waiting for an answer.
-  // While one team still computes, no observation is written for it, and without this call the
-  // other team would not wake.
+  // Wakes the processes for which a wake-up was asked. Must be called before waiting for an answer:
+  // while one team still computes, only the other team's wake-up is asked for, and ask() alone
+  // would not wake it.
   void ring() {
     if (asked_ == 1) wake(*words_[0]);
     if (asked_ == 2) wake(*words_[0], *words_[1]);

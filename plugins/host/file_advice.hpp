@@ -8,7 +8,7 @@
 
 namespace mirocup::plugins {
 
-// The files of a team.
+// The kinds of files that can be a team, in words.
 inline constexpr const char* what_is_taken =
     "hand in a library (.so), a source (.cpp, .c), a file of Python (.py), or a project as "
     ".tar.gz, .tar or .zip";

@@ -37,8 +37,8 @@ struct ObservationPage {
 // the server uses the report only as the reason if the team loses the leg.
 enum class LoadState : std::uint32_t { loading, ready, no_load, bad_abi, crash };
 
-// The exit codes of a team's process that left a report on its page, and the fields with that
-// report.
+// The exit codes of a team's process that left a report on its page. The comments name the members
+// of CommandPage with that report.
 inline constexpr int exit_refused = 1;  // load_state and text
 inline constexpr int exit_faulted = 3;  // fault_signal and the fields after it
 
@@ -54,7 +54,7 @@ enum class AddressKind : std::uint32_t {
   end_of_stack,
   other,
   observation,
-  lost  // an invalid address, in code outside the team: a return to nowhere
+  lost  // invalid, and the crash was in no code of the team: for example, a return to nowhere
 };
 
 struct CommandPage {
@@ -84,8 +84,8 @@ void wait_while_equal(const std::atomic<std::uint32_t>& word, std::uint32_t seen
 // Wakes the process that sleeps on a word.
 void wake(const std::atomic<std::uint32_t>& word);
 
-// Wakes the sleepers on two words before either sleeper can run on this core. `other` must not be
-// 0, and must be mapped writable in this process.
+// Wakes the sleepers on two words before either sleeper can run on this core. The value of `other`
+// must not be 0, and its memory must be writable in this process.
 void wake(const std::atomic<std::uint32_t>& one, const std::atomic<std::uint32_t>& other);
 
 }  // namespace mirocup::plugins

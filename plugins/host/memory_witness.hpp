@@ -3,7 +3,7 @@
 // Decides who is to blame if a lack of memory ended a leg.
 //
 // If memory is short, the kernel kills a process of its choice with SIGKILL. A team that stayed
-// within its limit is not at fault: the leg is void, and the sentence names the team and the sizes.
+// within its limit is not at fault: the leg is void, and its reason names the team and the sizes.
 // A team is at fault only if all of this holds: the kernel ended a process for lack of memory, the
 // memory for a leg was free when the leg began, no other process has taken that memory since, and
 // the team has taken more memory than the other team and at least half of its limit.
@@ -23,18 +23,19 @@ namespace mirocup::plugins {
 
 // The evidence about a team's process that was killed from outside; sizes in bytes.
 struct MemoryEvidence {
-  std::optional<bool> was_out_of_memory;     // empty: the kernel does not say
-  std::optional<std::size_t> free_at_start;  // when the leg began
+  // True: in this leg the kernel killed a process for lack of memory. Empty: it does not say.
+  std::optional<bool> was_out_of_memory;
+  std::optional<std::size_t> free_at_start;  // free memory when the leg began
   std::optional<std::size_t> free_now;       // free memory after the end of the process
-  std::size_t own_peak = 0;
-  std::size_t other_peak = 0;
+  std::size_t own_peak = 0;                  // peak memory of the killed process
+  std::size_t other_peak = 0;                // peak memory of the other team's process
 };
 
 // Returns the verdict on the evidence: a Fault of the team or a HostFailure.
 match::Answer judge_kill(Team team, const MemoryEvidence& evidence);
 
 // Watches the memory of one leg. The controllers of both teams share the object; each adds its
-// process and removes it before the process ends.
+// Child, and removes it before the Child is destroyed.
 class MemoryWitness {
  public:
   MemoryWitness();  // to be called when the leg begins

@@ -49,7 +49,7 @@ class Plugin {
   tl::expected<mirocup_command, match::Fault> decide(const mirocup_observation& observation,
                                                      mirocup_command& command);
 
-  // Calls place() at a restart. Without place() in the team, all bodies stay.
+  // Calls place() at a restart. If the team has no place(), all bodies stay.
   tl::expected<mirocup_placement, match::Fault> place(const mirocup_observation& observation);
 
  private:

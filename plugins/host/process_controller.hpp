@@ -30,7 +30,7 @@ namespace mirocup::plugins {
 // The limits of a team, in seconds. The match waits for both teams and counts their processor time.
 // A team has a bank of processor time for the whole leg; the limits of one tick only stop code that
 // would never end. The limits of wall time stop teams that sleep. Time in which a team waits for a
-// processor does not count, so a busy machine does not end its leg.
+// processor does not count, so no team loses because the machine is busy.
 struct Budget {
   double start_cpu = 10.0;
   double start_wall = 30.0;
@@ -54,7 +54,7 @@ struct Budget {
 struct Deadline {
   double tick = 0.0;           // longest time from observation to answer, s
   int max_late_in_a_row = 90;  // late answers in a row; 3 s at 33 ms
-  int max_late = 600;
+  int max_late = 600;          // late answers in the leg
 };
 
 // The conditions under which the teams of a leg play. Both teams share the witness, and the
@@ -96,7 +96,7 @@ class ProcessController final : public match::Controller {
   // Returns how long the process was ready to run but had no processor, s; nothing if the kernel
   // does not tell.
   std::optional<double> processor_delay() const { return child_.processor_delay(); }
-  // Returns the bank of processor time of the leg so far, s.
+  // Returns the processor time, s, that the team may have used up to now.
   double bank_seconds() const { return budget_.bank_after(ticks_, places_); }
   // Returns the number of observations that asked the team to place.
   std::uint32_t placements_asked() const { return places_; }
@@ -137,7 +137,7 @@ class ProcessController final : public match::Controller {
   // Returns the output of the team so far, bounded and escaped.
   std::string output();
 
-  // Like output(), with "tick 606: " before each line that the team printed while it was asked.
+  // Like output(), with "tick 606: " before each line that the team printed while it answered.
   std::string output_with_ticks();
 
  private:
@@ -205,7 +205,7 @@ class ProcessController final : public match::Controller {
   bool is_placing_ = false;    // true: that observation also asks for poses
   WallClock::time_point posted_at_;
   WallClock::time_point asked_at_;        // time of the oldest observation without an answer
-  std::optional<double> delay_at_slice_;  // processor_delay() in the first slice after asked_at_, s
+  std::optional<double> delay_at_slice_;  // s: processor_delay() at the first look after asked_at_
   double cpu_at_post_ = 0.0;
   double cpu_ = 0.0;
   double cpu_at_ready_ = 0.0;

@@ -17,8 +17,8 @@ struct PythonLoaded {
   char why[256];  // if `team` is null, a sentence with the reason
 };
 
-// Loads the file of a team and creates the team. `setup` must outlive it. Must be called from the
-// thread that plays. The team's functions throw the exceptions that a team in Python raises.
+// Loads the file of a team and creates the team. `setup` must outlive the team. Must be called from
+// the thread that plays. The team's functions throw the exceptions that a team in Python raises.
 extern "C" void mirocup_python_load(const char* path, const mirocup_setup* setup,
                                     PythonLoaded* loaded);
 

@@ -18,7 +18,7 @@
 namespace mirocup::plugins {
 
 // The report that a process left on its command page, copied out of the memory that the process can
-// write.
+// write. The comments name the members of CommandPage (mailbox.hpp).
 struct LastWords {
   LoadState load_state = LoadState::loading;
   int signal = 0;                              // fault_signal

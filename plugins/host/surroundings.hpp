@@ -18,8 +18,8 @@ struct Surroundings {
   // The byte that fills unwritten memory of the team's heap and stack. Only mirocup-careful-host
   // fills memory.
   std::uint8_t memory_fill = 0;
-  // The offset of the numbers of process, thread and processor and of the count of processors that
-  // the team sees. Only mirocup-careful-host adds it.
+  // mirocup-careful-host, and no other program, adds this number to the numbers of process, thread
+  // and processor, and to the count of processors, that the team sees.
   std::int32_t number_offset = 0;
 };
 

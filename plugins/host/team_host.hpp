@@ -15,13 +15,14 @@
 
 namespace mirocup::plugins {
 
-// The caller owns the targets of the pointers below.
+// The caller owns the targets of the pointers below. `has_told_...` is true once the log has the
+// line about that mistake, which is logged only once.
 struct TeamHost {
   const ParameterTable* table = nullptr;
   AskedRows* asked = nullptr;
   ThoughtsPage* thoughts = nullptr;  // null: the team's shapes are not kept
-  // Names for which the team asked parameter_of() and that are not in the table, up to this number.
-  std::array<std::size_t, match::max_team_parameters + 1> names{};  // hashes
+  // Hashes of the first different names that the team asked for and that are not in the table.
+  std::array<std::size_t, match::max_team_parameters + 1> names{};
   std::size_t different_names = 0;
   bool has_told_name = false;
   bool has_told_parameter = false;
@@ -35,7 +36,7 @@ struct TeamHost {
   std::string last_line = {};  // last line of the log, at most 200 bytes
 };
 
-// The longest name from a library that is shown, bytes; the limit of leagues.
+// The longest name from a library that is shown, bytes; leagues have the same limit.
 inline constexpr std::size_t max_own_name = 40;
 
 // The prefix of the host's lines in the team's log; `mirocup check` shows these lines as warnings.
@@ -57,11 +58,11 @@ std::string reason_in_log(const mirocup_setup& setup);
 // line, once, about a name that no parameter can have, and a line, once, about too many names.
 double parameter_of(void* host, const char* name, double fallback);
 
-// Logs a line, once, about a requested heading of more than a full turn, which is hardly in
+// Logs a line, once, about a requested heading of more than a full turn, which is probably not in
 // radians, and a line, once, about a requested place far outside of every pitch.
 void note_units(TeamHost& host, const mirocup_placement& placement, std::int32_t robots);
 
-// Logs a line if the name from the team's library is not shown.
+// Logs a line if the name from the team's library is not shown: it is too long or not one line.
 void note_own_name(TeamHost& host, const std::string& name);
 
 // Logs a line, once, about commands to robots that the team does not have.
@@ -69,9 +70,8 @@ void note_command(TeamHost& host, const mirocup_command& command, std::int32_t r
 
 // The functions `setup.draw_line` and so on put a shape on the page of the TeamHost at `host`. A
 // shape is dropped and counted if there is no room for it, if a number is not finite, or if a
-// polygon has fewer than 3 or more than max_polygon_corners corners. A line of the log tells once
-// of too many shapes in a tick, and a line tells once of an invisible colour, also if no shapes are
-// kept.
+// polygon has fewer than 3 or more than max_polygon_corners corners. Logs a line, once, about too
+// many shapes in a tick, and a line, once, about an invisible colour, even if no shapes are kept.
 void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,
                double y2);
 void draw_circle(void* host, const char* layer, std::uint32_t colour, double x, double y,

@@ -7,7 +7,7 @@
 
 namespace mirocup::python {
 
-// Returns the text of the file with a name; "" if the program lacks the file.
+// Returns the text of the file `name`; "" if the program lacks the file.
 std::string_view team_source(std::string_view name);
 
 }  // namespace mirocup::python

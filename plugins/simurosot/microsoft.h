@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Functions of Microsoft's C library by their names there.
+ * The functions of Microsoft's C library, under the names that they have in it.
  */
 #ifndef MIROCUP_SIMUROSOT_MICROSOFT_H
 #define MIROCUP_SIMUROSOT_MICROSOFT_H
@@ -180,7 +180,7 @@ static inline char* _strrev(char* text) {
 #define strlwr _strlwr
 #define strrev _strrev
 
-/* Digits in a base from 2 to 36. */
+/* Write the digits of `value` in a base from 2 to 36. */
 static inline char* _ui64toa(unsigned long long value, char* to, int base) {
   char* at = to;
   do {

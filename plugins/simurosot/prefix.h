@@ -81,7 +81,7 @@ using ::tanf;
 #define M_PI 3.14159265358979323846
 #endif
 
-/* Names of this C library that Microsoft's lacks, so a team may use them: see forward.sh. */
+/* Names that this C library has and Microsoft's lacks. A team may define them: see forward.sh. */
 #if __has_include("mirocup_own_names.h")
 #include "mirocup_own_names.h"
 #endif

@@ -63,7 +63,7 @@ inline Point nose(const Robot& robot) {
   return {mirocup_cos(robot.heading), mirocup_sin(robot.heading)};
 }
 
-// A drill team: robot 0 keeps the goal, and steer() moves each other robot. `now` is the
+// A drill team: robot 0 keeps the goal, and steer() drives each of the other robots. `now` is the
 // observation of the tick.
 class DrillTeam {
  public:
@@ -200,15 +200,15 @@ class DrillTeam {
     return inside(p, setup.ball_radius);
   }
 
-  // Returns a target outside the own goal area, for a robot that is not the keeper.
+  // Returns the target `p` of a robot that is not the keeper, moved out of the own goal area.
   Point keep_out(Point p) const {
     const double front = -setup.half_length + setup.goal_area_depth + 0.095;
     if (p.x < front && std::abs(p.y) < setup.goal_area_half_width + 0.095) p.x = front;
     return p;
   }
 
-  // Returns a place, moved aside if a ball that the own keeper clears would hit a robot at the
-  // place.
+  // Returns the place `p`, moved aside if a ball that the own keeper clears would hit a robot
+  // there.
   Point make_way(Point p) const {
     const bool is_in_front = ball.x < -setup.half_length + setup.goal_area_depth + 0.15 &&
                              p.x > ball.x + 0.02 && p.x < ball.x + 0.5;
@@ -235,7 +235,7 @@ class DrillTeam {
     return wheels_for(0.0, cross(to, way) > 0.0 ? 30.0 : -30.0);
   }
 
-  // The ball is on the spot of an own kick-off: the robot rolls it backwards.
+  // True if the ball is on the spot of an own kick-off. Then kick_off() rolls it backwards.
   bool must_kick_off() const {
     return now->restart == MIROCUP_KICK_OFF && now->own_restart != 0 &&
            mirocup_hypot(ball.x, ball.y) < 0.055;
@@ -251,7 +251,8 @@ class DrillTeam {
   Point velocity;  // of the ball, m/s
 
  private:
-  // Keeps the goal: stays in its mouth where the ball comes, and kicks a slow ball out of the area.
+  // Keeps the goal: stays in the mouth of the goal, where the ball will come, and kicks a slow ball
+  // out of the area.
   Wheels keep_goal(const Robot& robot) const {
     const double line = -setup.half_length + 0.03;
     const Point here = at(robot);
@@ -288,7 +289,8 @@ class DrillTeam {
     return wheels_for(forward, 9.0 * error);
   }
 
-  // Returns `wheels`, or slower speeds before an opponent that the robot would push off the ball.
+  // Returns `wheels`, or slower speeds if the robot would push an opponent without playing the
+  // ball.
   Wheels without_pushing(const Robot& robot, Wheels wheels) const {
     const Point here = at(robot);
     const double forward = forward_of(wheels);
@@ -347,8 +349,8 @@ class DrillTeam {
     return false;
   }
 
-  // Turns a robot square or moves it away if the ball would rebound from the robot into the own
-  // goal.
+  // Turns a robot square to the field, or moves it away, if the ball would rebound from it into the
+  // own goal.
   void avoid_own_goals(mirocup_command& command) const {
     if (ball.x > 0.0 || length(velocity) < 0.25) return;
     if (rolls_into_own_goal(ball, velocity, -0.02)) return;

@@ -26,9 +26,10 @@ void fill_as_freed(void* bytes, std::size_t size);
 // Fills the part of the stack that the next call will use.
 void fill_stack();
 
-// Checks some hundred blocks: the blocks that were freed last, and in turn all other blocks. In a
-// team with few blocks a mistake is found in the same call, in a team with thousands of blocks some
-// calls later. Returns a sentence about the first mistake since the start of the process, or null.
+// Checks some hundred blocks: the blocks that were freed last, and some of the others, which take
+// turns from call to call. So a mistake is found in the same call if a team has few blocks, and
+// some calls later if it has thousands. Returns a sentence about the first mistake since the start
+// of the process, or null.
 const char* find_memory_mistake();
 
 }  // namespace mirocup::plugins

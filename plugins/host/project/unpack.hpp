@@ -18,7 +18,7 @@ struct UnpackLimits {
   // The most bytes of all files, skipped files included, because a small archive may unpack to very
   // many bytes.
   std::uint64_t read = std::uint64_t{256} << 20;
-  std::size_t path = 200;  // bytes
+  std::size_t path = 200;  // the most bytes of a path
   int depth = 10;          // the most folders above a file
 };
 

@@ -28,7 +28,7 @@ int ask_before_loading();
 // For the supervisor: waits at most `patience` for a call, and lets the call pass.
 enum class LoadingStep {
   none,  // no call has come
-  more,  // a call that loads came
+  more,  // a call came, and further calls of loading will come
   last,  // the last call of loading came: the process is nearly ready
 };
 LoadingStep allow_loading_step(int supervisor, std::chrono::milliseconds patience);

@@ -3,8 +3,9 @@
 // Signals in a team's process.
 //
 // In tier T2 a team is the first process of a namespace, and the kernel shields such a process from
-// signals without a handler. Every signal that ends a process has a handler (fault_report.hpp),
-// which the team cannot remove (filter.hpp), so that a team ends in the same way in both tiers.
+// signals for which it has no handler. So that a team ends in the same way in both tiers, every
+// signal that ends a process has a handler (fault_report.hpp), which the team cannot remove
+// (filter.hpp).
 #pragma once
 
 #include <csignal>

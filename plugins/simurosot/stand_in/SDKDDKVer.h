@@ -1,2 +1,2 @@
 /* SPDX-License-Identifier: MIT */
-/* Nothing of it is needed. */
+/* Empty, because teams use nothing of this header. */

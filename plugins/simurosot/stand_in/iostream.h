@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Only the names of the old header of this name: a team may use other names of std itself. */
+/* Only the names of the old <iostream.h>, because a team may define other names of std itself. */
 #ifndef MIROCUP_SIMUROSOT_IOSTREAM_H
 #define MIROCUP_SIMUROSOT_IOSTREAM_H
 #include <fstream>

@@ -198,7 +198,7 @@ typedef struct {
 typedef DWORD (*LPTHREAD_START_ROUTINE)(LPVOID);
 typedef BOOL (*WNDENUMPROC)(HWND, LPARAM);
 
-/* Milliseconds of simulated time: runtime.cpp. */
+/* Returns the simulated time, ms (runtime.cpp). */
 DWORD mirocup_simurosot_ms(void);
 
 static inline DWORD GetTickCount(void) {
@@ -260,7 +260,7 @@ static inline int GetWindowTextW(HWND, LPWSTR text, int) {
   text[0] = 0;
   return 0;
 }
-/* A file of Windows: none can be opened, and nothing is read. */
+/* Files of Windows: no file can be opened, and nothing is read. */
 static inline HANDLE CreateFileA(LPCSTR, ...) {
   return INVALID_HANDLE_VALUE;
 }
@@ -301,7 +301,8 @@ static inline LONG InterlockedExchange(LONG volatile* number, LONG value) {
   return old;
 }
 
-/* They accept any arguments, do nothing, and return what Windows returns for success. */
+/* Defines a function that accepts any arguments, does nothing, and returns `value`, with which the
+ * function of Windows reports success. */
 #define MIROCUP_DOES_NOTHING(type, name, value) \
   static inline type name(...) {                \
     return value;                               \
