@@ -23,7 +23,7 @@ class Playback {
  public:
   explicit Playback(const Recording& recording);
 
-  // The leg as it stands: before the first tick, or after the last one that advance() played.
+  // The leg as it stands: before the first tick, or after the last tick that advance() played.
   const match::Leg& leg() const { return leg_; }
 
   // Plays the next tick and compares its hash. Returns false when there is no next tick, or if the

@@ -4,9 +4,9 @@
 // body.
 //
 // The trace holds a fingerprint of one byte for each body and tick, of its position, heading and
-// velocity. Where those of record and playback differ, the body's state differs. Every few seconds
-// the trace also holds the whole state, which tells where the body was. The hash of a tick only
-// tells that some number differs.
+// velocity. If the fingerprints of record and playback differ, the body's state differs. Every few
+// seconds the trace also holds the whole state, which tells where the body was. The hash of a tick
+// only tells that some number differs.
 #pragma once
 
 #include "core/match/leg.hpp"
@@ -17,7 +17,7 @@
 
 namespace mirocup::replay {
 
-// Ticks between two checkpoints; the first is after the first tick.
+// Ticks between two checkpoints; the first checkpoint is after the first tick.
 inline constexpr std::uint32_t checkpoint_ticks = 90;
 
 // The state of all bodies after a tick. Bodies are numbered: blue robots, yellow robots, ball.
@@ -37,7 +37,7 @@ struct StateTrace {
   void add(const match::Leg& leg);
 };
 
-// Returns the bodies whose fingerprints after the tick differ; `bodies` is how many there are.
+// Returns the bodies whose fingerprints after the tick differ; `bodies` is the number of bodies.
 std::vector<int> differing_bodies(const StateTrace& a, const StateTrace& b, std::size_t tick,
                                   int bodies);
 

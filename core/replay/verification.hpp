@@ -11,7 +11,7 @@
 namespace mirocup::replay {
 
 // Returns the first difference, or nothing if every hash, every decision and the outcome are
-// reproduced. `found`, if given, becomes the state hash at which the simulation arrived.
+// reproduced. If `found` is given, it becomes the last state hash of this simulation.
 std::optional<Divergence> verify(const Recording& recording, std::uint64_t* found = nullptr);
 
 }  // namespace mirocup::replay

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Run statistics: what a report wants to know and a leg does not need, such as every
-// impact. A world without statistics pays nothing for them. Recording allocates.
+// Run statistics: data for reports that a leg does not need, such as every impact. A world without
+// statistics pays nothing for them. Recording allocates.
 #pragma once
 
 #include "core/simulator/collision/contact_constraint.hpp"
@@ -30,7 +30,7 @@ struct RunStatistics {
   double deepest_overlap = 0.0;   // m, before it was corrected
   int lasting_contacts = 0;       // pairs that began to press on each other
   long position_evaluations = 0;  // poses of a body computed at a time of an event
-  int contact_solves = 0;         // forces of touching bodies that were decided
+  int contact_solves = 0;         // decisions of the forces of touching bodies
 
   // pressing[body][partner]: the pair presses now.
   std::array<std::bitset<max_partners>, max_bodies> pressing{};
@@ -39,8 +39,8 @@ struct RunStatistics {
 // Records the impact of a contact at t seconds of the tick.
 void add_impact(const collision::Contact& contact, double t, RunStatistics& statistics);
 
-// Records which contacts of the involved bodies press, after that was decided. Counts pairs that
-// did not press before.
+// Records which contacts of the involved bodies press; to be called after the forces were decided.
+// Counts pairs that did not press before.
 void add_pressing(std::span<const collision::Contact> contacts, const BodySet& involved,
                   RunStatistics& statistics);
 

@@ -63,11 +63,11 @@ class World {
   void set_robot(int i, const BodyState& state);
   void set_ball(const BallState& state);
 
-  // What the next tick depends on besides the states of the bodies: which of them touched, and the
-  // forces with which time steps start warm. Plain data. A copy need not hold more than its first
-  // size_of(memory) bytes.
+  // The data on which the next tick depends besides the states of the bodies: which of them
+  // touched, and the forces with which time steps start warm. Plain data. A copy need not hold more
+  // than its first size_of(memory) bytes.
   struct Memory {
-    bool bodies_were_set = true;  // since the last tick: the rest does not count
+    bool bodies_were_set = true;  // since the last tick; if so, nothing below counts
     impact::RestThresholds::Memory thresholds;
     struct Touch {
       std::uint8_t a, partner;  // of a pair
@@ -98,7 +98,7 @@ class World {
   void clear(double rolling_resistance);
 
   // Sets where impacts and counts are recorded from now on; null, the default, records nothing. The
-  // statistics must live until others are set here, or the world ends.
+  // statistics must live until others are set or the world is destroyed.
   void set_statistics(RunStatistics* statistics) { statistics_ = statistics; }
 
   // Plays one tick of `duration` seconds (zero or more) under these commands, one per robot.
@@ -111,8 +111,8 @@ class World {
   struct Event {
     double time;       // s of the tick
     bool is_touch;     // a first contact; otherwise segments end
-    Pair pair;         // that touches
-    BodySet involved;  // that touch, or whose segments end
+    Pair pair;         // the pair that touches
+    BodySet involved;  // bodies that touch, or whose segments end
   };
   void start_tick(std::span<const WheelCommand> commands, double duration);
   bool is_at_rest(const BodySet& bodies) const;

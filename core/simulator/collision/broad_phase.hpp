@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Broad phase: rules out most pairs by axis-aligned boxes that hold the bodies' reference points,
-// and lists the contacts of the pairs that remain. Every body asks in every tick, so all of it is
-// inline. Uses model, trajectory and solver.
+// and lists the contacts of the pairs that remain. Its functions are called for every body in every
+// tick, so all are inline. Uses model, trajectory and solver.
 //
 // Bodies are few (at most 23), so every pair of boxes is compared; a sweep or a grid would not pay.
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace mirocup::simulator::collision {
 
-// True if no point of one box is within `reach`, m along an axis, of the other box.
+// True if along at least one axis the boxes are more than `reach`, m, apart.
 inline bool are_apart(const trajectory::Box& a, const trajectory::Box& b, double reach) {
   const double x = std::max(a.low_x - b.high_x, b.low_x - a.high_x);
   const double y = std::max(a.low_y - b.high_y, b.low_y - a.high_y);
@@ -28,8 +28,8 @@ inline bool are_apart(const trajectory::Box& box, const field::Wall& wall, doubl
   return nearest - wall.offset > reach;
 }
 
-// True if no point of the box is within `reach`, m along an axis, of the end wall at a goal post,
-// which is the quarter-plane behind the post.
+// True if along at least one axis the box is more than `reach`, m, away from the end wall, which is
+// the quarter-plane behind a goal post.
 inline bool are_apart(const trajectory::Box& box, const field::GoalPost& post, double reach) {
   const double face = std::min(post.face.x() * (box.low_x - post.post.x()),
                                post.face.x() * (box.high_x - post.post.x()));

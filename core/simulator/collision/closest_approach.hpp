@@ -21,8 +21,9 @@ struct ApproachQuery {
 bool stays_out_of_reach(const ApproachQuery& query);
 
 // Returns a time, s of the tick, before which the gap cannot fall to `margin`, m; trajectory::never
-// if it cannot fall so low until `end`. `separation` is the one at query.begin; radius_a and
-// radius_b, m, are those of circles around the reference points that hold the outlines.
+// if it cannot fall so low until `end`. `separation` is that of the outlines at query.begin;
+// radius_a and radius_b, m, are the radii of circles around the reference points that hold the
+// outlines.
 double earliest_contact_time(const ApproachQuery& query, const geometry::Separation& separation,
                              double radius_a, double radius_b, double margin);
 

@@ -36,7 +36,7 @@ inline double gap(const StaticWorld& world, const Pair& pair, std::span<const Bo
 void add_contacts(const StaticWorld& world, const Pair& pair, std::span<const BodyState> bodies,
                   double margin, ContactList& list);
 
-// Appends contacts at given contact points of the pair, in the same manner.
+// Appends contacts at given contact points of the pair, otherwise like add_contacts().
 void add_points(const StaticWorld& world, const Pair& pair, std::span<const BodyState> bodies,
                 const ContactPoints& found, ContactList& list);
 
@@ -47,7 +47,8 @@ void refresh_contact(const StaticWorld& world, std::span<const BodyState> bodies
 
 // Returns the gap of a contact where its bodies are now, m: the signed distance of its point from
 // its edge's line. A corner beside the edge's end can lie behind the line without penetrating. So
-// below -`trusted_depth`, m, the larger of this and the pair's separation counts.
+// if the gap is below -`trusted_depth`, m, the result is the larger of it and the pair's
+// separation.
 double clamped_gap(const StaticWorld& world, std::span<const BodyState> bodies,
                    const Contact& contact, double trusted_depth);
 

@@ -50,14 +50,14 @@ struct RestingForce {
   bool is_active = false;
   bool is_persistent = false;
   double force = 0.0;     // N along the normal, while it is active
-  double friction = 0.0;  // N along the tangent for each N of `force`: of a contact that slides
+  double friction = 0.0;  // N along the tangent for each N of `force`, if the contact slides
 };
 
-// A contact point of a pair with everything that the rooms above keep for it.
+// A contact point of a pair, with all that impact/ and the rooms above it keep for the contact.
 struct Contact {
   Pair pair;
-  int a = no_body;              // the point's side; no_body: an end wall's corner
-  int b = no_body;              // the edge's side; no_body: a wall
+  int a = no_body;              // the body on the point's side (see Touching); no_body: an end wall
+  int b = no_body;              // the body on the edge's side (see Touching); no_body: a wall
   ContactPoint point;           // as of the last add_contacts() or refresh_contact()
   solver::ConstraintRow row{};  // of the rate of the gap
   ContactMaterial material{};

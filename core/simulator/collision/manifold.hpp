@@ -54,7 +54,7 @@ ContactPoints contact_points(const geometry::Outline& a, const Pose& body_a,
                              const field::Wall& wall, double margin);
 
 // Returns both corners of the incident edge as contact points, with their gaps from the line of a
-// given reference edge: at any gap and unclipped. The reference need not be the best one at
+// given reference edge: whatever the gap, and unclipped. The reference need not be the best one at
 // these poses.
 ContactPoints incident_corners(const geometry::Reference& reference, const geometry::Outline& a,
                                const Pose& body_a, const geometry::Outline& b, const Pose& body_b);

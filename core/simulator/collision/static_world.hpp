@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The part of a world that does not change while it runs: parameters, tolerances, outlines, masses
-// and obstacles. Every room from here on takes it by const reference. Uses model, trajectory and
-// solver only.
+// and obstacles. This room and all rooms above it take it by const reference. Uses model,
+// trajectory and solver only.
 #pragma once
 
 #include "core/geometry/outline.hpp"

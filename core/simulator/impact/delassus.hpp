@@ -2,7 +2,7 @@
 //
 // The Delassus operator J M^-1 J' of a set of constraint rows: the change of each row's rate for a
 // unit impulse along each row (Delassus 1917; Acary and Brogliato 2008). Rows that share no body
-// have a zero entry, so it is assembled body by body. Uses solver and model.
+// have a zero entry, so the matrix is assembled body by body. Uses solver and model.
 #pragma once
 
 #include "core/simulator/collision/contact_constraint.hpp"
@@ -65,8 +65,8 @@ class DelassusOperator {
   int count_ = 0;
 };
 
-// Sets the matrix of a problem after its reset(count), and the rows of its warm start if it is
-// large. row_of(i) returns the row of unknown i.
+// Sets the matrix of a problem after its reset(count), and the rows of its warm start if the
+// problem is large. row_of(i) returns the row of unknown i.
 template <class RowOf>
 void assemble_delassus(int count, RowOf row_of, std::span<const solver::InverseMass> mass,
                        solver::BoxQp& problem) {

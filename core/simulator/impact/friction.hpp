@@ -4,9 +4,9 @@
 // default as in the paper.
 //
 // Normal impulses first act as if there were no friction. Then each contact's tangential impulse
-// stops the sliding there, but is at most the coefficient times the normal impulse. Then contacts
-// that approach again are stopped. Each of the three steps can only take energy. The ball rolls
-// without slipping, so friction acts on its path and gives it no spin.
+// stops the contact's sliding, but is at most the coefficient times the normal impulse. Then
+// contacts that approach again are stopped. Each of the three steps can only take energy. The ball
+// rolls without slipping, so friction acts on its path and gives it no spin.
 #pragma once
 
 #include "core/simulator/impact/impact.hpp"

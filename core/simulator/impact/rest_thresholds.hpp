@@ -6,19 +6,19 @@
 //
 // Bounces. Impacts of one contact form a series if each approach is at most about the restitution e
 // times the last. After a flight of time T that ends with an approach v, the next bounce is
-// e^2 v T / 4 high. Under the acceleration a of a contact that presses, it is e^2 v^2 / 2 a. If
-// that is at most (1 - e) series_height, the impact ends the series: its impulse stops the contact,
-// and the force of the contact that presses from there on is the mean force of the impacts that are
-// left out. Every other impact bounces: an approach that is faster than a series allows, a higher
-// bounce, a first touch, and any at e = 1. Only approaches of rounding, up to
-// Tolerances::restitution_threshold, do not bounce in a contact that presses.
+// e^2 v T / 4 high. If the contact presses with an acceleration a, the bounce is e^2 v^2 / 2 a
+// high. If that height is at most (1 - e) series_height, the impact ends the series: its impulse
+// stops the contact, and the force of the contact that presses from there on is the mean force of
+// the impacts that are left out. Every other impact bounces: an approach that is faster than a
+// series allows, a higher bounce, a first touch, and any impact at e = 1. Only approaches of
+// rounding, up to Tolerances::restitution_threshold, do not bounce in a contact that presses.
 //
-// The contacts of the last contact_memory seconds are remembered from tick to tick, so a tick's
-// length does not matter to them.
+// The contacts of the last contact_memory seconds are remembered from tick to tick, so the end of a
+// tick does not interrupt a series.
 //
-// Forces. A contact or a grip holds for at least min_duration(), 1e-8 s at the start of a tick.
-// Where that forced the end of a curve, contacts press and let go in alternation: it grows by 8, up
-// to max_min_duration, 2e-3 s.
+// Forces. A contact or a grip holds for at least min_duration(), which is 1e-8 s at the start of a
+// tick. If a curve ends as soon as this minimum allows, contacts press and let go in alternation.
+// Then min_duration() grows by a factor of 8, up to max_min_duration, 2e-3 s.
 //
 // The numbers are those of Tolerances at the level `standard` and of settings::rest_thresholds.
 // The event budget (Tolerances::event_budget) is the last resort: bodies with events beyond it
@@ -41,12 +41,13 @@ class RestThresholds {
   // Of a world of this many bodies.
   RestThresholds(const Tolerances& tolerances, int bodies);
 
-  // Starts a tick: its limits and budgets are those of its start.
+  // Starts a tick with the least min_duration(), an unspent budget and no impacts.
   void begin_tick();
-  // Ends a tick of `duration` seconds: times count from its end.
+  // Ends a tick of `duration` seconds: remembered times count from its end from now on.
   void end_tick(double duration);
-  // To be called at a tick's end with the bodies that are in a step there: without any budget, only
-  // these count as over budget in that tick.
+  // To be called at a tick's end with the bodies that are then in a step. If the event budget is 0,
+  // all bodies are over budget in every tick, but were_over_budget() of the next tick has only
+  // these.
   void note_steps(const BodySet& bodies) {
     if (budget_ == 0) memory_.over_budget = bodies;
   }
@@ -61,11 +62,11 @@ class RestThresholds {
     bool point_on_a;          // the pair's a is the point's side
     double time = 0.0;        // s of the tick: when it was closed last
     double approach = 0.0;    // m/s, at its last impact
-    double pressing = 0.0;    // m/s^2: the acceleration that its force keeps from it at `time`
+    double pressing = 0.0;    // m/s^2: the closing acceleration that its force prevents at `time`
   };
   // What a tick leaves to the next one.
   struct Memory {
-    BodySet over_budget;  // bodies that went over budget in it
+    BodySet over_budget;  // bodies that went over budget in the tick
     int count = 0;        // elements in use of `touched`
     std::array<Touched, collision::max_contacts> touched;
   };
@@ -83,10 +84,10 @@ class RestThresholds {
                     double t);
 
   // Counts an event. It costs the square of the number of bodies involved, or their number if these
-  // are one or two: so grows what it takes to decide their forces. If the world has spent its
+  // are one or two: the time for deciding their forces grows like this. If the world has spent its
   // budget of the tick, the bodies involved are over budget. Bodies that were over budget in the
-  // last tick are so again from a share of it on. `was_forced` is true if the event ended a curve
-  // as soon as min_duration() allowed.
+  // last tick are over budget again as soon as a share of the budget is spent. `was_forced` is true
+  // if the event ended a curve as soon as min_duration() allowed.
   void note_event(const BodySet& involved, bool was_forced);
 
   // Puts all bodies of a large island over budget from the start of the tick if one of them went
@@ -95,7 +96,7 @@ class RestThresholds {
 
   // Returns the bodies that are over budget.
   const BodySet& over_budget() const { return memory_.over_budget; }
-  // Returns those that were so in the last tick.
+  // Returns the bodies that were over budget in the last tick.
   const BodySet& were_over_budget() const { return were_over_budget_; }
 
   // Returns the approach speed, m/s, up to which the contact does not bounce at time t.
@@ -117,8 +118,8 @@ class RestThresholds {
   int budget_;                // of the tick
   int spent_ = 0;             // of the budget, so far
   BodySet were_over_budget_;  // in the last tick
-  int all_impacts_ = 0;       // of pairs, so far
-  double last_impact_ = 0.0;  // of any pair, s
+  int all_impacts_ = 0;       // in this tick, so far
+  double last_impact_ = 0.0;  // s of the tick
   double min_duration_ = 0.0;
 };
 

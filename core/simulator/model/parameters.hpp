@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every number of the physical model, stated once. SI units.
+// Every number of the physical model, stated once. SI units; 1: a number without unit.
 //
 // Equation numbers are those of Klančar, Orqueda, Matko and Karba, "Robot Soccer Collision
 // Modelling and Validation in Multi-Agent Simulator". docs/model.md derives the model from the
@@ -43,9 +43,9 @@ struct Parameters {
   double wheel_distance = 0.068;           // m: L in (1)
   double wheel_radius = 0.0225;            // m: r, which the paper leaves out of (1)
   double motor_time_constant = 0.06;       // s: T in (2)
-  // s: T of the angular velocity, where it is not that of the forward speed. 0: the same.
+  // s: T of the angular velocity. 0: motor_time_constant.
   double turn_time_constant = 0.0;
-  // s: T of the forward speed while both wheels are told to stand: motors that brake. 0:
+  // s: T of the forward speed while both wheels are commanded to stand, if motors brake. 0:
   // motor_time_constant.
   double brake_time_constant = 0.0;
   double wheel_speed_limit = 80.0;  // rad/s: wheel speeds beyond +-limit are clamped

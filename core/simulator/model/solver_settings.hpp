@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every constant of the simulator's solvers that no caller chooses, in one table: name, unit,
-// reason.
+// All constants of the simulator's solvers that no caller chooses, each with name, unit and reason.
 //
 // Tolerances (tolerances.hpp) are what an accuracy level chooses. The numbers here are the same at
 // every level. They were tuned on crowds of six and of twenty-two robots (build/physics_bars); a
@@ -14,8 +13,8 @@ namespace mirocup::simulator::settings {
 // ---- trajectory/
 
 inline constexpr struct TaylorSeriesSettings {
-  // [unit of the series] A value this close to the level has reached it: more than the rounding of
-  // a gap, and far less than any tolerance.
+  // [unit of the series] A series has reached the level that is searched for when its value is this
+  // close to it. This is more than the rounding of a gap, and far less than any tolerance.
   double root_tolerance = 1e-14;
   // [1] Steps of the root search in one window before a smaller window is tried.
   int steps_per_window = 8;
@@ -61,22 +60,23 @@ inline constexpr struct RollingBallSettings {
   // [m/s] Below this speed the direction in which a pushed ball brakes is kept fixed, because it
   // is not smooth where the speed is zero.
   double min_speed_with_direction = 1e-3;
-  // [1] For RollingFriction::per_axis. A segment starts with a component as slow if it is above k
-  // by at most this share, because rounding may leave it there. Speeding up, it stays slow up to
-  // twice this share, so events do not repeat at k.
+  // [1] For RollingFriction::per_axis. At the start of a segment, a component of the velocity
+  // counts as slow if it exceeds k by at most this share, because rounding may leave it just above
+  // k. A slow component that speeds up ends its segment when it exceeds k by twice this share, so
+  // events do not repeat at k.
   double k_margin = 1e-9;
 } rolling_ball;
 
 inline constexpr struct ClosedFormSettings {
-  // [1] Largest turn (rad) plus number of motor time constants. Up to here the quadrature rule of
-  // eight nodes is exact to 1e-16 of the path.
+  // [1] Limit of the turn (rad) plus the number of motor time constants in one span. Up to here the
+  // quadrature rule of eight nodes is exact to 1e-16 of the path.
   double max_angle = 2.5;
   // [1] Share by which a box is larger than the path requires, for rounding.
   double box_margin = 1e-9;
 } closed_form;
 
 inline constexpr struct MotionBoundSettings {
-  // [m] What rounding adds to the deviation from the chord.
+  // [m] The rounding that is added to the deviation from the chord.
   double position_round_off = 1e-12;
 } motion_bound;
 
@@ -86,7 +86,7 @@ inline constexpr struct BoxQpSettings {
   // [1] Smallest pivot, as a share of its diagonal entry. A smaller pivot says that the unknown
   // depends on others, for example where two contacts push the same bodies in the same direction.
   // The pivot is then raised to this share. As a result the unknown hardly moves if the others
-  // leave it undetermined, and goes to its bound if the others contradict it.
+  // leave it undetermined, and goes to its bound if they contradict it.
   double min_pivot = 1e-10;
   // [1] Gradient that counts as zero, as a share of the largest |b|.
   double gradient_tolerance = 1e-14;
@@ -116,17 +116,18 @@ inline constexpr struct RegularizedQpSettings {
   double armijo_fraction = 0.1;
   // [1] Rounding of the objective, as a share of it.
   double value_round_off = 1e-14;
-  // [1] The step to the first bound is this much longer, because rounding could otherwise leave the
-  // unknown just inside its bound, round after round.
+  // [1] The step to the first bound is multiplied by this, because rounding could otherwise leave
+  // the unknown just inside its bound, round after round.
   double bound_round_off = 1.0 + 1e-12;
 } regularized_qp;
 
 inline constexpr struct PivotedCholeskySettings {
   // [1] An equation whose pivot is at most this share of its diagonal entry follows from the others
-  // and is dropped. Lower than BoxQpSettings::min_pivot, which only makes an unknown compliant: an
-  // equation that is dropped by mistake leaves a contact without its force.
+  // and is dropped. This share is lower than BoxQpSettings::min_pivot, which only makes an unknown
+  // compliant; but an equation that is dropped by mistake leaves a contact without its force.
   double redundant_pivot = 1e-11;
-  // [1] An equation whose pivot is above this share is clearly independent and keeps its place.
+  // [1] An equation whose pivot is above this share of its diagonal entry is clearly independent
+  // and keeps its place in the order.
   double independent_pivot = 1e-3;
 } pivoted_cholesky;
 
@@ -137,8 +138,8 @@ inline constexpr struct TimeOfImpactSettings {
   // search stops and returns the time that it has reached. The bodies do not touch at that time;
   // the caller notices this and searches again from there.
   int max_axes = 64;
-  // [1] Multiple of root_tolerance. The ball has left a corner's sector when it is this far
-  // outside.
+  // [1] Multiple of root_tolerance. The ball has left a corner's sector when it is this far outside
+  // it.
   double sector_round_off = 4.0;
 } time_of_impact;
 
@@ -146,11 +147,12 @@ inline constexpr struct TimeOfImpactSettings {
 
 inline constexpr struct ImpactSettings {
   double min_approach = 1e-13;  // [m/s] slower approaches are rounding
-  // [m/s] The rate of a contact that presses is off by less. So it is not thrown back with others
-  // whose approach is a hit: rounding would decide what it takes of their impulses.
+  // [m/s] A contact that presses has a rate below this, from rounding. A contact that approaches no
+  // faster is left out when others are thrown back; else rounding would decide its share of their
+  // impulses.
   double resting_approach = 1e-9;
   int max_rounds = 64;  // [1] then all contacts that still approach are stopped for good
-  double energy_round_off = 1e-14;  // [1] a round adds energy if it adds more than this share
+  double energy_round_off = 1e-14;  // [1] a round that adds no more than this share adds no energy
 } impact;
 
 inline constexpr struct RestThresholdsSettings {
@@ -158,15 +160,15 @@ inline constexpr struct RestThresholdsSettings {
   // of the tick, or of the time since the last impact, whichever is longer.
   double times_between_impacts = 2.0;
   int bodies_of_least_budget = 7;  // a smaller world has the budget of this many
-  int budget_divisor = 8;      // [1] of the budget, for bodies that went over it in the last tick
-  int large_island = 5;        // [bodies] then stepped from the start of the tick
-  double forced_growth = 8.0;  // [1] of min_duration() where it forced the end of a curve
+  int budget_divisor = 8;          // [1] of the budget of bodies that were over it in the last tick
+  int large_island = 5;        // [bodies] stepped from the start if one was over budget last tick
+  double forced_growth = 8.0;  // [1] of min_duration() when a curve ends as soon as it allows
   double max_min_duration = 2e-3;  // [s]
   double contact_memory = 0.02;    // [s] then a contact that was left is forgotten
   // [1] An approach of at most e + this * (1 - e) times the last one may belong to a series.
   double series_margin = 0.5;
-  // [m/s^2] A contact that was thrown open returns with less, unless another body hit one of its
-  // bodies: then its approach belongs to no series.
+  // [m/s^2] A contact that was thrown open returns with a smaller acceleration, unless another body
+  // hit one of its bodies. In that case its approach does not belong to a series.
   double max_acceleration = 5e3;
 } rest_thresholds;
 
@@ -179,19 +181,20 @@ inline constexpr struct ContactForcesSettings {
   double weak_share = 1e-3;              // [1] a smaller share of the largest force is a weak force
   double min_closing = 1e-9;  // [m/s^2] a gap may close this fast where a weak force is dropped
   // [1] Friction agrees with the normal forces if these change by at most this share of the largest
-  // one in a round. Where that takes more rounds, friction can hold itself up: bodies jam.
+  // one in a round. If friction_rounds rounds do not reach that, friction can hold itself up:
+  // bodies jam.
   double friction_tolerance = 1e-9;
   int friction_rounds = 64;
-  // [1] of A's diagonal: where wheels and walls hold a robot from both sides, the smallest forces
-  // count. Friction depends on them.
+  // [1] A's diagonal grows by this share. If wheels and walls hold a robot from both sides, many
+  // forces would do; the growth selects the smallest, on which friction depends.
   double friction_compliance = 1e-6;
-  // [m/s^2] a contact at rest that would begin to slide with less sticks: the compliance gives a
-  // wedged robot a thousandth of it.
+  // [m/s^2] A contact at rest sticks if it would begin to slide with a smaller acceleration. The
+  // compliance alone gives a wedged robot a thousandth of this one.
   double min_slide_acceleration = 1e-3;
 } contact_forces;
 
 inline constexpr struct ContactMotionSettings {
-  double edge_overhang = 1e-10;        // [m] how far beyond the end of its edge a corner leaves it
+  double edge_overhang = 1e-10;        // [m] a corner this far beyond its edge has left it
   double closed_gap_share = 0.01;      // [1] of Tolerances::penetration: a smaller gap stays
   double max_displacement = 1e-9;      // [m] gaps are not corrected if that needs more than this
   double resting_speed = 1e-10;        // [m/s, rad/s] slower, and with less acceleration: at rest
@@ -213,8 +216,8 @@ inline constexpr struct StepTrajectoriesSettings {
   // [m] a larger correction would give the body another velocity than its twist says.
   double max_correction = 2e-5;
   double correction_tolerance = 1e-3;  // [1] of the largest overlap: precision of the corrections
-  double length_safety = 0.8;          // [1] of the permitted overlap: the next step aims at it
-  double max_growth = 2.0;             // [1] ratio of a step's length to that of the last one
+  double length_safety = 0.8;  // [1] share of the permitted overlap at which the next step aims
+  double max_growth = 2.0;     // [1] ratio of a step's length to that of the last one
 } step_trajectories;
 
 inline constexpr struct TimeStepperSettings {
@@ -224,7 +227,7 @@ inline constexpr struct TimeStepperSettings {
   // [1] The twists that a step finds may move a body by up to this multiple of that limit.
   double travel_overrun = 1.5;
   int max_refinements = 10;         // fixed-point iterations for the gaps at the end of a step
-  int strict_refinements = 4;       // the first of these must meet the strict gap tolerance
+  int strict_refinements = 4;       // [1] the first of these must meet step_gap
   double impulse_tolerance = 1e-9;  // [1] of the largest relative velocity: precision of impulses
   int max_halvings = 6;             // of the step's length; then the last attempt is taken
   // Overlaps at the start of a step are removed at `max_undoing_speed` [m/s] at most, because a
@@ -237,22 +240,25 @@ inline constexpr struct TimeStepperSettings {
   // [1] tolerance, so that a time of a whole number of steps is not divided into one step more.
   double count_round_off = 1.0 - 1e-9;
   double min_step_share = 1.0 / 64.0;  // [1] of Tolerances::max_step: no shorter step is proposed
-  double min_informative_share = 0.5;  // [1] a step cut to less shortens no later step
-  int friction_rounds = 10;            // in which the bounds of friction follow the normal impulses
+  // [1] A step that was cut to less than this share of its wanted length shortens no later step.
+  double min_informative_share = 0.5;
+  int friction_rounds = 10;  // in which the bounds of friction follow the normal impulses
 } time_stepper;
 
 // ---- world.cpp
 
 inline constexpr struct WorldSettings {
-  // [1] of a step's length. If less than this would be left of the tick, the step also takes that.
+  // [1] of a step's length. If the rest of the tick after a step would be shorter than this, the
+  // step ends with the tick.
   double min_remaining_share = 0.5;
   int max_estimates = 2;  // refinements of a pair's contact time before the exact search
   double forced_end_round_off = 1e-3;  // [1] of min_duration(): an end this near to it is forced
   // [1] of Tolerances::contact_gap: a deeper overlap is projected away at an event.
   double projected_overlap = 2.0;
-  double first_contact_gap = 1e-10;  // [m] bodies that did not touch before: no wider one is closed
+  double first_contact_gap = 1e-10;  // [m] a contact that was open closes only up to this gap
   double resting_speed = 1e-6;       // [m/s] an island that is slower leaves time stepping
-  // [events] of a tick, in which a lone robot that slides along a wall is followed without budget.
+  // [events] If the event budget is 0, a lone robot that slides along a wall is followed event by
+  // event until the tick has had this many events.
   int events_of_sliding = 32;
 } world;
 

@@ -30,21 +30,21 @@ struct Tolerances {
   // m/s: the threshold of a contact that presses. Over the distance `penetration`, motors give
   // bodies less speed than this.
   double restitution_threshold = 5e-4;
-  // m: a series of impacts ends in one if the bounces that are left are not higher than this. The
-  // wheels of a robot in a series lose slip at once that would take them no further.
+  // m: an impact ends its series if the bounces that would follow are not higher than this. The
+  // wheels of a robot in a series lose at once a slip that would take them no further than this.
   double series_height = 3e-7;
 
   // ---- events of contact clusters
   double min_contact_duration = 1e-8;  // s: shortest time for which a contact or a grip holds
-  double slow_motion =
-      1e-7;  // m/s: slower wheels and a slower ball in contact do not slide or roll
-  // Event budget of a tick, for each body of the world; a world has the budget of at least seven
-  // bodies. An event with n bodies costs n^2, or n for one or two: seven bodies have 280 events of
-  // two, 35 of four or 11 of all. The bodies of an event beyond the budget are time-stepped for the
-  // rest of the tick, together with the bodies that they touch. In the next tick they have an
-  // eighth of the budget, and an island of five or more moving bodies is time-stepped from the
-  // start: a lasting scrum costs steps, a single crowded tick costs events. With a budget of 0
-  // every body in contact is always time-stepped.
+  // m/s: if slower, a robot in contact does not slide, and a ball in contact does not roll.
+  double slow_motion = 1e-7;
+  // Event budget of a tick, for each body of the world; a world with fewer than seven bodies has
+  // the budget of seven. An event with n bodies costs n^2, or n for one or two: seven bodies have
+  // 280 events of two, 35 of four or 11 of all. The bodies of an event beyond the budget are
+  // time-stepped for the rest of the tick, together with the bodies that they touch. In the next
+  // tick they have an eighth of the budget, and an island of five or more moving bodies is
+  // time-stepped from the start: a lasting scrum costs steps, a single crowded tick costs events.
+  // With a budget of 0 every body in contact is always time-stepped.
   int event_budget = 80;
 
   // ---- time stepping

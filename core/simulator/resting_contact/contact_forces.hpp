@@ -9,7 +9,8 @@
 // stays at rest until it is pushed harder than its rolling resistance.
 //
 // Contacts with friction (an option) slide: their tangential forces are the coefficient times the
-// normal forces, against the slide. The problem is solved again with them until the forces agree.
+// normal forces, against the slide. The problem is solved again with them until normal and
+// tangential forces agree.
 //
 // Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad, N. Threads: none.
 #pragma once
@@ -52,9 +53,9 @@ class ContactForces {
   // body with a contact whose gap does not open. Changes the velocities of these bodies so that
   // they fit the decision; the change never adds energy.
   //
-  // A gap opens if it does so faster than the contact's restitution threshold. Wheels that slide
-  // and a ball that rolls no faster than Tolerances::slow_motion are stopped first. `drives` has
-  // one entry per robot, `bodies` one per body.
+  // A gap counts as opening if it opens faster than the contact's restitution threshold. Sliding
+  // wheels and a rolling ball that move no faster than Tolerances::slow_motion are stopped first.
+  // `drives` has one entry per robot, `bodies` one per body.
   //
   // Returns false if the friction of a pressing contact has no constant direction: the contact does
   // not slide, or it is the ball's. Then there is no decision for the island, and its bodies need
@@ -62,11 +63,11 @@ class ContactForces {
   bool decide(std::span<const trajectory::DriveReference> drives, std::span<BodyState> bodies,
               std::span<collision::Contact> contacts);
 
-  // Returns what the ground does to a body, by the latest decision about it.
+  // Returns what the ground does to a body by the latest decision for its island.
   const Grounding& grounding(int body) const { return grounding_[body]; }
 
-  // Returns the inverse masses with which forces act on a body. Wheels of infinite grip are part of
-  // them; wheels of finite grip hold by a force instead.
+  // Returns the inverse masses by which forces accelerate a body. Wheels of infinite grip are part
+  // of them; wheels of finite grip hold by a force instead.
   const solver::InverseMass& mass(int body,
                                   std::span<const trajectory::DriveReference> drives) const;
 

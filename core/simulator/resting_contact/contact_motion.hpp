@@ -21,12 +21,12 @@
 
 namespace mirocup::simulator::resting_contact {
 
-// Over which time a segment is wanted.
+// The time over which a segment is wanted.
 struct SegmentRequest {
   double begin;               // s of the tick
   double horizon;             // s of the tick: the segment ends there at the latest
   double preferred_duration;  // s: a series that holds for this time needs no more terms
-  double min_duration;        // s: before, no contact opens and no wheels begin to slide
+  double min_duration;        // s: until then no contact opens and no wheels begin to slide
 };
 
 // Computes the segments of clusters. Kept and reused: construction allocates, move() does not.

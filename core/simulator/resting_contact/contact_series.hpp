@@ -25,7 +25,8 @@
 
 namespace mirocup::simulator::resting_contact {
 
-// Two series that are multiplied by the same others, such as the cosine and sine of a heading.
+// Two series that are multiplied by the same other series, such as the cosine and sine of a
+// heading.
 struct TwoSeries {
   std::array<std::array<double, 2>, trajectory::max_terms> c;
 };
@@ -35,10 +36,10 @@ struct ContactSeries {
   solver::JacobianRow first_a{}, first_b{};
   trajectory::Series force;  // N, along the normal
 
-  // If a point touches an edge. A wall and the ball have the frame of the field.
+  // Used if a point touches an edge. A wall and the ball have the frame of the field.
   Vec2 point;                // m: contact point, in the frame of the point's side
   Vec2 normal;               // unit, in the frame of the edge's side
-  Vec2 push;                 // the force for each N along the normal, with friction, in that frame
+  Vec2 push;                 // force for each N along the normal, friction included, same frame
   double distance;           // m, along the normal: from the reference point of the edge's side
   TwoSeries heading;         // cos and sin of the point's side, seen from the edge's side
   trajectory::Series omega;  // rad/s: rate of that heading
@@ -49,7 +50,7 @@ struct ContactSeries {
   trajectory::Series lever_b;   // m: third component of row_b = -(place along the edge)
   double edge_begin, edge_end;  // m, along the edge
 
-  // For the ball on a corner.
+  // Used if the ball touches a corner.
   std::array<trajectory::Series, 3> row_a, row_b;
   std::array<trajectory::Series, 2> inside;  // positive while the ball is in the corner's sector
   trajectory::Series x, y;                   // m: of the ball, in the frame of the corner's side
@@ -74,8 +75,8 @@ double gap_rate_term(const collision::Contact& contact,
 double slide_term(const collision::Contact& contact, std::span<const trajectory::Segment> segments,
                   int k, const ContactSeries& rows);
 
-// Returns the row along which the contact's force acts at the start: it differs from the contact's
-// row by the friction.
+// Returns the row along which the contact's force acts at the start: the contact's row with the
+// friction included.
 solver::ConstraintRow first_push(const collision::Contact& contact, const ContactSeries& rows);
 
 // Returns term k of the series row * force, less (term 0 of the row) * (term k of the force).
@@ -83,13 +84,14 @@ solver::ConstraintRow later_force_term(const collision::Contact& contact, const 
                                        int k);
 
 // Returns when the point has left the edge, or the ball the corner's sector, by `margin` (m, or
-// a sine): s after the start, at most `length`. A point or ball that is already there at
+// a sine): s after the start, at most `length`. A point or ball that is already that far outside at
 // the start is not reported.
 double time_on_edge(const collision::Contact& contact, const ContactSeries& rows, double margin,
                     double length);
 
 // Returns when the point, which slides against its friction, comes to rest on the edge: s after the
-// start, at most `length`. A slide that begins, slower than `slow` (m/s), does not end at once.
+// start, at most `length`. A slide that is slower than `slow` (m/s) at the start is just beginning:
+// its rest at the start is not reported.
 double time_of_rest(const collision::Contact& contact, const ContactSeries& rows, double slow,
                     double length);
 

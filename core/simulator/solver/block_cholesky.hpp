@@ -4,8 +4,8 @@
 // Solution of Large Sparse Positive Definite Systems").
 //
 // The unknowns are one twist for each body. The matrix is symmetric and positive definite and
-// couples only bodies with a common row. Bodies are eliminated one by one, each time the one that
-// is coupled with the fewest of those that are left. In a heap, where a body touches only a few
+// couples only bodies with a common row. Bodies are eliminated one by one, each time the body that
+// is coupled with the fewest of the remaining bodies. In a heap, where a body touches only a few
 // others, the cost grows hardly faster than the number of bodies.
 #pragma once
 
@@ -32,7 +32,7 @@ class BlockCholesky {
   // Adds weight row^T row. The bodies of the row must be in the system.
   void add(const ConstraintRow& row, double weight);
 
-  // Factorises the matrix, in its place.
+  // Factorises the matrix in place.
   void factorise();
   // Replaces the right-hand side by the solution. The matrix must be factorised.
   void solve(BodyVector& rhs) const;
@@ -46,7 +46,7 @@ class BlockCholesky {
   // for each of the others that it is coupled with, in increasing order of their indices.
   struct Front {
     Block own;
-    Vec3 inverse_pivot;  // zero for an infinite pivot, so that unknown becomes zero
+    Vec3 inverse_pivot;  // zero for an infinite pivot, whose unknown is then zero
     BodyMask others;
     std::array<Block, max_bodies> off_diagonal;
   };

@@ -5,14 +5,14 @@
 // A is symmetric and positive semidefinite. With the gradient w = Ax + b the solution has w_i = 0
 // inside the bounds, w_i >= 0 at the lower and w_i <= 0 at the upper bound: a mixed LCP (Cottle,
 // Pang, Stone 1992). With low = 0 and high = infinity this is the complementarity of contacts (a
-// force or a separation, never both), with a finite box the grip of wheels.
+// force or a separation, never both); with finite bounds it is the grip of wheels.
 //
 // Method: a primal active set (Nocedal and Wright, "Numerical Optimization", 16.5). The free
 // unknowns are minimised exactly by Cholesky factorisation. On the line to that minimum, the
 // first unknown that hits a bound is held there. At the minimum, one bound whose gradient points
-// inwards is released. Every step lowers the objective, so it ends. The factorisation is our own
-// because a library may order its sums by the size of a cache, and a match must give the same
-// bits everywhere.
+// inwards is released. Every step lowers the objective, so the method ends. The factorisation is
+// our own because a library may order its sums by the size of a cache, and a match must give the
+// same bits everywhere.
 #pragma once
 
 #include "core/simulator/solver/regularized_qp.hpp"
@@ -47,7 +47,7 @@ class BoxQp {
   bool is_large() const;
   RegularizedQp& warm_start(std::span<const InverseMass> mass);
 
-  // Solves the problem; the solution is in x. Where A leaves it open, x is one of the solutions. If
+  // Solves the problem; the solution is in x. If there are several solutions, x is one of them. If
   // rows contradict each other, so that there is no solution, x is within its bounds and the
   // objective is at most that of the start.
   void solve();
@@ -64,7 +64,7 @@ class BoxQp {
   void apply_warm_start();
   void order_all_free();  // sets order_ from bound_; nothing of it is factorised
   void drop_fixed();      // from order_
-  void factorise();       // what is not yet factorised of order_
+  void factorise();       // the rest of order_
   void solve_free();      // sets target_: the minimum over the free unknowns
   bool step_to_target();  // true if no bound was in the way
   void minimise_over_free();

@@ -28,9 +28,9 @@
 
 namespace mirocup::simulator::solver {
 
-// One problem after another: reset(), add() for each row, then b, low, high and x, then solve(),
-// which may be repeated with other values of these. Construction allocates, solving does not.
-// Belongs to one thread.
+// One problem after another: reset(), add() for each row, then b, low, high and x, then solve(); b,
+// low, high and x may then be changed and solve() repeated. Construction allocates, solving does
+// not. Belongs to one thread.
 class RegularizedQp {
  public:
   // Starts a problem without unknowns. `mass` has an entry for each body, by index, that rows will
@@ -76,7 +76,7 @@ class RegularizedQp {
   // At x.
   double value_ = 0.0;
   Unknowns gradient_;
-  Unknowns rates_, x_at_rates_;  // A x, and that x
+  Unknowns rates_, x_at_rates_;  // A x, and the x for which it holds
   bool rates_current_ = false;   // the rows have not changed since `rates_`
 
   // The data of one round: x and its gradient at the start, and Newton's direction.

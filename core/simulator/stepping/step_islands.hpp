@@ -26,7 +26,7 @@ class StepIslands {
       start_[i] = start;
     });
   }
-  // The steps of these bodies are over, early or not. Returns those of them that were in a step.
+  // Ends the steps of these bodies, early or not. Returns the bodies that were in a step.
   BodySet end_step(const BodySet& bodies) {
     const BodySet left = stepping_ & bodies;
     stepping_ &= ~bodies;

@@ -6,8 +6,8 @@
 // The impulses of a step leave no overlap at its end (time_stepper.hpp). A body that turns while
 // it touches another would still penetrate it between the ends, by an amount of second order in
 // the step. That amount is measured in the middle and taken away there by a displacement, which
-// fades to both ends as a parabola. What remains is of third order. It matters because bodies
-// from outside the step may collide at any time of it.
+// fades to both ends as a parabola. What remains is of third order. The correction matters because
+// bodies from outside the step may collide with a member at any time of the step.
 //
 // Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad. Threads: none.
 #pragma once
@@ -48,7 +48,7 @@ class StepTrajectories {
   StepTrajectories(const collision::StaticWorld& world, solver::RegularizedQp& problem);
 
   // A step to be checked. The members' states at both ends carry the twist of the step. The
-  // contacts are those at the end, with their impulses, and stand pair by pair.
+  // contacts are those at the end, with their impulses; the contacts of a pair follow each other.
   struct Step {
     BodySet members;
     std::span<const BodyState> start, end;
@@ -56,7 +56,7 @@ class StepTrajectories {
     double length;  // s
   };
 
-  // Sets the corrections of the members to zero: before each attempt at a step.
+  // Sets the corrections of the members to zero. To be called before each attempt at a step.
   void clear_corrections(const BodySet& members);
 
   // True if no pair tunnels during the step: a pair that starts apart must not end on the other

@@ -13,7 +13,7 @@
 // correction is needed. The method is of first order in the step, and contacts within a step do
 // not bounce.
 //
-// The motion between the ends of a step is the subject of step_trajectories.hpp; it may demand a
+// The motion between the ends of a step is the subject of step_trajectories.hpp, which may demand a
 // shorter step. The regularised QP starts from the forces of the last step (warm start).
 //
 // Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad, N. Threads: none;
@@ -72,7 +72,8 @@ class TimeStepper {
 
   // Starts a tick: bodies that took no step in the last tick may take a long one again.
   void begin_tick();
-  // Makes the next steps start from zero forces: bodies were set, so the old forces mean nothing.
+  // Makes the next steps start from zero forces. To be called when bodies were set, so that the old
+  // forces mean nothing.
   void forget_forces();
 
   // A pressing contact of an earlier step, from which the next step starts warm. The warm start is
@@ -96,7 +97,7 @@ class TimeStepper {
     int forces = 0;                                    // elements in use of `force`
     std::array<RememberedForce, solver::max_unknowns> force;  // of each body's latest step
   };
-  // Copies of it hold the forces in use only: the rest of the array keeps what it had.
+  // These copy only the forces in use: the rest of the target's array keeps its values.
   void save(Memory& memory) const { copy(memory_, memory); }
   void recall(const Memory& memory) { copy(memory, memory_); }
 

@@ -33,7 +33,7 @@ struct MotorDecay {
 MotorDecay motor_decay(double time_constant, double span);
 
 // The decays of a robot's forward speed and of its angular velocity, over the same span. They are
-// the same object where the motors have one lag.
+// the same object if the motors have one lag.
 struct DriveDecay {
   const MotorDecay& forward;
   const MotorDecay& turn;
@@ -47,11 +47,11 @@ bool has_closed_form(const Parameters& parameters, const BodyState& robot,
 // Returns the state of the robot at the end of the decays' span. Precondition: has_closed_form().
 BodyState closed_form_state(const BodyState& robot, const DriveReference& drive,
                             const DriveDecay& decay);
-// The same after `span` seconds, for a caller who has no decays.
+// The same after `span` seconds, for a caller that has no decays.
 BodyState closed_form_state(const BodyState& robot, const DriveReference& drive, double span);
 
 // Returns the largest magnitude of a speed on its way from `now` to `aim`, the speed that the
-// motors aim at. It changes monotonically, so this is the magnitude of one of the two.
+// motors aim at. The speed changes monotonically, so this is the magnitude of one of the two.
 inline double fastest(double now, double aim) {
   return std::max(std::abs(now), std::abs(aim));
 }

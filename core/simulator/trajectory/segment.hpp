@@ -31,7 +31,7 @@ struct Segment {
 Segment still_segment(const BodyState& body, double begin, double end);
 
 // Returns a segment whose series have their first term only: pose and twist at `begin`. The caller
-// fills in the others, which are zero.
+// fills in the other terms, which are zero.
 Segment moving_segment(const BodyState& body, double begin, double end);
 
 // Returns the segment of a body that keeps its twist: a straight line or an arc.
@@ -58,8 +58,9 @@ bool has_converged(const Segment& segment, double length, double truncation);
 double converged_length(const Segment& segment, double longest, double truncation);
 
 // Fills the series of a segment that has only its first terms. extend(k) adds term k + 1. The
-// series get as few terms as converge over `preferred_duration` seconds or the whole segment. The
-// segment is then shortened to the time over which they converge.
+// series get the fewest terms that converge over `preferred_duration` seconds or the whole segment,
+// whichever is shorter; all terms if none do. The segment is then shortened to the time over which
+// they converge.
 template <class Extend>
 void fill_series(Segment& segment, double preferred_duration, Extend extend) {
   const double wanted = segment.end - segment.begin;

@@ -5,7 +5,7 @@
 // Between two events a robot or the ball follows a smooth differential equation whose right-hand
 // side has products and sums only. So each Taylor coefficient follows from the earlier ones by a
 // recurrence (automatic differentiation; Moore 1966, "Interval Analysis"). A position is then a
-// polynomial, a gap is a polynomial, and the first contact is the first root of one.
+// polynomial, a gap is a polynomial, and the first contact is the first root of a gap.
 //
 // A segment is kept so short that its series have converged (see converged_length() in
 // segment.hpp). Most of the work grows with the square of the number of terms, so a short motion
@@ -30,11 +30,11 @@ inline constexpr int max_terms = term_counts.back();
 // A time that never comes.
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-// A polynomial in t, in seconds since the start of the segment that the series belongs to. The unit
-// of its values is the owner's.
+// A polynomial in t, in seconds since the start of the segment that the series belongs to. The
+// owner of the series states the unit of its values.
 struct Series {
   std::array<double, max_terms> c{};
-  int terms = max_terms;  // one of term_counts; all coefficients from there on are zero
+  int terms = max_terms;  // one of term_counts; c[terms] and all later ones are zero
 
   double operator[](int k) const { return c[k]; }
   double& operator[](int k) { return c[k]; }
@@ -100,8 +100,8 @@ struct Range {
   double low;
   double high;
 };
-// Returns bounds of p(t) - p(0) for 0 <= t <= length. They are not sharp: terms of different sign
-// are bounded each by itself.
+// Returns bounds of p(t) - p(0) for 0 <= t <= length. The bounds are not sharp, because each term
+// is bounded by itself, even if terms have different signs.
 Range change_over(const Series& p, double length);
 
 // Returns the first t in [begin, end] at which p is at most `level` + root_tolerance, or `never`.
