@@ -6,7 +6,7 @@
 // hold. A robot that has just slid or was hit has a sideways speed that a camera hardly sees, and
 // that the fit would take for a lag of the motors. Pictures before the window decide whether wheels
 // hold. The noise of those pictures is independent of the noise in the window, so the choice does
-// not bias the numbers.
+// not bias the numbers of the pitch.
 #pragma once
 
 #include "pitch/windows.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Least squares over windows: the step of identification that moves the numbers of a pitch until
-// the simulator goes through the pictures (identify.hpp describes the method).
+// the simulated bodies move as in the pictures (identify.hpp describes the method).
 #pragma once
 
 #include "pitch/unknowns.hpp"
@@ -27,7 +27,7 @@ struct Piece {
   std::vector<simulator::BodyState> start;
   std::array<bool, unknown_count> tells{};  // true: the window depends on this number of the pitch
   int states = 0;                           // number of unknowns of the starts
-  // Number of residuals: 2 or 3 for each sight, then sideways speeds.
+  // Number of residuals: 2 for each sight of the ball, 3 of a robot, 1 for each sideways speed.
   int rows = 0;
   double square = 0.0;  // weighted sum of the squared residuals
   bool counts = true;   // false: no start fits the pictures of the window

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The interval of a number, from the costs at its values (Fit::profile). The basis is the rise of
-// the cost. The interval is wider if windows differ by more than noise, if one window alone
-// decides, or if few windows depend on the number.
+// The interval of a number, from the costs at some values of the number (Fit::profile). The basis
+// is the rise of the cost. The interval is wider if windows differ by more than noise, if one
+// window alone decides, or if few windows depend on the number.
 #pragma once
 
 #include "pitch/fit.hpp"

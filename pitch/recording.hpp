@@ -38,7 +38,7 @@ struct Frame {
 struct Recording {
   std::string path;  // for messages
   League league = League::small;
-  int robots = 0;                // listed robots of each team
+  int robots = 0;                // number of listed robots of each team
   std::optional<double> period;  // time between two pictures, s; empty: irregular
   std::string pitch;             // the name of the pitch; "": not known
   std::vector<Frame> frames;     // in the order of their times

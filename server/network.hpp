@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The network side of a match: the topics for teams that play over DDS, the sockets for teams that
-// speak the protocol of FIRASim, and the programs of such teams that the match starts.
+// speak the protocol of FIRASim, and the programs that the match starts for such teams.
 #pragma once
 
 #include "record/thoughts_file.hpp"

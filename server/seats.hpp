@@ -28,8 +28,8 @@ struct TeamChoice {
 };
 
 // Reads a team. `text` is "dds:NAME", "firasim:NAME", the path of a library or of a file of Python,
-// or the name of a house team. If a file cannot be loaded, the choice has a fault of the team; it
-// is not an error.
+// or the name of a house team. If a file cannot be loaded, this is not an error: the choice has a
+// fault of the team.
 Result<TeamChoice> choose_team(const std::string& text);
 
 // The place of one team in a leg: starts and asks a team of any kind.

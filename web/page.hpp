@@ -43,7 +43,7 @@ struct Proof {
 };
 
 // Whether a page shows the data of each robot that only the teams may see: commanded and real wheel
-// speeds, and the age of the picture in which its team saw it.
+// speeds, and the age of the picture in which the team saw the robot.
 enum class Wheels { shown, left_out };
 
 struct ReplayPage {

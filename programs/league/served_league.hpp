@@ -39,13 +39,14 @@ class ServedLeague {
   // True if entries try drills, which have the field of the small league.
   bool has_drills() const { return store_.state().file.league == League::small; }
 
-  // Returns why the league takes no entry of a team at a time (UTC); "" if it takes entries.
+  // Returns why the league takes no entry of a team at the time `now` (UTC); "" if it takes
+  // entries.
   std::string why_not(const std::string& team, const std::string& now);
 
   // Returns the decided legs of a team.
   std::vector<OwnLeg> legs_of(const std::string& team);
 
-  // Returns the digest of a team's last night as part of a page of the desk; "" if the night is
+  // Returns a team's digest of the last night as part of a page of the desk; "" if the night is
   // hidden, or if there was no night.
   std::string digest_of(const std::string& team);
 
@@ -60,7 +61,7 @@ class ServedLeague {
   // Returns the neighbours of a team in the table, the team above first; none before the start.
   std::vector<std::string> neighbours_of(const std::string& team);
 
-  // Returns the name of a team that pages show.
+  // Returns the name that pages show for a team.
   std::string shown_name_of(const std::string& team);
 
   // Returns a time of the journal in the league's time zone: shown_time().
@@ -121,7 +122,7 @@ class ServedLeague {
   std::map<std::string, web::Page> pages_;  // pages of site_ that were asked for, by path
   std::set<std::string> records_;           // names of records without .json
 
-  std::mutex replaying_;  // held while a replay page is made, so one at a time
+  std::mutex replaying_;  // held while a replay page is made; pages are made one at a time
   std::once_flag module_made_;
   std::optional<SiteModule> module_;  // the module of this program; set by module()
 };

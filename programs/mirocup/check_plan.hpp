@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Shares the processor time of a check among its trial legs, so that the check of a slow team has
-// shorter legs and not a longer time. The shares depend only on the use of earlier legs, so a busy
-// machine does not make a leg shorter.
+// shorter legs instead of taking longer. The shares depend only on the use of earlier legs, so a
+// busy machine does not make a leg shorter.
 //
 // The use of a leg is the processor time of the checking process and of both teams, loading
 // included, and the time for which the entry slept. All times are in s.

@@ -40,7 +40,7 @@ void add_completion(system::Commands& commands);
 
 // Options of several subcommands.
 void add_dds_domain(const system::Command& command, int& domain);
-// KEY=VALUE for parameters of `whose` team: "the team".
+// Adds an option KEY=VALUE for the parameters of a team, which the help calls `whose`: "the team".
 void add_parameters(const system::Command& command, const char* option,
                     std::vector<std::string>& changes, const std::string& whose);
 

@@ -65,7 +65,7 @@ struct EntryReport {
   const Check* failure() const;
 };
 
-// The legs for which an entry is checked.
+// The kind of legs for which an entry is checked.
 struct EntryTerms {
   League league = League::small;
   referee::Rules rules;  // the rules, with the length of a half in the league

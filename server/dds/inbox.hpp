@@ -19,7 +19,7 @@ struct CommandCounts {
   std::uint64_t in_step = 0;      // answered the present tick; at most one command for each tick
   std::uint64_t late = 0;         // answered a tick that was over
   std::uint64_t late_driven = 0;  // late commands that were driven
-  std::uint64_t duplicate = 0;    // answered the last answered tick once more
+  std::uint64_t duplicate = 0;    // further answers to the last answered tick
   std::uint64_t ahead = 0;        // answered a tick that has not begun
   std::uint64_t foreign = 0;      // from a process without the seat
 };
@@ -29,7 +29,7 @@ enum class Arrival {
   in_step,   // the answer to the present tick
   late,      // answers a tick that is over, but a newer one than all earlier commands
   old,       // answers a tick that is over, and not a newer one than all earlier commands
-  repeated,  // answers the last answered tick once more
+  repeated,  // a further answer to the last answered tick
   ahead,
 };
 

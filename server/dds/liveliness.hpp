@@ -33,8 +33,8 @@ class Liveliness {
   // was away.
   bool answered(std::uint32_t tick, double now);
 
-  // To be called in the tick `present` when a late command to `tick` has come, newer than all
-  // earlier commands. Returns true if the team was away.
+  // To be called in the tick `present` when a late command to `tick` has come. `tick` is newer than
+  // the ticks of all earlier commands. Returns true if the team was away.
   bool answered_late(std::uint32_t tick, std::uint32_t present, double now);
 
   // To be called when the answer to the present tick has come again. A team must answer whenever

@@ -44,7 +44,7 @@ class HandInBook {
   const std::map<std::string, int>& pins() const { return pins_; }
   int pins_in_last_hour(const std::string& team, std::int64_t now) const;
 
-  // Changes of state that end with the server, so the book does not have them.
+  // The book does not keep these changes of state, because they end with the server.
   void begin(const std::string& team, int entry, HandInState state = HandInState::checking) {
     queue_.begin(team, entry, state);
   }

@@ -13,8 +13,7 @@ namespace mirocup::league {
 
 using Json = nlohmann::ordered_json;
 
-// Returns a page with this content, in the design of all pages. If `back`, the page links to the
-// team's page.
+// Returns a page with this content, in the design of all pages.
 std::string desk_page(const std::string& title, const Html& content);
 
 // Adds the button that ends the session, in the corner of the first card.

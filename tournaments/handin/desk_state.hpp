@@ -28,8 +28,8 @@ struct PortalOptions {
   int max_waiting = 4;           // the most hand-ins of one team without an answer
   int max_uploads = 2;           // the most files that one team may send at once
 
-  // Returns a sentence that says why the league takes no entry of a team at a time; "" if it takes
-  // entries.
+  // Returns a sentence that says why the league takes no entry of a team at the time `now`; "" if
+  // it takes entries.
   std::function<std::string(const std::string& team, const std::string& now)> why_not;
   // Returns the decided legs of a team.
   std::function<std::vector<OwnLeg>(const std::string& team)> legs;

@@ -55,7 +55,7 @@ class Doorkeeper {
   Result<std::variant<std::string, Refusal>> log_in(const web::Request& request,
                                                     std::string_view token, std::int64_t now);
 
-  // Ends the session of the request and returns a header that makes the browser forget it.
+  // Ends the session of the request and returns a header that makes the browser forget its cookie.
   Result<std::variant<std::string, Refusal>> log_out(const web::Request& request);
 
  private:

@@ -25,7 +25,7 @@ struct FriendlyOptions {
   std::function<std::vector<std::string>(const std::string& team)> neighbours;
   // The house teams, without "house:".
   std::vector<std::string> house;
-  bool has_drills = false;  // entries try drills, because the league has their field
+  bool has_drills = false;  // true: entries try drills; the league has the field of the drills
   // Returns the page that replays the record at a path, with the thoughts and logs of the given
   // teams.
   std::function<std::optional<std::string>(const std::string& record, const record::Whose& whose)>
@@ -55,8 +55,8 @@ class FriendlyDesk {
   // GET below the path of friendlies, "/TEAM/NUMBER/log" or "/TEAM/NUMBER/replay".
   web::Reply show(const std::string& visitor, std::string_view rest);
 
-  // For the runner. When no leg waits, next() returns the drills of an entry. A leg is void after
-  // the host has failed in it several times. A leg that was stopped for a check waits again.
+  // For the runner. When no leg waits, begin_next() returns the drills of an entry. A leg is void
+  // after the host has failed in it several times. A leg that was stopped for a check waits again.
   std::optional<Friendly> begin_next();
   Result<void> played(const Friendly& friendly, std::int64_t now);
   Result<void> failed(const Friendly& friendly, std::int64_t now, bool is_spoiled = true);

@@ -147,7 +147,7 @@ class HandInQueue {
 
   // The hand-ins without an answer in the order of their checks.
   std::vector<const WaitingHandIn*> order() const;
-  // Moves a hand-in to the round of a hand-in that comes now.
+  // Gives a hand-in the round that a new hand-in of its team would get.
   void put_behind(WaitingHandIn& handed);
 
   int round_ = 0;                          // the round of the last check that began or was answered

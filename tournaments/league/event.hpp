@@ -66,7 +66,7 @@ struct Started {
 
   std::string config_sha256;
   std::string version;                // version of the program; "" if the line has none
-  match::Conditions conditions = {};  // of all legs; exact if the line has none
+  match::Conditions conditions = {};  // of all legs; `exact` if the line has no conditions
   std::string build = {};             // build of the program; "" in lines of earlier versions
   // The hash of the program's behaviour; "" in lines of earlier versions.
   std::string game = {};

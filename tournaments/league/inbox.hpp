@@ -10,7 +10,7 @@
 
 namespace mirocup::league {
 
-// Called with the answer to a file: its path, its team ("" if its name is not a team's), the
+// Called with the path of a file, its team ("" if the file's name is not that of a team) and the
 // answer.
 using InboxListener = std::function<void(const std::string& path, const std::string& team,
                                          const Result<Submission>& answer)>;

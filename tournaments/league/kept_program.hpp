@@ -23,8 +23,8 @@ inline constexpr std::uint64_t max_program = 256u << 20;
 // Returns the path of the kept match server with a behaviour (`game` in records).
 std::string kept_program(const Folder& folder, const std::string& game);
 
-// Returns the files of the browser module (browser/) of a kept program. They exist only if they
-// were built.
+// The files of the browser module (browser/) of a kept program, and their paths. The files exist
+// only if they were built.
 inline constexpr const char* kept_module_files[] = {"mirocup.js", "mirocup.wasm"};
 std::string kept_module(const Folder& folder, const std::string& game, const std::string& file);
 

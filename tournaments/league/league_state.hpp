@@ -139,7 +139,7 @@ struct LeagueState {
   std::optional<int> find_team(const std::string& name) const;
   const std::string& name(int team) const { return file.teams[team].name; }
 
-  // Returns the name of a team that pages show.
+  // Returns the name that pages show for a team.
   const std::string& shown_name(int team) const {
     return shown_names.empty() ? name(team) : shown_names[team];
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Plays teams against each other until the test of comparison.hpp decides about each pair. A
-// fixture is two legs of one seed with swapped colours; every fixture has another seed. Fixtures
+// fixture is two legs of one seed with swapped colours; each fixture has a different seed. Fixtures
 // are counted in the order of their numbers, so the answer does not depend on the number of jobs.
 //
 // Equal legs prove nothing. Two legs with goals differ if goals fell in different ticks or for

@@ -12,10 +12,11 @@
 
 namespace mirocup::league {
 
-// Returns the state of a league in which nothing was played after a round. "r3" is the third round
-// of a table or of all groups; "k1" is the first round of a knockout, which follows all groups.
-// `whole` is the present state. Withdrawals and pauses show in every round. Errors: Errc::input if
-// the league lacks the round, or if an event of a shown round depends on an event of a later round.
+// Returns the state of a league as if nothing had been played after a round. "r3" is the third
+// round of a table or of all groups; "k1" is the first round of a knockout, which follows all
+// groups. `whole` is the present state. Withdrawals and pauses show in every round. Errors:
+// Errc::input if the league lacks the round, or if an event of a shown round depends on an event of
+// a later round.
 Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
                                   const std::string& round);
 

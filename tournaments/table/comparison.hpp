@@ -14,9 +14,9 @@
 // team is better once the whole interval is on one side of 1/2; two teams are equal once the whole
 // interval is between the shares of -20 and 20 Elo.
 //
-// Each gambler divides his capital among fixed bets of many sizes. So the capital depends on the
-// number of each result and not on the order of the results. docs/comparisons.md has the measured
-// errors.
+// Each gambler divides his capital among fixed bets of many sizes. So the capital depends on how
+// often each result occurred and not on the order of the results. docs/comparisons.md has the
+// measured errors.
 #pragma once
 
 #include "core/base/names.hpp"

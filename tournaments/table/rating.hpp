@@ -11,12 +11,13 @@
 // legs has a finite strength.
 //
 // An interval holds the strengths of one team that the results do not contradict: the strengths for
-// which twice the logarithm of the likelihood falls by at most 3.84, the 95 % point of chi squared
-// with one degree of freedom. For this interval the strengths of the other teams are fixed at the
-// fit. To include their uncertainty, the permitted fall is multiplied by a ratio of two variances
-// of the strength, from the curvature of the likelihood at its maximum: the variance with all
-// strengths unknown, divided by the variance with the other strengths known. The legs of a fixture
-// count as independent. docs/comparisons.md says how often such intervals hold the true strength.
+// which twice the logarithm of the likelihood is at most 3.84 below its maximum, the 95 % point of
+// chi squared with one degree of freedom. For this interval the strengths of the other teams are
+// fixed at their fitted values. To include their uncertainty, the permitted fall is multiplied by a
+// ratio of two variances of the strength, from the curvature of the likelihood at its maximum: the
+// variance with all strengths unknown, divided by the variance with the other strengths known. The
+// legs of a fixture count as independent. docs/comparisons.md says how often such intervals hold
+// the true strength.
 #pragma once
 
 #include "tournaments/table/table.hpp"

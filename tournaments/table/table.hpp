@@ -42,7 +42,7 @@ enum class TieBreak {
   penalties,
   lots,
   wins,
-  opponents_points,  // sum of the opponent's points over the legs of the team
+  opponents_points,  // sum over the team's legs of the opponent's points in the table
 };
 
 // The points for a win, a draw or a loss are within ±max_points, so that sums always fit into 64

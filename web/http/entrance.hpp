@@ -88,7 +88,7 @@ class Entrance {
 
  private:
   struct Guest {
-    std::string address;  // the address that counts the connection
+    std::string address;  // the address for which the connection counts
     Stage stage = Stage::receiving;
     bool is_known = false;
     bool has_entered = true;
