@@ -17,7 +17,8 @@ namespace mirocup::browser {
 
 using record::Json;
 
-// Reads a record and the bytes of its replay, unpacked. Errors: Errc::damaged, which names `path`.
+// Reads a record. `replay` is the content of its replay file, unpacked. Errors: Errc::damaged,
+// which names `path`.
 Result<record::MatchRecord> read_record(const std::string& text, const std::string& replay,
                                         const std::string& path);
 

@@ -70,7 +70,6 @@ Result<Recording> parse_csv(std::string_view text, const std::string& path,
 
 std::string print_recording(const Recording& recording);
 
-// The errors of a camera.
 struct CameraNoise {
   double position = 0.002;     // m, standard deviation of each coordinate
   double heading = 0.0174533;  // rad

@@ -4,7 +4,7 @@
 // the errors of yardsticks.
 //
 // Every few pictures a prediction begins: all bodies start with the positions and velocities that
-// the pictures until then show. The yardsticks start from the same states:
+// the pictures up to that time show. The yardsticks start from the same states:
 //   straight  each body keeps its speed and its turn rate, also through other bodies and walls
 //   peer      another engine with the same motors, if one is given
 //   paper     the simulator with the paper's equations alone: wheels that never slide, motors with

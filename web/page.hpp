@@ -42,8 +42,8 @@ struct Proof {
   std::string commands_file = "";
 };
 
-// Whether a page shows the data of each robot that only the teams may see: commanded and real wheel
-// speeds, and the age of the picture in which the team saw the robot.
+// Whether a page shows the data that only the teams may see: for each robot the commanded and the
+// real wheel speeds, and the age of the picture in which the team saw the robot.
 enum class Wheels { shown, left_out };
 
 struct ReplayPage {

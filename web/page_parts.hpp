@@ -49,7 +49,7 @@ struct ScriptFile {
   std::string text;
 };
 
-// Returns the module as a file for all pages of a site; its name has a hash of its content.
+// Returns the module as a file for all pages of a site. The file's name has a hash of its content.
 ScriptFile module_file(const BrowserModule& module);
 record::Json zones_json(const field::Field& field);
 

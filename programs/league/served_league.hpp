@@ -36,7 +36,7 @@ class ServedLeague {
   // From now on the pages link to the form for hand-ins.
   void offer_hand_in() { takes_hand_ins_ = true; }
 
-  // True if entries try drills, which have the field of the small league.
+  // True if entries try drills: the league has the field of the drills.
   bool has_drills() const { return store_.state().file.league == League::small; }
 
   // Returns why the league takes no entry of a team at the time `now` (UTC); "" if it takes
@@ -106,7 +106,7 @@ class ServedLeague {
   bool takes_hand_ins_ = false;
   std::chrono::steady_clock::time_point polled_at_{};
   std::uint64_t version_ = 0;  // grows with each change of the journal or of the live legs
-  std::size_t lines_ = 0;      // of the journal
+  std::size_t lines_ = 0;      // number of lines of the journal
   std::vector<LiveLeg> live_legs_;
   std::uint64_t teams_version_ = 0;     // grows when teams or their names change
   std::uint64_t version_of_pages_ = 0;  // teams_version_ when the pages were made

@@ -4,8 +4,8 @@
 // shorter legs instead of taking longer. The shares depend only on the use of earlier legs, so a
 // busy machine does not make a leg shorter.
 //
-// The use of a leg is the processor time of the checking process and of both teams, loading
-// included, and the time for which the entry slept. All times are in s.
+// The use of a leg is the processor time of the checking process and of both teams, including
+// loading, plus the time for which the entry slept. All times are in s.
 #pragma once
 
 #include <algorithm>

@@ -14,7 +14,6 @@
 
 namespace mirocup::app {
 
-// The teams of a drill.
 struct DrillTeams {
   server::TeamChoice tested;
   server::TeamChoice opponent;
@@ -28,7 +27,6 @@ struct DrillTask {
   int tries = 0;
 };
 
-// A played try.
 struct PlayedTry {
   std::uint64_t seed = 0;
   drills::TryResult result;

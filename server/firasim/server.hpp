@@ -3,7 +3,7 @@
 // The interface of a match to teams of FIRASim and VSSReferee: the server sends vision and the
 // referee's calls, and receives commands and placements.
 //
-// Threads: one. The server guards against mistakes and against every content of a datagram, but not
+// Threads: one. The server guards against mistakes and against any content of a datagram, but not
 // against an attacker who forges the addresses of datagrams on the same network.
 #pragma once
 

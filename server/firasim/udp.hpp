@@ -59,9 +59,9 @@ class Receiver {
   // group of all hosts, 224.0.0.1. A group is joined on the interface and on lo.
   static Result<Receiver> open(const Endpoint& at, const std::string& interface,
                                const std::string& option);
-  // Opens a second receiver at this address for the datagrams of `peer` alone. Its separate buffer
-  // keeps them from being crowded out by other senders. The first receiver then gets no datagrams
-  // of `peer`, unless the address is a group. Error: Errc::unavailable.
+  // Opens a second receiver at this address for the datagrams of `peer` alone. The second receiver
+  // has a separate buffer, so other senders cannot crowd out these datagrams. The first receiver
+  // then gets no datagrams of `peer`, unless the address is a group. Error: Errc::unavailable.
   Result<Receiver> only_from(const Endpoint& peer) const;
 
   struct Datagram {

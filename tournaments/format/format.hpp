@@ -24,7 +24,7 @@ struct Format {
   bool third_place = true;
   int rounds = 0;     // rounds of a Swiss tournament; 0: usual_swiss_rounds()
   int sample = 4;     // the number of opponents of a new entry in a ladder
-  int opponents = 0;  // of each team in a night; 0: all other teams
+  int opponents = 0;  // opponents of each team in a night; 0: all other teams
 
   bool has_knockout() const { return kind == FormatKind::groups || kind == FormatKind::knockout; }
 

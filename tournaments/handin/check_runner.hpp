@@ -48,7 +48,7 @@ class CheckRunner {
     pid_t pid = 0;
     std::chrono::steady_clock::time_point begun;
     int compile_seconds = 0;                         // limit of compiling; 0: the file is a library
-    RunningCheck used{};                             // of the check so far
+    RunningCheck used{};                             // use of the check so far
     bool is_compiled = false;                        // the library exists, and its check has begun
     std::optional<NoAnswer> stopped = std::nullopt;  // why the runner stopped the check
   };

@@ -24,7 +24,7 @@ class Entries {
   // Returns the summaries of all entries of a team, the latest first.
   Result<Json> reports(const std::string& team);
 
-  // Returns a stream of the states of an entry, which ends when its check has an answer.
+  // Returns a stream of the states of an entry. It ends when the entry's check has an answer.
   web::Reply events(const std::string& team, int entry);
 
  private:

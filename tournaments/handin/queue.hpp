@@ -99,7 +99,7 @@ class CompileTime {
   }
 
  private:
-  std::set<std::string> slow_;  // teams
+  std::set<std::string> slow_;  // teams whose sources get only `after_slow_one`
 };
 
 class HandInQueue {

@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 class Journal {
  public:
-  // The most JSON values of all lines together, because they stay in memory. The limit is enough
+  // The most JSON values that all lines together may have: they stay in memory. The limit is enough
   // for a million legs.
   static constexpr std::size_t max_values = 20'000'000;
 

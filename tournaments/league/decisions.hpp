@@ -9,8 +9,8 @@
 namespace mirocup::league {
 
 // If the event is a decision of a person, appends it to the list and marks the decisions that it
-// undoes. `state` is the state before the event, which validate() accepts. `line` is the number of
-// the event's line.
+// undoes. `state` is the state before the event. Precondition: validate() accepts the event. `line`
+// is the number of the event's line.
 void note_decision(LeagueState& state, const Event& event, int line);
 
 // Like note_decision(), for a decision that a later line undoes: the decision is listed and changes

@@ -23,8 +23,8 @@
 
 namespace mirocup::league {
 
-// The most attempts at a leg that may fail because of the host. After them the leg waits for the
-// next start of the program, so that a person can repair the host first.
+// The most attempts at a leg that may fail because of the host. Then the leg waits for the next
+// start of the program, so that a person can repair the host first.
 inline constexpr int max_attempts = 3;
 
 // The result of a decided leg.
@@ -70,7 +70,6 @@ struct FixtureState {
   int goals(int team) const;  // of a team in all legs together
 };
 
-// The participation of a team.
 enum class TeamStatus { playing, paused, withdrawn };
 
 struct TeamState {
@@ -87,8 +86,8 @@ struct Decision {
   Event event;
   int line = 0;           // number of the decision's line in the journal; 0: not known
   std::string what = {};  // the value before the decision: "was 2:1"; may be ""
-  // The later decision that ended its effect, as an index of LeagueState::decisions: a decision on
-  // the same leg, a withdrawal that removes the leg, the end of a pause, or Undone.
+  // The later decision that ended this decision's effect, as an index of LeagueState::decisions: a
+  // decision on the same leg, a withdrawal that removes the leg, the end of a pause, or Undone.
   std::optional<std::size_t> undone_by;
 };
 

@@ -61,7 +61,7 @@ class LeagueStore {
   Journal journal_;
   LeagueState state_;
   Clock clock_;
-  std::size_t applied_ = 0;  // lines
+  std::size_t applied_ = 0;  // number of applied lines
 };
 
 }  // namespace mirocup::league

@@ -15,7 +15,7 @@ using CommandLine = std::vector<std::string>;
 struct SlurmTask {
   std::string id;  // "17_3": job and task, as scancel expects
   int plan = 0;    // number of the plan
-  int line = 0;    // of the plan, from 1
+  int line = 0;    // line of the plan, from 1
   bool is_running = false;
   int restarts = 0;  // how often Slurm has requeued the task, for example after a lost node
 };

@@ -58,7 +58,7 @@ class SlurmRunner {
   std::string league_;  // word in the names of this league's jobs
   int jobs_ = 1;
   int next_plan_ = 1;
-  int futile_submissions_ = 0;  // arrays submitted since a record was booked
+  int futile_submissions_ = 0;  // arrays submitted since the last record was booked
   int interrupts_ = 0;
   bool is_silent_ = false;               // true: squeue did not answer last time
   std::vector<SlurmTask> tasks_;         // from the last answer of squeue
