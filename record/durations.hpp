@@ -25,8 +25,8 @@ class Durations {
   std::uint64_t count() const { return count_; }
   double max() const { return max_; }
 
-  // Returns a duration, s, that at least this share (0 to 1) of the durations did not exceed; 0
-  // without durations.
+  // Returns a duration, s, that at least this share (0 to 1) of the durations did not exceed; 0 if
+  // there are no durations.
   double quantile(double share) const {
     assert(share >= 0.0 && share <= 1.0);
     std::uint64_t until = 0;

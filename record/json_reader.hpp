@@ -26,8 +26,8 @@
 // list of keys: it ignores unknown keys.
 //
 // Documents may come from strangers. Only parse_json() turns text into a tree. It builds no tree
-// beyond JsonLimits, so none too deep for recursive functions. A message quotes at most a short
-// piece of the document.
+// beyond JsonLimits, so no tree is too deep for recursive functions. A message quotes at most
+// a short piece of the document.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -116,7 +116,7 @@ class JsonReader {
   double positive_number() const;
 
   // Returns a number without a fraction in [min, max]; 3.0 is such a number. After a complaint,
-  // returns the number of the range nearest to the value, or nearest to 0 if the value is not a
+  // returns the number in [min, max] that is nearest to the value, or to 0 if the value is not a
   // number.
   template <std::integral T>
   T integer(T min = std::numeric_limits<T>::min(), T max = std::numeric_limits<T>::max()) const;
@@ -133,8 +133,8 @@ class JsonReader {
   template <class T>
   T as() const;
 
-  // Sets `value` to the member with a key; without the key, `value` stays unchanged. As in at(), a
-  // null is a value of the wrong type.
+  // Sets `value` to the member with a key. If the member is missing, `value` stays unchanged; if it
+  // is null, it is a value of the wrong type, as in at().
   template <class T>
   void read_if_present(const std::string& key, T& value) const {
     if (has(key)) value = at(key).as<T>();
@@ -176,15 +176,15 @@ struct ParsedJson {
 };
 ParsedJson parse_json(std::string_view text, const JsonLimits& limits = {});
 
-// Returns the text of a value, in one line or with this many spaces for each level. Bytes that are
+// Returns the text of a value: in one line, or with `indent` spaces for each level. Bytes that are
 // not UTF-8 become U+FFFD, so the text is always JSON.
 std::string json_text(const JsonReader::Json& value, int indent = -1);
 
 // Returns the error that a person reads: "PATH: POINTER: REASON".
 Error error_of(const JsonProblem& problem, const std::string& path, Errc code);
 
-// Parses `text` and returns read(reader of the whole document), a T, or the document's first
-// problem as an error of `code` that names `path`.
+// Parses `text`, calls read() with the reader of the whole document, and returns its result. If the
+// document has a problem, returns the first problem as an error of `code` that names `path`.
 template <class T, class Read>
 Result<T> read_json(std::string_view text, const std::string& path, Errc code, Read read,
                     const JsonLimits& limits = {}) {

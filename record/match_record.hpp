@@ -71,14 +71,14 @@ struct NetworkReport {
   std::uint64_t foreign = 0;      // from a process without the seat
   int processes = 0;              // processes that played for the team in turn
   std::vector<Absence> absences;
-  Durations answers;  // wall time from a tick's state to the answer in step
+  Durations answers;  // wall time from sending a tick's state to the answer in step
   std::optional<DatagramReport> datagrams = std::nullopt;  // of a team on FIRASim's protocol
 };
 
 // The lateness of a match at real time or at a multiple of real time.
 struct PaceReport {
   double period = 0.0;  // wall seconds between two ticks
-  Durations lateness;   // of the ticks: start minus due time
+  Durations lateness;   // of each tick: the time of its start minus the time at which it was due
 };
 
 // The program that plays or played a match. `behaviour_hash` stands for its physics, laws and

@@ -10,7 +10,7 @@
 
 namespace mirocup::record {
 
-// An empty text shows nothing.
+// For an empty text a page shows nothing.
 struct OwnTexts {
   match::ByTeam<std::string> thoughts;  // JSON lines of mirocup/thoughts/1
   match::ByTeam<std::string> logs;      // output of the teams
@@ -21,7 +21,7 @@ using Whose = match::ByTeam<bool>;
 inline constexpr Whose of_nobody{false, false};
 inline constexpr Whose of_both{true, true};
 
-// Returns true if thoughts of one of these teams were kept with the record.
+// Returns true if thoughts of at least one of these teams were kept with the record.
 bool has_thoughts(system::Files& files, const std::string& record_path, const Whose& whose);
 
 // Reads the thoughts and logs of these teams in the leg. Texts whose files are missing are empty.

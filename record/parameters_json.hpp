@@ -12,7 +12,7 @@ namespace mirocup::record {
 class JsonReader;
 
 // Applies the keys of the object to `parameters`; other parameters stay unchanged. Complains about
-// an unknown key, a wrong type and a number without meaning. A number may also be {"value", "low",
+// an unknown key, a wrong type and an impossible number. A number may also be {"value", "low",
 // "high"}, as in the output of `mirocup identify`, of which only "value" counts.
 void read_physics(const JsonReader& json, simulator::Parameters& parameters);
 

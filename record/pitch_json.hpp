@@ -31,8 +31,8 @@ match::PitchSpec read_pitch(const JsonReader& json);
 // the reason.
 Result<match::PitchSpec> parse_pitch(std::string_view text, const std::string& path);
 
-// Returns the pitch of a command line's --pitch: the name of a preset, a file, or the JSON text
-// itself, which begins with "{". Errors: Errc::input, Errc::unavailable for a file.
+// Returns the pitch that the value of the option --pitch gives: the name of a preset, a file, or
+// the JSON text itself, which begins with "{". Errors: Errc::input, Errc::unavailable for a file.
 Result<match::PitchSpec> pitch_of_option(const std::string& option);
 
 }  // namespace mirocup::record

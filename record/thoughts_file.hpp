@@ -36,8 +36,8 @@ class ThoughtsWriter {
   // Returns how many shapes of the leg were dropped so far.
   std::uint64_t left_out() const { return left_out_; }
 
-  // Ends the file and returns its bytes. If shapes were dropped, the last line is a text about the
-  // number. After this call nothing can be added.
+  // Ends the file and returns its bytes. If shapes were dropped, the last line says how many. After
+  // this call nothing can be added.
   std::string packed();
 
  private:

@@ -14,8 +14,8 @@
 
 namespace mirocup::system {
 
-// Returns the time in seconds since 1970. The environment variable MIROCUP_CLOCK_OFFSET moves the
-// returned time by a number of seconds, so that a term can be rehearsed in minutes.
+// Returns the time in seconds since 1970, plus the seconds in the environment variable
+// MIROCUP_CLOCK_OFFSET, with which a term can be rehearsed in minutes.
 std::int64_t now_s();
 
 // Returns a time, in seconds since 1970, as "2026-11-30T18:00:00Z".
@@ -39,7 +39,7 @@ class TimeZone {
   // that name.
   static Result<TimeZone> find(const std::string& name);
 
-  // Returns the seconds by which local time is ahead of UTC at a time, and the name of that offset:
+  // Returns the seconds by which local time is ahead of UTC at `time`, and the name of that offset:
   // "CET".
   struct Offset {
     int seconds = 0;
@@ -51,8 +51,8 @@ class TimeZone {
   std::string text(std::int64_t time) const;
   std::string date(std::int64_t time) const;  // "2026-11-30"
 
-  // Returns the time at which clocks in the zone show `shown`: of two such times the first, in a
-  // gap the time after the gap.
+  // Returns the time at which clocks in the zone show `shown`; if there are two such times, the
+  // first. If there is none (see gap_at()), returns a time before the gap.
   std::int64_t from_local(std::int64_t shown) const;
 
   // If no clock in the zone ever shows `shown`, because clocks are put forward past it, returns the

@@ -23,12 +23,12 @@ struct CommandHelp {
   std::vector<const char*> examples;
 };
 
-// The names of values that options of any command take: {"--half", "SECONDS"}. An option that
+// For an option in any command, the name of its value: {"--half", "SECONDS"}. An option that
 // declares a value name keeps it.
 using ValueNames = std::map<std::string, const char*>;
 
-// Returns the name of an option's value without the checks that CLI11 appends: "ADDR:PORT" of
-// "ADDR:PORT", "N" of "N:INT in [1 - 10]".
+// Returns the name of an option's value without the checks that CLI11 appends: "ADDR:PORT" for
+// "ADDR:PORT", "N" for "N:INT in [1 - 10]".
 std::string own_value_name(const std::string& type);
 
 // Sets the program's layout of help, the names of values, groups and examples. To be called once,

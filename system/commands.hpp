@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of a program. Each declares its options in the source that runs it; the program
-// lists the subcommands. Only this folder knows the library that parses command lines (CLI11).
+// The subcommands of a program. Each subcommand declares its options in the source that runs it;
+// the program lists the subcommands. Only this folder knows the library that parses command lines
+// (CLI11).
 #pragma once
 
 #include "core/base/error.hpp"
@@ -108,8 +109,8 @@ class Commands {
   void add_other(const CommandHelp& help);
 
   // Returns the subcommand that was chosen. If the command line asks for help or is wrong, prints
-  // the help or the error and returns the exit code instead. `values` names the values of options
-  // that name none; `teams` are the names of the house teams, for completion.
+  // the help or the error and returns the exit code instead. `values` has names for the values of
+  // options that declare no such name; `teams` are the names of the house teams, for completion.
   std::variant<Run, int> read(int argc, char** argv, const ValueNames& values,
                               std::span<const std::string> teams);
 

@@ -28,7 +28,7 @@ class Sha256 {
 
   void add(std::string_view bytes);
 
-  // Returns the digest of all parts as 64 lower-case hexadecimal digits. The object is used up.
+  // Returns the digest of all parts as 64 lower-case hexadecimal digits. To be called once, last.
   std::string digits();
 
  private:

@@ -6,8 +6,8 @@
 // a crash. Appended bytes are on disk when append() returns. Tests replace the disk by a disk with
 // faults.
 //
-// Errors name the file and the reason. A file of the wrong kind, too large or a link is
-// Errc::input; a refusal of the system is Errc::unavailable.
+// Errors name the file and the reason: Errc::input if the file is of the wrong kind, too large or
+// a link; Errc::unavailable if the system refuses.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -47,7 +47,7 @@ enum class Links {
 
 enum class Growth {
   refused,  // an error: the file must not change while it is read
-  ignored,  // another process may append: only the bytes at the opening are read
+  ignored,  // another process may append: only the bytes that the file had when opened are read
 };
 
 // Limits of a file that is read.
@@ -103,7 +103,7 @@ class Files {
   virtual Result<std::string> read_from(const std::string& path, std::size_t offset,
                                         const ReadOptions& options);
 
-  // Reads a file that a program of ours keeps, or returns nothing if nothing has that name. If the
+  // Reads a file that a program of ours keeps; returns nothing if no file has that name. If the
   // file is there but cannot be read, the error is Errc::damaged if it is of the wrong kind, too
   // large or a link, and otherwise Errc::unavailable.
   Result<std::optional<std::string>> read_if_there(const std::string& path,
@@ -132,7 +132,7 @@ class Files {
   virtual bool exists(const std::string& path) = 0;
 
   // Makes the folder and its missing parents. Readers::owner closes the folder, but not its
-  // parents, to others, also if it existed; a folder of another user is refused.
+  // parents, to others, even if it existed before; a folder of another user is refused.
   virtual Result<void> make_folder(const std::string& path,
                                    Readers readers = Readers::everybody) = 0;
 
@@ -147,9 +147,9 @@ class Files {
   virtual Result<void> remove(const std::string& path) = 0;
 };
 
-// True if the name is that of a temporary file of Files::write() or IncomingFile, which a process
-// is writing, or a process that died has left. Names of earlier versions have the process id
-// instead of random digits.
+// True if the name is that of a temporary file of Files::write() or IncomingFile: one that
+// a process is writing, or that a process has left that died. Names of earlier versions have the
+// process id instead of random digits.
 bool is_unfinished(const std::string& path);
 
 // A file that arrives in parts, for example over a network, and is hashed on its way. It has a

@@ -5,8 +5,8 @@
 
 namespace mirocup::system {
 
-// Returns the text of a format of std::printf() with its values. The compiler compares their types
-// with the format.
+// Returns the text that std::printf() prints for this format and these values. The compiler
+// compares the types of the values with the format.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
 }  // namespace mirocup::system

@@ -10,8 +10,8 @@
 
 namespace mirocup::system {
 
-// The limits of memory of a team's process (of its addresses), of a match server, and of a leg with
-// both teams, bytes.
+// The limits of memory, bytes: of a team's process (its address space), of a match server, and of
+// a leg with both teams.
 inline constexpr std::size_t memory_of_a_team = std::size_t{1} << 30;
 inline constexpr std::size_t memory_of_a_server = std::size_t{64} << 20;
 inline constexpr std::size_t memory_of_a_leg = 2 * memory_of_a_team + memory_of_a_server;

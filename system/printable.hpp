@@ -14,17 +14,17 @@ enum class LineEnds {
   kept,     // the text is a log of lines
 };
 
-// Returns the text with every byte as \xNN that a terminal, a page or a reader could mistake for
-// something else: control characters, bytes that are not UTF-8, and the characters that change the
-// direction of writing. Tabs are kept, and line ends if `ends` says so. Text that is already
-// escaped stays unchanged.
+// Returns the text, in which \xNN replaces every byte that a terminal, a page or a reader could
+// mistake for something else: control characters, bytes that are not UTF-8, and the characters that
+// change the direction of writing. Tabs are kept, and line ends if `ends` says so. Text that is
+// already escaped stays unchanged.
 std::string printable(std::string_view text, LineEnds ends = LineEnds::escaped);
 
 bool is_utf8(std::string_view text);
 
 // Returns the first character of a text in UTF-8 that nobody sees, as "U+200B"; "" if all
-// characters are visible. A joiner or a variation selector counts as hidden only after a letter of
-// a script before Arabic (U+0600), or after itself.
+// characters are visible. A joiner or a variation selector counts as hidden only at the beginning,
+// after a character below U+0600, where Arabic begins, or after the same character.
 std::string hidden_character(std::string_view text);
 
 // Returns a stranger's words as a part of a sentence: on one line, escaped, in double quotation

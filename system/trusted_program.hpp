@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Tells whether only root and this (effective) user can have put a file at its path. mirocup
-// replaces itself only with such a program, and reads only such a list of programs.
+// replaces itself only with such a program, and reads its list of programs only from such a file.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -10,16 +10,16 @@
 
 namespace mirocup::system {
 
-// Set in the environment of a version of mirocup that another version runs, so that it does not run
-// a third one.
+// Set in the environment of a version of mirocup that another version has started, so that it does
+// not start a third version.
 inline constexpr const char* asks_no_other = "MIROCUP_IS_ASKED";
 
-// Returns the real path of a file or folder, which strangers cannot change as long as root and this
-// user do not change it. A relative path begins at the working folder. Each name and each link on
-// the way from / must belong to root or to this user, and nobody else may write to it. A folder of
-// root with the sticky bit may be open to all, such as /tmp. In such a folder everything must
-// belong to this user, must not be a mount point, and a file must have one name only, since
-// strangers may mount their own file systems there and link to files of others.
+// Returns the real path of a file or folder, at which strangers cannot put anything else. A
+// relative path begins at the working folder. Each name and each link on the way from / must belong
+// to root or to this user, and nobody else may write to it. Only a folder of root with the sticky
+// bit, such as /tmp, may be open to all. What lies in such a folder must belong to this user and
+// must not be a mount point, and a file there must have one name only, because strangers may mount
+// their own file systems there and link to files of others.
 //
 // The check looks only at the bits of the mode. The group bits of a file with a POSIX access
 // control list show the most that the list grants to anybody, so a list that lets others write is

@@ -20,7 +20,7 @@ std::string name_of_user(uid_t user);
 // Returns the user with a name or number; nothing if the name does not exist.
 std::optional<uid_t> find_user(const std::string& text);
 
-// The users that may write into a folder, beside the superuser.
+// The users, besides the superuser, that may write into a folder.
 struct FolderWriters {
   uid_t owner = 0;
   bool others_write = false;   // true: others may make files in the folder

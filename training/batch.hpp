@@ -28,7 +28,7 @@ class Batch {
   Result<void> step();
   void set_weights(const Weights& weights) { config_.weights = weights; }
 
-  // Returns the match with a number; an error if it does not exist or was not yet reset.
+  // Returns match `number`; an error if the match does not exist or was not yet reset.
   Result<Match*> match(int number) const;
   Result<match::Snapshot> snapshot(int number) const;
   Result<void> record(int number, bool last, const std::string& path) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One match of a batch, with one episode after the other. Learners and teams steer it.
+// One match of a batch, with one episode after the other. Learners, and teams that do not learn,
+// steer its robots.
 #pragma once
 
 #include "plugins/host/trusted_controller.hpp"

@@ -16,7 +16,7 @@ namespace mirocup::training {
 class Noise {
  public:
   Noise() = default;
-  // Makes the motion of one team in the episode with a seed.
+  // Makes the motion of one team in the episode of `seed`.
   Noise(std::uint64_t seed, Team team);
 
   // Returns the wheel speeds of all robots for a tick of `period` seconds; `limit` is in rad/s.

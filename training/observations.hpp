@@ -12,7 +12,7 @@
 // the field; the directions of the ball, of the goal, and of the place behind the ball
 // (training/behind_ball.hpp), and the nearness of the ball and of this place; the shot from the
 // ball to the goal; then for each mate and each opponent x, y, velocity, and cosine and sine of its
-// heading; restart and stalemate.
+// heading; restart and stuck ball as in `standard`.
 //
 // `vss`: the observation of rSoccer's VSS environment: the ball, the own robots with sine before
 // cosine, the opponents without heading.
@@ -60,8 +60,8 @@ class Observer {
   double goal_x_ = 1.0;  // x of the opponents' goal, m
   double gap_ = 0.0;     // distance from the ball to the middle of a robot that pushes it, m
   double metre_ = 1.0;   // length that is observed as 1, m
-  double speed_ = 1.0;   // m/s
-  double turn_ = 1.0;    // rad/s
+  double speed_ = 1.0;   // speed that is observed as 1, m/s
+  double turn_ = 1.0;    // angular velocity that is observed as 1, rad/s
   double bound_ = 1.0;   // bound of positions
   double fast_ = 1.0;    // bound of velocities
   std::vector<Quantity> quantities_;

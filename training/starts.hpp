@@ -22,7 +22,7 @@ struct StartRanges {
 
 // Reads one start or a list of starts: a situation, the name of a drill, or the file of a situation
 // or a drill. `folder` is the library's folder; drills are searched near this folder. Complains
-// about a start without a playable draw and, if `is_even`, about an uneven score.
+// about a start of which no draw can be played and, if `is_even`, about a start with a lead.
 std::vector<StartRanges> read_starts(const record::JsonReader& json, League league, bool is_even,
                                      const std::string& folder);
 

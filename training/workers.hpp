@@ -26,7 +26,7 @@ class Workers {
 
   int threads() const { return static_cast<int>(others_.size()) + 1; }
 
-  // Does one piece. Threads are numbered from 0, the calling thread.
+  // Does one piece. `thread` is 0 for the calling thread.
   using DoPiece = std::function<void(int piece, int thread)>;
 
   // Does the pieces 0 .. pieces-1 and returns when all are done. Each thread works with the default

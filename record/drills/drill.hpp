@@ -31,8 +31,8 @@ enum class EventKind { goal, no_goal, save, touch, pass, pose, in_area, no_foul 
 enum class Frame { field, ball };
 
 // An event that must happen in a try, or must not. The kind of the event decides which members
-// count. In a drill with an event that must happen, an event that must not happen gives no marks,
-// but takes all marks of the try if it happens.
+// count. If a drill has an event that must happen, its events that must not happen give no marks;
+// such an event takes all marks of the try if it happens.
 struct Event {
   EventKind kind = EventKind::goal;
   double marks = 1.0;
@@ -45,7 +45,7 @@ struct Event {
   std::array<double, 4> area{};  // in_area: low x, low y, high x, high y
   Frame frame = Frame::field;    // pose
   Pose pose;                     // pose
-  double within = 0.005;         // pose: greatest distance from it, m
+  double within = 0.005;         // pose: greatest distance from `pose`, m
   double within_angle = 0.2;     // pose: greatest difference of heading, rad
   double hold = 0.0;             // pose, in_area: least time without a break, s
 
@@ -83,8 +83,8 @@ struct Drill {
 Result<Drill> parse_drill(std::string_view text, const std::string& path);
 
 // Returns the setup of one try. The seed draws the numbers of the situation that have a range, and
-// disturbs the leg. The leg ends by itself after the drill's seconds of play. The error says why
-// every drawn situation was not playable.
+// disturbs the leg. The leg ends by itself after the drill's seconds of play. The error says why no
+// drawn situation could be played.
 Result<match::Setup> setup_of(const Drill& drill, std::uint64_t seed);
 
 }  // namespace mirocup::drills

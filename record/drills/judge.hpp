@@ -30,7 +30,7 @@ class Judge {
   Judge(const Drill& drill, const match::Leg& leg);
 
   // Judges the tick that the leg has just played. Returns false when the try is decided, or the leg
-  // is over; after false, not to be called again.
+  // is over. After that this function must not be called again.
   bool follow();
 
   // Returns the result of the try so far.
@@ -44,7 +44,7 @@ class Judge {
   };
   struct Contact {
     match::Touch who;
-    std::uint32_t tick = 0;  // the last one
+    std::uint32_t tick = 0;  // the last tick of the contact
     Vec2 ball{0.0, 0.0};     // place of the ball in the contact's last tick
   };
 
@@ -71,7 +71,7 @@ class Judge {
   bool touched_by_opponent_ = false;
   int conceded_ = 0;
   int fouls_ = 0;
-  std::optional<Contact> contact_;  // the last one
+  std::optional<Contact> contact_;  // the last contact
   std::optional<double> saved_at_;  // time of a save that may still fail, s
   simulator::BallState ball_before_;
 };

@@ -14,9 +14,10 @@ namespace mirocup::statistics {
 inline constexpr double min_flight_m = 0.15;    // least way of a passed or intercepted ball
 inline constexpr double shot_speed = 0.5;       // m/s; a slower ball is not a shot
 inline constexpr double shot_distance_m = 1.0;  // greatest distance of a shot to the goal line
-inline constexpr double wide_goals = 2.0;       // a shot misses by at most half a goal's width
-inline constexpr double shot_pause_s = 0.5;     // after a longer pause, a new shot begins
-inline constexpr double save_s = 0.5;           // no goal may fall for this time after a save
+// A shot crosses the goal line at most this many half widths of the goal from the goal's middle.
+inline constexpr double wide_goals = 2.0;
+inline constexpr double shot_pause_s = 0.5;  // after a longer pause, a new shot begins
+inline constexpr double save_s = 0.5;        // no goal may fall for this time after a save
 // A duel is over after this time without a contested tick.
 inline constexpr double duel_pause_s = 0.5;
 
@@ -41,7 +42,7 @@ class Counter {
   struct Shot {
     Team team = Team::blue;
     std::size_t mark = 0;            // index of the shot in LegStatistics::shots
-    bool on_goal = false;            // true: the ball was on its way into the goal at any time
+    bool on_goal = false;            // true: the ball was on its way into the goal at some time
     std::uint32_t last = 0;          // last tick with the ball on its way past or into the goal
     std::uint32_t last_on_goal = 0;  // last tick with the ball on its way into the goal
   };
@@ -85,13 +86,13 @@ class Counter {
   Restart restart_;
   std::optional<Team> holder_;    // the team that has the ball
   std::optional<Sender> sender_;  // empty before the first touch, and after a contested tick
-  std::uint32_t last_touch_ = 0;  // tick
-  Vec2 ball_then_{0.0, 0.0};      // at its end
+  std::uint32_t last_touch_ = 0;  // tick of the last touch
+  Vec2 ball_then_{0.0, 0.0};      // place of the ball at the end of that tick
   ByTeam<Vec2> last_place_{Vec2{0.0, 0.0}, Vec2{0.0, 0.0}};  // of the ball at a team's last touch
   ByTeam<std::optional<Loss>> last_loss_;
   std::optional<Shot> shot_;
   std::optional<Save> save_;                   // a save that may still fail
-  std::optional<std::uint32_t> last_contest_;  // tick of the last contest; nothing if no duel is on
+  std::optional<std::uint32_t> last_contest_;  // last contested tick; empty if no duel is on
 };
 
 // Counts a leg: a LegWatcher and a Counter.

@@ -15,7 +15,7 @@ struct ReportOptions {
   bool goals = false;  // true: goals and lost balls; false: the numbers
   std::string team;    // only legs of this team, and only goals against it; "": all teams
   bool csv = false;    // comma-separated values instead of text for people
-  bool json = false;   // one object
+  bool json = false;   // true: JSON, one object
 };
 
 // Returns the output of `mirocup stats` about legs. The JSON has both goals and numbers.

@@ -3,8 +3,8 @@
 // The statistics of football: plain numbers of one leg. docs/statistics.md defines each number,
 // counter.hpp counts.
 //
-// Times are in seconds, lengths in metres. A place is in the frame of its own team, which attacks
-// +x. A shoot-out does not count.
+// Times are in seconds, lengths in metres. The place of a touch, shot or pass is in the frame of
+// the team that made it, which attacks +x. A shoot-out does not count.
 #pragma once
 
 #include "core/base/vec2.hpp"
@@ -106,10 +106,10 @@ struct Goal {
   Team team = Team::blue;  // the team for which the goal counts
   GoalOrigin origin = GoalOrigin::open_play;
   std::optional<match::Touch> scorer;
-  referee::Restart restart = referee::Restart::none;  // the last restart, the law that gave it, …
-  referee::Law restart_law = referee::Law::toss;
-  Team taker = Team::blue;     // … and the team that took it
-  double since_restart = 0.0;  // s of play
+  referee::Restart restart = referee::Restart::none;  // the last restart before the goal
+  referee::Law restart_law = referee::Law::toss;      // the law that gave this restart
+  Team taker = Team::blue;                            // the team that took this restart
+  double since_restart = 0.0;                         // s of play
   // The last loss of the ball by the conceding team since the restart; empty if the team did not
   // lose the ball.
   std::optional<Loss> loss;
@@ -119,7 +119,7 @@ struct Goal {
 struct ShotMark {
   std::uint32_t tick = 0;  // the tick in which the shot began
   Team team = Team::blue;
-  Vec2 place{0.0, 0.0};  // where the team touched the ball before
+  Vec2 place{0.0, 0.0};  // where the team touched the ball last before the shot
   bool on_goal = false;
   bool is_goal = false;
 
@@ -140,7 +140,7 @@ struct Foul {
   std::uint32_t tick = 0;
   Team team = Team::blue;  // the team that offended
   referee::Law law = referee::Law::push;
-  referee::Restart restart = referee::Restart::none;  // the restart that the foul cost
+  referee::Restart restart = referee::Restart::none;  // the restart for the opponents
 };
 
 struct LegStatistics {
@@ -148,9 +148,9 @@ struct LegStatistics {
   double play_s = 0.0;
   double dead_ball_s = 0.0;  // from a decision to the whistle after it
   int stoppages = 0;         // restarts, without those that open a half
-  int duels = 0;             // with the duels that no team won
-  std::vector<Goal> goals;   // in their order
-  std::vector<Foul> fouls;   // in their order
+  int duels = 0;             // duels that no team won included
+  std::vector<Goal> goals;   // in the order of their ticks
+  std::vector<Foul> fouls;   // in the order of their ticks
   std::vector<ShotMark> shots;
   std::vector<PassMark> passes;
 };

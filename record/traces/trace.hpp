@@ -25,8 +25,8 @@ struct KeyFrame {
   Vec2 ball{0.0, 0.0};
   double ball_since = 0.0;                   // time of the last frame with a ball
   referee::ByEnd<std::vector<Pose>> robots;  // by index; unlisted robots stand far away
-  // Pairs that touch: a robot and another robot or, if there is no other robot, the ball. If empty,
-  // gaps decide about contacts.
+  // Pairs that touch: two robots, or a robot and, if the second is empty, the ball. Without a list,
+  // the gaps between bodies decide which bodies touch.
   using Contact = std::pair<referee::RobotId, std::optional<referee::RobotId>>;
   std::optional<std::vector<Contact>> contacts;
   referee::ByRobot<std::optional<double>> drive{};  // command towards the touched robot, -1 to 1
@@ -34,7 +34,7 @@ struct KeyFrame {
   referee::ByEnd<referee::RobotSet> fallen;
 };
 
-// The motion of the ball from its frame on.
+// The motion of the ball since the last frame that places it.
 struct Motion {
   enum class Type { none, sine, line };
   Type type = Type::none;
@@ -49,7 +49,7 @@ enum class TraceState { PLAY, READY, PLACE, HALF_TIME };
 struct TeamRequest {
   double t = 0.0;
   End team = End::left;
-  std::optional<referee::RobotId> to_replace;
+  std::optional<referee::RobotId> to_replace;  // empty: a time-out
 };
 
 // A person of a team reaches onto the field.

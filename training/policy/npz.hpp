@@ -14,7 +14,7 @@
 
 namespace mirocup::policy {
 
-// An array of 32-bit floats, whose last index runs fastest, or a text.
+// An array of 32-bit floats, whose last index varies fastest in memory, or a text.
 struct Array {
   std::vector<std::size_t> shape;  // empty for a text
   std::vector<float> numbers;

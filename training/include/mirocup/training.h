@@ -19,20 +19,20 @@
  *
  * Same result
  *   A match depends only on the configuration, its seeds and its actions, not on the number of
- *   threads or of other matches. It is a leg that `mirocup verify` can prove.
+ *   threads or of other matches. Each episode is a leg that `mirocup verify` can prove.
  *
  * Ends of episodes
- *   An episode is terminated by what happens in it, such as a goal, and truncated by its length.
+ *   An event such as a goal terminates an episode; the limit of its length truncates it.
  *   "autoreset" says what happens then, as in Gymnasium:
  *     next_step  the next step of this match ignores its actions, starts an episode and returns its
  *                first observation, with reward 0
- *     same_step  the observation is the first one of the next episode; the last one of the old
- *                episode goes to final_observations
+ *     same_step  the step returns the first observation of the next episode; the last observation
+ *                of the old episode goes to final_observations
  *     disabled   the caller resets; until then, steps leave the match as it is
  *
  * Errors
- *   Functions that can fail return 0 for success, else the number that the command line has for the
- *   same fault (2 wrong input, 3 not available, 4 damaged data, 5 the host's fault).
+ *   Functions that can fail return 0 for success, else the exit code of the commands for the same
+ *   fault (2 wrong input, 3 not available, 4 damaged data, 5 the host's fault).
  *   mirocup_training_error() then has a sentence. Nothing throws. A batch may be used by one thread
  *   at a time, bind() included; different batches are independent. docs/interfaces.md has the
  *   conventions.
@@ -57,7 +57,7 @@ uint32_t mirocup_training_version(void);
 
 /* Lengths of the arrays below. The lengths are constant while a batch lives. */
 typedef struct mirocup_training_sizes {
-  uint32_t size; /* of this structure, bytes; it grows only at its end */
+  uint32_t size; /* of this structure, bytes; later versions add members at its end */
   int32_t matches;
   int32_t slots;       /* learners of a match */
   int32_t rows;        /* matches * slots */
@@ -72,7 +72,7 @@ typedef struct mirocup_training_sizes {
 /* The caller's arrays, row after row, which must live as long as they are bound. Null means that
  * you do not want an array. The batch reads only `actions` and writes the other arrays. */
 typedef struct mirocup_training_buffers {
-  uint32_t size;             /* of this structure, bytes; it grows only at its end */
+  uint32_t size;             /* of this structure, bytes; later versions add members at its end */
   const float* actions;      /* rows * action */
   float* observations;       /* rows * observation */
   float* rewards;            /* rows: the sum of weight * term */
@@ -89,9 +89,9 @@ enum mirocup_training_episode {
   MIROCUP_TRAINING_LAST_EPISODE = 1     /* the episode that ended last */
 };
 
-/* Returns null after an error, with a sentence in `error` (`size` bytes, ended with 0). Loads and
- * starts the teams that do not learn, in this process and without a sandbox. No episode runs yet:
- * reset all matches first. */
+/* Makes a batch. Loads and starts the teams that do not learn, in this process and without a
+ * sandbox. No episode runs yet: reset all matches first. After an error returns null and writes
+ * a sentence into `error` (`size` bytes, ended with 0). */
 mirocup_training* mirocup_training_create(const char* configuration, char* error, size_t size);
 void mirocup_training_destroy(mirocup_training* training);
 
@@ -104,9 +104,9 @@ const char* mirocup_training_error(const mirocup_training* training);
 int32_t mirocup_training_bind(mirocup_training* training, const mirocup_training_buffers* buffers);
 
 /* Starts an episode in each match whose `mask` is not 0 (null: in all), writes its observations and
- * sets its rewards and ends to 0. `seeds` (null: none) has a seed for each match, from which all
- * later episodes of the match follow as well. Without seeds, the match continues with its next
- * episode. `mask` and `seeds` have `matches` entries. */
+ * sets its rewards, terminations and truncations to 0. `seeds` (null: none) has a seed for each
+ * match, from which all later episodes of the match follow as well. Without seeds, the match
+ * continues with its next episode. `mask` and `seeds` have `matches` entries. */
 int32_t mirocup_training_reset(mirocup_training* training, const uint8_t* mask,
                                const uint64_t* seeds);
 
@@ -128,7 +128,7 @@ int32_t mirocup_training_record(mirocup_training* training, int32_t match,
 
 /* save() copies a match, so that restore() can continue it from this moment, in this or another
  * match or process with the same configuration. save() returns the size of the copy in bytes, and
- * writes it if `size` is large enough; a copy is never empty, so 0 is an error. The copy holds the
+ * writes the copy if `size` is large enough; a copy is never empty, so 0 is an error. It holds the
  * commands of the episode, so restoring takes as long as playing the episode. restore() asks teams
  * that do not learn for their commands again, so such teams must be deterministic. */
 size_t mirocup_training_save(const mirocup_training* training, int32_t match, void* copy,
