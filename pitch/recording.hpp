@@ -52,8 +52,8 @@ struct Recording {
   double usual_period() const;
 };
 
-// The most pictures of a recording, four hours at 30 Hz and half a GiB of memory. In memory a
-// picture has all robots, so a picture may be some hundred times larger than its line.
+// The most pictures of a recording: those of four hours at 30 Hz, in half a GiB of memory. In
+// memory a picture has all robots, so a picture may be some hundred times larger than its line.
 inline constexpr std::size_t max_pictures = 450'000;
 
 // Reads a recording. The error, Errc::input, names the file, the line, the key and the reason.

@@ -24,8 +24,8 @@ struct Unknown {
   // True: the number is positive, and the fit searches its logarithm.
   bool is_ratio;
   double least, most;      // range of the number
-  double widest;           // a number whose 95 % interval has a larger half-width is not known;
-                           // of the logarithm if is_ratio, otherwise of the number
+  double widest;           // the largest half-width of a known number's 95 % interval; of the
+                           // interval of the logarithm if is_ratio
   std::string_view needs;  // the motion that a recording must show to identify the number
 };
 

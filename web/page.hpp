@@ -25,8 +25,8 @@ enum class Times { shown, left_out };
 tl::expected<record::Json, replay::Divergence> replay_data(const record::MatchRecord& record,
                                                            Times times = Times::shown);
 
-// Returns the data in a page of replay_page(), also in a page of an earlier version; nothing if the
-// text `html` has no such data.
+// Returns the data in a page that replay_page() has made, also in an earlier version; nothing if
+// the text `html` has no such data.
 std::optional<record::Json> data_of_page(std::string_view html);
 
 // Returns the first moment of the leg as an SVG element, whose bodies page/field.js moves.

@@ -4,10 +4,10 @@
 // last commands.
 //
 // In FIRASim every process may steer both colours. Here a colour belongs to the first address and
-// port that sends commands for the colour. This sender may also own the other colour. A sender
-// without a colour may take a colour over after its owner has been silent for half of the time
-// after which the team loses. Placements come from another socket of the sender's host. That socket
-// gets the colour by the same rule.
+// port that sends commands for the colour. This sender may also own the other colour. If the owner
+// of a colour has been silent for half of Terms::away, a sender without a colour may take the
+// colour over. Placements come from another socket of the sender's host. That socket gets the
+// colour by the same rule.
 //
 // As in FIRASim, a robot drives its last command until a newer command comes. At a restart all
 // robots of the team stop.

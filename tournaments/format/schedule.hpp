@@ -40,7 +40,7 @@ struct Fixture {
   int away = 0;
   int legs = 2;  // a tie of a knockout that is level after these legs has one leg more
   Part part = Part::table;
-  int group = 0;             // from 1; Part::group only
+  int group = 0;             // number of the group, from 1; Part::group only
   TeamSource home_source{};  // Part::knockout only
   TeamSource away_source{};
 

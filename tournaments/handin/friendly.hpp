@@ -52,7 +52,7 @@ bool is_house(std::string_view opponent);
 class Friendlies {
  public:
   static constexpr int per_hour = 10;  // the most legs that a team may ask for
-  static constexpr int kept = 60;      // legs of each team; records of older legs are removed
+  static constexpr int kept = 60;      // latest legs of each team whose records stay
 
   // Adds a leg that waits. Precondition: the leg has the team's next number.
   void add(Friendly friendly);

@@ -16,7 +16,7 @@ class WrongTokens {
  public:
   static constexpr int free_tries = 5;                  // wrong tokens before the first wait
   static constexpr std::int64_t max_wait = 60;          // s
-  static constexpr std::int64_t forgotten_after = 600;  // s without a wrong token
+  static constexpr std::int64_t forgotten_after = 600;  // s after the last wrong token
   static constexpr std::size_t max_addresses = 10'000;
 
   // Notes a wrong token. `now` is in s on any clock that only goes forward. Returns how many

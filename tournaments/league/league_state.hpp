@@ -55,8 +55,8 @@ struct FixtureState {
   Fixture fixture;
   std::array<LegState, max_legs> legs;
   bool is_annulled = false;  // the fixture counts for nothing, because a team has left
-  // The outcome of a tie of a knockout that was decided because a team had left. The outcome stays
-  // if the other team also leaves. Empty in leagues of the former rules.
+  // The outcome of a knockout tie that was decided because a team had left. The outcome stays if
+  // the other team also leaves. Empty in leagues of the former rules.
   std::optional<TieOutcome> walkover;
   int counted_needed = 0;  // needed() and decided() as added to the league's counts
   int counted_decided = 0;

@@ -74,8 +74,8 @@ class Entrance {
   // Each connection is returned once, and is then in Stage::leaving.
   std::vector<int> to_end(Instant now);
 
-  // True if a thread serves the connection, that is, if it does not wait and did not give way while
-  // waiting.
+  // True if a thread serves the connection. No thread serves a connection that waits, or that gave
+  // way while it waited.
   bool has_entered(int connection) const { return guests_.at(connection).has_entered; }
 
   std::vector<int> all() const;
