@@ -76,7 +76,7 @@ void add_reason(const system::Command& command, Act& act) {
 
 void add_award(system::Commands& commands) {
   const auto [command, act] =
-      add_act(commands, ActKind::award, "Give legs to a team, as by a forfeit",
+      add_act(commands, ActKind::award, "Award legs to a team, as if its opponent had forfeited",
               {"mirocup league award spring r3-f1 alpha --all-legs --reason \"beta left\""});
   add_fixture(command, act);
   add_team(command, act);
@@ -130,11 +130,12 @@ void add_resume(system::Commands& commands) {
 }
 
 void add_freeze(system::Commands& commands) {
-  const auto [command, act] = add_act(commands, ActKind::freeze, "Take no entries from a time on",
-                                      {"mirocup league freeze spring --reason \"last day\""});
+  const auto [command, act] =
+      add_act(commands, ActKind::freeze, "Stop taking entries, now or at a given time",
+              {"mirocup league freeze spring --reason \"last day\""});
   const system::Option at = command.option("--at", act.from,
-                                           "Time, as 2026-11-30T18:00:00Z, with an offset as "
-                                           "+01:00, or in the league's zone (default: now)");
+                                           "Time in UTC (2026-11-30T18:00:00Z), with an offset "
+                                           "(+01:00) or in the league's zone (default: now)");
   at.named("TIME");
   command.flag("--lift", act.is_lifted, "Take entries again").excludes(at);
   add_reason(command, act);
@@ -151,9 +152,9 @@ void add_release(system::Commands& commands) {
               "hidden (nobody)")
       .one_of({"all", "teams", "hidden"})
       .shows_default();
-  command.option(
-      "--through", act.through,
-      "Last round that the pages show, r3 or k1 (default: every round with all, otherwise none)");
+  command.option("--through", act.through,
+                 "Last round that the pages show, r3 or k1 (default: every round with --level all, "
+                 "otherwise none)");
   add_reason(command, act);
 }
 

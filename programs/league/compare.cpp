@@ -357,13 +357,12 @@ void add_compare(system::Commands& commands) {
   command
       .option("TEAM", r.teams,
               "Libraries, or names of house teams, each with :KEY=VALUE for its parameters; the "
-              "first is compared with each other team")
+              "first team is compared with each of the others")
       .required()
       .takes(2, 100);
   command
-      .option(
-          "--against", o.against,
-          "all: play each team against each other, --most fixtures a pair, and print a rated table")
+      .option("--against", o.against,
+              "all: play --most fixtures of each pair of teams, and print a rated table")
       .one_of({"first", "all"})
       .shows_default();
   command
@@ -376,21 +375,26 @@ void add_compare(system::Commands& commands) {
   command.option("--conditions", r.conditions, "exact, hall or camera (default: as in a match)")
       .one_of({"exact", "hall", "camera"});
   command.option("--seed", r.seed, "Seed of the fixtures").is_a_seed().shows_default();
-  command.option("--jobs", r.jobs, "Legs at once (default: one for each processor)")
+  command
+      .option("--jobs", r.jobs, "Number of legs played at once (default: one for each processor)")
       .between(1, 1024);
   command
       .option("--most", o.most,
-              "fixtures of two legs after which a pair is given up (default: " +
+              "Most fixtures of a pair, two legs each; a pair that is not decided by then stays "
+              "undecided (default: " +
                   std::to_string(r.max_fixtures) +
                   "; with --against all: " + std::to_string(fixtures_of_a_table) + ")")
       .between(1, 1'000'000);
-  command.option("--equal", r.test.equal_elo, "Teams that are less Elo than this apart are equal")
+  command
+      .option("--equal", r.test.equal_elo, "Difference in Elo below which two teams count as equal")
       .between(1.0, 400.0)
       .shows_default();
   command.option("--keep", o.keep,
-                 "Folder for the records; the same command continues with the records in it");
+                 "Folder for the records; the same command, called again, continues from them");
   const system::Option json = command.flag("--json", o.json, "Print one JSON object");
-  command.flag("--csv", o.csv, "Print comma-separated values: the pairs, or the rated table")
+  command
+      .flag("--csv", o.csv,
+            "Print comma-separated values: the pairs, or the rated table of --against all")
       .excludes(json);
 }
 

@@ -28,7 +28,8 @@ Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
   const std::string config = Folder{options.folder}.config();
   if (!disk.exists(config)) {
     if (!names.empty() || !options.revoked.empty()) return names;
-    return fail(Errc::input, options.folder + " holds no league, and there is no --team");
+    return fail(Errc::input,
+                options.folder + " is not a league's folder, so name the teams by --team");
   }
   MIROCUP_TRY(const auto text, disk.read(config, {.max_size = system::size_limit::league_file,
                                                   .links = system::Links::followed}));
@@ -45,13 +46,13 @@ Result<void> check_name(const std::string& option, const std::string& name) {
     return fail(Errc::input, option + ": a team's name " + why);
   };
   if (name.empty()) return bad("must not be empty");
-  if (name == "." || name == "..") return bad("must not be that of a folder itself");
+  if (name == "." || name == "..") return bad("must not be \".\" or \"..\"");
   if (name.size() > max_name) {
     return bad("has at most " + std::to_string(max_name) + " bytes, this one has " +
                std::to_string(name.size()));
   }
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
-  if (std::ranges::any_of(name, is_control)) return bad("has no control characters");
+  if (std::ranges::any_of(name, is_control)) return bad("must not have control characters");
   return {};
 }
 
@@ -106,7 +107,7 @@ void add_credentials(system::Commands& commands) {
        {"mirocup league credentials spring"}},
       run_credentials);
   add_folder(command, o.folder);
-  command.option("--team", o.teams, "Team that is not in league.json");
+  command.option("--team", o.teams, "Further team, which league.json does not have");
   command.option("--revoke", o.revoked, "Team whose credentials become invalid");
   command.option("--days", o.days, "Days for which new credentials are valid")
       .between(1, 3650)

@@ -71,7 +71,9 @@ void add_export(system::Commands& commands) {
       "--sources", o.sources,
       "Write the sources of the teams, and the code that all teams were given, for JPlag");
   command
-      .option("--drills", o.drills, "Marks of the teams, from mirocup drill --csv: adds grades.csv")
+      .option(
+          "--drills", o.drills,
+          "Marks of the teams, as mirocup drill --csv prints them; adds grades.csv to the files")
       .named("FILE")
       .excludes(sources);
 }

@@ -64,7 +64,7 @@ void add_grades(system::Commands& commands) {
         "mirocup league grades spring --moodle -o moodle.csv"}},
       run_grades);
   add_folder(command, o.folder);
-  command.option("--drills", o.drills, "Marks of the teams, from mirocup drill --csv")
+  command.option("--drills", o.drills, "Marks of the teams, as mirocup drill --csv prints them")
       .named("FILE");
   const system::Option per_member =
       command.flag("--per-member", o.per_member, "Write a row for each member of a team");
@@ -77,7 +77,7 @@ void add_grades(system::Commands& commands) {
   moodle.excludes(per_member).excludes(gradescope);
   gradescope.excludes(per_member);
   command.option("-o,--output", o.output,
-                 "File, which only you can read (default: standard output)");
+                 "File to write to, which only you can then read (default: standard output)");
 }
 
 }  // namespace mirocup::league

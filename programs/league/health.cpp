@@ -60,7 +60,7 @@ void add_health(system::Commands& commands) {
   const auto [command, o] = commands.add<HealthOptions>(
       {"health",
        to_play,
-       "Say whether the league needs a person (exit code 1): nights, hand-ins, disk",
+       "Print the state of nights, hand-ins and disk (exit code 1: the league needs a person)",
        {"mirocup league health spring || mail -s spring lecturer@example.org"}},
       run_health);
   add_folder(command, o.folder);

@@ -71,7 +71,7 @@ Result<LeagueFile> finals(system::Files& files, const LeagueStore& store,
   if (static_cast<int>(file.teams.size()) < options.top)
     return fail(Errc::input, "--top " + std::to_string(options.top) + ": only " +
                                  std::to_string(file.teams.size()) + " teams of " + options.from +
-                                 " have played and not left");
+                                 " have played and have not withdrawn");
   return file;
 }
 
@@ -175,14 +175,15 @@ void add_init(system::Commands& commands) {
       .excludes(config);
   const system::Option from = command
                                   .option("--from", o.from,
-                                          "League whose table gives teams, entries and seeding of "
-                                          "a knockout, or of another --format")
+                                          "League whose table gives the teams, their entries and "
+                                          "their seeds for a knockout, or for another --format")
                                   .named("LEAGUE")
                                   .excludes(config);
-  const system::Option top = command.option("--top", o.top, "Number of teams of --from")
-                                 .named("NUMBER")
-                                 .between(2, static_cast<int>(max_teams))
-                                 .needs(from);
+  const system::Option top =
+      command.option("--top", o.top, "Number of teams from the top of that table")
+          .named("NUMBER")
+          .between(2, static_cast<int>(max_teams))
+          .needs(from);
   from.needs(top);
   command.option("--format", o.format, "Format of the schedule (default: double_round_robin)")
       .one_of(system::names_of<FormatKind>())

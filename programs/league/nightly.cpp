@@ -87,7 +87,7 @@ void doubt_clock(const LeagueStore& store, std::int64_t now) {
   std::cerr << "mirocup: the clock of this computer says " << utc_text(now)
             << (now < last->at ? ", which is before the last line of the journal, "
                                : ", which is long after the last line of the journal, ")
-            << utc_text(last->at) << ": look at it, since nights and entries get its time\n";
+            << utc_text(last->at) << ": check the clock, since nights and entries get its time\n";
 }
 
 // Begins a night, or goes on with the one that was interrupted.
@@ -98,7 +98,7 @@ Result<void> begin_night(system::Files& files, LeagueStore& store, const Nightly
   if (auto started = start_league(files, store); !started) return started;
   if (!options.another && goes_on(store.state(), now)) {
     std::cerr << "mirocup: night " << store.state().nights.size()
-              << " goes on; --another begins one more on the same day\n";
+              << " continues; --another begins a further night on the same day\n";
     return {};
   }
   // Hand-ins that are being checked count from the next night on.
@@ -138,8 +138,8 @@ Result<std::string> report(system::Files& files, const LeagueStore& store, const
   std::ostringstream text;
   text << system::printable(state.file.title) << ", night " << night.number << ", "
        << shown_time(state.file, night.at) << '\n';
-  text << night.records.size() << " legs played in this night; " << state.legs() - state.played()
-       << " are not decided\n\n"
+  text << night.records.size() << " legs played in this night; in the league, "
+       << state.legs() - state.played() << " legs are not decided\n\n"
        << table_text(state) << '\n';
   MIROCUP_TRY(const auto rows, roster(files, store));
   for (const RosterRow& row : rows) {
@@ -195,13 +195,13 @@ Result<void> tell_program(system::Files& files, const NightlyOptions& options,
       system::run_child(
           {.arguments = {"timeout", "--kill-after=10", limit, program, folder}, .log = ""}));
   if (code == system::not_found)
-    return fail(Errc::unavailable, program + " cannot be started; the night itself is played");
+    return fail(Errc::unavailable, program + " cannot be started; the night itself was played");
   const std::string why = code == timed_out ? "has not ended after " + limit + " s and was stopped"
                                             : "exit code " + std::to_string(code);
   if (code != 0)
     return fail(Errc::unavailable, program + " " + folder + ": " + why +
-                                       "; the night itself is played, and the same command on the "
-                                       "same day starts it again");
+                                       "; the night itself was played, and the same command on the "
+                                       "same day starts that program again");
   return files.write(told, utc_text(system::now_s()) + "\n", system::Readers::owner);
 }
 
@@ -245,13 +245,15 @@ void add_nightly(system::Commands& commands) {
         "mirocup league nightly spring --on-night ./mail --address https://league.example/"}},
       run_nightly);
   add_folder(command, o.folder);
-  command.option("--jobs", o.play.jobs, "Legs at once (default: one for each processor)")
+  command
+      .option("--jobs", o.play.jobs,
+              "Number of legs played at once (default: one for each processor)")
       .between(1, 1024);
   command.flag("--another", o.another, "Play a further night on the same day");
   command
-      .option(
-          "--on-night", o.on_night,
-          "Program to start once after the night, with the folder of its digests as its argument")
+      .option("--on-night", o.on_night,
+              "Program to start once after the night; its argument is the folder of the night's "
+              "digests")
       .named("PROGRAM");
   command
       .option("--on-night-within", o.on_night_within_s,
@@ -259,7 +261,8 @@ void add_nightly(system::Commands& commands) {
       .between(1, 86'400);
   command
       .option("--address", o.address,
-              "Beginning of the links in digests for mails, as https://league.example/")
+              "Address of the league's pages, with which the links in digests begin, as "
+              "https://league.example/")
       .named("URL");
   add_other_program(command, o.play.accepts_other_program);
 }

@@ -44,7 +44,7 @@ Result<int> run_owner(const OwnerOptions& options) {
   std::cout << options.team << ": "
             << (known.owner ? system::printable(system::name_of_user(*known.owner)) +
                                   " hands in by a shared inbox"
-                            : "who hands in first by a shared inbox is its owner")
+                            : "the user who hands in first by a shared inbox becomes its owner")
             << '\n';
   return exit_yes;
 }

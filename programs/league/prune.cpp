@@ -28,10 +28,12 @@ Result<int> run_prune(const PruneOptions& options) {
   const LeagueState& state = store.state();
   const int last = static_cast<int>(state.nights.size());
   if (state.file.format.kind != FormatKind::nightly)
-    return fail(Errc::input, folder.path + " has no nights: its format is another");
+    return fail(Errc::input,
+                folder.path + " has no nights: only leagues of the format nightly have");
   if (options.before > last)
-    return fail(Errc::input, "--before " + std::to_string(options.before) + ": the last night is " +
-                                 std::to_string(last) + ", and it keeps its pages");
+    return fail(Errc::input, "--before " + std::to_string(options.before) +
+                                 ": the last night keeps its pages, so at most " +
+                                 std::to_string(last) + " is possible");
   std::set<int> nights = state.pruned_nights;
   for (int night = 1; night < options.before; ++night) nights.insert(night);
   const DiskUse before = disk_use(folder);

@@ -63,7 +63,7 @@ void add_publish(system::Commands& commands) {
       {"publish", to_show, "Make the pages", {"mirocup league publish spring"}}, run_publish);
   add_folder(command, o.folder);
   const system::Option output =
-      command.option("-o,--output", o.output, "Folder for the pages of --through")
+      command.option("-o,--output", o.output, "Folder for the pages that --through makes")
           .checked("DIR", problem_with_folder);
   const system::Option through =
       command

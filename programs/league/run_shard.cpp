@@ -19,7 +19,8 @@ Result<int> run_shards(const ShardOptions& options) {
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
   MIROCUP_TRY(const auto failed, play_shards(disk, store, options.fixtures));
   if (failed == 0) return exit_yes;
-  return fail(Errc::host, std::to_string(failed) + " legs could not be played; run it again");
+  return fail(Errc::host,
+              std::to_string(failed) + " legs could not be played; run the same command again");
 }
 
 }  // namespace
@@ -28,7 +29,7 @@ void add_run_shard(system::Commands& commands) {
   const auto [command, o] = commands.add<ShardOptions>(
       {"run-shard",
        on_clusters,
-       "Play fixtures on any machine and only write records; league start books them",
+       "Play fixtures on any machine and write only their records, which league start books",
        {"mirocup league run-shard spring r1-f1 r1-f2"}},
       run_shards);
   add_folder(command, o.folder);

@@ -94,14 +94,14 @@ Result<web::ProxyTrust> proxy_trust(const ServeOptions& options, const web::Addr
   if (trust.is_unix_socket) return trust;
   if (!trust.addresses.empty() && trust.secret.empty()) {
     return fail(Errc::input,
-                "--trust-proxy: every program of the proxy's computer has its address: name a "
-                "secret by --proxy-secret FILE, or let a proxy on this computer connect to "
-                "--at unix:PATH");
+                "--trust-proxy: an address is not enough, since every program on the proxy's "
+                "computer has it: name a secret by --proxy-secret FILE, or let a proxy on this "
+                "computer connect to --at unix:PATH");
   }
   if (!options.team_header.empty() && trust.addresses.empty()) {
     return fail(Errc::input,
-                "--team-header: anybody can send a header: listen at --at unix:PATH, or name the "
-                "proxy by --trust-proxy ADDR and --proxy-secret FILE");
+                "--team-header: anybody can send this header: listen at --at unix:PATH, or name "
+                "the proxy by --trust-proxy ADDR and --proxy-secret FILE");
   }
   return trust;
 }
@@ -167,7 +167,7 @@ void add_serve(system::Commands& commands) {
                  "any free port)");
   const system::Option hand_in = command.flag(
       "--hand-in", o.hand_in, "Also take entries from teams that have a token (league token)");
-  command.option("--jobs", o.jobs, "Checks at once (default: one for each processor)")
+  command.option("--jobs", o.jobs, "Number of checks at once (default: one for each processor)")
       .between(1, 1024)
       .needs(hand_in);
   command.option("--tls", o.tls, "Encrypt connections: files of the certificate and of its key")
@@ -182,13 +182,13 @@ void add_serve(system::Commands& commands) {
       .needs(hand_in);
   command
       .option("--proxy-secret", o.proxy_secret,
-              "File with the secret that these proxies send in the header X-Mirocup-Proxy, by "
-              "which they differ from other programs with their addresses")
+              "File with the secret that these proxies send in the header X-Mirocup-Proxy; other "
+              "programs with their addresses do not know it")
       .named("FILE")
       .needs(hand_in);
   command
       .option("--team-header", o.team_header,
-              "Header in which that proxy names the team of a signed-on person")
+              "Header in which the proxy names the team of a visitor who signed on there")
       .named("NAME")
       .needs(hand_in);
 }

@@ -195,8 +195,8 @@ std::optional<web::Page> ShownRound::leg(const Leg& leg) {
   auto data = data_of(leg, *loaded);
   if (!data) {
     std::cerr << "mirocup: " << leg.record
-              << " cannot be shown: this program does not reproduce it. mirocup league publish lets"
-                 " the program make its page that has played it\n";
+              << " cannot be shown: this program does not reproduce it. Call mirocup league "
+                 "publish: it has the leg's page made by the program that played the leg\n";
     return std::nullopt;
   }
   for (const char* colour : {"blue", "yellow"})

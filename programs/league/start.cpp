@@ -34,8 +34,8 @@ Result<int> run_start(const StartOptions& options) {
   if (played.legs() == played.played()) return exit_yes;
   say_what_is_left(played);
   if (options.play.engine != "local")
-    std::cerr << "mirocup: to play the legs of teams over the network, call league start without "
-                 "--engine\n";
+    std::cerr
+        << "mirocup: legs of teams that play over the network need league start without --engine\n";
   return exit_no;
 }
 
@@ -56,11 +56,12 @@ void add_start(system::Commands& commands) {
                "Let league serve show the legs of this host while they are played");
   command
       .option("--jobs", o.play.jobs,
-              "Legs, and then pages, at once (default: one for each processor)")
+              "Number of legs played, and then of pages made, at once (default: one for each "
+              "processor)")
       .between(1, 1024);
   command
       .option("--dds-domain", o.play.dds_domain,
-              "DDS domain of legs on this host in which a team plays over DDS")
+              "DDS domain for legs on this host with a team that plays over DDS")
       .between(0, 230)
       .shows_default();
 }

@@ -35,8 +35,9 @@ void add_stats(system::Commands& commands) {
                                   {"mirocup league stats spring --csv"}},
                                  run_stats);
   add_folder(command, o.folder);
-  command.flag("--goals", o.goals,
-               "Print how goals fell, where the ball was lost before, and which laws were broken");
+  command.flag(
+      "--goals", o.goals,
+      "Print how goals fell, where the ball was lost before each goal, and which laws were broken");
   command.option("--team", o.team, "Only the legs of this team");
   const system::Option csv = command.flag("--csv", o.csv, "Print comma-separated values");
   command.flag("--json", o.json, "Print everything as one JSON object").excludes(csv);

@@ -64,8 +64,7 @@ void add_status(system::Commands& commands) {
       run_status);
   add_folder(command, o.folder);
   command.flag("--entries", o.entries,
-               "Print each team's hand-ins and their answers. The exit code is the same as without "
-               "this option: 0 if every leg is decided");
+               "Print each team's hand-ins and their answers; this does not change the exit code");
   command.flag("--json", o.json, "Print one JSON object");
 }
 

@@ -32,7 +32,8 @@ Result<int> run_stop(const StopOptions& options) {
     std::cout << folder.path << " is not being played\n";
     return exit_no;
   }
-  std::cout << folder.path << (options.now ? " stops\n" : " stops when its legs are played\n");
+  std::cout << folder.path
+            << (options.now ? " stops\n" : " stops when its present legs are over\n");
   return exit_yes;
 }
 

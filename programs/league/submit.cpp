@@ -65,8 +65,8 @@ Result<int> collect(system::Files& files, const SubmitOptions& options) {
   MIROCUP_TRY(const auto writers, system::writers_of(options.inbox));
   if (writers.others_remove) {
     std::cerr << "mirocup: " << system::printable(options.inbox)
-              << ": who writes into it can also remove and rename files of others; chmod +t "
-                 "prevents that\n";
+              << ": users who can write into this folder can also remove and rename files of "
+                 "others; chmod +t prevents that\n";
   }
   MIROCUP_TRY_VOID(
       submit_inbox(files, Folder{options.folder}, options.inbox, system::now_s(), tell));
@@ -86,10 +86,11 @@ Result<int> enter_program(system::Files& files, const SubmitOptions& options) {
               enter_firasim_team(files, Folder{options.folder}, team, system::now_s()));
   Submission done;
   done.is_accepted = why.empty();
-  done.message = team.name + (!done.is_accepted ? ": not taken: " + why
-                              : team.is_started_by_people()
-                                  ? ": its program is waited for at the start of each leg"
-                                  : ": each leg starts its program: " + team.program.run);
+  done.message =
+      team.name + (!done.is_accepted ? ": not taken: " + why
+                   : team.is_started_by_people()
+                       ? ": each leg waits at its start for the program, which people start"
+                       : ": each leg starts its program: " + team.program.run);
   print(options.file, options.team, done, options.json);
   return done.is_accepted ? exit_yes : exit_no;
 }
@@ -105,7 +106,7 @@ Result<int> run_submit(const SubmitOptions& options) {
   if (options.file.starts_with(TeamConfig::firasim_prefix)) return enter_program(disk, options);
   if (!options.run.empty() || options.lockstep) {
     return fail(Errc::input, std::string(options.run.empty() ? "--lockstep" : "--run") +
-                                 " is of a team that is entered as firasim:NAME");
+                                 " is only for a team that is entered as firasim:NAME");
   }
   HandIn handed;
   handed.team = options.team;
@@ -147,7 +148,7 @@ void add_submit(system::Commands& commands) {
   const system::Option run = command
                                  .option("--run", o.run,
                                          "Command that starts a program for FIRASim in each leg; "
-                                         "without it, people start the program")
+                                         "without --run, people start the program")
                                  .named("COMMAND")
                                  .excludes(inbox);
   command.option("--folder", o.run_folder, "Folder in which that command runs (default: this one)")

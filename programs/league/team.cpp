@@ -71,13 +71,13 @@ Result<int> take_class_list(system::Files& files, LeagueStore& store, const std:
   std::cout << system::printable(path) << ": " << list.rows.size()
             << (list.rows.size() == 1 ? " team" : " teams") << ", " << joining.size()
             << " new to the league\n";
-  if (!list.kept.empty()) std::cout << "kept for the grades: " << joined(list.kept) << '\n';
+  if (!list.kept.empty()) std::cout << "columns kept for the grades: " << joined(list.kept) << '\n';
   if (!missing.empty())
     std::cout << "in the league, but not in this list: " << joined(missing) << '\n';
   if (list.was_windows_1252) {
     std::cerr << "mirocup: " << system::printable(path)
               << " is not in UTF-8. It was read as Excel writes it in western Europe "
-                 "(Windows-1252): look at the names\n";
+                 "(Windows-1252): check the names\n";
   }
   return exit_yes;
 }

@@ -35,7 +35,7 @@ Result<std::string> expiry_of(const std::string& text, const std::string& now) {
                                  ": a time in UTC like 2026-12-18T18:00:00Z is expected, or a day");
   }
   if (!time.empty() && time <= now)
-    return fail(Errc::input, "--expires " + text + ": that time is over");
+    return fail(Errc::input, "--expires " + text + ": that time is past");
   return time;
 }
 
@@ -52,8 +52,9 @@ Result<std::vector<std::string>> teams_of(const TokenOptions& options, const Lea
       if (!state.find_team(team)) teams.push_back(team);
     }
     if (teams.empty()) {
-      return fail(Errc::input,
-                  "the league has no team: league team DIR --csv FILE makes those of a class list");
+      return fail(
+          Errc::input,
+          "the league has no team: league team DIR --csv FILE makes the teams of a class list");
     }
     std::erase_if(teams, [&](const std::string& team) { return list.has_valid(team, now); });
     return teams;

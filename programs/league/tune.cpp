@@ -141,7 +141,7 @@ class Search {
     const auto pairs = run_comparison(files_, run, silence);
     if (!pairs && pairs.error().code == Errc::interrupted) {
       return fail(Errc::interrupted,
-                  "interrupted; the same command goes on with " + options_.folder);
+                  "interrupted; the same command continues from " + options_.folder);
     }
     if (!pairs) return tl::unexpected(pairs.error());
     if (!silence.warning.empty() && std::exchange(warning_, silence.warning).empty()) {
@@ -285,7 +285,7 @@ void add_tune(system::Commands& commands) {
   const auto [command, o] = commands.add<TuneOptions>(
       {"tune",
        to_make,
-       "Find better numbers for a team",
+       "Find better values for a team's parameters",
        {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker"}},
       run_tune);
   TuningOptions& t = o.tuning;
@@ -306,24 +306,28 @@ void add_tune(system::Commands& commands) {
   command.option("--seed", t.seed, "Seed of the search and of its fixtures")
       .is_a_seed()
       .shows_default();
-  command.option("--jobs", o.run.jobs, "Legs at once (default: one for each processor)")
+  command
+      .option("--jobs", o.run.jobs,
+              "Number of legs played at once (default: one for each processor)")
       .between(1, 1024);
   command.option("--generations", t.generations, "Generations of the search")
       .between(1, 10'000)
       .shows_default();
   command
       .option("--fixtures", t.fixtures,
-              "Fixtures of two legs of each candidate against each opponent; more if there is much "
-              "noise")
+              "Fixtures (two legs each) that each candidate of the first generation plays against "
+              "each opponent; later ones play more if results are noisy")
       .between(2, 1000)
       .shows_default();
   command
-      .option("--test", t.test_fixtures, "Fixtures of the test at the end, against each opponent")
+      .option("--test", t.test_fixtures,
+              "Fixtures that the test at the end plays against each opponent")
       .between(10, 100'000)
       .shows_default();
   command
       .option("-o,--output", o.folder,
-              "Folder for the played fixtures and the picture; the same command continues")
+              "Folder for the played fixtures and the picture; the same command, called again, "
+              "continues from it")
       .shows_default();
   command.flag("--json", o.json, "Print one JSON object");
 }

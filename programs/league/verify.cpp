@@ -65,11 +65,13 @@ void add_verify(system::Commands& commands) {
        {"mirocup league verify spring", "mirocup league verify copied --trust-programs"}},
       run_verify_league);
   add_folder(command, o.folder);
-  command.option("--jobs", o.jobs, "Records at once (default: one for each processor)")
+  command
+      .option("--jobs", o.jobs,
+              "Number of records simulated at once (default: one for each processor)")
       .between(1, 1024);
   command.flag("--trust-programs", o.trusts_programs,
-               "From now on run the programs in the league's folder. This host has not kept them, "
-               "so say this only if you know where they come from");
+               "Trust the programs in the league's folder from now on, and run them. They are not "
+               "from this host, so give this option only if you know where they come from");
   command.flag("--json", o.json, "Print one JSON object");
 }
 

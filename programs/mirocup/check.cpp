@@ -132,7 +132,7 @@ void print(const CheckOptions& options, const EntryReport& report) {
     std::cout << "what:  " << system::printable(failure->what)
               << "\nwhere: " << system::printable(failure->where)
               << "\ndo:    " << system::printable(failure->cure)
-              << "\nplays: what played before; a refused entry changes nothing\n";
+              << "\nplays: the entry that played before; a refused entry changes nothing\n";
   }
   std::cout << system::printable(options.path)
             << (failure == nullptr ? ": accepted" : ": not accepted, see " + failure->name) << '\n';
@@ -199,8 +199,8 @@ void add_check(system::Commands& commands) {
       .shows_default();
   command
       .option("--half", o.half_s,
-              "Length of a half in its league, in seconds, which decides its processor time "
-              "(default: as in the rules)")
+              "Length of a half in the team's league, in seconds; a team's processor time in a leg "
+              "depends on it (default: as in the rules)")
       .between(record::min_half_s, record::max_half_s);
   add_parameters(command, "--param", o.parameters, "the team");
   command

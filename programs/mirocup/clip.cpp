@@ -102,7 +102,9 @@ Result<ClipSpan> parse_clip(const std::string& text) {
   const std::string_view all(text);
   if (colon == std::string::npos || !read_seconds(all.substr(0, colon), span.from) ||
       !read_seconds(all.substr(colon + 1), span.to)) {
-    return fail(Errc::input, "--clip " + text + ": FROM:TO in seconds is expected, as in 12:18.5");
+    return fail(
+        Errc::input,
+        "--clip " + text + ": two times in seconds are expected, as 12:18.5 for 12 s to 18.5 s");
   }
   if (span.to <= span.from)
     return fail(Errc::input, "--clip " + text + ": it ends before it begins");

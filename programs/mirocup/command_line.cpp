@@ -24,7 +24,7 @@ const system::ValueNames value_names{
 }  // namespace
 
 void add_dds_domain(const system::Command& command, int& domain) {
-  command.option("--dds-domain", domain, "DDS domain of the match; each has ports of its own")
+  command.option("--dds-domain", domain, "DDS domain of the match; each domain has its own ports")
       .between(dds::default_domain, dds::last_domain)
       .shows_default();
 }
@@ -69,7 +69,7 @@ std::variant<system::Run, int> read_command_line(int argc, char** argv) {
   commands.add_other(
       {"tune",
        for_teams,
-       "Find better numbers for a team: mirocup tune --help",
+       "Find better values for a team's parameters: mirocup tune --help",
        {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker -o tuned"}});
   commands.add_other({"bench",
                       for_engineers,

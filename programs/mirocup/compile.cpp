@@ -79,7 +79,7 @@ void add_compile(system::Commands& commands) {
   const auto [command, o] = commands.add<CompileOptions>(
       {"compile",
        for_teams,
-       "Compile a team's source as a league does: in a sandbox, fixed options",
+       "Compile a team's source as a league does: in a sandbox and with fixed options",
        {"mirocup compile mine.cpp -o mine.so"}},
       run_compile);
   command

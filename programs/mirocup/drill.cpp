@@ -64,14 +64,14 @@ Result<std::vector<std::string>> paths_of(const std::string& word) {
     if (disk.exists(path)) return std::vector<std::string>{path};
   }
   const bool is_team = word.ends_with(".so") || word.ends_with(".py");
-  if (is_team) return fail(Errc::input, word + " is a team: the drill stands before it");
+  if (is_team) return fail(Errc::input, word + " is a team: name the drill before it");
   if (disk.exists(word)) return std::vector<std::string>{word};
   MIROCUP_TRY(auto names, disk.names_in(own));
   for (std::string& name : names) name = fs::path(name).stem().string();
   const std::string meant = system::closest_word(word, names);
   return fail(Errc::input, "\"" + word + "\" is neither a drill nor a file; " +
                                (meant.empty() ? "" : "did you mean " + meant + "? ") +
-                               "mirocup drill list has their names");
+                               "mirocup drill list prints all names of drills");
 }
 
 Result<std::vector<drills::Drill>> read_drills(const std::string& word) {
@@ -217,9 +217,9 @@ Result<std::vector<std::string>> names_of_teams(const DrillOptions& options) {
     MIROCUP_TRY(auto name, name_of(team));
     const bool is_new = std::find(names.begin(), names.end(), name) == names.end();
     if (!is_new && !options.replay_folder.empty()) {
-      return fail(Errc::input, "TEAM " + team + ": there is another one called \"" + name +
-                                   "\", and one would overwrite the replays of the other: "
-                                   "NAME=TEAM gives it another name");
+      return fail(Errc::input, "TEAM " + team + ": another team is called \"" + name +
+                                   "\", too, and its replays would have the same files: NAME=TEAM "
+                                   "gives a team another name");
     }
     names.push_back(std::move(name));
   }
@@ -276,7 +276,7 @@ void add_drill(system::Commands& commands) {
   const auto [command, o] = commands.add<DrillOptions>(
       {"drill",
        for_teams,
-       "Try situations many times and give marks, or list them",
+       "Try a team many times in situations and give it marks, or list the drills",
        {"mirocup drill list", "mirocup drill shoot-open-goal mine.so --replay failed",
         "mirocup drill all mine.so striker --csv"}},
       run_drill);
@@ -289,11 +289,13 @@ void add_drill(system::Commands& commands) {
               "Teams to be tested: paths of libraries or names of house teams; NAME=TEAM: the "
               "name in the report")
       .named("");
-  command.option("--tries", o.tries, "Tries of each drill (default: that of the drill)")
+  command
+      .option("--tries", o.tries,
+              "Number of tries of each drill (default: the number in the drill's file)")
       .between(1, 10000);
   command.option("--seed", o.seed, "Seed of the first try; each further try has the next seed")
       .shows_default();
-  command.option("--jobs", o.jobs, "Tries at once (default: one for each processor)")
+  command.option("--jobs", o.jobs, "Number of tries at once (default: one for each processor)")
       .between(1, 1024);
   add_parameters(command, "--param", o.parameters, "the teams");
   command

@@ -62,8 +62,9 @@ std::string missing_function(const std::string& text) {
 std::string advice_on_signal(const LastWords& words) {
   switch (words.signal) {
     case SIGILL:
-      return "it was built for a newer processor than this one (leave out -march=native), or by "
-             "clang++ with a function that ends without its return: heed the warnings of -Wall";
+      return "it was built for a newer processor than this one (leave out -march=native), or "
+             "clang++ compiled a function that can end without its return: heed the warnings of "
+             "-Wall";
     case SIGFPE:
       return std::string("an integer was divided by zero: ") + in_a_debugger;
     case SIGABRT:
@@ -81,8 +82,9 @@ std::string advice_on_signal(const LastWords& words) {
     case AddressKind::observation:
       return "the observation is for reading: copy what you change";
     case AddressKind::lost:
-      return "the stack was overwritten: look for a text or an array of a function that is longer "
-             "than its room; a test that is built with -g -fsanitize=address names the line";
+      return "the stack was overwritten: look in functions for a text or an array that is too "
+             "small for what is written to it; a test that is built with -g -fsanitize=address "
+             "names the line";
     default:
       return std::string(bad_index) + in_a_debugger;
   }
@@ -91,10 +93,10 @@ std::string advice_on_signal(const LastWords& words) {
 // The words of the C++ library are for those who know it.
 constexpr ErrorAdvice library_errors[] = {
     {"map::at", "a map has no such key: ask it by find() or contains() first"},
-    {"range_check", "an index of at() or substr() was not below the size: look at what it is"},
-    {"basic_string::", "a place in a text was beyond its end: look at what it is"},
-    {"array::at", "an index of at() was not below the size: look at what it is"},
-    {"threw: sto", "a text that is no number was read as one: look at what it is"},
+    {"range_check", "an index of at() or substr() was not below the size: print the index"},
+    {"basic_string::", "a position was beyond the end of a text: print the position"},
+    {"array::at", "an index of at() was not below the size: print the index"},
+    {"threw: sto", "a text that is no number was read as one: print the text"},
     {"bad optional access", "value() was asked of an empty optional: ask has_value() first"},
     {"bad_function_call", "a std::function was called that holds none: give it one first"},
     {"bad variant access", "get() was asked for a type that the variant does not hold"},
@@ -113,10 +115,10 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
   if (has(text, "bad_alloc"))
     return "it used more than 1 GiB of memory; keep what a team needs, and free the rest";
   if (has(text, "from null is not valid") && has(evidence.requests, "variable "))
-    return "getenv() returned null: a team's process has no such variable, so look at what it "
-           "returns, or use a parameter";
+    return "getenv() returned null: a team's process has no such variable, so test the result for "
+           "null, or use a parameter";
   if (has(text, "locale"))
-    return "a team's process has the locale \"C\" and no other: do without another one";
+    return "a team's process has the locale \"C\" and no other: do without other locales";
   if (has(evidence.requests, "file ") && (words.address == AddressKind::null || has(text, "threw")))
     return "it asked for a file, which no team can open: put its data into the source";
   if (has(evidence.requests, "program ") && words.address == AddressKind::null)
@@ -150,14 +152,15 @@ constexpr ErrorAdvice python_errors[] = {
     {"name 'quit' is not", no_exit},
     {"name 'exit' is not", no_exit},
     {"RecursionError", "look for a method that calls itself without end"},
-    {".parameter() missing", "write self.parameter(\"name\", 0.5): 0.5 is for a leg without it"},
+    {".parameter() missing",
+     "write self.parameter(\"name\", 0.5): 0.5 is its value in a leg that gives none"},
     {"string to float", "a text that is no number was read as one; parameters are numbers"},
     {".draw_", "a point is a pair: self.draw_line(\"layer\", 0xff0000ff, (0.0, 0.0), (0.1, 0.2))"},
     {"returned None", "end each way through decide() with return and the list"},
     {"decide() returned",
      "return a list with (left, right) in rad/s for each robot, as [(10.0, 10.0)] * now.robots"},
     {"defines decide(self, now)", "name the method decide, in small letters"},
-    {"Team.__init__() missing", "the match makes the team: leave out the line that does so"},
+    {"Team.__init__() missing", "the match makes the team: leave out your line that makes one"},
     {".decide() missing", methods},
     {".decide() takes", methods},
     {".place() missing", methods},
@@ -165,7 +168,8 @@ constexpr ErrorAdvice python_errors[] = {
     {".__init__() missing", methods},
     {".__init__() takes", methods},
     {"UnboundLocalError",
-     "what a function assigns is its own there: give it another name, or keep it in self"},
+     "a name that a function assigns to is local in it: use another name, or keep the value in "
+     "self"},
     {"IndexError", "an index goes from 0 to the length less 1, of robots to now.robots - 1"},
     {"module 'mirocup' has no attribute", "write from mirocup.team import Team"},
     {"cannot import name", "team.py has the names of all functions (docs/python.md)"},
@@ -192,7 +196,7 @@ constexpr ErrorAdvice python_errors[] = {
     {"has to call super()", "call super().__init__(setup) first in __init__()"},
     {"UnicodeDecodeError", "save the file as UTF-8"},
     {"set attribute",
-     "what has names is for reading: now._replace(ball_x=0.1) makes a changed copy, and in place() "
+     "named tuples are for reading: now._replace(ball_x=0.1) makes a changed copy, and in place() "
      "write placement.robots[i] = Pose(x, y, heading)"},
     {"does not support item assignment",
      "observation and setup are for reading: now._replace(ball_x=0.1) makes a changed copy"},
@@ -242,7 +246,7 @@ std::string advice_on(const FaultEvidence& evidence) {
   switch (evidence.fault.code) {
     case FaultCode::no_load:
       if (has(text, "undefined symbol: __ubsan_"))
-        return "it was built with -fsanitize=undefined by clang++: hand it in without";
+        return "it was built with -fsanitize=undefined by clang++: build it without that option";
       if (const std::string name = missing_function(text); !name.empty()) {
         return "it declares " + name +
                " and does not define it: write it, or link the source or the library that has it";
@@ -257,8 +261,8 @@ std::string advice_on(const FaultEvidence& evidence) {
       if (has(text, "for version 0 of"))
         return "set abi_version to MIROCUP_ABI_VERSION, and size to sizeof(mirocup_strategy)";
       if (claims_no_version(text)) {
-        return "no strategy.h has that version: mirocup_entry() may return a variable of its own; "
-               "make it static";
+        return "no strategy.h has that version: mirocup_entry() may return the address of a local "
+               "variable; make that variable static";
       }
       if (has(text, "returned null"))
         return "mirocup_entry() has to return a pointer to a static mirocup_strategy";

@@ -26,7 +26,7 @@ inline constexpr const char* advice_on_time =
     "a tick has 1 ms of processor time in the mean of a leg; compute less, and do not wait";
 
 inline constexpr const char* advice_on_time_in_python =
-    "a tick has 1 ms of processor time in the mean of a leg; compute less, use numpy for what is "
-    "long, or write it in C++";
+    "a tick has 1 ms of processor time in the mean of a leg; compute less, use numpy for long "
+    "computations, or write the team in C++";
 
 }  // namespace mirocup::app

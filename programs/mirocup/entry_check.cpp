@@ -124,11 +124,12 @@ void warn(Examination& e) {
   warn_if(is_cut, "long_log",
           "it logs so much that the middle of the log is left out: 64 KiB of a leg are kept");
   warn_if(e.report.leg_share > told_leg_share, "slow",
-          "it takes most of the time that a leg has; leave room for slower machines");
+          "it takes most of the processor time that a team has in a leg; leave room for slower "
+          "machines");
   warn_if(e.grown > told_growth, "memory",
           "it took " + system::mebibytes(e.grown) +
-              " of memory while a leg was played, and may take 1 GiB in all: free what it does not "
-              "need any more");
+              " of memory while a leg was played, of 1 GiB that a team has in all: free what it "
+              "does not need any more");
   std::set<std::string> told;
   std::istringstream lines(e.requests);
   for (std::string line; std::getline(lines, line);) {

@@ -51,7 +51,9 @@ Result<std::string> mistake_in_memory(Examination& e, const TrialTerms& terms,
   e.requests += again.requests;
   if (!again.fault || again.ticks() >= careful.max_ticks) return std::string();
   const std::string& text = again.fault->fault.text;
-  return is_memory_mistake(text) ? "; with its memory watched, " + text : std::string();
+  return is_memory_mistake(text)
+             ? "; in a second leg, in which mirocup watched the team's memory, " + text
+             : std::string();
 }
 
 }  // namespace

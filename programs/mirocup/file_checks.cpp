@@ -84,10 +84,9 @@ Result<bool> examine_file(Examination& e) {
     return fail_with(e, plugins::advice_on_missing_entry(e.entry->bytes()));
   pass(e, "exports mirocup_entry()");
   if (const std::string tool = sanitizer_of(*library, e.entry->bytes()); !tool.empty()) {
-    return fail_with(e,
-                     "it was built with -fsanitize=" + tool +
-                         ", which a sandbox does not allow: hand it in without, and use that build "
-                         "with mirocup match --trusted");
+    return fail_with(e, "it was built with -fsanitize=" + tool +
+                            ", which a sandbox does not allow: hand in a build without it, and "
+                            "play this build with mirocup match --trusted");
   }
   std::string names;
   for (const std::string& name : library->needed) {

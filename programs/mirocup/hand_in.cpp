@@ -223,7 +223,7 @@ void add_hand_in(system::Commands& commands) {
   const auto [command, o] = commands.add<HandInOptions>(
       {"hand-in",
        for_teams,
-       "Hand a library in to a league in the network, and wait for the answer",
+       "Hand a library in to a league on the network, and wait for the answer",
        {"mirocup hand-in https://league.example:8443 mine.so --token-file token"}},
       run_hand_in);
   command.option("URL", o.url, "Address of the league, as https://league.example:8443").required();
@@ -244,8 +244,8 @@ void add_hand_in(system::Commands& commands) {
       .required();
   command
       .option("--ca", o.authority,
-              "File with the certificate that signs for the server (default: the system's "
-              "certificates)")
+              "File with the certificate of the authority that signed the server's (default: the "
+              "system's certificates)")
       .named("FILE");
   command.flag("--json", o.json, "Print the answer as one JSON object");
 }

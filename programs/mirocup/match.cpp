@@ -370,8 +370,8 @@ void add_firasim(const system::Command& command, server::NetworkTerms& o) {
       "Shell command that starts the yellow team's program");
   command
       .flag("--lockstep", o.lockstep,
-            "Wait in each tick until these teams have commanded all their robots (--speed max also "
-            "does)")
+            "Wait in each tick until these teams have commanded all their robots (also without "
+            "this option if --speed is max)")
       .in_group(group);
 }
 

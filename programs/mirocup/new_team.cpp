@@ -96,7 +96,8 @@ Result<void> adopt(system::Disk& disk, const system::TeamKit& kit, const NewOpti
     MIROCUP_TRY(const auto is_changed, copy_source(disk, fs::path(options.simurosot) / path,
                                                    fs::path(options.folder) / "src" / path));
     if (is_changed) {
-      std::cout << "src/" << system::printable(path) << ": its text was made readable for g++\n";
+      std::cout << "src/" << system::printable(path)
+                << ": its text was changed so that g++ can read it\n";
     }
   }
   std::string sources;
@@ -127,8 +128,8 @@ Result<int> run_new(const NewOptions& options) {
   if (!fs::is_directory(templates, none)) {
     return fail(Errc::unavailable,
                 templates.string() +
-                    ": the files of a new team are missing here; the preset packages installs them "
-                    "(cmake --preset packages), and so do the packages of docs/installing.md");
+                    ": the files of a new team are missing here; install a package of mirocup "
+                    "(docs/installing.md), or build with cmake --preset packages");
   }
   Result<OldSources> old = OldSources{};
   if (!options.simurosot.empty()) old = find_old_sources(options.simurosot);

@@ -304,10 +304,9 @@ Result<OldSources> find_old_sources(const std::string& folder) {
   });
   MIROCUP_TRY(auto header, header_of(folder, all, headers, team.sources));
   if (entries.size() > 1) {
-    return fail(
-        Errc::input,
-        folder + ": " + entries[0] + " and " + entries[1] +
-            " both define what the platform calls; take one of them away, or name its folder");
+    return fail(Errc::input, folder + ": " + entries[0] + " and " + entries[1] +
+                                 " both define the functions that the platform calls; remove one "
+                                 "of them, or name its folder");
   }
   team.header = std::move(header);
   return team;

@@ -29,7 +29,8 @@ void add_program(const fs::path& folder, std::vector<std::string>& found) {
     const auto real = system::trusted_program(program, "mirocup");
     if (!real) {
       std::cerr << "mirocup: " << system::printable(program.string())
-                << " is not asked: " << system::printable(real.error().what) << '\n';
+                << " is not asked to verify the record: " << system::printable(real.error().what)
+                << '\n';
     } else if (*real != fs::read_symlink("/proc/self/exe", none) &&
                std::find(found.begin(), found.end(), *real) == found.end()) {
       found.push_back(*real);

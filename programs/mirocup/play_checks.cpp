@@ -157,10 +157,11 @@ Result<bool> play_whole_legs(Examination& e) {
       e.report.gate_colour = team;
     }
     leg.story.opponent = "striker";
-    const auto passed = judge(
-        e, leg, terms,
-        "plays " + seconds(leg.ticks() * e.setup.control_period) + " s of a leg" +
-            (leg.is_whole ? "" : ", for which this check had time") + ": " + text_of(leg.story));
+    const auto passed =
+        judge(e, leg, terms,
+              "plays " + seconds(leg.ticks() * e.setup.control_period) + " s of a leg" +
+                  (leg.is_whole ? "" : ", the part for which this check had time") + ": " +
+                  text_of(leg.story));
     if (leg.ticks() > 0) e.report.legs.push_back(leg.story);
     if (!passed || !*passed) return passed;
     note_time(e, leg);

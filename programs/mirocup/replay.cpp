@@ -231,9 +231,9 @@ void add_replay(system::Commands& commands) {
                "the leg again");
   command
       .option("--proof-module", o.proof_module,
-              "Address, seen from the page, of a script file with the module of this mirocup, as "
-              "leagues have one; the commands then go into a script file beside the page, also "
-              "with --public")
+              "Address, relative to the page, of a script file with the module of this mirocup, as "
+              "leagues have one; the commands then go into another script file beside the page, "
+              "even with --public")
       .named("ADDRESS");
   command
       .option("--statistics", o.statistics, "File to write the statistics of the leg to, as JSON")

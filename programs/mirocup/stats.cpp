@@ -60,12 +60,13 @@ void add_stats(system::Commands& commands) {
        {"mirocup stats leg.json --goals", "mirocup stats spring --csv"}},
       run_stats);
   command.option("RECORD", o.paths, "Match records, or the folder of one league").required();
-  command.flag("--goals", o.goals,
-               "How goals fell, where the ball was lost before, which laws were broken");
+  command.flag(
+      "--goals", o.goals,
+      "Print how goals fell, where the ball was lost before each goal, and which laws were broken");
   command.option("--team", o.team, "Only the legs of this team, named as in the records")
       .named("NAME");
-  const system::Option csv = command.flag("--csv", o.csv, "Comma-separated values");
-  command.flag("--json", o.json, "Everything as one JSON object").excludes(csv);
+  const system::Option csv = command.flag("--csv", o.csv, "Print comma-separated values");
+  command.flag("--json", o.json, "Print everything as one JSON object").excludes(csv);
 }
 
 }  // namespace mirocup::app

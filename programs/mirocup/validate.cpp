@@ -46,15 +46,13 @@ void add_validate(system::Commands& commands) {
   const auto [command, o] = commands.add<ValidateOptions>(
       {"validate",
        for_engineers,
-       "Print the errors of the simulator 1 to 30 pictures ahead in recordings, beside yardsticks "
-       "(exit code 1: a yardstick is better)",
+       "Print how well the simulator predicts recordings 1 to 30 pictures ahead, and how well "
+       "simple yardsticks do (exit code 1: a yardstick is better)",
        {"mirocup validate seen.jsonl --pitch ours.json -o validation.html"}},
       run_validate);
   command.option("RECORDING", o.recordings, "Recordings (mirocup/recording/1, or .csv)").required();
-  command.option("--pitch", o.pitch, "The pitch to simulate with")
-      .named("NAME|FILE")
-      .shows_default();
-  command.option("-o,--page", o.page, "A page with pictures").named("FILE");
+  command.option("--pitch", o.pitch, "Pitch to simulate with").named("NAME|FILE").shows_default();
+  command.option("-o,--page", o.page, "File to write a page with pictures to").named("FILE");
   command
       .option("--against", o.against,
               "Another engine as a further yardstick, if mirocup-bench is built with it: box2d, "

@@ -35,7 +35,7 @@ Result<int> run_verify(const VerifyOptions& options) {
   if (divergence && has_other_behaviour) {
     const std::string program = version_that_reproduces(options.path, *record);
     if (!program.empty()) {
-      std::cerr << "mirocup: it was played by another version; " << system::printable(program)
+      std::cerr << "mirocup: the leg was played by another version; " << system::printable(program)
                 << " verifies it\n";
       std::vector<std::string> words{program, "verify", options.path};
       if (options.json) words.emplace_back("--json");

@@ -343,7 +343,7 @@ class Term:
         expect(read(league, f"nights/{self.nights}/report.txt") in report, "report.txt is not the report")
         self.digests += tally.compare_digests(league, self.comparison, self.nights)
         expect(not self.comparison.wrong, "; ".join(self.comparison.wrong))
-        has(self.host.ask("nightly", *more, code=(0, 1)), f"night {self.nights} goes on")
+        has(self.host.ask("nightly", *more, code=(0, 1)), f"night {self.nights} continues")
         expect(len(tally.journal(league)) == len(lines), "the same night again writes nothing")
         return report
 

@@ -533,7 +533,7 @@ TEST_F(Term, OfThreeWeeks) {
   expect_digests(folder_);
   ask("publish", {"--through", "r1", "-o", temporary_ / "first"});
   const int legs = count_kind(folder_, "leg");
-  EXPECT_TRUE(contains(ask("nightly").err, "night 1 goes on"));
+  EXPECT_TRUE(contains(ask("nightly").err, "night 1 continues"));
   EXPECT_EQ(count_kind(folder_, "leg"), legs) << "the same night again plays nothing";
 
   // Day 7: zeta hands in for the first time, alpha has a new entry, and a student who has come to

@@ -128,7 +128,7 @@ TEST(DrillCommand, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   std::ofstream(folder / "bad.json") << R"({"schema": "mirocup/drill/1", "title": 3})";
   EXPECT_EQ(drill({"no-such-drill", "idle"}).exit_code, 2);
-  EXPECT_NE(drill({program("teams/draws.so"), "touch-the-ball"}).err.find("stands before"),
+  EXPECT_NE(drill({program("teams/draws.so"), "touch-the-ball"}).err.find("name the drill before"),
             std::string::npos);
   EXPECT_EQ(drill({"all"}).exit_code, 2);
   EXPECT_EQ(drill({"turn-the-ball", "no-such-team"}).exit_code, 2);

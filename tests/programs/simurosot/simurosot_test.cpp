@@ -422,7 +422,8 @@ TEST(Simurosot, BuildsAnUntidyFolder) {
       run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_NE(made.out.find("2 sources, gnu++98"), std::string::npos) << made.out;
-  EXPECT_NE(made.out.find("src/TEAM.CPP: its text was made readable"), std::string::npos);
+  EXPECT_NE(made.out.find("src/TEAM.CPP: its text was changed so that g++ can read it"),
+            std::string::npos);
   ASSERT_NO_FATAL_FAILURE(build_project(folder / "made", folder / "build"));
   const Outcome played = run({program("mirocup"), "match", "--blue", folder / "build/team.so",
                               "--yellow", "idle", "--league", "middle", "--rules", "simurosot",
