@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// MIROCUP_ASSERT(condition): states a precondition or an invariant that a caller can only break by
-// a programming error.
+// MIROCUP_ASSERT(condition): a precondition or invariant that only a programming error can break.
 //
 // In Debug builds a false condition prints file, line and condition to standard error and aborts.
 // In Release builds (NDEBUG) the condition is compiled but never evaluated, so it costs nothing and

@@ -23,8 +23,7 @@ enum class Errc {
   interrupted,  // stopped on request: the same command continues later
 };
 
-// A failure. `what` is a sentence for the person who must act: it names the file, key or symbol
-// that is wrong.
+// A failure. `what` is a sentence for the person who must act: it names the file, key or symbol.
 struct Error {
   Errc code;
   std::string what;
@@ -52,8 +51,7 @@ inline tl::unexpected<Error> fail(Errc code, std::string what) {
 #define MIROCUP_TRIED(line) MIROCUP_TRIED_IN(line)
 #define MIROCUP_TRIED_IN(line) tried_##line
 
-// The exit codes of a program that did its work: 0 if it reports success, 1 if it reports a no
-// (diverged, rejected, fixtures left).
+// Exit codes of a program that did its work. 0: yes; 1: no (diverged, rejected, fixtures left).
 inline constexpr int exit_yes = 0;
 inline constexpr int exit_no = 1;
 

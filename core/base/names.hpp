@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Converts enumerators to text and back. Every enum that is written to a file or read from a
-// command line lists its names once, as a specialisation of enum_names, in the order of its values
-// from 0.
+// command line lists its names once, in the order of its values from 0, by specialising enum_names.
 #pragma once
 
 #include "core/base/assert.hpp"

@@ -20,8 +20,7 @@ class StateHash {
 
   // Folds a word in.
   void add(std::uint64_t word) {
-    // Multiply-xorshift: each step is a bijection of the running value, so no difference is ever
-    // lost.
+    // Multiply-xorshift: each step is a bijection of the running value, so no difference is lost.
     value_ = (value_ ^ word) * 0xff51afd7ed558ccdULL;
     value_ ^= value_ >> 32;
   }

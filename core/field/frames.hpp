@@ -5,8 +5,7 @@
 // The field's frame has its origin at the centre of the pitch, x towards the right goal and y
 // towards the upper wall. The frame of a team is the field's frame for the team that defends the
 // left end, and the field's frame turned by 180 degrees for the other team: it is a half-turn,
-// never a mirror, and every team sees itself attack +x. Positions are in metres, headings are unit
-// vectors.
+// never a mirror, and every team sees itself attack +x. Units: m; headings are unit vectors.
 #pragma once
 
 #include "core/base/heading.hpp"
@@ -33,8 +32,7 @@ constexpr int index_of(End end) {
 inline constexpr std::array<End, 2> both_ends{End::left, End::right};
 
 // Returns the sign of x in the direction of attack: +1 for the defender of left, -1 for the
-// defender of right. A vector in the field's frame times this sign is the vector in the team's
-// frame.
+// defender of right. A vector of the field's frame times this sign is in the team's frame.
 constexpr double attack_sign(End defended) {
   return defended == End::left ? 1.0 : -1.0;
 }

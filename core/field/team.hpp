@@ -20,8 +20,7 @@ constexpr Team opponent_of(Team team) {
   return team == Team::blue ? Team::yellow : Team::blue;
 }
 
-// 0 for blue, 1 for yellow: as an index of arrays, and as the number that records and messages
-// hold.
+// 0 for blue, 1 for yellow: the index in arrays, and the number in records and messages.
 constexpr int index_of(Team team) {
   return static_cast<int>(team);
 }

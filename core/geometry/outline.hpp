@@ -32,7 +32,7 @@ struct OutlineCorners {
 struct Outline {
   int corners = 0;  // 0: a circle
 
-  // m: radius of the circle, or of the smallest circle around the reference point that contains the
+  // m: radius of the circle, or of the smallest one around the reference point that holds a
   // polygon.
   double radius = 0.0;
 

@@ -22,8 +22,7 @@ struct Separation {
 
 // Return the separation of two polygons, or of a circle (a) and a polygon (b); or of an outline
 // and a wall. The gap is the Euclidean distance where a corner or a circle faces an edge, and a
-// lower bound of it between two corners. If the outlines overlap, it is minus the depth of the
-// overlap.
+// lower bound of it between two corners. If they overlap, it is minus the overlap's depth.
 Separation separation(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b);
 Separation separation(const Outline& a, const Pose& body_a, const field::Wall& wall);
 

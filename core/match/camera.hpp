@@ -2,8 +2,8 @@
 //
 // The camera above the field: the leg as both teams and programs on the network see it.
 //
-// One camera sees for everybody. It measures positions and headings with noise and delay. If it
-// loses a body for a while, it holds the last pose, whose age counts up. Velocities are not
+// One camera sees for everybody. It measures positions and headings with noise and delay. While a
+// body is lost, its last pose is held and the age of that pose counts up. Velocities are not
 // measured: they are differences of the poses that were seen. Referee, pages and records use the
 // true state.
 #pragma once
@@ -22,8 +22,7 @@ class Camera {
   Camera(const Conditions& conditions, std::uint64_t seed, int robots, double period);
 
   // Takes the picture of a tick. To be called once a tick with the truth. `were_placed`: the bodies
-  // were put down since the last picture, so the difference between the two pictures is not a
-  // motion.
+  // were put down since the last picture, so the difference to that picture is not motion.
   void look(const Snapshot& truth, bool were_placed);
 
   // Returns the truth of the latest look(), but with the bodies as the camera sees them.
@@ -42,7 +41,7 @@ class Camera {
     Random noise, loss;
     bool is_lost = false;
     Sighting last;
-    Vec2 velocity{0.0, 0.0};  // m/s, of the last two sightings
+    Vec2 velocity{0.0, 0.0};  // m/s, from the last two sightings
     double turn = 0.0;        // rad/s
   };
   // The truth of one tick, as far as a camera sees it.

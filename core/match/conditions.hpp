@@ -19,12 +19,11 @@ namespace mirocup::match {
 
 enum class ConditionsPreset {
   exact,   // nothing is disturbed
-  hall,    // placing by hand, wheels, the floor
+  hall,    // placing by hand, wheels and floor are disturbed
   camera,  // as hall, and one camera and one radio for everybody
 };
 
-// A size of 0 switches its disturbance off, which then costs nothing. Shares and probabilities have
-// no unit.
+// A value of 0 switches its disturbance off, which then costs nothing.
 struct Conditions {
   ConditionsPreset preset = ConditionsPreset::exact;  // the values below may differ from it
 

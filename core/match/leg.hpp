@@ -113,7 +113,7 @@ struct TickLog {
 };
 
 // A request for places other than those where the team stood: made in the team's turn, or out of
-// its turn where that is an offence.
+// its turn if that is an offence.
 struct LoggedPlacementRequest {
   std::uint32_t tick = 0;
   Team team = Team::blue;
@@ -128,8 +128,7 @@ enum class TickLogs {
 
 class Leg {
  public:
-  // Tosses for the ends and the kick-off, and places the bodies for the kick-off, unless the setup
-  // has a start.
+  // Tosses for ends and kick-off, and places the bodies for the kick-off, unless there is a start.
   explicit Leg(const Setup& setup, TickLogs tick_logs = TickLogs::kept);
   // The same play in a world that the leg shares with other legs. The world outlives the leg and
   // was made for its field, parameters, tolerances and number of robots. The leg has the world
@@ -174,8 +173,7 @@ class Leg {
 
   // The true state between two ticks. Pages and records show it.
   Snapshot snapshot() const;
-  // The state as teams and programs on the network see it: the true one, unless the conditions have
-  // a camera.
+  // The state as teams and programs on the network see it: the true one, unless there is a camera.
   Snapshot view() const { return camera_ ? camera_->view() : snapshot(); }
   // The state of one body; cheaper than a snapshot if nothing else is needed.
   simulator::BodyState robot(Team team, int i) const { return world_->robot(body_of(team, i)); }
@@ -196,8 +194,7 @@ class Leg {
     return placement_requests_;
   }
 
-  // The hash of the states of all ticks played until now; without meaning if the tick logs are
-  // dropped.
+  // The hash of the states of all ticks played; without meaning if the tick logs are dropped.
   std::uint64_t state_hash() const { return hash_.value(); }
   // The last robot to touch the ball in the most recent tick; nothing if none touched it.
   std::optional<Touch> last_touch() const;
@@ -249,7 +246,7 @@ class Leg {
   Team left_ = Team::blue;
   std::optional<Disturbances> disturbances_;     // nothing under exact conditions
   std::optional<Camera> camera_;                 // nothing unless the conditions have one
-  bool were_placed_ = false;                     // bodies, since the camera looked last
+  bool were_placed_ = false;                     // bodies were placed since the camera last looked
   std::unique_ptr<simulator::World> own_world_;  // null if the leg shares a world
   simulator::World* world_ = nullptr;
   simulator::World::State laid_aside_;  // the bodies, while the leg is laid aside

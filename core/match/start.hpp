@@ -21,10 +21,9 @@ namespace mirocup::match {
 // One robot at the start.
 struct RobotStart {
   std::optional<simulator::BodyState> state;  // empty: at rest in its default place
-  // rad/s: the command that the robot drives in the first tick, before its team's first answer
-  // takes effect.
+  // rad/s: the command that the robot drives in the first tick, before an answer takes effect.
   simulator::WheelSpeeds wheels;
-  bool is_broken = false;  // it stands: its team's commands do not move it in this leg
+  bool is_broken = false;  // the robot stands: its team's commands do not move it
 };
 
 // The restart for which the bodies are placed. Until the whistle everything stands.
@@ -44,8 +43,7 @@ struct Start {
   ByTeam<int> score{};
 };
 
-// Returns the decision that gives the start's restart; if the start has none, a decision without
-// effect.
+// Returns the decision that gives the restart; if there is none, a decision without effect.
 referee::Decision restart_of(const Start& start);
 
 // Returns where all bodies stand at the start. Those that the start does not give stand in the

@@ -62,9 +62,8 @@ struct LawBook {
   WallPushMemory wall_push;
 };
 
-// Judges one tick of play. The book's occupancy is already up to date. `goal` is the call of the
-// goal law in this tick, if it made one; it becomes the decision unless a foul of the attackers
-// cancels it.
+// Judges one tick of play. The book's occupancy is already up to date. `goal` is the goal law's
+// call in this tick, if any; it becomes the decision unless a foul of the attackers cancels it.
 Judgement judge_play(const Pitch& pitch, const Situation& situation,
                      const std::optional<Decision>& goal, LawBook& book);
 

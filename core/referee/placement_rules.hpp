@@ -11,7 +11,7 @@ namespace mirocup::referee {
 
 // Which robot of a team may stand in its special place.
 enum class Roles {
-  any,    // any one robot
+  any,    // any robot, but one only
   fixed,  // in a shoot-out, where only two robots move: robot 1 as kicker, robot 0 as keeper
 };
 

@@ -23,7 +23,7 @@ enum class Misplaced {
   outside_walls,        // or not finite
   not_allowed,          // by the law of the restart
   special_place_empty,  // a robot has to stand in the special place, and this one is sent there
-  second_in_goal_area,  // of the other end, at a goal kick
+  second_in_goal_area,  // the second of its team in the other goal area, at a goal kick
   too_near_ball,
   too_near_robot,
 };

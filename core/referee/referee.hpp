@@ -4,8 +4,7 @@
 //
 // It is called once a tick while play is on and returns at most one decision. It knows ends, not
 // colours, and tosses no coin: the leg decides which team defends which end and which team wins a
-// toss, and tells the referee when a phase starts. core/referee/README.md is the map of this
-// folder.
+// toss, and tells the referee when a phase starts. See core/referee/README.md.
 //
 // Threads: none of its own; one thread at a time may call it.
 #pragma once
@@ -43,7 +42,7 @@ struct TeamCounts {
   double four_defenders_s = 0.0;   // how long they have been too many
   int attackers = 0;               // its robots in the opponents' goal area
   double two_attackers_s = 0.0;    // how long they have been too many
-  double keeper_hold_s = 0.0;      // how long the ball is uncontested in its goal area
+  double keeper_hold_s = 0.0;      // how long the ball has been uncontested in its goal area
   int keeper = -1;                 // the index of its keeper, -1: none
   bool advantage_against = false;  // its foul is called unless the opponents score
 };
@@ -76,8 +75,9 @@ class Referee {
   // `begin`. It also sets `last_touch` if nobody touched the ball in this tick.
   Judgement judge(Situation situation);
 
-  // Returns what follows from a decision in the same tick: the end of the match after the goal that
-  // decides it, the end of a half whose time is over, or a time-out that a team asked for.
+  // Returns the decision that follows from this one in the same tick: the end of the match after
+  // the goal that decides it, the end of a half whose time is over, or a time-out that was asked
+  // for.
   std::optional<Decision> follow_up(const Decision& decision);
 
   // Resets every count, because the restart of a decision has been placed. `since` is how long play
@@ -103,8 +103,7 @@ class Referee {
   std::optional<Decision> ask_for_substitution(const RobotId& robot);
   int substitutions_left(End team) const;
 
-  // Replaces a robot in the break between the halves, in which any number of robots may be
-  // replaced.
+  // Replaces a robot in the break between the halves, where any number may be replaced.
   Decision substitute_in_break(const RobotId& robot) const;
 
  private:

@@ -33,9 +33,9 @@ struct Rules {
 
   // The course of a match.
   double half_s = 300.0;           // length of a half, effective time
-  double half_break_s = 600.0;     // between the halves; a simulated match does not wait for it
+  double half_break_s = 600.0;     // break between the halves; a simulated match does not wait
   double golden_goal_s = 180.0;    // extra time that ends with a goal; 0: none
-  double extra_halves_s = 0.0;     // without a golden goal: each of two extra halves; 0: none
+  double extra_halves_s = 0.0;     // two extra halves of this length, if no golden goal; 0: none
   int shoot_out_rounds = 3;        // attempts of each team before single pairs decide
   int shoot_out_most_rounds = 15;  // rounds after which lots are drawn
   double attempt_s = 30.0;         // length of a penalty attempt
@@ -54,16 +54,16 @@ struct Rules {
   double contested_m = 0.1125;  // an opponent's centre this near to the ball contests it
   double zone_margin_m = 0.05;  // small league: a goal's zone reaches this far beyond its goal area
   // The zone of a goal where crowds and charges count: the ball is at most zone_depth_m from the
-  // goal line and at most zone_half_width_m from the long axis. If the depth is 0, the zone is the
-  // penalty area, or in the small league the goal area and its margin; charges then count in the
-  // whole half.
+  // goal line and zone_half_width_m from the long axis. If the depth is 0, the zone is the penalty
+  // area, or in the small league the goal area and its margin; charges then count in the whole
+  // half.
   double zone_depth_m = 0.0;
   double zone_half_width_m = off;
   double shoved_s = 1.0;     // how long a robot is excused after it was pushed
   double advantage_s = 0.5;  // how long a foul of the defenders waits for a goal
 
   // Kick-off.
-  bool kickoff_backward_required = true;  // the ball goes towards the taker's own side first
+  bool kickoff_backward_required = true;  // the ball must go towards the taker's own side first
   double kickoff_move_m = 0.05;           // the side is judged when the ball has moved this far
   double kickoff_limit_s = 5.0;           // the ball must be touched within this time
   bool kickoff_behind = false;            // the kicker must stand on its own side of the ball
@@ -83,7 +83,7 @@ struct Rules {
   double keeper_hold_s = 10.0;    // the ball stays uncontested in a goal area for this time
   double charge_s = 0.10;         // an attacker drives into the keeper for this time
   double charge_speed_mps = 0.5;  // or hits it at this speed
-  double push_in_s = 0.5;         // time looked back from a goal
+  double push_in_s = 0.5;         // how long before a goal a push counts
   double push_in_m = 0.02;        // in that time the keeper was moved this far towards its line
   double block_s = 1.0;           // an attacker stands in the keeper's way for this time
   double block_gap_m = 0.01;      // and is this near to the keeper
@@ -92,8 +92,7 @@ struct Rules {
   // Play that gets nowhere.
   double stalemate_s = 10.0;          // the ball stays within the radius for this time
   double stalemate_radius_m = 0.075;  // one robot side
-  // Above 0: the ball gets nowhere while it is not faster than this; then the radius does not
-  // count.
+  // If above 0, the ball gets nowhere while it is not faster than this, whatever the radius.
   double stalemate_speed_mps = 0.0;
   // In a goal area: a free ball if both teams have a robot at the ball (contested_m), otherwise a
   // penalty kick. False: a goal kick.

@@ -4,9 +4,9 @@
 //
 // The simulator is event-driven: between two events every body moves on a smooth trajectory of
 // its own. An event is the first contact of two bodies, wheels that begin or cease to slide, a
-// ball that stops, or a contact that opens. Only the bodies that touch at an event get new
-// trajectories. A body whose events cost more than its budget in a tick is time-stepped with
-// everything that it touches, so no scene can stall the world. Large islands that went over
+// ball that stops, or a contact that opens. Only the bodies of an event, and all that touch them,
+// get new trajectories. A body whose events cost more than its budget in a tick is time-stepped
+// with everything that it touches, so no scene can stall the world. Large islands that went over
 // budget are stepped from the start of the next tick. Contacts with friction (an option) are
 // stepped unless they slide. docs/algorithm.md describes the method room by room.
 //
@@ -155,7 +155,7 @@ class World {
   std::array<trajectory::Segment, max_bodies> segments_{};
   BodySet closed_form_;                                // bodies without series
   std::array<BodyState, max_bodies> closed_form_end_;  // of each in closed form, not in a step
-  // The decays last used over a whole tick, and over the rest of one.
+  // The decays last used over a whole tick, and over the rest of a tick.
   struct KnownDecay {
     trajectory::MotorDecay forward, turn;  // `turn` only for motors with two lags
   };

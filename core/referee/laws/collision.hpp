@@ -19,8 +19,7 @@ struct CollisionMemory {
   ByRobot<RobotSet> touched;  // the opponents that each robot touched in the last tick
 };
 
-// Finds at most one collision in a tick: of several pairs, the one whose robot of the left team has
-// the lowest index.
+// Finds at most one collision in a tick: that of the left end's robot with the lowest index.
 std::optional<Decision> judge_collision(const Pitch& pitch, const Situation& situation,
                                         CollisionMemory& memory);
 

@@ -14,8 +14,8 @@
 // league has no penalty area, so the laws of four never apply to it.
 //
 // The time is counted wherever the ball is, so that robots cannot park in an area; the call comes
-// when the ball is in the zone of that goal (ball_in_zone()). A robot that was pushed into the area
-// does not count.
+// when the ball is in the zone of that goal (ball_in_zone()). A robot that was pushed in does not
+// count.
 #pragma once
 
 #include "core/referee/dwell.hpp"

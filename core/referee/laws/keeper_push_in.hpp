@@ -5,8 +5,8 @@
 //
 // Judged by the last `push_in_s` before the goal: an attacker pressed on the keeper, directly or
 // through the ball, while the keeper was moved `push_in_m` towards its goal line; and at the moment
-// of the goal the keeper touches the ball or is over the line. A keeper whose own commands took it
-// there was not pushed.
+// of the goal the keeper touches the ball or is over the line. A keeper that its own commands took
+// towards the line was not pushed.
 #pragma once
 
 #include "core/referee/laws/law.hpp"
@@ -34,7 +34,7 @@ struct KeeperPushInMemory {
   ByEnd<double> keeper_x{};
 };
 
-// Called in every tick. It decides only in a tick in which the ball crosses a goal line, at the end
+// Called in every tick. It decides only in a tick in which the ball crosses the goal line at
 // `goal_at`.
 std::optional<Decision> judge_keeper_push_in(const Pitch& pitch, const Situation& situation,
                                              const Occupancy& occupancy, std::optional<End> goal_at,

@@ -19,7 +19,7 @@ struct PenaltyAttemptMemory {
   End taker = End::left;
   double for_s = 0.0;        // since the kick was released
   bool was_in_area = false;  // the ball has been in the goal area
-  Dwell held;                // the keeper alone touches the ball
+  Dwell held;                // how long the keeper alone has touched the ball
 };
 
 // Returns why the attempt is over without a goal, or nothing while it continues. The caller ends

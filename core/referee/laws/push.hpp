@@ -30,8 +30,7 @@ struct PushMemory {
 };
 
 // Returns the decision about a push. A team defends if the ball is in its own half or was last
-// touched by the pushed team. `reason` says what the pusher did; the function adds on which side
-// its team was.
+// touched by the pushed team. `reason` says what the pusher did; the function adds its team's side.
 Decision call_push(const Pitch& pitch, const Situation& situation, const RobotId& pusher,
                    const RobotId& pushed, std::string reason);
 

@@ -17,12 +17,12 @@ struct ApproachQuery {
   double begin, end;  // s of the tick
 };
 
-// True if the reference points stay farther apart than the reach from `begin` to `end`.
+// True if from `begin` to `end` the reference points stay farther apart than the reach.
 bool stays_out_of_reach(const ApproachQuery& query);
 
 // Returns a time, s of the tick, before which the gap cannot fall to `margin`, m; trajectory::never
 // if it cannot fall so low until `end`. `separation` is that of the outlines at query.begin;
-// radius_a and radius_b, m, are the radii of circles around the reference points that hold the
+// radius_a and radius_b, m, are those of circles around the reference points that hold the
 // outlines.
 double earliest_contact_time(const ApproachQuery& query, const geometry::Separation& separation,
                              double radius_a, double radius_b, double margin);

@@ -47,8 +47,7 @@ void refresh_contact(const StaticWorld& world, std::span<const BodyState> bodies
 
 // Returns the gap of a contact where its bodies are now, m: the signed distance of its point from
 // its edge's line. A corner beside the edge's end can lie behind the line without penetrating. So
-// if the gap is below -`trusted_depth`, m, the result is the larger of it and the pair's
-// separation.
+// below -`trusted_depth`, m, the result is the larger of the gap and the pair's separation.
 double clamped_gap(const StaticWorld& world, std::span<const BodyState> bodies,
                    const Contact& contact, double trusted_depth);
 

@@ -71,7 +71,7 @@ void set_row(std::span<const BodyState> bodies, Contact& contact);
 // Returns the bodies that have one of these contacts.
 BodySet bodies_of(std::span<const Contact> contacts);
 
-// Every contact is one unknown of a solver; the wheels or the rolling of each body are another one.
+// Every contact is one unknown of a solver; so are the wheels of a robot and the ball's rolling.
 inline constexpr int max_contacts = solver::max_unknowns - max_bodies;
 
 // Bodies that touch without overlapping form a planar graph, which has at most 3n - 6 edges, and a

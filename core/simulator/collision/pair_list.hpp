@@ -16,7 +16,7 @@ namespace mirocup::simulator::collision {
 // in s of the tick.
 struct CandidatePair {
   Pair pair;
-  double contact_time = trajectory::never;  // of contact; a lower bound if is_estimate
+  double contact_time = trajectory::never;  // first contact, or a lower bound of it if is_estimate
   double estimated = 0.0;                   // when the estimate was made; the pair was apart then
   double apart_at = -1.0;                   // a time at which the pair was found not to touch
   bool is_estimate = false;

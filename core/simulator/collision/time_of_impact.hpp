@@ -4,11 +4,11 @@
 //
 // Method: conservative advancement along separating axes (Mirtich 1996; b2TimeOfImpact of Box2D).
 // Two outlines are apart while a line separates them: an edge of one of them or, for the ball at a
-// corner, the line perpendicular to the direction between the two. Seen from the body with that
-// edge, the distance of each corner of the other body is a power series in time. Until the first of
-// these series falls to zero the bodies cannot touch. At that time either another edge separates
-// them, and the search continues with that edge, or they touch. No touch is ever missed, whatever
-// the speed or the length of the tick.
+// corner, the line perpendicular to the direction from the corner to the ball. Seen from the body
+// with that edge, the distance of each corner of the other body is a power series in time. Until
+// the first of these series falls to zero the bodies cannot touch. At that time either another edge
+// separates them, and the search continues with that edge, or they touch. No touch is ever missed,
+// whatever the speed or the length of the tick.
 //
 // Units are m and s of the tick. Pure functions. Uses geometry and trajectory only.
 #pragma once

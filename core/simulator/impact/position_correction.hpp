@@ -26,7 +26,7 @@ void add_displacement(const solver::ConstraintRow& row, double amount,
 BodyState displaced(const BodyState& body, const Displacement& by);
 
 // Moves the bodies of the contacts so that negative gaps vanish, to first order in the
-// displacement. Where contacts contradict each other, overlaps are shared. The contacts' points and
+// displacement. If contacts contradict each other, they share the overlap. The contacts' points and
 // rows must be those of the bodies' poses; they are not updated. `problem` is scratch space.
 void project_positions(std::span<const collision::Contact> contacts,
                        std::span<const solver::InverseMass> free_mass, std::span<BodyState> bodies,

@@ -10,8 +10,9 @@
 // high. If that height is at most (1 - e) series_height, the impact ends the series: its impulse
 // stops the contact, and the force of the contact that presses from there on is the mean force of
 // the impacts that are left out. Every other impact bounces: an approach that is faster than a
-// series allows, a higher bounce, a first touch, and any impact at e = 1. Only approaches of
-// rounding, up to Tolerances::restitution_threshold, do not bounce in a contact that presses.
+// series allows, a higher bounce, a first touch, and any impact at e = 1. The exception: in a
+// contact that presses, approaches up to Tolerances::restitution_threshold count as rounding and do
+// not bounce.
 //
 // The contacts of the last contact_memory seconds are remembered from tick to tick, so the end of a
 // tick does not interrupt a series.
@@ -38,21 +39,20 @@ namespace mirocup::simulator::impact {
 // world's thread.
 class RestThresholds {
  public:
-  // Of a world of this many bodies.
+  // The thresholds of a world of this many bodies.
   RestThresholds(const Tolerances& tolerances, int bodies);
 
   // Starts a tick with the least min_duration(), an unspent budget and no impacts.
   void begin_tick();
   // Ends a tick of `duration` seconds: remembered times count from its end from now on.
   void end_tick(double duration);
-  // To be called at a tick's end with the bodies that are then in a step. If the event budget is 0,
-  // all bodies are over budget in every tick, but were_over_budget() of the next tick has only
-  // these.
+  // To be called at a tick's end with the bodies then in a step. With an event budget of 0 all
+  // bodies are over budget in every tick, but were_over_budget() of the next tick has only these.
   void note_steps(const BodySet& bodies) {
     if (budget_ == 0) memory_.over_budget = bodies;
   }
 
-  // To be called when bodies were placed: contacts that exist now are new.
+  // To be called when bodies were placed: contacts that exist now count as new.
   void forget() { memory_ = {}; }
 
   // A contact that was closed not long ago.

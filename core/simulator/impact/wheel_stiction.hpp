@@ -28,8 +28,7 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
 // robot that the impact did not hit, the limit is slow_motion; for one that it hit,
 // first_restitution_threshold, because a contact that only grazes may open at once, and an impulse
 // that stops a faster slip would press on it. For a robot in a series of impacts, it is the slip
-// that the ground would stop within series_height, but not more than the approach that the impact
-// ended.
+// that the ground would stop within series_height, but at most the approach that the impact ended.
 void arrest_slow_slip(const collision::StaticWorld& world,
                       std::span<const trajectory::DriveReference> drives,
                       std::span<collision::Contact> contacts,

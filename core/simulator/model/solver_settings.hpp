@@ -18,7 +18,7 @@ inline constexpr struct TaylorSeriesSettings {
   double root_tolerance = 1e-14;
   // [1] Steps of the root search in one window before a smaller window is tried.
   int steps_per_window = 8;
-  // [1] Windows of one search. Only a curve that stays within rounding of the level needs as many.
+  // [1] Windows of one search. Only a curve that stays within rounding of the level needs so many.
   int max_windows = 256;
   // [1] Growth of the window after one without a crossing, and shrinkage after one in which the
   // curvature bound was too loose for the steps to get through.
@@ -50,7 +50,8 @@ inline constexpr struct DifferentialDriveSettings {
   // [1] Share by which the limit of the lateral acceleration lies above grip g. The slide that
   // begins there has a direction in spite of rounding.
   double grip_margin = 1e-7;
-  // [s] The least lag of a motor. A series is cut to a part of the lag: at most 5500 in a tick.
+  // [s] The least lag of a motor. The length of a series is cut to a part of the lag, so a tick has
+  // at most 5500 series.
   double least_lag = 1e-5;
 } differential_drive;
 
@@ -138,8 +139,7 @@ inline constexpr struct TimeOfImpactSettings {
   // search stops and returns the time that it has reached. The bodies do not touch at that time;
   // the caller notices this and searches again from there.
   int max_axes = 64;
-  // [1] Multiple of root_tolerance. The ball has left a corner's sector when it is this far outside
-  // it.
+  // [1] Multiple of root_tolerance by which a ball that has left a corner's sector is outside it.
   double sector_round_off = 4.0;
 } time_of_impact;
 
@@ -147,9 +147,8 @@ inline constexpr struct TimeOfImpactSettings {
 
 inline constexpr struct ImpactSettings {
   double min_approach = 1e-13;  // [m/s] slower approaches are rounding
-  // [m/s] A contact that presses has a rate below this, from rounding. A contact that approaches no
-  // faster is left out when others are thrown back; else rounding would decide its share of their
-  // impulses.
+  // [m/s] Rounding of the rate of a contact that presses. A contact that approaches no faster is
+  // left out when others are thrown back; else rounding would decide its share of the impulses.
   double resting_approach = 1e-9;
   int max_rounds = 64;  // [1] then all contacts that still approach are stopped for good
   double energy_round_off = 1e-14;  // [1] a round that adds no more than this share adds no energy
@@ -164,7 +163,7 @@ inline constexpr struct RestThresholdsSettings {
   int large_island = 5;        // [bodies] stepped from the start if one was over budget last tick
   double forced_growth = 8.0;  // [1] of min_duration() when a curve ends as soon as it allows
   double max_min_duration = 2e-3;  // [s]
-  double contact_memory = 0.02;    // [s] then a contact that was left is forgotten
+  double contact_memory = 0.02;    // [s] a contact that was left for longer is forgotten
   // [1] An approach of at most e + this * (1 - e) times the last one may belong to a series.
   double series_margin = 0.5;
   // [m/s^2] A contact that was thrown open returns with a smaller acceleration, unless another body
@@ -181,8 +180,7 @@ inline constexpr struct ContactForcesSettings {
   double weak_share = 1e-3;              // [1] a smaller share of the largest force is a weak force
   double min_closing = 1e-9;  // [m/s^2] a gap may close this fast where a weak force is dropped
   // [1] Friction agrees with the normal forces if these change by at most this share of the largest
-  // one in a round. If friction_rounds rounds do not reach that, friction can hold itself up:
-  // bodies jam.
+  // one in a round. If that takes more than friction_rounds, friction can hold itself up: a jam.
   double friction_tolerance = 1e-9;
   int friction_rounds = 64;
   // [1] A's diagonal grows by this share. If wheels and walls hold a robot from both sides, many
@@ -195,7 +193,7 @@ inline constexpr struct ContactForcesSettings {
 
 inline constexpr struct ContactMotionSettings {
   double edge_overhang = 1e-10;        // [m] a corner this far beyond its edge has left it
-  double closed_gap_share = 0.01;      // [1] of Tolerances::penetration: a smaller gap stays
+  double closed_gap_share = 0.01;      // [1] of Tolerances::penetration: a smaller gap is kept
   double max_displacement = 1e-9;      // [m] gaps are not corrected if that needs more than this
   double resting_speed = 1e-10;        // [m/s, rad/s] slower, and with less acceleration: at rest
   double resting_acceleration = 1e-9;  // [m/s^2, rad/s^2]
@@ -227,7 +225,7 @@ inline constexpr struct TimeStepperSettings {
   // [1] The twists that a step finds may move a body by up to this multiple of that limit.
   double travel_overrun = 1.5;
   int max_refinements = 10;         // fixed-point iterations for the gaps at the end of a step
-  int strict_refinements = 4;       // [1] the first of these must meet step_gap
+  int strict_refinements = 4;       // number of first iterations that must meet step_gap
   double impulse_tolerance = 1e-9;  // [1] of the largest relative velocity: precision of impulses
   int max_halvings = 6;             // of the step's length; then the last attempt is taken
   // Overlaps at the start of a step are removed at `max_undoing_speed` [m/s] at most, because a
@@ -242,7 +240,7 @@ inline constexpr struct TimeStepperSettings {
   double min_step_share = 1.0 / 64.0;  // [1] of Tolerances::max_step: no shorter step is proposed
   // [1] A step that was cut to less than this share of its wanted length shortens no later step.
   double min_informative_share = 0.5;
-  int friction_rounds = 10;  // in which the bounds of friction follow the normal impulses
+  int friction_rounds = 10;  // rounds in which the bounds of friction follow the normal impulses
 } time_stepper;
 
 // ---- world.cpp

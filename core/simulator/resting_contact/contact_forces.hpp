@@ -72,7 +72,7 @@ class ContactForces {
                                   std::span<const trajectory::DriveReference> drives) const;
 
  private:
-  // A constraint on velocities: the rate of the row is zero, or else at least zero.
+  // A constraint on velocities: the rate of the row is zero (is_equality) or at least zero.
   struct VelocityConstraint {
     const solver::ConstraintRow* row;
     bool is_equality;

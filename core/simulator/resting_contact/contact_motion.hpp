@@ -83,7 +83,8 @@ class ContactMotion {
   bool is_at_rest(std::span<const trajectory::Segment> segments) const;
   void set_terms_of_all(int terms, std::span<trajectory::Segment> segments);
   double converged_length_of_all(std::span<const trajectory::Segment> segments) const;
-  // When a body's motion ends the segment, s from its begin; whether it then settles exactly.
+  // When a body's motion ends the segment, s from the segment's begin, and whether the body then
+  // settles exactly.
   struct OwnEnd {
     double time;
     bool settles;

@@ -25,8 +25,7 @@
 
 namespace mirocup::simulator::resting_contact {
 
-// Two series that are multiplied by the same other series, such as the cosine and sine of a
-// heading.
+// Two series that are multiplied by the same series, such as the cosine and sine of a heading.
 struct TwoSeries {
   std::array<std::array<double, 2>, trajectory::max_terms> c;
 };
@@ -39,13 +38,13 @@ struct ContactSeries {
   // Used if a point touches an edge. A wall and the ball have the frame of the field.
   Vec2 point;                // m: contact point, in the frame of the point's side
   Vec2 normal;               // unit, in the frame of the edge's side
-  Vec2 push;                 // force for each N along the normal, friction included, same frame
+  Vec2 push;                 // force per N along the normal, with friction; frame of edge's side
   double distance;           // m, along the normal: from the reference point of the edge's side
   TwoSeries heading;         // cos and sin of the point's side, seen from the edge's side
   trajectory::Series omega;  // rad/s: rate of that heading
   TwoSeries velocity;        // m/s: of the contact point, in the frame of the point's side
-  // m/s: what terms 1 to k of the heading contribute to term k of `velocity` in the frame of the
-  // edge's side; k is that of the last gap_rate_term().
+  // m/s: the contribution of terms 1 to k of the heading to term k of `velocity` in the frame of
+  // the edge's side; k is that of the last gap_rate_term().
   Vec2 later_velocity;
   trajectory::Series lever_b;   // m: third component of row_b = -(place along the edge)
   double edge_begin, edge_end;  // m, along the edge
@@ -75,8 +74,7 @@ double gap_rate_term(const collision::Contact& contact,
 double slide_term(const collision::Contact& contact, std::span<const trajectory::Segment> segments,
                   int k, const ContactSeries& rows);
 
-// Returns the row along which the contact's force acts at the start: the contact's row with the
-// friction included.
+// Returns the row along which the contact's force acts at the start: its row with friction added.
 solver::ConstraintRow first_push(const collision::Contact& contact, const ContactSeries& rows);
 
 // Returns term k of the series row * force, less (term 0 of the row) * (term k of the force).

@@ -7,12 +7,12 @@
 // Pang, Stone 1992). With low = 0 and high = infinity this is the complementarity of contacts (a
 // force or a separation, never both); with finite bounds it is the grip of wheels.
 //
-// Method: a primal active set (Nocedal and Wright, "Numerical Optimization", 16.5). The free
-// unknowns are minimised exactly by Cholesky factorisation. On the line to that minimum, the
-// first unknown that hits a bound is held there. At the minimum, one bound whose gradient points
-// inwards is released. Every step lowers the objective, so the method ends. The factorisation is
-// our own because a library may order its sums by the size of a cache, and a match must give the
-// same bits everywhere.
+// Method: a primal active set (Nocedal and Wright, "Numerical Optimization", 16.5). The exact
+// minimum over the free unknowns is found by Cholesky factorisation. On the line to that minimum,
+// the first unknown that hits a bound is held there. At the minimum, one bound whose gradient
+// points inwards is released. Every step lowers the objective, so the method ends. The
+// factorisation is our own because a library may order its sums by the size of a cache, and a match
+// must give the same bits everywhere.
 #pragma once
 
 #include "core/simulator/solver/regularized_qp.hpp"

@@ -72,8 +72,7 @@ class TimeStepper {
 
   // Starts a tick: bodies that took no step in the last tick may take a long one again.
   void begin_tick();
-  // Makes the next steps start from zero forces. To be called when bodies were set, so that the old
-  // forces mean nothing.
+  // Makes the next steps start from zero forces: after bodies were set, old forces mean nothing.
   void forget_forces();
 
   // A pressing contact of an earlier step, from which the next step starts warm. The warm start is
@@ -89,9 +88,9 @@ class TimeStepper {
     double impulse;  // N s
   };
 
-  // What steps leave to later ones, of this tick and of the next.
+  // Data that steps leave to later steps of this tick and of the next.
   struct Memory {
-    BodySet stepped;                                   // in this tick
+    BodySet stepped;                                   // bodies that took a step in this tick
     std::array<double, max_robots> wheel_force{};      // N, lateral, of each robot's latest step
     std::array<double, max_bodies> proposed_length{};  // s, by each body's latest step
     int forces = 0;                                    // elements in use of `force`
@@ -167,7 +166,7 @@ class TimeStepper {
   std::array<double, solver::max_unknowns> allowed_overlap_;  // m, of each contact at the end
   std::array<trajectory::Box, max_bodies> boxes_;
 
-  // Its QP: of each unknown the row, the impulse (N s) and the rate (m/s) without impulses.
+  // The attempt's QP: for each unknown the row, impulse (N s) and rate (m/s) without impulses.
   UnknownRange normals_, tangents_, wheels_;
   std::array<const solver::ConstraintRow*, solver::max_unknowns> row_;
   std::array<double*, solver::max_unknowns> impulse_;

@@ -2,8 +2,7 @@
 //
 // Motion bounds: where a body can be on its trajectory, in a few numbers. A bound is a point that
 // moves along the chord of the curve, the largest distance of the curve from that point, and the
-// largest turn rate. Most pairs of bodies are ruled out by their bounds, before any series is
-// computed.
+// largest turn rate. Bounds rule out most pairs of bodies before any series is computed.
 #pragma once
 
 #include "core/simulator/trajectory/segment.hpp"

@@ -48,8 +48,8 @@ struct Braking {
 // ball moves, else that of `push`, a force in any unit, else zero.
 Braking braking_along(const RollingDeceleration& d, const Vec2& velocity, const Vec2& push);
 
-// Returns the time at which the braking of a ball in contact changes: the ball stops, or, per axis,
-// a component passes k. In s since the start of its segment and at most `length`, or `never`.
+// Returns when the braking of a ball in contact changes, s since the start of its segment, or
+// `never` if not within `length`: the ball stops, or, per axis, a component passes k.
 double time_of_braking_change(const RollingDeceleration& d, const Segment& ball,
                               const Braking& braking, double length);
 

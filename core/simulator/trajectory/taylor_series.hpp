@@ -107,11 +107,11 @@ Range change_over(const Series& p, double length);
 // Returns the first t in [begin, end] at which p is at most `level` + root_tolerance, or `never`.
 // Precondition: 0 <= begin <= end.
 //
-// No root is skipped. Each step goes to the root of a parabola that lies below p: it has the value
-// and the slope of p here, and a curvature that bounds that of p from below. Near a simple root the
-// convergence is quadratic. If p stays within rounding of the level for very long, the search
-// stops and returns the time up to which p is known to be above the level. The caller searches
-// again from there.
+// No root is skipped. Each step goes to the root of a parabola that lies below p: at the present t
+// it has the value and the slope of p, and its curvature bounds that of p from below. Near a simple
+// root the convergence is quadratic. If p stays within rounding of the level for very long, the
+// search stops and returns the time up to which p is known to be above the level. The caller
+// searches again from there.
 double first_crossing(const Series& p, double level, double begin, double end);
 
 // Returns the longest segment, s, that is worth trying for a motion with rates up to `rate` (1/s:
