@@ -43,7 +43,7 @@ class FieldWriter {
   void operator()(const char* key, const T& value, Limits...) {
     object_[key] = fields_json(value);
   }
-  // A key that earlier versions did not write.
+  // A key that earlier versions did not write, so a file may lack it.
   template <class T, class... Limits>
   void since_later(const char* key, const T& value, Limits...) {
     object_[key] = fields_json(value);

@@ -72,7 +72,7 @@ struct NetworkReport {
   int processes = 0;              // processes that played for the team in turn
   std::vector<Absence> absences;
   Durations answers;  // wall time from sending a tick's state to the answer in step
-  std::optional<DatagramReport> datagrams = std::nullopt;  // of a team on FIRASim's protocol
+  std::optional<DatagramReport> datagrams = std::nullopt;  // only of a team of TeamKind::firasim
 };
 
 // The lateness of a match at real time or at a multiple of real time.

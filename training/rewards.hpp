@@ -14,6 +14,7 @@
 
 namespace mirocup::training {
 
+// The terms, each with its unit; 1 is a plain number.
 enum class Term {
   goal,           // 1: goals of the own team minus goals of the opponents
   ball_to_goal,   // m: by how much the ball came nearer to the middle of the opponents' goal
@@ -74,8 +75,8 @@ class RewardMeter {
   // Distances between bodies, m, in the frame of the learner's team.
   struct Ways {
     double ball_to_goal = 0.0;
-    double robot_to_ball = 0.0;  // distance of the nearest robot
-    double behind_ball = 0.0;    // of the robot that is nearest to the place behind the ball
+    double robot_to_ball = 0.0;  // from the learner's nearest robot
+    double behind_ball = 0.0;    // from the learner's nearest robot to the place behind the ball
   };
   static Ways ways(const match::Leg& leg, const Learner& learner);
 

@@ -27,7 +27,7 @@ struct CompileLimits {
   double wall = 600.0;        // wall time, s; a longer compilation is the host's fault
   unsigned cpu_seconds = 40;  // processor time of each process of the compiler, s
   std::size_t memory = std::size_t{3} << 29;    // address space of each process, bytes
-  std::size_t library = std::size_t{32} << 20;  // bytes
+  std::size_t library = std::size_t{32} << 20;  // size of the library, bytes
   std::size_t output = std::size_t{64} << 10;   // kept bytes of the compiler's messages
 };
 

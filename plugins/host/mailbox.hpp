@@ -66,7 +66,7 @@ struct CommandPage {
   std::atomic<std::uint32_t> fault_is_traced;  // 1: fault_trace is complete
   CrashTrace fault_trace;
   std::atomic<TeamCall> team_call;  // the team's function that runs or ran last
-  AskedRows asked_parameters;       // rows of ObservationPage::parameters
+  AskedRows asked_parameters;       // the rows of ObservationPage::parameters that were asked for
   char name[64];                    // name of the team from its library; any bytes
   char text[256];                   // why the team does not play, or the text of its exception
   char requests[1024];              // output of write_requests(), only in mirocup-careful-host

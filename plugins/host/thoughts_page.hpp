@@ -19,7 +19,7 @@ struct ThoughtsPage {
     match::ThoughtKind kind;
     std::uint32_t colour;
     std::uint32_t numbers;                  // count of the shape's numbers
-    std::uint32_t text;                     // bytes
+    std::uint32_t text;                     // bytes of the shape's text
     char layer[match::max_layer_name + 1];  // ends with a zero
   };
 

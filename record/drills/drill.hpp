@@ -30,9 +30,9 @@ enum class EventKind { goal, no_goal, save, touch, pass, pose, in_area, no_foul 
 // the opponents' goal.
 enum class Frame { field, ball };
 
-// An event that must happen in a try, or must not. The kind of the event decides which members
-// count. If a drill has an event that must happen, its events that must not happen give no marks;
-// such an event takes all marks of the try if it happens.
+// An event that must happen in a try, or must not. The comment of a member names the kinds of
+// events for which the member counts. If a drill has an event that must happen, its events that
+// must not happen give no marks; such an event takes all marks of the try if it happens.
 struct Event {
   EventKind kind = EventKind::goal;
   double marks = 1.0;

@@ -39,7 +39,7 @@ class Judge {
  private:
   struct State {
     int count = 0;
-    double held = 0.0;         // s
+    double held = 0.0;         // s: how long a pose or a place has been kept without a break
     std::optional<double> at;  // s since the start: when the event came true
   };
   struct Contact {

@@ -10,8 +10,8 @@
 namespace mirocup::plugins {
 
 struct ProjectSources {
-  std::string root;              // the project's folder, which has the first source
-  std::vector<std::string> c;    // paths from the root, sorted
+  std::string root;              // the outermost folder with more in it than one folder
+  std::vector<std::string> c;    // sources in C: paths from the root, sorted
   std::vector<std::string> cpp;  // sources in C++: paths from the root, sorted
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The system calls that a team's process may make (seccomp). A call that is not listed raises
-// SIGSYS, whose handler ends the process: the team loses by an illegal call. Calls that honest
-// libraries try and can do without return an error instead.
+// SIGSYS, whose handler ends the process: the team loses by an illegal call. A call that honest
+// libraries try, but do not need, returns an error instead.
 #pragma once
 
 #include "plugins/host/sandbox/file_access.hpp"
@@ -18,9 +18,9 @@ namespace mirocup::plugins {
 bool filter_for_loading(Folders folders);
 bool filter_for_playing();
 
-// From now on, calls that only loading needs (opening a file, asking for a file, new code) wait for
-// a supervisor, the process that holds the returned descriptor. Once the supervisor has closed the
-// descriptor, such calls return ENOSYS. So the server decides when loading ends, whatever the
+// From now on, calls that only loading needs (opening a file, asking about a file, new code) wait
+// for a supervisor, the process that holds the returned descriptor. Once the supervisor has closed
+// the descriptor, such calls return ENOSYS. So the server decides when loading ends, whatever the
 // library does. Returns -1 if the kernel gives no such descriptor, for example inside another
 // supervisor's sandbox.
 int ask_before_loading();

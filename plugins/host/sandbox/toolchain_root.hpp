@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The file tree of the compiler in the tier `compile`: the system's compiler, headers and
-// libraries, read-only, the headers of a strategy, and one folder in memory.
+// The file tree of the compiler in the tier `compile` (plugins/host/README.md): the system's
+// compiler, headers and libraries, read-only, the headers of a strategy, and one folder in memory.
 #pragma once
 
 #include <cstddef>

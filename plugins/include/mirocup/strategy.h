@@ -251,7 +251,7 @@ typedef struct mirocup_setup {
    area and it was not pushed there. A time, s, grows while the team breaks a law, else it is 0. */
 typedef struct mirocup_counts {
   int32_t defenders;         /* robots in the own goal area; at most defenders_allowed */
-  int32_t area_defenders;    /* robots in the own penalty area */
+  int32_t area_defenders;    /* robots in the own penalty area; at most area_defenders_allowed */
   int32_t attackers;         /* robots in the opponents' goal area; at most attackers_allowed */
   int32_t keeper;            /* the robot that counts as keeper; -1: none */
   int32_t advantage_against; /* 1: the team fouled; the call waits for a goal of the opponents */

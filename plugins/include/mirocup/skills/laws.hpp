@@ -17,7 +17,7 @@ struct Distance {
   double gap = 0.11;        // m between the middles; a nearer attacker backs off
   double speed = 0.3;       // m/s, allowed at that gap
   double rate = 3.5;        // 1/s: additional speed for each metre beyond the gap
-  double slant = 0.3;       // the rule applies from this cosine between motion and keeper
+  double slant = 0.3;       // least cosine of the angle from motion to keeper that slows a robot
   double with_ball = 0.45;  // m/s, allowed with the ball between the two
   double retreat = 0.0;     // m: the robot backs off from a nearer keeper, even if the keeper comes
 };

@@ -21,7 +21,7 @@
 namespace mirocup::strategy {
 
 struct UnivectorField {
-  double radius = 0.075;  // m, of the circles beside the target
+  double radius = 0.075;  // m: radius of the circles beside the target in which the spirals end
   double smooth = 0.07;   // m: a greater value makes a wider way round the target
 };
 
@@ -64,7 +64,7 @@ struct Obstacle {
 struct Avoidance {
   double nearest = 0.085;  // m between the middles; a nearer robot drives only past the obstacle
   double width = 0.045;    // m: a greater width makes avoiding begin more softly
-  double lead_s = 0.15;    // s: obstacles count at their places, seen from the robot, in this time
+  double lead_s = 0.15;    // s: an obstacle counts at its relative place after this time
 };
 
 // Returns `heading`, turned aside by an obstacle on the way. `velocity` is the velocity of the
