@@ -26,9 +26,10 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
 // wedge. Applies to every robot that has a contact and its wheels on the ground. To be called after
 // the impact of these contacts was resolved. The limits of the slip come from Tolerances. For a
 // robot that the impact did not hit, the limit is slow_motion; for one that it hit,
-// first_restitution_threshold, because a contact that only grazes may open at once, and an impulse
-// that stops a faster slip would press on it. For a robot in a series of impacts, it is the slip
-// that the ground would stop within series_height, but at most the approach that the impact ended.
+// first_restitution_threshold; for one that it hit in a series of impacts, the slip that the ground
+// would stop within series_height, but at most the approach that the impact ended. So a contact
+// that only grazes takes no slip: it may open at once, and the impulse that takes the slip would
+// press on it.
 void arrest_slow_slip(const collision::StaticWorld& world,
                       std::span<const trajectory::DriveReference> drives,
                       std::span<collision::Contact> contacts,
