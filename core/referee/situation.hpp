@@ -41,7 +41,7 @@ struct Situation {
   ByRobot<Pose> robots;        // at the end
 
   // The velocity at the start of the tick, before any impact in it, and the commanded velocity,
-  // which is that of the wheel command along the heading at the tick's end.
+  // which the wheel command gives along the heading at the tick's end.
   ByRobot<Vec2> velocity{};
   ByRobot<Vec2> commanded{};
 
