@@ -13,7 +13,7 @@ class JsonReader;
 
 // Applies the keys of the object to `parameters`; other parameters stay unchanged. Complains about
 // an unknown key, a wrong type and an impossible number. A number may also be {"value", "low",
-// "high"}, as in the output of `mirocup identify`, of which only "value" counts.
+// "high"}, as `mirocup identify` writes it; then only "value" counts.
 void read_physics(const JsonReader& json, simulator::Parameters& parameters);
 
 // Reads the corners of a convex polygon around [0, 0], m.

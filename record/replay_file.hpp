@@ -23,7 +23,7 @@ struct Replay {
 // Returns the bytes of a replay file. `robots`: number of robots of a team.
 std::string pack_replay(const replay::Recording& recording, int robots);
 
-// Returns these bytes before compression, and without the magic word.
+// Returns the bytes of pack_replay() before compression, and without the magic word.
 std::string plain_replay(const replay::Recording& recording, int robots);
 
 // The size of a replay according to its record.

@@ -22,8 +22,8 @@ struct Situation {
   match::Start start;
 };
 
-// Bodies may overlap by this much, m: a page that saves a moment rounds to half a millimetre. The
-// first tick separates them.
+// Bodies may overlap by this much, m, because a page that saves a moment rounds places to half a
+// millimetre. The first tick separates the bodies.
 inline constexpr double max_start_overlap = 1e-3;
 
 // Returns a situation with all values; headings are [cos, sin], so that no bit is lost.

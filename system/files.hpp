@@ -131,8 +131,8 @@ class Files {
   // leads to nothing, returns true; reading the file then gives the reason.
   virtual bool exists(const std::string& path) = 0;
 
-  // Makes the folder and its missing parents. Readers::owner closes the folder, but not its
-  // parents, to others, even if it existed before; a folder of another user is refused.
+  // Makes the folder and its missing parents. With Readers::owner the folder, but not its parents,
+  // is closed to other users, even if it existed before; a folder of another user is refused.
   virtual Result<void> make_folder(const std::string& path,
                                    Readers readers = Readers::everybody) = 0;
 
@@ -147,9 +147,9 @@ class Files {
   virtual Result<void> remove(const std::string& path) = 0;
 };
 
-// True if the name is that of a temporary file of Files::write() or IncomingFile: one that
-// a process is writing, or that a process has left that died. Names of earlier versions have the
-// process id instead of random digits.
+// True if the name is that of a temporary file of Files::write() or IncomingFile: a process is
+// writing this file, or died and left it. Names of earlier versions have the process id instead of
+// random digits.
 bool is_unfinished(const std::string& path);
 
 // A file that arrives in parts, for example over a network, and is hashed on its way. It has a

@@ -11,8 +11,8 @@ class Interrupt {
   // this object before any thread.
   Interrupt();
 
-  // True if one of the signals has arrived since the construction. Each call before a signal makes
-  // a system call.
+  // True if one of the signals has arrived since the construction. Until a signal has arrived, each
+  // call makes a system call.
   bool is_asked_for();
 
  private:

@@ -16,10 +16,10 @@ inline constexpr std::size_t memory_of_a_team = std::size_t{1} << 30;
 inline constexpr std::size_t memory_of_a_server = std::size_t{64} << 20;
 inline constexpr std::size_t memory_of_a_leg = 2 * memory_of_a_team + memory_of_a_server;
 
-// Returns how much memory this process and its children could take before the kernel has to end a
-// process, bytes: the least of what the kernel calls available and of the room that each memory
-// cgroup around this process has left. Returns nothing if the kernel does not say. Tests pass
-// another `root`.
+// Returns how much memory, bytes, this process and its children could take before the kernel has to
+// end a process. This is the memory that the kernel calls available or, if less, the room that is
+// left in a memory cgroup around this process. Returns nothing if the kernel does not say. Tests
+// pass another `root`.
 std::optional<std::size_t> available_memory(const std::string& root = "");
 
 // Returns how many processes the kernel has ended for lack of memory since its start; nothing if

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Child processes that run at the same time, and one wait for the first that ends. The kernel kills
-// them with this process.
+// Child processes that run at the same time, and a wait for the first child that ends. The kernel
+// kills the children with this process.
 //
 // One thread uses a ProcessSet. Create it before any other thread, because other threads must not
 // receive its signals.

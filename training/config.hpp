@@ -64,8 +64,8 @@ struct Config {
   std::string text;  // the JSON, without the number of matches and threads
 };
 
-// Reads a configuration. `folder` is a further place to look for house teams, besides those of
-// programs. Errors: Errc::input, with the JSON pointer of the key.
+// Reads a configuration. House teams are also searched in `folder`, besides the places in which
+// programs look. Errors: Errc::input, with the JSON pointer of the key.
 Result<Config> parse_config(std::string_view json, const std::string& folder);
 
 // Returns the setup of the leg of an episode; `seed` draws start and pitch. The error says that a

@@ -44,7 +44,7 @@ struct Rows {
   float* statistics = nullptr;
 };
 
-// Returns a world for legs of a setup. The field must outlive the world.
+// Returns a world for legs with this setup. The field must outlive the world.
 std::unique_ptr<simulator::World> make_world(const match::Setup& setup, const field::Field& field);
 
 class Match {

@@ -29,8 +29,8 @@ const mirocup_observation& lend(const mirocup_observation& observation);
 // Returns the place for the command of the next call of decide(), all zeros.
 mirocup_command& lend_command();
 
-// Writes the team's requests to the system until now into `text`, a request in a line ("file
-// map.txt"), ended with a zero.
+// Writes the requests that the team has made to the system so far into `text`, one in a line ("file
+// map.txt"). A zero ends the text.
 void write_requests(char* text, std::size_t size);
 
 }  // namespace mirocup::plugins

@@ -23,9 +23,9 @@ struct FunctionNames {
 };
 
 // Returns the names of the functions at these addresses, which are relative to the place where the
-// library is loaded. The names are readable, "Mine::decide", without the types of arguments. A name
-// is "" if the file lacks it, for example in a stripped file. Names that are not of C++ stay
-// unchanged. Only the first table of symbols of each kind is read.
+// library is loaded. Names of C++ are made readable, as "Mine::decide", without the types of
+// arguments; other names stay unchanged. A name is "" if the file lacks it, for example in a
+// stripped file. Only the first table of symbols of each kind is read.
 FunctionNames functions_at(std::string_view library, std::span<const std::uint64_t> addresses);
 
 // Returns the readable form of a function's name in a table of symbols; the name itself if it is

@@ -40,7 +40,7 @@ struct Budget {
   double bank = 2.0;
   double bank_per_tick = 1e-3;
   double bank_per_place = 20e-3;
-  // Of the leg: time in which a team neither computes nor waits for a processor.
+  // The time of a leg in which a team may neither compute nor wait for a processor.
   double sleep = 10.0;
 
   // Returns the processor time, s, that a team may have used after a number of ticks and
@@ -53,7 +53,7 @@ struct Budget {
 // The limits of a match in real time. An answer after the deadline is late.
 struct Deadline {
   double tick = 0.0;           // longest time from observation to answer, s
-  int max_late_in_a_row = 90;  // late answers in a row; 3 s at 33 ms
+  int max_late_in_a_row = 90;  // late answers in a row; 3 s with ticks of 33 ms
   int max_late = 600;          // late answers in the leg
 };
 
@@ -71,8 +71,8 @@ struct ProcessTerms {
 
 class ProcessController final : public match::Controller {
  public:
-  // Starts mirocup-plugin-host at `host_program` with the entry. The entry gets the parameters. An
-  // error is a failure of the host; wait_until_ready() returns faults of the library.
+  // Starts the program at `host_program` with the entry and the parameters. An error is a failure
+  // of the host; wait_until_ready() returns faults of the library.
   static Result<std::unique_ptr<ProcessController>> start(const std::string& host_program,
                                                           const SealedEntry& entry,
                                                           const match::Briefing& briefing,

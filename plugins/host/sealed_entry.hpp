@@ -24,7 +24,7 @@ class SealedEntry {
   SealedEntry& operator=(SealedEntry&& other) noexcept;
   ~SealedEntry();
 
-  // Returns the contents of the copy, which are valid as long as this object.
+  // Returns the contents of the copy, which are valid as long as this object lives.
   std::string_view bytes() const { return bytes_; }
 
   // True if the entry is a team in Python: a text, not a library, without a zero byte, and with a

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The output of a team in a leg, bounded and escaped. A line may have the tick in which it began.
+// The output of a team in a leg, bounded and escaped. A line can be marked with the tick in which
+// it began.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +25,7 @@ class TeamLog {
   // Returns the log, escaped, at most 64 KiB.
   std::string text() const;
 
-  // Like text(), with "tick 606: " before each line that has a tick; at most twice as long.
+  // Like text(), with "tick 606: " before each line that is marked; at most twice as long.
   std::string text_with_ticks() const;
 
  private:

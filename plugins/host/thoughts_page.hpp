@@ -2,7 +2,7 @@
 //
 // The shapes that a team draws in one tick, in a fixed form that fits into the mailbox.
 //
-// The team's process writes the page. The server copies it once and trusts nothing on the copy.
+// The team's process writes the page. The server copies it once and trusts nothing in the copy.
 #pragma once
 
 #include "core/match/thought.hpp"

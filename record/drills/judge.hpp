@@ -64,7 +64,7 @@ class Judge {
   const Drill& drill_;
   const match::Leg& leg_;
   std::vector<State> states_;  // of the drill's events
-  double begin_ = 0.0;         // the clock at the start
+  double begin_ = 0.0;         // the leg's clock at the start, s
   double last_clock_ = 0.0;
   std::size_t decisions_ = 0;  // number of decisions judged so far
   bool was_stopped_ = false;   // true: play was stopped since the start

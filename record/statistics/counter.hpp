@@ -38,7 +38,7 @@ class Counter {
     Team team;
     referee::RobotSet robots;
   };
-  // A ball on its way to the other goal, which counts as one shot.
+  // A ball on its way to the opponents' goal; the whole way counts as one shot.
   struct Shot {
     Team team = Team::blue;
     std::size_t mark = 0;            // index of the shot in LegStatistics::shots

@@ -16,7 +16,7 @@ void offset_numbers(std::int32_t offset);
 // Sets whether the team's code runs; only then requests are noted.
 void note_requests(bool are_noted);
 
-// Copies the different requests until now into `text`, a request in a line, ended with a zero.
+// Copies the different requests so far into `text`, one in a line. A zero ends the text.
 void copy_requests(char* text, std::size_t size);
 
 }  // namespace mirocup::plugins

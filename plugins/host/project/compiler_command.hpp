@@ -10,7 +10,8 @@ namespace mirocup::plugins {
 inline constexpr const char* c_compiler = "/usr/bin/gcc";
 inline constexpr const char* cpp_compiler = "/usr/bin/g++";
 
-// The folders of the strategy's headers and of the library of predict.hpp in the sandbox.
+// In the sandbox, /mirocup/include has the strategy's headers, /mirocup/lib the library of
+// predict.hpp.
 #define MIROCUP_COMPILER_OPTIONS                                                                \
   "-O2", "-DNDEBUG", "-ffp-contract=off", "-fPIC", "-fvisibility=hidden", "-I/mirocup/include", \
       "-fno-diagnostics-color", "-fmax-errors=20"

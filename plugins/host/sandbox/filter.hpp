@@ -12,9 +12,9 @@
 
 namespace mirocup::plugins {
 
-// Phase 1 allows enough to load a library and create a team. Phase 2 also forbids opening files,
-// mapping new code and changing the sandbox. Neither phase can be undone. Both functions return
-// false on failure; errno says why.
+// filter_for_loading() allows enough to load a library and create a team. After this,
+// filter_for_playing() also forbids opening files, mapping new code and changing the sandbox.
+// Neither can be undone. Both return false on failure; errno says why.
 bool filter_for_loading(Folders folders);
 bool filter_for_playing();
 

@@ -68,8 +68,8 @@ inline Wheels drive_to_pose(const Setup& setup, const Robot& robot, Point target
   return drive_to(setup, robot, target - run_up * forward, 0.2, fastest);
 }
 
-// Returns the place of the ball after `seconds` if the ball meets neither robots nor walls and
-// slows down a little.
+// Returns about the place of the ball after `seconds` if it meets neither robots nor walls. The
+// ball slows down on its way.
 inline Point ball_after(const Observation& now, double seconds) {
   return ball(now) + (seconds * (1.0 - 0.1 * seconds)) * ball_velocity(now);
 }

@@ -229,7 +229,8 @@ int32_t mirocup_must_leave_area(const mirocup_setup* setup, const mirocup_robot*
 mirocup_wheels mirocup_leave_area(const mirocup_setup* setup, const mirocup_robot* robot);
 
 /* skills/roles.hpp. costs[i] is the cost of own robot i. assign_places() gives places[k] to robot
-   chosen[k], one of `free`; `last` is `chosen` of the last tick. All four have `count` elements. */
+   chosen[k], one of `free`; `last` is `chosen` of the last tick. Each of these four arrays of
+   assign_places() has `count` elements. */
 double mirocup_time_behind(const mirocup_setup* setup, const mirocup_observation* now, int32_t i,
                            double round_s); /* 0.35 */
 int32_t mirocup_cheapest_robot(const mirocup_observation* now, int32_t first, int32_t last,

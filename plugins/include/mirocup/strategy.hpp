@@ -106,8 +106,8 @@ inline Wheels kick_off(const Setup& setup, const Robot& robot) {
   return drive_to(setup, robot, -0.1 * unit(position(robot)), pace, pace);
 }
 
-// Returns the y, m, of the place on the own goal line from which a keeper covers the goal. From the
-// ball, the goal is seen under an angle; the bisector of this angle meets the goal line at this y.
+// Returns the y, m, of the place on the own goal line from which a keeper covers the goal: there
+// the bisector of the angle under which the ball sees the goal meets the line.
 inline double middle_of_goal_view(const Setup& setup, Point ball) {
   const double left = length(ball - Point{-setup.half_length, setup.goal_half_width});
   const double right = length(ball - Point{-setup.half_length, -setup.goal_half_width});

@@ -14,8 +14,8 @@
  * Rows
  *   A match has one slot for each learner: a team, or with "agents": "robot" a robot. The slots of
  *   blue come before those of yellow. Buffers have a row for each slot of each match:
- *   row = match * slots + slot. All values of a row are in the frame of its own team, which always
- *   attacks +x.
+ *   row = match * slots + slot. All values of a row are in the frame of the row's team, which
+ *   always attacks +x.
  *
  * Same result
  *   A match depends only on the configuration, its seeds and its actions, not on the number of
@@ -128,7 +128,7 @@ int32_t mirocup_training_record(mirocup_training* training, int32_t match,
 
 /* save() copies a match, so that restore() can continue it from this moment, in this or another
  * match or process with the same configuration. save() returns the size of the copy in bytes, and
- * writes the copy if `size` is large enough; a copy is never empty, so 0 is an error. It holds the
+ * writes the copy if `size` is large enough; a size of 0 is an error. The copy holds the
  * commands of the episode, so restoring takes as long as playing the episode. restore() asks teams
  * that do not learn for their commands again, so such teams must be deterministic. */
 size_t mirocup_training_save(const mirocup_training* training, int32_t match, void* copy,

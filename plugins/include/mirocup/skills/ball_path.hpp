@@ -202,8 +202,8 @@ struct Crossing {
   double y = 0.0;  // m
 };
 
-// Returns the point at which the ball first reaches the line x = `x` from greater x within `most_s`
-// seconds.
+// Returns the point at which the ball, coming from greater x, first reaches the line x = `x` within
+// `most_s` seconds.
 inline Crossing time_at_x(const Setup& setup, const MovingBall& from, double x,
                           double most_s = 1.5) {
   const double step = 1.0 / 30.0;  // s

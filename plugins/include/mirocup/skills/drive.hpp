@@ -84,8 +84,8 @@ inline Wheels turn_quickly(const Setup& setup, const Robot& robot, double headin
 }
 
 // Drives at up to `speed` m/s in a direction, forwards or backwards, whichever needs the smaller
-// turn. `distance` is the distance to the stop, m. A sliding wheel does not steer, so the turn
-// limits the speed.
+// turn. The robot stops after `distance` (m). A sliding wheel does not steer, so the turn limits
+// the speed.
 inline Wheels head_for(const Setup& setup, const Robot& robot, double direction, double speed,
                        double distance = 1e9) {
   double error = wrapped(direction - robot.heading);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Interception: the earliest point of the ball's path that a robot reaches before the ball does.
-// The path rebounds from walls (ball_path.hpp).
+// The path has rebounds from walls (ball_path.hpp).
 //
 //   intercept       where and when a robot can meet the ball
 //   rough_meeting   the approximate place, at a fraction of the cost
