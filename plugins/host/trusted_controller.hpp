@@ -40,7 +40,7 @@ class TrustedController final : public match::Controller {
   std::uint32_t asked_parameters() const { return facts_->asked.load(std::memory_order_relaxed); }
 
  private:
-  // Data that the team reads while it lives.
+  // The data that the team reads; they live as long as the team.
   struct Facts {
     ParameterTable parameters;
     AskedRows asked{0};

@@ -180,8 +180,8 @@ typedef struct mirocup_setup {
   double control_period; /* time between two calls of decide(), s */
   double half_s;         /* length of a half, s */
 
-  /* The field: |x| <= half_length, |y| <= half_width, its corners cut off by triangles with legs
-     corner_leg; goals |y| < goal_half_width, goal_depth deep. Your goal is at -half_length. m */
+  /* The field, m: |x| <= half_length and |y| <= half_width, without triangles in the corners, whose
+     legs are corner_leg long. A goal has |y| < goal_half_width and is goal_depth deep. */
   double half_length, half_width, corner_leg, goal_half_width, goal_depth;
   double goal_area_depth, goal_area_half_width;       /* without the arc, m */
   double penalty_area_depth, penalty_area_half_width; /* m; 0 in the small league */
@@ -234,7 +234,8 @@ typedef struct mirocup_setup {
      that was built with a newer header must write no member behind these sizes. */
   uint32_t command_size, placement_size;
 
-  /* The limits of the laws: the referee calls when a count of an observation reaches its limit. */
+  /* The limits of the laws: the referee applies a law when a count of the observation reaches its
+     limit. */
   double stalemate_limit_s;       /* limit of stalemate_s */
   double advantage_limit_s;       /* limit of advantage_s */
   double keeper_hold_limit_s;     /* limit of keeper_hold_s */
@@ -314,7 +315,7 @@ typedef struct mirocup_strategy {
   uint32_t size;        /* of this structure, bytes */
   const char* name;     /* name of the team in reports */
 
-  /* Returns a pointer to the data that you keep between calls; with null you refuse to play.
+  /* Returns a pointer to the data that you keep between calls, or null if you refuse to play.
    * `setup` stays valid and unchanged until destroy(). */
   void* (*create)(const mirocup_setup* setup);
 

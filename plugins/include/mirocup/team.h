@@ -58,9 +58,9 @@ enum mirocup_team_news {
   MIROCUP_TEAM_REFUSED = 4  /* the server does not admit this team; see _text() */
 };
 
-/* Opens a connection. Returns null on failure, writes a sentence into `why`, which has room for
- * `size` bytes and may be null, and sets errno: EINVAL if the call is wrong, or the credentials are
- * missing or another team's; ENETDOWN if the network cannot be used. */
+/* Opens a connection. On failure returns null, writes a sentence into `why`, which has room for
+ * `size` bytes and may be null, and sets errno: EINVAL if the call is wrong, or if the credentials
+ * are missing or belong to another team; ENETDOWN if the network cannot be used. */
 mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, size_t size);
 
 /* Waits at most `seconds` of wall time. Returns an enum mirocup_team_news. Ticks come in order,
