@@ -4,8 +4,8 @@
 // places that it asks for.
 //
 // A command is checked once, where it enters the leg. A speed that is not finite becomes 0, a speed
-// out of range is clamped, and both are counted; then it is rounded to the resolution of the radio.
-// From there on the speed is a small integer, so that a record holds exactly what was driven.
+// out of range is clamped, and both are counted; then each speed is rounded to the resolution of
+// the radio. From there on it is a small integer, so that a record holds exactly what was driven.
 #pragma once
 
 #include "core/field/league.hpp"

@@ -86,7 +86,7 @@ struct Decision {
   std::string reason;       // a clause with numbers, for records and spectators
   Vec2 ball{0.0, 0.0};      // where the ball was, m
   Restart restart = Restart::none;
-  End taker = End::left;            // takes the restart; at a free ball, the end with the spot
+  End taker = End::left;            // takes the restart; at a free ball the spot is in its half
   Vec2 spot{0.0, 0.0};              // where the ball is put, m
   Phase phase = Phase::FIRST_HALF;  // the phase that begins, for HALF_END and PHASE
   bool goal_cancelled = false;      // a goal of the same tick does not count

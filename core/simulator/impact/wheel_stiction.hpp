@@ -28,7 +28,7 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
 // robot that the impact did not hit, the limit is slow_motion; for one that it hit,
 // first_restitution_threshold; for one that it hit in a series of impacts, the slip that the ground
 // would stop within series_height, but at most the approach that the impact ended. So a contact
-// that only grazes takes no slip: it may open at once, and the impulse that takes the slip would
+// that only grazes stops no slip: it may open at once, and the impulse that stops the slip would
 // press on it.
 void arrest_slow_slip(const collision::StaticWorld& world,
                       std::span<const trajectory::DriveReference> drives,

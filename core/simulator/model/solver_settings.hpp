@@ -2,10 +2,10 @@
 //
 // All constants of the simulator's solvers that no caller chooses, each with name, unit and reason.
 //
-// Tolerances (tolerances.hpp) are what an accuracy level chooses. The numbers here are the same at
-// every level. They were tuned on crowds of six and of twenty-two robots (build/physics_bars); a
-// change of any of them changes the state hash. The unit stands in brackets; [1] is a share or a
-// factor without unit. Each struct has the name of the file that uses it.
+// An accuracy level chooses the Tolerances (tolerances.hpp). The numbers here are the same at every
+// level. They were tuned on crowds of six and of twenty-two robots (build/physics_bars); a change
+// of any of them changes the state hash. The unit stands in brackets; [1] is a share or a factor
+// without unit. Each struct has the name of the file that uses it.
 #pragma once
 
 namespace mirocup::simulator::settings {

@@ -14,9 +14,9 @@
 // phases.
 // 1. Active set: unknowns at a bound whose gradient points outwards are held.
 // 2. Newton's direction d of the free unknowns, (A + D) d = r. With the twists u that d gives the
-//    bodies this becomes (M + J^T D^-1 J) u = J^T D^-1 r, d = D^-1 (r - J u), over the free rows:
-//    there are fewer bodies than contacts, and only bodies that touch are coupled. Bound pruning:
-//    unknowns that d would push out of their bounds are also held, and d is computed again.
+//    bodies this becomes (M + J^T D^-1 J) u = J^T D^-1 r, d = D^-1 (r - J u), over the free rows.
+//    This is cheaper: bodies are fewer than contacts, and only bodies that touch are coupled. Bound
+//    pruning: unknowns that d would push out of their bounds are also held; d is computed again.
 // 3. Armijo line search along d, projected onto the bounds. The objective falls in every round, so
 //    no bound is exchanged in circles.
 #pragma once

@@ -96,7 +96,7 @@ class TimeStepper {
     int forces = 0;                                    // elements in use of `force`
     std::array<RememberedForce, solver::max_unknowns> force;  // of each body's latest step
   };
-  // These copy only the forces in use: the rest of the target's array keeps its values.
+  // Both copy only the forces in use: the rest of the target's array keeps its values.
   void save(Memory& memory) const { copy(memory_, memory); }
   void recall(const Memory& memory) { copy(memory, memory_); }
 
