@@ -24,7 +24,7 @@ class Option;
 
 namespace mirocup::system {
 
-// An option or an argument of a command. A handle, valid as long as its Commands.
+// An option or an argument of a command. A handle, valid as long as its Commands exists.
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
@@ -59,7 +59,7 @@ class Option {
   CLI::Option* option_;
 };
 
-// A subcommand whose options are declared. A handle, valid as long as its Commands.
+// A subcommand whose options are declared. A handle, valid as long as its Commands exists.
 class Command {
  public:
   explicit Command(CLI::App* app) : app_(app) {}

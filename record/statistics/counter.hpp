@@ -88,7 +88,7 @@ class Counter {
   std::optional<Sender> sender_;  // empty before the first touch, and after a contested tick
   std::uint32_t last_touch_ = 0;  // tick of the last touch
   Vec2 ball_then_{0.0, 0.0};      // place of the ball at the end of that tick
-  ByTeam<Vec2> last_place_{Vec2{0.0, 0.0}, Vec2{0.0, 0.0}};  // of the ball at a team's last touch
+  ByTeam<Vec2> last_place_{Vec2{0.0, 0.0}, Vec2{0.0, 0.0}};  // the ball at each team's last touch
   ByTeam<std::optional<Loss>> last_loss_;
   std::optional<Shot> shot_;
   std::optional<Save> save_;                   // a save that may still fail

@@ -44,7 +44,7 @@ struct Shot {
   bool is_on_line = false;
 };
 
-// Returns the shot of `robot` at the ball that will be at `at`, to `aim`.
+// Returns the shot with which `robot` sends the ball, which will be at `at`, to `aim`.
 inline Shot shot_of(const Robot& robot, Point at, Point aim) {
   Shot shot{at, unit(aim - at)};
   const Point from_ball = position(robot) - at;

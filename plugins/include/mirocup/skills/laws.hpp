@@ -76,8 +76,8 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
 }
 
 // True if a robot that does not attack is about to be in the opponents' goal area, in which only
-// one robot may be. A team whose robots keep away scores less. That pays only under SimuroSot
-// rules, known by their control period, because then the referee often calls this foul.
+// one robot may be. A team whose robots keep away scores less. Keeping away pays only under
+// SimuroSot rules, known by their control period, because there the referee often calls this foul.
 inline bool must_leave_area(const Setup& setup, const Robot& robot) {
   if (setup.control_period > 0.02) return false;
   return robot.x + 0.1 * robot.vx > setup.half_length - setup.goal_area_depth - 0.1 &&

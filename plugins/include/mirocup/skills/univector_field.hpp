@@ -105,8 +105,7 @@ inline double round_others(const Observation& now, int me, const Robot& robot, P
 }
 
 // Drives in the direction `heading` at `speed` m/s, forwards or backwards; a robot that already
-// moves keeps its direction of motion if it can. `turn` is the rate at which `heading` itself
-// turns, rad/s.
+// moves reverses only if it must. `turn` is the rate at which `heading` itself turns, rad/s.
 inline Wheels follow_heading(const Setup& setup, const Robot& robot, double heading, double speed,
                              double turn = 0.0) {
   const double lead_s = 0.06;  // s: a turn continues for this time after a command
