@@ -160,11 +160,11 @@ class JsonReader {
 // The limits of a document. The defaults are many times larger than the files of this project.
 struct JsonLimits {
   std::size_t bytes = 32u << 20;   // most bytes of the whole text
-  std::size_t depth = 64;          // depth of nested lists and objects
-  std::size_t values = 1'000'000;  // numbers, texts, lists, objects, …, all together
+  std::size_t depth = 64;          // most levels of nested lists and objects
+  std::size_t values = 1'000'000;  // most numbers, texts, lists, objects, …, all together
   std::size_t members = 256;       // most members of one object, since keys are compared one by one
-  std::size_t number = 1024;       // characters of one number
-  std::size_t text = 1u << 20;     // bytes of one text or key
+  std::size_t number = 1024;       // most characters of one number
+  std::size_t text = 1u << 20;     // most bytes of one text or key
 };
 
 // A parsed document, or its problem: the text is not JSON or larger than the limits, has a key

@@ -84,7 +84,7 @@ using Run = std::function<Result<int>()>;
 // The subcommands of one program.
 class Commands {
  public:
-  // `name` is the way to call the program: "mirocup league". `footer` ends its help.
+  // `name` is the way to call the program: "mirocup league". `footer` ends the program's help.
   Commands(const std::string& name, const std::string& description, const std::string& version,
            const std::string& footer);
   ~Commands();

@@ -28,7 +28,8 @@ class Sha256 {
 
   void add(std::string_view bytes);
 
-  // Returns the digest of all parts as 64 lower-case hexadecimal digits. To be called once, last.
+  // Returns the digest of all parts as 64 lower-case hexadecimal digits. To be called once, after
+  // the last add().
   std::string digits();
 
  private:

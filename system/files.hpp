@@ -77,7 +77,7 @@ Result<OpenFile> open_file(const std::string& path, const ReadOptions& options);
 
 // True if the name stands for a device, a pipe or something that is already open, for example
 // /dev/null or /dev/stdout. Bytes are written there in place: a file must not replace it, and no
-// temporary file can stand beside it. False if another user has made the name.
+// temporary file can stand beside it. False if the name, such as a link, belongs to another user.
 bool is_written_in_place(const std::string& path);
 
 // Returns a copy of the bytes in memory: a file without a name that can be run and that nobody can

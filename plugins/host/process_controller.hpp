@@ -205,7 +205,7 @@ class ProcessController final : public match::Controller {
   bool is_placing_ = false;    // true: that observation also asks for poses
   WallClock::time_point posted_at_;
   WallClock::time_point asked_at_;        // time of the oldest observation without an answer
-  std::optional<double> delay_at_slice_;  // s: processor_delay() at the first look after asked_at_
+  std::optional<double> delay_at_slice_;  // s: processor_delay() at the first check after asked_at_
   double cpu_at_post_ = 0.0;
   double cpu_ = 0.0;
   double cpu_at_ready_ = 0.0;

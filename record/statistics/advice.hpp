@@ -17,8 +17,8 @@ struct Advice {
   double weight = 0;  // about the number of goals that the weakness cost
 };
 
-// Returns at most three pieces of advice for a team of totals_of(legs), the greatest weight first;
-// none if no figure stands out.
+// Returns at most three pieces of advice for `team`, which is one of totals_of(legs), the greatest
+// weight first; none if no figure stands out.
 std::vector<Advice> advice_for(const std::vector<LegReport>& legs, const TeamTotals& team);
 
 }  // namespace mirocup::statistics

@@ -105,7 +105,7 @@
  *   A library with another MIROCUP_ABI_VERSION is refused: build it again with today's strategy.h.
  *   Within a version, structures with a `size` grow at their end, and `size` tells how many bytes
  *   exist: missing members of your mirocup_strategy count as null, and a library that should also
- *   run on older hosts reads no member behind `size`. Elements of arrays never change, so new facts
+ *   run on older hosts reads no member behind `size`. Structures in arrays never grow, so new facts
  *   of a robot come as separate arrays. docs/interfaces.md has the conventions.
  *
  * Building

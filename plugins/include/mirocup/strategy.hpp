@@ -106,8 +106,8 @@ inline Wheels kick_off(const Setup& setup, const Robot& robot) {
   return drive_to(setup, robot, -0.1 * unit(position(robot)), pace, pace);
 }
 
-// Returns the y, m, of the place on the own goal line from which a keeper covers the goal: there
-// the bisector of the angle under which the ball sees the goal meets the line.
+// Returns the y, m, of the place on the own goal line from which a keeper covers the goal: the
+// bisector of the angle between the two posts, as seen from the ball, meets the line there.
 inline double middle_of_goal_view(const Setup& setup, Point ball) {
   const double left = length(ball - Point{-setup.half_length, setup.goal_half_width});
   const double right = length(ball - Point{-setup.half_length, -setup.goal_half_width});

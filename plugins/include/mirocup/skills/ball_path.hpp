@@ -94,7 +94,7 @@ inline WallAhead wall_ahead(const Setup& setup, Point at, Point along) {
   return first;
 }
 
-// Returns the ball after `seconds` on a floor. At its eighth rebound the ball stays.
+// Returns the ball after `seconds` on a floor. The ball stays where it rebounds the eighth time.
 inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
                          const Rolling& floor) {
   for (int rebounds = 0; rebounds < 8; ++rebounds) {

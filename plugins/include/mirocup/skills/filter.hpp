@@ -62,7 +62,7 @@ struct Uncertainty {
     speed += seconds * push;
   }
   struct Gain {
-    double place, speed;  // factors from a picture's difference to the corrections; speed: 1/s
+    double place, speed;  // correction / difference of picture and prediction; speed: 1/s
   };
   // Reduces the uncertainty by a new picture.
   Gain shrink(double variance) {

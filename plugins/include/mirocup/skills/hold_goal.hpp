@@ -63,7 +63,7 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
     }
   }
   if (const auto y = y_of_coming_shot(now, front)) return math::clamp(*y, -reach, reach);
-  // The keeper stands on the bisector of the angle under which the ball sees the goal.
+  // The keeper stands on the bisector of the angle between the posts, as seen from the ball.
   const double middle = middle_of_goal_view(setup, where);
   const double part = math::clamp(how.line / math::max(depth, 0.001), 0.0, 1.0);
   return math::clamp(middle + part * (where.y - middle), -reach, reach);

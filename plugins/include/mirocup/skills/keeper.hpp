@@ -69,8 +69,8 @@ inline Point cover_point(const Setup& setup, const Observation& now,
     }
   }
   if (const auto y = y_of_coming_shot(now, front)) return at(*y);
-  // If the ball does not come, the keeper stands on the bisector of the angle under which the ball
-  // sees the goal.
+  // If the ball does not come, the keeper stands on the bisector of the angle between the posts, as
+  // seen from the ball.
   const double middle = middle_of_goal_view(setup, where);
   const double part = math::clamp(habits.line / (where.x + setup.half_length), 0.0, 1.0);
   return at(middle + part * (where.y - middle));
