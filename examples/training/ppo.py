@@ -347,7 +347,7 @@ def train(run: Run, minutes: float, stop_after: float) -> None:
             saved = run.seconds
     run.save()
     if stops:
-        print(f"{run.folder}: saved; the same command goes on", file=sys.stderr)
+        print(f"{run.folder}: saved; the same command continues", file=sys.stderr)
         sys.exit(130)
 
 
@@ -390,7 +390,7 @@ def main() -> None:
     parser.add_argument("folder", nargs="?", help="of the run; default: the name of the task")
     parser.add_argument("--minutes", type=float, default=30.0, help="of training, those of earlier starts included")
     parser.add_argument("--stop-after", type=float, default=float("inf"), metavar="MINUTES",
-                        help="of this start; the same command goes on: for jobs with a time limit")
+                        help="of this start; the same command continues: for jobs with a time limit")
     parser.add_argument("--from", dest="start_from", type=Path, help="a run whose network is the first one")
     parser.add_argument("--threads", type=int, default=0, help="0: one for each processor")
     parser.add_argument("--seed", type=int, default=1)

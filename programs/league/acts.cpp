@@ -143,7 +143,7 @@ void add_freeze(system::Commands& commands) {
 
 void add_release(system::Commands& commands) {
   const auto [command, act] =
-      add_act(commands, ActKind::release, "Say which rounds the pages show",
+      add_act(commands, ActKind::release, "Choose the rounds that the pages show",
               {"mirocup league release spring --through r3 --reason \"it is Friday\""});
   act.level = "all";
   command

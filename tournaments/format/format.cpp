@@ -19,7 +19,7 @@ std::string objection(const Format& format, int teams) {
   const int max = max_swiss_rounds(teams);
   if (format.kind == FormatKind::swiss && format.rounds > max) {
     return std::to_string(teams) + " teams can play " + std::to_string(max) +
-           " rounds at most without a second meeting";
+           " rounds at most if no two of them meet twice";
   }
   return "";
 }

@@ -141,7 +141,7 @@ Result<void> CheckRunner::book_no_answer(const Running& check, const system::Exi
     tell_(name + "its check was stopped after " + std::to_string(static_cast<int>(most)) +
           " s of processor time");
   } else if (check.stopped) {
-    tell_(name + "its check gives way to that of another team");
+    tell_(name + "its check gives way to the check of another team");
   } else {
     constexpr std::size_t enough = 500;  // bytes
     tell_(name + "its check ended with " +

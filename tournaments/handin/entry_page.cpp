@@ -38,7 +38,7 @@ std::string entry_page(const Json& entry, const TimeInWords& time_in_words) {
   const std::string number = number_text(entry, "entry", "%.0f");
   Html html;
   html.raw("<p>");
-  html.link("/hand-in", "All of " + text_in(entry, "team"));
+  html.link("/hand-in", "All entries of " + text_in(entry, "team"));
   html.raw("</p>\n");
   const std::string state = text_in(entry, "state");
   const std::string message = text_in(entry, "message");

@@ -22,7 +22,7 @@ web::Reply pin_version(DeskState& state, const std::string& team, const std::str
   // In a ladder each change has legs of its own.
   if (state.book.pins_in_last_hour(team, now) >= max_pins) {
     return problem_reply(429, team + " has chosen its version " + std::to_string(max_pins) +
-                                  " times in the last hour; choose later");
+                                  " times in the last hour; choose again later");
   }
   const auto done = pin_entry(state.files, state.folder, team, *entry, now);
   if (!done) return host_failed(done.error());

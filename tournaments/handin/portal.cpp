@@ -193,7 +193,7 @@ web::Reply Portal::desk(const Call& call) {
 // The forms of the page of the staff.
 web::Reply Portal::act(const Call& call) {
   const auto form = read_form(call.body);
-  if (!form) return problem_reply(400, "the form was not sent to its end, or is too long");
+  if (!form) return problem_reply(400, "the form did not arrive completely, or is too long");
   web::Reply reply = staff_.act(*form);
   ++state_.version;
   return reply;
@@ -221,7 +221,7 @@ web::Reply Portal::own_replay(const Call& call) {
                               "\">Decide about this leg</a></p>");
     return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
   }
-  return problem_reply(404, "there is no leg of yours of this name");
+  return problem_reply(404, "your team has no leg of this name");
 }
 
 // Returns the whole report of the entry whose number is the first part of the path, or the reply
@@ -342,7 +342,7 @@ web::Reply Portal::show_log(const Call& call) {
 
 web::Reply Portal::log_in(const Call& call) {
   const auto form = read_form(call.body);
-  if (!form) return page_reply(400, log_in_page("the form was not sent to its end"));
+  if (!form) return page_reply(400, log_in_page("the form did not arrive completely"));
   const std::lock_guard lock(state_.mutex);
   const auto done =
       doorkeeper_.log_in(call.request, value_of(*form, "token"), state_.options.now());

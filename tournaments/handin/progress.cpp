@@ -186,7 +186,7 @@ std::string change_in_words(const Json& progress) {
   const auto score = [&](int i) {
     return std::to_string(goals[i]) + " : " + std::to_string(against[i]);
   };
-  std::string text = "Entry " + now["entry"].dump() + " against entry " + before["entry"].dump() +
+  std::string text = "Entry " + now["entry"].dump() + " after entry " + before["entry"].dump() +
                      ": rating " + after("%+.0f", now["rating"], before["rating"]) + ", goals " +
                      score(0) + " after " + score(1);
   if (now["fouls"].is_number() && before["fouls"].is_number()) {

@@ -102,7 +102,7 @@ class Forms {
     fixture("rule");
     field("rule", "score", "Score, home:away", true, " placeholder=\"2:1\" size=\"8\"");
     close("rule");
-    open("award", "Give a leg to a team, as by a forfeit");
+    open("award", "Award a leg to a team, as if its opponent had forfeited");
     fixture("award");
     choice("award", "team", "Team", teams_);
     close("award");
@@ -113,21 +113,22 @@ class Forms {
     open("pause", "Pause a team: no leg of it is started");
     choice("pause", "team", "Team", teams_);
     close("pause");
-    open("resume", "Let a paused team play on");
+    open("resume", "Let a paused team play again");
     choice("resume", "team", "Team", teams_);
     close("resume");
     open("withdraw", "Take a team out of the league");
     choice("withdraw", "team", "Team", teams_);
     choice("withdraw", "results", "Its results",
-           {{"keep", "stay; the others win what is left"}, {"annul", "count for nothing"}});
+           {{"keep", "stay; its opponents win the legs that are left"},
+            {"annul", "count for nothing"}});
     close("withdraw");
-    open("freeze", "Take no entries from a time on");
-    field("freeze", "from", "Time, empty for now", false, " placeholder=\"2026-11-30T18:00:00\"");
+    open("freeze", "Stop taking entries, now or at a given time");
+    field("freeze", "from", "Time (if empty: now)", false, " placeholder=\"2026-11-30T18:00:00\"");
     html_.raw(
         "<p><label><input type=\"checkbox\" name=\"lift\" value=\"yes\"> take entries again"
         "</label></p>\n");
     close("freeze");
-    open("release", "Say which rounds the pages show");
+    open("release", "Choose the rounds that the pages show");
     choice("release", "level", "For",
            {{"all", "everybody"}, {"teams", "teams: each its own digest"}, {"hidden", "nobody"}});
     field("release", "through", "The last round that is shown", false,
@@ -136,16 +137,17 @@ class Forms {
     open("close", "End the league: no night follows, no entry is taken");
     close("close");
     open("undo", "Take a decision back");
-    field("undo", "decision", "Its number in the list", true, " type=\"number\" min=\"1\"");
+    field("undo", "decision", "Number of the decision in the list", true,
+          " type=\"number\" min=\"1\"");
     close("undo");
-    open("people", "Say by what name people know a team, and who is in it");
+    open("people", "Set the name of a team that people see, and its members");
     choice("people", "team", "Team", teams_);
     field("people", "display", "Name", false);
     field("people", "members", "Members, with ; between them", false, " size=\"50\"");
     write();
     open("colour", "Give a team the colour of the mark beside its name");
     choice("colour", "team", "Team", teams_);
-    field("colour", "colour", "Colour, empty for none", false,
+    field("colour", "colour", "Colour (if empty: none)", false,
           " placeholder=\"#c03a2b\" size=\"8\" maxlength=\"7\"");
     write();
   }
@@ -218,8 +220,9 @@ class Forms {
 void notice_form(Html& html, const std::string& notice) {
   html.raw(
       "<form class=\"desk\" method=\"post\" action=\"/hand-in/staff\"><input type=\"hidden\" "
-      "name=\"act\" value=\"notice\">\n<p><label for=\"text\">It stands at the top of the front "
-      "page. Empty: nothing does.</label></p>\n<p><textarea id=\"text\" name=\"text\" rows=\"3\"" +
+      "name=\"act\" value=\"notice\">\n<p><label for=\"text\">The notice stands at the top of the "
+      "front page. An empty notice is not shown.</label></p>\n<p><textarea id=\"text\" "
+      "name=\"text\" rows=\"3\"" +
       attribute("maxlength", std::to_string(max_notice)) + ">" + system::html_escaped(notice) +
       "</textarea></p>\n<p><button>Write</button></p></form>\n");
 }
@@ -331,7 +334,7 @@ void attention(Html& html, const std::vector<RosterRow>& rows, const Health& hea
 void decisions_list(Html& html, const LeagueState& state, int done) {
   const auto views = decision_views(state);
   if (views.empty()) {
-    html.cell("p", "Nothing was decided yet.");
+    html.cell("p", "No person has decided anything yet.");
     return;
   }
   html.open_table();
@@ -376,7 +379,7 @@ Result<void> set_people(system::Files& files, const LeagueStore& store, const Fo
   if (const std::string why = objection_to(one); !why.empty()) return fail(Errc::input, why);
   if (const std::string other = looks_like(people, store.state(), team, one.display);
       !one.display.empty() && !other.empty())
-    return fail(Errc::input, other + " is called so already");
+    return fail(Errc::input, other + " has this name already");
   return write_people(files, store.folder(), people);
 }
 
@@ -441,7 +444,7 @@ web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
   const LeagueState& state = store->state();
   Html html;
   html.raw("<p><a href=\"/hand-in\">Back to the staff page</a></p>\n");
-  if (legs.empty()) html.cell("p", "No leg of it is decided, or there is no such team.");
+  if (legs.empty()) html.cell("p", "No leg of this team is decided, or there is no such team.");
   html.open_table();
   html.row("th", {"Leg", "Opponent", "Result", "Replay", "Log", "Own fault", "Decision"});
   for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
@@ -484,7 +487,7 @@ web::Reply StaffDesk::act(const Form& values) const {
     return {.status = 303, .bytes = "", .headers = {{"Location", "/hand-in"}}};
   }
   const auto wanted = act_of(values);
-  if (!wanted) return refused("The form names no act.");
+  if (!wanted) return refused("The form does not say what to decide.");
   const auto lines = perform(files_, *store, *wanted, now_());
   if (!lines) return refused(lines.error().what);
   if (wanted->is_dry_run)

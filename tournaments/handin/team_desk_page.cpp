@@ -130,7 +130,7 @@ void processor_time(Html& html, const Json& legs) {
   }
   const int most = *std::max_element(counts.begin(), counts.end());
   if (most == 0) return;
-  html.cell("h3", "Legs by their slowest tick, processor time");
+  html.cell("h3", "Number of legs by the processor time of their slowest tick");
   html.open_table();
   for (std::size_t i = 0; i < counts.size(); ++i) {
     html.open("tr");
@@ -206,15 +206,15 @@ void latest_first(Html& html, const TeamDesk& desk, const Json& legs, std::ptrdi
   if (legs.begin() != older) table(html, desk, Json(legs.begin(), older));
   if (older == legs.end()) return;
   html.raw("<details>\n");
-  html.cell("summary", "Older ones");
+  html.cell("summary", "Older legs");
   table(html, desk, Json(older, legs.end()));
   html.raw("</details>\n");
 }
 
 void friendly_form(Html& html, const TeamDesk& desk) {
   html.raw(
-      "<form id=\"friendly\" class=\"desk\" hidden>\n<p><label for=\"opponent\">A leg that "
-      "counts for nothing, against</label> <select id=\"opponent\">\n");
+      "<form id=\"friendly\" class=\"desk\" hidden>\n<p><label for=\"opponent\">Play a leg that "
+      "does not count against</label> <select id=\"opponent\">\n");
   for (const std::string& name : desk.opponents)
     html.raw("<option value=\"" + system::html_escaped(name) + "\">" +
              system::html_escaped(desk.shown_name(name)) + "</option>\n");
@@ -292,17 +292,18 @@ void progress_card(Html& html, const TeamDesk& desk) {
   if (!change.empty()) html.cell("p", change);
   progress_table(html, progress);
   html.raw(
-      "<p class=\"small\">Goals in friendlies against each house team. The rating is the "
-      "strength above the mean of the house teams, with its interval of 95 %, and moves with each "
-      "of these legs. Drills: the mean of all, each tried three times with the same seeds.</p>\n");
+      "<p class=\"small\">Goals in friendlies against each house team. The rating is the strength "
+      "above the mean of the house teams, with its interval of 95 %; each of these legs changes "
+      "it. Drills: the mean score of all drills, each tried three times with the same "
+      "seeds.</p>\n");
 }
 
 void friendlies_card(Html& html, const TeamDesk& desk) {
   next_card(html, "Friendlies");
   html.raw(
-      "<p class=\"small\">Each accepted entry plays one leg against each house team, and "
-      "against its neighbours once there is a table. Ten more an hour are yours to choose; "
-      "the other team sees result and replay of those.</p>\n");
+      "<p class=\"small\">Each accepted entry plays one leg against each house team, and against "
+      "its neighbours once there is a table. You can start ten more an hour against a team of your "
+      "choice, which also sees their results and replays.</p>\n");
   if (desk.playing > 0) friendly_form(html, desk);
   html.raw("<div id=\"friendlies\">\n");
   latest_first(html, desk, desk.friendlies, shown_friendlies, friendlies_table);
@@ -328,7 +329,7 @@ std::string team_desk_page(const TeamDesk& desk) {
   next_card(html, "Versions");
   html.raw("<div id=\"entries\">\n");
   if (desk.entries.empty()) {
-    html.cell("p", "Nothing was handed in yet.");
+    html.cell("p", "Your team has not handed in an entry yet.");
   } else {
     entries_table(html, desk);
   }
@@ -340,7 +341,7 @@ std::string team_desk_page(const TeamDesk& desk) {
   progress_card(html, desk);
   friendlies_card(html, desk);
   next_card(html, "Own legs");
-  if (desk.legs.empty()) html.cell("p", "No leg of the league was played yet.");
+  if (desk.legs.empty()) html.cell("p", "Your team has not played a leg of the league yet.");
   Json all = desk.legs;
   all.insert(all.end(), desk.friendlies.begin(), desk.friendlies.end());
   processor_time(html, all);

@@ -38,8 +38,9 @@ std::optional<web::Reply> Uploads::refused_now(const std::string& team) {
     return problem_reply(403, why);
   if (const int waiting = state_.book.queue().unanswered(team);
       waiting >= state_.options.max_waiting) {
-    return problem_reply(429, std::to_string(waiting) + " files of " + team +
-                                  " wait for their checks; hand in when they are answered");
+    return problem_reply(
+        429, std::to_string(waiting) + " files of " + team +
+                 " wait for their checks; hand in again when one of these has its answer");
   }
   auto known = read_hand_ins(state_.files, state_.folder, team);
   if (!known) return host_failed(known.error());
@@ -88,7 +89,8 @@ web::Reply Uploads::take(const web::Request& request, const web::Body& body,
     const std::lock_guard lock(state_.mutex);
     if (auto refused = refused_now(team)) return std::move(*refused);
     if (!upload.begin())
-      return problem_reply(429, team + " is sending other files already; wait for their end");
+      return problem_reply(429,
+                           team + " is sending other files already; wait until they have arrived");
   }
   auto file = system::IncomingFile::begin(state_.folder.uploads() + "/upload");
   if (!file) return host_failed(file.error());
@@ -104,7 +106,7 @@ web::Reply Uploads::take(const web::Request& request, const web::Body& body,
   if (!added && added.error().code == Errc::input) return problem_reply(413, added.error().what);
   if (!added) return host_failed(added.error());
   if (!is_whole || (!length.empty() && file->size() != announced))
-    return problem_reply(400, "the file did not arrive to its end; send it again");
+    return problem_reply(400, "the file did not arrive completely; send it again");
   if (file->size() == 0) return problem_reply(400, "the file is empty");
   const auto sha256 = file->finish();
   if (!sha256) return host_failed(sha256.error());

@@ -185,19 +185,19 @@ class Deciding {
 
   Result<Lines> withdraw() {
     const auto results = from_string<WithdrawnResults>(act_.results);
-    if (!results) return fail(Errc::input, "keep or annul is expected, for its results");
+    if (!results) return fail(Errc::input, "for the team's results, keep or annul is expected");
     if (!state().is_started && state().find_team(act_.team)) {
-      const std::string line = act_.team + " is not in the league, which has not started";
+      const std::string line = act_.team + " is out of the league, which has not started yet";
       if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
       MIROCUP_TRY(const auto lock, system::FileLock::acquire(store_.folder().submitting()));
       MIROCUP_TRY_VOID(leave_before_start(files_, store_, act_.team));
       return Lines{line};
     }
-    return write(
-        signed_as(Withdrawn{.team = act_.team, .results = *results, .why = {}, .by = {}}),
-        act_.team + " has withdrawn; " +
-            (*results == WithdrawnResults::keep ? "its results stay, the others win what is left"
-                                                : "its results count for nothing"));
+    return write(signed_as(Withdrawn{.team = act_.team, .results = *results, .why = {}, .by = {}}),
+                 act_.team + " has withdrawn; " +
+                     (*results == WithdrawnResults::keep
+                          ? "its results stay, its opponents win the legs that are left"
+                          : "its results count for nothing"));
   }
 
   Result<Lines> freeze() {
@@ -285,7 +285,7 @@ Result<std::vector<std::string>> perform(system::Files& files, LeagueStore& stor
   if (const std::string why = objection_to_reason(act.reason); !why.empty())
     return fail(Errc::input, why);
   if (act.by.size() > max_by || system::printable(act.by) != act.by) {
-    return fail(Errc::input, "the name of who decides is one line of text, of at most " +
+    return fail(Errc::input, "the name of the person who decides is one line of text, of at most " +
                                  std::to_string(max_by) + " bytes");
   }
   MIROCUP_TRY_VOID(store.refresh());

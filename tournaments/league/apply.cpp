@@ -53,8 +53,8 @@ Result<void> nothing_follows(const LeagueState& state, int index) {
                                ? changed.part == Part::group && changed.group == source.index + 1
                                : source.kind != TeamSource::Kind::team && source.index == index;
       if (follows) {
-        return fail(Errc::input, f.fixture.id() + " has begun with the winner or the loser of " +
-                                     changed.id() + ": void its legs first");
+        return fail(Errc::input, f.fixture.id() + " depends on the result of " + changed.id() +
+                                     " and has begun: first void the legs that it has played");
       }
     }
   }

@@ -183,7 +183,7 @@ Result<void> spare_class_list(system::Files& files, const Folder& folder, const 
   const bool is_empty = std::filesystem::file_size(list, error) == 0 && !error;
   if (is_empty) std::ofstream(list, std::ios::binary) << kept->substr(end + 1);
   return fail(Errc::input, system::printable(list) + " is the class list" +
-                               (is_empty ? ", and has its lines again" : "") +
+                               (is_empty ? ", whose lines are there again" : "") +
                                ": name another file, as tokens.csv");
 }
 

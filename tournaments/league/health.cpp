@@ -42,7 +42,7 @@ void look_at_nights(system::Files& files, const LeagueStore& store, std::int64_t
   const std::string name = "night " + std::to_string(h.night);
   if (!files.exists(store.folder().nights() + "/" + std::to_string(h.night) + "/report.txt"))
     h.problems.push_back(name + " did not come to its end: " + std::to_string(h.open_legs) +
-                         " legs are open; mirocup league nightly goes on with it");
+                         " legs are open; mirocup league nightly continues it");
   if (state.is_closed || state.file.format.kind != FormatKind::nightly) return;
   const std::int64_t last = seconds_of(h.night_at);
   const std::int64_t gap =
@@ -50,7 +50,7 @@ void look_at_nights(system::Files& files, const LeagueStore& store, std::int64_t
   if (now - last > std::max(gap, day_s) + late_s)
     h.problems.push_back("no night has begun since " + name + " at " +
                          shown_time(state.file, h.night_at) +
-                         ": look at the timer that starts mirocup league nightly");
+                         ": check the timer that starts mirocup league nightly");
 }
 
 // A person who has paused a team knows of it.
@@ -64,7 +64,7 @@ void look_at_teams(const LeagueState& state, Health& h) {
     };
     if (std::any_of(state.decisions.begin(), state.decisions.end(), by_person)) continue;
     h.problems.push_back(team + " is paused: " + state.teams[i].why +
-                         "; league resume or league withdraw decides");
+                         "; league resume lets it play again, league withdraw takes it out");
   }
 }
 
@@ -73,10 +73,10 @@ void look_at_legs(const LeagueState& state, Health& h) {
   for (const FixtureState& f : state.fixtures) {
     for (int leg = 0; leg < f.needed() && !h.is_playing; ++leg) {
       if (f.legs[leg].played || f.legs[leg].host_faults < max_attempts) continue;
-      h.problems.push_back(f.fixture.id() + " leg " + std::to_string(leg + 1) +
-                           ": this computer has spoiled it " +
-                           std::to_string(f.legs[leg].host_faults) +
-                           " times; the journal says why; mend that and play again");
+      h.problems.push_back(
+          f.fixture.id() + " leg " + std::to_string(leg + 1) + ": failed " +
+          std::to_string(f.legs[leg].host_faults) +
+          " times by this computer's fault; the journal has the reasons: mend them and play again");
     }
   }
 }
@@ -95,9 +95,10 @@ Result<void> look_at_hand_ins(system::Files& files, const Folder& folder, std::i
   h.waiting = static_cast<int>(waiting.size());
   for (const auto& [entry, at] : waiting) h.waits_s = std::max(h.waits_s, now - at);
   if (h.waits_s > longest_check_s)
-    h.problems.push_back("hand-ins wait for their checks (" + std::to_string(h.waiting) +
-                         "), the oldest for " + std::to_string(h.waits_s / 60) +
-                         " min: see that mirocup league serve --hand-in runs and what it prints");
+    h.problems.push_back(
+        "hand-ins wait for their checks (" + std::to_string(h.waiting) + "), the oldest for " +
+        std::to_string(h.waits_s / 60) +
+        " min: check that mirocup league serve --hand-in runs, and read what it prints");
   return {};
 }
 
@@ -157,7 +158,7 @@ Result<Health> health(system::Files& files, const LeagueStore& store, std::int64
   MIROCUP_TRY_VOID(look_at_hand_ins(files, store.folder(), now, h));
   if (const std::uintmax_t left = left_on_disk(store.folder()); left < least_left)
     h.problems.push_back(system::mebibytes(left) +
-                         " are left on the disk: make room, as by mirocup league prune");
+                         " are left on the disk: make room, for example by mirocup league prune");
   return h;
 }
 

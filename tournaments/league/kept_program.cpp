@@ -126,7 +126,9 @@ MatchServer MatchServers::open_kept(const std::string& path) {
   if (!is_trusted) {
     server.why_not_kept = path + " is not run: " + is_trusted.error().what;
   } else if (!*is_trusted) {
-    server.why_not_kept = path + " is not run, since this host has not kept it; if you trust the " +
+    server.why_not_kept = path +
+                          " is not run, since this host's list of trusted programs does not have "
+                          "it; if you trust the " +
                           "programs of this folder: mirocup league verify " + folder_.path +
                           " --trust-programs";
   } else if (auto copy = system::sealed_copy(*bytes); !copy) {

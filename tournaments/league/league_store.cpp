@@ -69,8 +69,8 @@ Result<void> LeagueStore::write(const Event& event) {
     // The league without that decision must be one in which all that followed is possible.
     auto without = state_from_lines(state_.file, journal_, journal_.lines().size(), undone->line);
     if (!without) {
-      return fail(Errc::input,
-                  "it cannot be undone, because of what followed: " + without.error().what);
+      return fail(Errc::input, "it cannot be undone, because a later line depends on it: " +
+                                   without.error().what);
     }
     if (auto written = write_line(event); !written) return written;
     return rebuild();

@@ -350,7 +350,7 @@ void Desk::note_try(const Found& found) {
                    .user = found.user,
                    .entry = number_,
                    .is_accepted = false,
-                   .message = team() + ": not looked at to the end"});
+                   .message = team() + ": the check has not come to its end"});
 }
 
 Result<std::optional<Submission>> Desk::receive(const Found& found) {

@@ -111,7 +111,7 @@ class Comparison {
   }
 
   std::string how_to_go_on() const {
-    return run_.keeps_legs ? "the same command goes on with " + run_.folder
+    return run_.keeps_legs ? "the same command continues from " + run_.folder
                            : std::string("nothing can be said (--keep FOLDER keeps the legs)");
   }
 

@@ -81,9 +81,10 @@ void compare_with_journal(const LeagueStore& store, const std::map<std::string, 
     const auto found = legs.find(played->record);
     if (found == legs.end()) {
       done.problems.push_back(
-          {played->record, "is not there, or cannot be read, and the journal names it", 4});
+          {played->record, "is missing or cannot be read, although the journal names it", 4});
     } else if (found->second.state_hash != played->state_hash) {
-      done.problems.push_back({played->record, "is of another leg than the journal means", 4});
+      done.problems.push_back(
+          {played->record, "is the record of another leg than the journal says", 4});
     }
   }
 }
@@ -149,8 +150,8 @@ Result<void> expect_program(system::Files& files, LeagueStore& store,
     return fail(Errc::input,
                 store.folder().path + " is played with " + in_words(before.version, before.game) +
                     "; this is " + in_words(program.version, program.behaviour_hash) +
-                    ", which may play other legs from the same seeds. Play on with the program of "
-                    "before, or with this one from here on: --other-program");
+                    ", which may play other legs from the same seeds. Continue with the program "
+                    "that played before, or give --other-program to continue with this one");
   }
   return store.write(ProgramChosen{
       .version = program.version, .build = program.build, .game = program.behaviour_hash});
@@ -161,8 +162,9 @@ Result<void> keep_program(system::Files& files, const Folder& folder,
   MIROCUP_TRY(const auto server, bytes_of_sibling(files, "mirocup"));
   // Without the list, records are verified by other programs all the same.
   if (const auto listed = trust_program(server); !listed)
-    std::cerr << "mirocup: this program will not be found in " << system::printable(folder.path)
-              << " after an upgrade: " << system::printable(listed.error().what) << '\n';
+    std::cerr << "mirocup: the copy of this program in " << system::printable(folder.path)
+              << " will not be run after an upgrade: " << system::printable(listed.error().what)
+              << '\n';
   const std::string kept = kept_program(folder, program.behaviour_hash);
   // In a folder from elsewhere there may be another program in its place.
   if (const auto there = files.read(kept, {.max_size = max_program});

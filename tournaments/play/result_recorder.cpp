@@ -124,8 +124,9 @@ Result<void> ResultRecorder::pause_after_strikes(const Fixture& fixture) {
             Paused{.team = name, .why = why, .by = {}, .at = {}, .is_by_program = true}));
         !paused)
       return paused;
-    progress_.say(name + " is paused: " + why + "; mirocup league resume or withdraw " +
-                  folder().path + " " + name);
+    progress_.say(name + " is paused: " + why +
+                  "; to end the pause: mirocup league resume or withdraw " + folder().path + " " +
+                  name);
   }
   return {};
 }
@@ -133,7 +134,7 @@ Result<void> ResultRecorder::pause_after_strikes(const Fixture& fixture) {
 Error interrupted_after(const LeagueState& state) {
   return {Errc::interrupted, "interrupted after " + std::to_string(state.played()) + " of " +
                                  std::to_string(state.legs()) +
-                                 " legs; the same command goes on from here"};
+                                 " legs; the same command continues from here"};
 }
 
 }  // namespace mirocup::league

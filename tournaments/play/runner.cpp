@@ -129,7 +129,8 @@ void Runner::tell_people(const LegId& leg, int blue, int yellow) const {
     const TeamConfig& entry = state().file.teams[team];
     if (!entry.is_started_by_people()) continue;
     progress_.say(leg.fixture.id() + " leg " + std::to_string(leg.leg) + ": " + entry.name +
-                  " plays " + (team == blue ? "blue" : "yellow") + ", its program is waited for");
+                  " plays " + (team == blue ? "blue" : "yellow") +
+                  "; the leg waits for its program");
   }
 }
 
@@ -233,9 +234,10 @@ Result<void> Runner::finish(Worker& worker, const system::Exit& exit) {
   const bool has_failed = exit.signal != 0 || exit.code != exit_yes;
   if (has_failed && is_disk_full(recorder_.folder().path, recorder_.last_output_line(leg))) {
     // Another attempt would fail as well, and so would the journal's next line.
-    return fail(Errc::unavailable, "the disk is full: " + std::to_string(state().played()) +
-                                       " of " + std::to_string(state().legs()) +
-                                       " legs are played; make room, and the same command goes on");
+    return fail(Errc::unavailable,
+                "the disk is full: " + std::to_string(state().played()) + " of " +
+                    std::to_string(state().legs()) +
+                    " legs are played; make room, then the same command continues");
   }
   if (exit.signal != 0) {
     return recorder_.book_void(leg,

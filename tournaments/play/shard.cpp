@@ -40,7 +40,7 @@ class Shard {
 
  private:
   static tl::unexpected<Error> stopped() {
-    return fail(Errc::interrupted, "interrupted; the same command goes on from here");
+    return fail(Errc::interrupted, "interrupted; the same command continues from here");
   }
 
   Result<bool> is_played(const LegId& leg) const {
@@ -69,7 +69,7 @@ Result<int> play_shards(system::Files& files, const LeagueStore& store,
   const LeagueState& state = store.state();
   if (!state.is_started) {
     return fail(Errc::input,
-                store.folder().path + " has not started: mirocup league plan does that");
+                store.folder().path + " has not started: mirocup league plan starts it");
   }
   Shard shard(files, store);
   int failed = 0;

@@ -137,8 +137,9 @@ Result<void> SlurmRunner::book_after(const std::vector<SlurmTask>& before, bool 
     if (!is_gone && !task.is_running) continue;
     MIROCUP_TRY(const auto fixtures, fixtures_of(task));
     for (const std::string& fixture : fixtures) {
-      auto booked = is_gone ? book_lost(fixture, "task " + task.id + " has ended without it")
-                            : book_records(fixture);
+      auto booked =
+          is_gone ? book_lost(fixture, "task " + task.id + " has ended without the leg's record")
+                  : book_records(fixture);
       if (!booked) return booked;
     }
   }

@@ -155,8 +155,8 @@ Result<std::string> students(const Overview& o, const std::vector<Graded>& all,
                           "matriculation", "matriculationnumber", "matrikel", "matrikelnummer"});
   if (mail.empty() && number.empty()) {
     return fail(Errc::input,
-                "students are known there by mail or number: give the class list a column \"mail\" "
-                "or \"number\" (league team DIR --csv FILE)");
+                "these columns need the mail or the number of each student: give the class list a "
+                "column \"mail\" or \"number\" (league team DIR --csv FILE)");
   }
   std::string text = layout == GradesLayout::moodle
                          ? system::csv_line({"Email address", "ID number", o.state.file.title})

@@ -306,7 +306,7 @@ std::string statistics_html(const Overview& o, const LegReports& reports) {
   html.close_table();
   html.raw("<p class=\"small\">Counted on the field, in " + std::to_string(reports.size()) +
            " legs: rulings and forfeits change no number here. docs/statistics.md of mirocup "
-           "defines each of them. As files: \n");
+           "defines the numbers. As files: \n");
   for (const char* file : {"statistics.csv", "goals.csv", "statistics.json"}) {
     html.link(file, file);
   }
@@ -353,7 +353,7 @@ std::string team_statistics_html(const Overview& o, const LegReports& reports, i
   html.cell("p", "It lost the ball " + std::to_string(all.own.all_losses()) + " times: " +
                      std::to_string(all.own.losses[0]) + " in its own third of the field, " +
                      std::to_string(all.own.losses[1]) + " in the middle, " +
-                     std::to_string(all.own.losses[2]) + " in that of its opponents.");
+                     std::to_string(all.own.losses[2]) + " in its opponents' third.");
   goals_against(html, o.state, reports, name);
   return html.text();
 }

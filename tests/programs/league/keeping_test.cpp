@@ -116,7 +116,8 @@ TEST(Backup, IsNeitherInsideTheLeagueNorOverAnotherOne) {
   const std::vector<std::string> decision{"r1-f1", "--leg", "1", "--reason", "cable fault"};
   ASSERT_EQ(run(league("void", temporary / "copy", decision)).exit_code, 0);
   const std::string decided = read_file(temporary / "copy/journal.jsonl");
-  EXPECT_NE(refusal_of(temporary / "copy").find("is another league, or a copy that was played on"),
+  EXPECT_NE(refusal_of(temporary / "copy")
+                .find("is a copy of another league, or legs were played in the copy"),
             std::string::npos);
   EXPECT_EQ(read_file(temporary / "copy/journal.jsonl"), decided);
 }

@@ -134,7 +134,7 @@ TEST(League, EndsLikeAnUnstoppedLeagueAfterItWasStopped) {
   running.signal(SIGTERM);
   const Outcome stopped = running.wait();
   EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
-  EXPECT_NE(stopped.err.find("the same command goes on"), std::string::npos);
+  EXPECT_NE(stopped.err.find("the same command continues"), std::string::npos);
   EXPECT_EQ(run(league("status", temporary / "stopped")).exit_code, 1) << "legs are left";
 
   const Outcome resumed = run(league("start", temporary / "stopped"));

@@ -52,7 +52,7 @@ TEST(Progress, ComparesEntriesByTheirLegsAgainstHouseTeams) {
   EXPECT_LT(progress[0]["low"].get<double>(), progress[0]["rating"].get<double>());
   EXPECT_EQ(progress[1]["fouls"], 4.5);
   const std::string change = change_in_words(progress);
-  EXPECT_NE(change.find("Entry 4 against entry 2: rating "), std::string::npos) << change;
+  EXPECT_NE(change.find("Entry 4 after entry 2: rating "), std::string::npos) << change;
   EXPECT_NE(change.find("goals 8 : 1 after 3 : 5, fouls a leg 1.5 after 4.5, slowest tick 0.20 "
                         "after 0.50 ms."),
             std::string::npos)

@@ -195,7 +195,8 @@ TEST_F(StaffPage, LinksToTheThoughtsOfEachTeam) {
   const std::string decide = "href=\"/hand-in?fixture=&amp;leg=1#decide\">decide<";
   EXPECT_NE(page.find(decide), std::string::npos) << page;
   EXPECT_EQ(legs_of("alpha", tutor_).bytes.find(decide), std::string::npos);
-  EXPECT_NE(legs_of("beta", staff_).bytes.find("No leg of it is decided"), std::string::npos);
+  EXPECT_NE(legs_of("beta", staff_).bytes.find("No leg of this team is decided"),
+            std::string::npos);
   EXPECT_EQ(legs_of("\"><script>", staff_).status, 404);
 }
 
