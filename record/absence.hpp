@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One absence of a team that plays over the network: the server notices an absence, and the record
-// lists it.
+// One absence of a team that plays over the network: the server notices it, the record lists it.
 #pragma once
 
 #include <cstdint>

@@ -72,8 +72,7 @@ class JsonReader {
   // True if the value is an object. Otherwise complains.
   bool expect_object() const;
 
-  // True if the value is an object with no keys but these. Otherwise complains about the first
-  // unknown key.
+  // True if the value is an object with only these keys. Otherwise complains about the first other.
   bool expect_object(std::initializer_list<std::string_view> keys) const;
 
   // True if the value is an array of min_size to max_size elements. Otherwise complains.
@@ -94,8 +93,7 @@ class JsonReader {
   JsonReader at(const std::string& key) const;
   JsonReader at(std::size_t index) const;
 
-  // Returns the member with a key. If the member is missing or null, returns nothing and does not
-  // complain.
+  // Returns the member with a key; nothing, without a complaint, if it is missing or null.
   std::optional<JsonReader> find(const std::string& key) const;
 
   // Returns all elements of an array. If the value is not an array or its size is out of range,

@@ -28,8 +28,7 @@ class Sha256 {
 
   void add(std::string_view bytes);
 
-  // Returns the digest of all parts as 64 lower-case hexadecimal digits. To be called once, after
-  // the last add().
+  // Returns the digest of all parts as 64 lower-case hexadecimal digits. To be called only once.
   std::string digits();
 
  private:

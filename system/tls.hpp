@@ -16,8 +16,7 @@
 
 namespace mirocup::system {
 
-// An encrypted connection over a socket that the caller owns. After an error the connection must
-// not be used.
+// An encrypted connection over a socket that the caller owns. Not to be used after an error.
 class TlsConnection {
  public:
   TlsConnection(TlsConnection&&) noexcept;

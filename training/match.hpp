@@ -59,8 +59,7 @@ class Match {
   // says why a team does not start.
   Result<void> reset(std::optional<std::uint64_t> seed, const Rows& rows, simulator::World& world);
 
-  // Plays one step, or starts the next episode if a new episode is due. Must not be called before
-  // reset().
+  // Plays one step, or starts the next episode if one is due. Must not be called before reset().
   Result<void> step(const Rows& rows, const Weights& weights, simulator::World& world);
 
   bool has_started() const { return leg_.has_value(); }

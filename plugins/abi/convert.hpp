@@ -9,8 +9,7 @@
 
 namespace mirocup::abi {
 
-// Leaves the functions and the handle of the host null, because the program that runs the team sets
-// them.
+// Leaves the functions and the handle of the host null: the program that runs the team sets them.
 mirocup_setup to_setup(const match::Briefing& briefing);
 mirocup_observation to_observation(const match::Observation& observation);
 match::Command to_command(const mirocup_command& command);

@@ -18,8 +18,7 @@ namespace mirocup::plugins {
 // The doorbell of one match, shared by the controllers of its teams. Threads: the match's thread.
 class Doorbell {
  public:
-  // A team joins when its process starts and leaves when the process is gone. At most two teams
-  // join.
+  // A team, of at most two, joins when its process starts and leaves when the process is gone.
   void join() {
     assert(members_ < 2);
     ++members_;

@@ -43,8 +43,7 @@ struct Budget {
   // The time of a leg in which a team may neither compute nor wait for a processor.
   double sleep = 10.0;
 
-  // Returns the processor time, s, that a team may have used after a number of ticks and
-  // placements.
+  // Returns the processor time, s, that a team may have used after these ticks and placements.
   double bank_after(std::uint32_t ticks, std::uint32_t places) const {
     return bank + bank_per_tick * ticks + bank_per_place * places;
   }
@@ -103,8 +102,7 @@ class ProcessController final : public match::Controller {
   // Returns the peak of the process's memory, bytes.
   std::size_t peak_memory() const { return child_.peak_memory(); }
 
-  // Returns the rows of the parameter table that the team has asked for so far, according to its
-  // process.
+  // Returns the rows of the parameter table that the team has asked for, according to its process.
   std::uint32_t asked_parameters() const {
     return out_->asked_parameters.load(std::memory_order_relaxed);
   }

@@ -28,8 +28,7 @@ struct LegReport {
 LegReport report_of(const std::string& path, const record::MatchRecord& record,
                     LegStatistics statistics);
 
-// Plays the leg again and counts its statistics. The error names the first tick that is not
-// reproduced.
+// Plays the leg again and counts its statistics. The error names the first tick that differs.
 tl::expected<LegReport, replay::Divergence> count_leg(const std::string& path,
                                                       const record::MatchRecord& record);
 

@@ -110,8 +110,7 @@ struct Goal {
   referee::Law restart_law = referee::Law::toss;      // the law that gave this restart
   Team taker = Team::blue;                            // the team that took this restart
   double since_restart = 0.0;                         // s of play
-  // The last loss of the ball by the conceding team since the restart; empty if the team did not
-  // lose the ball.
+  // The last loss of the ball by the conceding team since the restart; empty if there is none.
   std::optional<Loss> loss;
 };
 

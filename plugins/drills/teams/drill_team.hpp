@@ -207,8 +207,7 @@ class DrillTeam {
     return p;
   }
 
-  // Returns the place `p`, moved aside if a ball that the own keeper clears would hit a robot
-  // there.
+  // Returns the place `p`, moved aside if the own keeper may clear the ball against a robot there.
   Point make_way(Point p) const {
     const bool is_in_front = ball.x < -setup.half_length + setup.goal_area_depth + 0.15 &&
                              p.x > ball.x + 0.02 && p.x < ball.x + 0.5;
@@ -251,8 +250,7 @@ class DrillTeam {
   Point velocity;  // of the ball, m/s
 
  private:
-  // Keeps the goal: stays in the mouth of the goal, where the ball will come, and kicks a slow ball
-  // out of the area.
+  // Keeps the goal: stays in its mouth, where the ball will come, and clears a slow ball.
   Wheels keep_goal(const Robot& robot) const {
     const double line = -setup.half_length + 0.03;
     const Point here = at(robot);
@@ -289,8 +287,7 @@ class DrillTeam {
     return wheels_for(forward, 9.0 * error);
   }
 
-  // Returns `wheels`, or slower speeds if the robot would push an opponent without playing the
-  // ball.
+  // Returns `wheels`; slower speeds if the robot would push an opponent without playing the ball.
   Wheels without_pushing(const Robot& robot, Wheels wheels) const {
     const Point here = at(robot);
     const double forward = forward_of(wheels);
@@ -349,8 +346,7 @@ class DrillTeam {
     return false;
   }
 
-  // Turns a robot square to the field, or moves it away, if the ball would rebound from it into the
-  // own goal.
+  // If the ball would rebound from a robot into the own goal, turns the robot square or moves it.
   void avoid_own_goals(mirocup_command& command) const {
     if (ball.x > 0.0 || length(velocity) < 0.25) return;
     if (rolls_into_own_goal(ball, velocity, -0.02)) return;

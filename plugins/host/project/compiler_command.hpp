@@ -20,8 +20,7 @@ inline constexpr const char* cpp_compiler = "/usr/bin/g++";
   "-std=c++20", "-ftemplate-depth=900", "-Woverloaded-virtual", MIROCUP_COMPILER_OPTIONS
 #define MIROCUP_LINK_OPTIONS "-shared", "-static-libgcc", "-L/mirocup/lib"
 
-// The exit code of mirocup-project-compiler if it refuses the archive. Its last line of output says
-// why.
+// The exit code of mirocup-project-compiler if it refuses the archive; its last line says why.
 inline constexpr int refused_archive = 3;
 
 }  // namespace mirocup::plugins

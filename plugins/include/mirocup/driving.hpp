@@ -74,8 +74,7 @@ inline Point ball_after(const Observation& now, double seconds) {
   return ball(now) + (seconds * (1.0 - 0.1 * seconds)) * ball_velocity(now);
 }
 
-// Returns the smallest distance of a robot's centre from a wall at which the robot can still turn,
-// m.
+// Returns the smallest distance, m, of a robot's centre from a wall at which the robot can turn.
 inline double elbow_room(const Setup& setup) {
   return 0.6 * setup.robot_side;
 }

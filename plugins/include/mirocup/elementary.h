@@ -199,8 +199,7 @@ static inline double mirocup_acos(double x) {
   return mirocup_atan2(sqrt((1.0 - x) * (1.0 + x)), x);
 }
 
-/* Returns the length of (x, y); infinity if x or y is so great (1e154) that its square is not a
- * double. */
+/* Returns the length of (x, y); infinity if the square of x or y is infinite (above 1e154). */
 static inline double mirocup_hypot(double x, double y) {
   return sqrt(x * x + y * y);
 }

@@ -101,8 +101,7 @@ inline Wheels out_of_area(const Setup& setup, int i, const Robot& robot, Wheels 
                   is_near_front ? Point{front + 0.1, robot.y} : Point{robot.x, beside});
 }
 
-// Applies without_pushing() and out_of_area() to all robots of a command except robot 0, the
-// keeper.
+// Applies without_pushing() and out_of_area() to all robots except robot 0, the keeper.
 inline void keep_laws(const Setup& setup, const Observation& now, Command& command) {
   for (int i = 1; i < now.robots; ++i) {
     command.wheels[i] = without_pushing(setup, now, now.own[i], command.wheels[i]);

@@ -92,8 +92,7 @@ Scene scene_of(const Observation& now);
 void show(const Scene& scene, Observation& now);
 void show_to_opponents(const Scene& scene, Observation& now);
 
-// Returns the wheel speeds that a robot drives when commanded `wheels`: rounded, and clamped to the
-// limit.
+// Returns the wheel speeds that a robot drives if commanded `wheels`: rounded and clamped.
 Wheels sent_wheels(const Setup& setup, Wheels wheels);
 
 // Returns a robot after `seconds` under these wheel speeds if it meets neither walls nor bodies.

@@ -143,8 +143,7 @@ mirocup_wheels mirocup_take_pose(const mirocup_setup* setup, const mirocup_robot
                                  mirocup_point target, double heading, double near,
                                  double speed); /* 0.012, 1.8 */
 
-/* skills/ball_path.hpp and intercept.hpp: the path of the ball, and the point where a robot meets
- * it. */
+/* skills/ball_path.hpp and intercept.hpp: the path of the ball, and where a robot meets it. */
 mirocup_ball mirocup_rolled(const mirocup_setup* setup, mirocup_ball moving, double seconds);
 mirocup_crossing mirocup_time_at_x(const mirocup_setup* setup, mirocup_ball moving, double x,
                                    double most_s); /* 1.5 */

@@ -88,8 +88,7 @@ inline Wheels kick_to(const Setup& setup, const Observation& now, const Robot& r
                      pace);
 }
 
-// True if the ball is still on the spot of your own kick-off. The first touch must play the ball
-// backwards.
+// True if the ball is still on the spot of your own kick-off. Your first touch must play it back.
 inline bool must_kick_off(const Observation& now) {
   return now.restart == MIROCUP_KICK_OFF && now.own_restart != 0 &&
          math::hypot(now.ball_x, now.ball_y) < 0.055;
@@ -210,8 +209,7 @@ inline Setup copy_of(const Setup& setup) {
   return copy;
 }
 
-// The base class of a team in C++. It keeps the setup, and has random numbers from the setup's
-// seed.
+// The base class of a team in C++: keeps the setup, and has random numbers from the setup's seed.
 class Team {
  public:
   explicit Team(const Setup& setup) : setup_(copy_of(setup)), random_(setup.seed) {}

@@ -69,8 +69,7 @@ class Connection {
   const mirocup_observation& observation() const {
     return *mirocup_team_observation(connection_.get());
   }
-  // Return false if the call has no effect: place() in a tick without `placing`, send() after the
-  // end.
+  // Return false if the call has no effect: place() without `placing`, send() after the end.
   bool place(const mirocup_placement& placement) {
     return mirocup_team_place(connection_.get(), &placement) == 0;
   }

@@ -26,8 +26,7 @@ struct Rolling {
   double bounce = 0.8;                   // part of the speed towards a wall that a rebound keeps
 };
 
-// Returns the floor and the walls of this leg; on hosts that do not give them, the default values
-// of Rolling.
+// Returns the floor and the walls of this leg; on hosts that do not give them, the defaults.
 inline Rolling rolling_of(const Setup& setup) {
   if (setup.size < offsetof(Setup, corners)) return {};
   // The formulas below divide by both constants, so neither may be 0.
@@ -113,8 +112,7 @@ inline MovingBall rolled(const Setup& setup, MovingBall ball, double seconds,
       ball.velocity = speed_after(time) * along;
       return ball;
     }
-    // Newton's method from below; the distance is concave in time, so the method does not
-    // overshoot.
+    // Newton's method from below; it does not overshoot, because the distance is concave in time.
     double t = wall.distance / speed;
     for (int i = 0; i < 4; ++i) {
       t += (wall.distance - rolled_distance(floor, speed, t)) / math::max(speed_after(t), 1e-3);

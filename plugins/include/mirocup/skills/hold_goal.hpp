@@ -148,8 +148,7 @@ inline Wheels hold_goal(const Setup& setup, const Observation& now, const BallPa
   const double gap = outwards * to_ball.y;
   if (is_beside && std::abs(here.x - post.x) < 0.02 && gap > 0.4 * setup.robot_side &&
       gap < setup.robot_side) {
-    // A ball that is pressed from both sides stays, so a spin throws the ball along the keeper's
-    // side.
+    // A ball that is pressed from both sides stays; a spin throws it along the keeper's side.
     if (is_stuck(now, how.patience)) {
       return wheels_turning_first(setup, 0.0, -outwards * 25.0);
     }

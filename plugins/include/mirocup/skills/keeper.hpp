@@ -87,8 +87,7 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
   const bool is_in_area = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.03 &&
                           std::abs(now.ball_y) < setup.goal_area_half_width + 0.03;
   if (is_slow && is_in_area) {
-    // The ball is before the keeper: spin, so that the keeper's face throws the ball to the nearer
-    // side.
+    // The ball is before the keeper: spin, so that its face throws the ball to the nearer side.
     if (to_ball.x > 0.4 * setup.robot_side && length(to_ball) < setup.robot_side + 0.005) {
       return wheels_for(setup, 0.0, outwards * habits.spin);
     }

@@ -67,8 +67,7 @@ struct Avoidance {
   double lead_s = 0.15;    // s: an obstacle counts at its relative place after this time
 };
 
-// Returns `heading`, turned aside by an obstacle on the way. `velocity` is the velocity of the
-// robot, m/s.
+// Returns `heading`, turned aside by an obstacle on the way. `velocity`: of the robot, m/s.
 inline double around(double heading, Point here, Point velocity, const Obstacle& obstacle,
                      const Avoidance& how = {}) {
   const Point to = obstacle.at - here;
