@@ -68,7 +68,7 @@ struct FirasimPlace {
 // For a league.json without a number: tables compare sums.
 inline constexpr int former_rules = 1;
 inline constexpr int bye_goals_rules = 3;  // from these rules on, tie-breaks of goals count a bye
-inline constexpr int bye_lots_rules = 4;   // from these on, a lot decides who has a bye of a Swiss
+inline constexpr int fair_bye_rules = 4;   // from these on, a Swiss has SwissBye::best_of_lowest
 inline constexpr int current_rules = 4;
 
 struct LeagueFile {
@@ -118,7 +118,7 @@ struct LeagueFile {
   }
   SwissBye swiss_bye() const {
     if (has_former_rules()) return SwissBye::left_over;
-    return rules_version >= bye_lots_rules ? SwissBye::lot : SwissBye::last;
+    return rules_version >= fair_bye_rules ? SwissBye::best_of_lowest : SwissBye::last;
   }
 };
 

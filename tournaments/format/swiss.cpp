@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/format/swiss.hpp"
 
-#include "core/base/random.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -103,18 +102,34 @@ class Pairing {
   std::vector<int> partner_;
 };
 
-// The ranks of all teams, those with the fewest points first. The order of teams with equal points
-// is that of `lots`, or from the last team up if there are none. A bye by the table's order would
-// put teams below their equals twice: a team is last of its group because its opponents had few
-// points, and a late bye brings it no stronger opponent.
-std::vector<int> bye_candidates(const std::vector<SwissStanding>& standings,
-                                const std::vector<std::uint64_t>& lots) {
+// Puts the teams that had a bye behind the other teams with as many points, because they won some
+// of these points without an opponent.
+void put_byes_last(std::vector<SwissStanding>& standings, const std::vector<Fixture>& before) {
+  std::set<int> byes;
+  for (const Fixture& f : before) {
+    if (f.away == no_team) byes.insert(f.home);
+  }
+  const auto key = [&byes](const SwissStanding& s) {
+    return std::pair(-s.points, byes.contains(s.team));
+  };
+  std::stable_sort(
+      standings.begin(), standings.end(),
+      [&key](const SwissStanding& x, const SwissStanding& y) { return key(x) < key(y); });
+}
+
+// The ranks of all teams in the order in which they are asked to have the bye. The last of several
+// teams with equal points has had the weakest opponents. A bye, which brings no stronger opponent,
+// would put it below its equals for good.
+std::vector<int> bye_candidates(const std::vector<SwissStanding>& standings, bool last_first) {
   std::vector<int> ranks(standings.size());
-  std::iota(ranks.rbegin(), ranks.rend(), 0);
-  if (lots.empty()) return ranks;
-  std::stable_sort(ranks.begin(), ranks.end(), [&](int a, int b) {
-    return std::pair(standings[a].points, lots[a]) < std::pair(standings[b].points, lots[b]);
-  });
+  std::iota(ranks.begin(), ranks.end(), 0);
+  if (last_first) {
+    std::reverse(ranks.begin(), ranks.end());
+  } else {
+    std::stable_sort(ranks.begin(), ranks.end(), [&standings](int a, int b) {
+      return standings[a].points < standings[b].points;
+    });
+  }
   return ranks;
 }
 
@@ -131,23 +146,20 @@ int max_swiss_rounds(int teams) {
   return places <= max_look_ahead_teams ? places - 1 : places / 2;
 }
 
-std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
+std::vector<Fixture> swiss_round(std::vector<SwissStanding> standings,
                                  const std::vector<Fixture>& before, int round, int rounds,
-                                 SwissBye bye, std::uint64_t seed) {
+                                 SwissBye bye) {
+  const bool has_bye = standings.size() % 2 == 1;
+  if (has_bye && bye == SwissBye::best_of_lowest) put_byes_last(standings, before);
   // With an odd number the bye takes part as the last team, so no team has it twice.
   std::map<int, int> rank;
   std::vector<int> team;
   std::vector<std::int64_t> points;
-  std::vector<std::uint64_t> lots;
   for (const SwissStanding& s : standings) {
     rank[s.team] = static_cast<int>(team.size());
     team.push_back(s.team);
     points.push_back(s.points);
-    if (bye == SwissBye::lot && round > 1)
-      lots.push_back(mix_seed(mix_seed(seed + static_cast<std::uint64_t>(round)) +
-                              static_cast<std::uint64_t>(s.team)));
   }
-  const bool has_bye = team.size() % 2 == 1;
   if (has_bye) {
     rank[no_team] = static_cast<int>(team.size());
     team.push_back(no_team);
@@ -162,9 +174,11 @@ std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
     have_met[away->second][home->second] = true;
   }
   Pairing pairing(std::move(have_met), std::move(points));
-  const bool is_found = has_bye && bye != SwissBye::left_over
-                            ? pairing.find_from_bye(bye_candidates(standings, lots), rounds - round)
-                            : pairing.find(rounds - round);
+  const bool last_first = bye == SwissBye::last || round == 1;
+  const bool is_found =
+      has_bye && bye != SwissBye::left_over
+          ? pairing.find_from_bye(bye_candidates(standings, last_first), rounds - round)
+          : pairing.find(rounds - round);
   if (!is_found) return {};
 
   std::vector<Fixture> fixtures;

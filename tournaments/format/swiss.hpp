@@ -27,19 +27,20 @@ struct SwissStanding {
 // Which team gets the bye, of the teams that have had none and without which the others can be
 // paired.
 enum class SwissBye {
-  left_over,  // the team that is left when the others have been paired
-  last,       // the last of the standings
-  lot,        // one of the teams with the fewest points, by lot; in the first round the last
+  left_over,       // the team that is left when the others have been paired
+  last,            // the last of the standings
+  best_of_lowest,  // the best of the teams with the fewest points; in the first round the last team
 };
 
 // Returns the fixtures of round `round` (from 1) of `rounds`. `standings` has all teams that still
 // play, the best first; `before` has all earlier fixtures. With an odd number of teams one team
-// gets a bye, a fixture with no_team as away; `seed` seeds its lots. Within a group of equal points
-// the upper half meets the lower half; from the top down, opponents have points as equal as
-// possible. Returns no fixtures if every pairing repeats a meeting, which is possible only beyond
-// max_swiss_rounds() or after teams have left.
-std::vector<Fixture> swiss_round(const std::vector<SwissStanding>& standings,
+// gets a bye, a fixture with no_team as away. Within a group of equal points the upper half meets
+// the lower half; from the top down, opponents have points as equal as possible. In a round with a
+// SwissBye::best_of_lowest, the teams that have had a bye come last in their group. Returns no fixtures if
+// every pairing repeats a meeting, which is possible only beyond max_swiss_rounds() or after teams
+// have left.
+std::vector<Fixture> swiss_round(std::vector<SwissStanding> standings,
                                  const std::vector<Fixture>& before, int round, int rounds,
-                                 SwissBye bye = SwissBye::lot, std::uint64_t seed = 1);
+                                 SwissBye bye = SwissBye::best_of_lowest);
 
 }  // namespace mirocup::league

@@ -350,7 +350,7 @@ void plan(LeagueState& state) {
     std::vector<SwissStanding> standings;
     for (int team = 0; team < teams; ++team) standings.push_back({.team = team, .points = 0});
     schedule.add(swiss_round(standings, {}, 1, state.file.format.swiss_rounds(teams),
-                             state.file.swiss_bye(), state.file.seed));
+                             state.file.swiss_bye()));
   }
 }
 

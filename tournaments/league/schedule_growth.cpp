@@ -180,8 +180,7 @@ void ScheduleGrowth::pair_swiss() {
     }
     std::vector<Fixture> before;
     for (const FixtureState& f : fixtures) before.push_back(f.fixture);
-    const auto next = swiss_round(standings, before, round + 1, rounds, state_.file.swiss_bye(),
-                                  state_.file.seed);
+    const auto next = swiss_round(standings, before, round + 1, rounds, state_.file.swiss_bye());
     if (next.empty()) state_.unpaired_round = round + 1;
     add(next);
     return;
