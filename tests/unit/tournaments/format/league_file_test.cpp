@@ -131,7 +131,8 @@ TEST(LeagueFile, KeepsTheRulesWithWhichItWasMade) {
   EXPECT_FALSE(second.counts_bye_goals);
   EXPECT_EQ(parse_league_file(of_before, "l")->swiss_bye(), SwissBye::left_over);
   EXPECT_EQ(parse_league_file(of_before, "l", 3)->swiss_bye(), SwissBye::last);
-  EXPECT_EQ(parse_league_file(of_before, "l", current_rules)->swiss_bye(), SwissBye::best_of_lowest);
+  EXPECT_EQ(parse_league_file(of_before, "l", current_rules)->swiss_bye(),
+            SwissBye::best_of_lowest);
   EXPECT_TRUE(parse_league_file(of_before, "l", current_rules)->table_rules().counts_bye_goals);
   EXPECT_EQ(parse_league_file(of_before, "l", current_rules)->rules_version, current_rules);
   EXPECT_NE(print_league_file({}).find("\"rules_version\": 4"), std::string::npos);

@@ -247,7 +247,7 @@ TEST(LeagueState, LetsARulingChangeATieOnlyUntilItsWinnerPlays) {
   take(state, leg_result(state, {final, 1}));
   const auto late = validate(state, ruling);
   ASSERT_FALSE(late);
-  EXPECT_NE(late.error().what.find("k2-f1 has begun"), std::string::npos) << late.error().what;
+  EXPECT_NE(late.error().what.find("k2-f1 depends on"), std::string::npos) << late.error().what;
 }
 
 TEST(LeagueState, LetsWhoStaysWinAgainstWhoHasLeftOrCountsNothing) {
