@@ -67,7 +67,7 @@ Result<Json> verify(const std::string& text, const std::string& replay, bool is_
   const auto divergence = replay::verify(record.recording, &found);
   const bool has_other_behaviour = record::has_other_behaviour(record);
   if (!is_whole && (!divergence || has_other_behaviour)) {
-    return fail(Errc::damaged, path + ": its text is not what was written (sha256)");
+    return fail(Errc::damaged, path + ": its text was changed after it was written (sha256)");
   }
   if (divergence && has_other_behaviour)
     return tl::unexpected(record::behaviour_mismatch(path, record, divergence->tick));

@@ -102,7 +102,7 @@ void describe(const Fit& fit, const MatrixXd& covariance, Identified& result) {
     const double half = z95 * std::sqrt(std::max(0.0, covariance(j, j)));
     const double value = value_of(result.guess, free[j]);
     if (!(half < u.widest)) {
-      result.why_not[free[j]] = "it takes " + std::string(u.needs);
+      result.why_not[free[j]] = "the recordings need " + std::string(u.needs);
       continue;
     }
     const auto plain = [&](double v) {
@@ -155,7 +155,7 @@ bool is_open(const Fit::Profile& p, int unknown, double step) {
 void sharpen(Fit& fit, int unknown, double own, double others, Identified& result) {
   const Unknown& u = unknowns()[unknown];
   result.known[unknown].reset();
-  result.why_not[unknown] = "it takes " + std::string(u.needs);
+  result.why_not[unknown] = "the recordings need " + std::string(u.needs);
   double step = std::clamp(own, 0.002, 0.03);
   Fit::Profile profile;
   for (int turn = 0; turn < 4; ++turn) {
@@ -227,8 +227,10 @@ Result<Fit> fit_alone(const std::vector<Footage>& footages, const Guess& start,
     for (Window& window : drives(footage, start.parameters)) fit.add(footage, std::move(window));
   }
   if (fit.is_empty()) {
-    return fail(Errc::input,
-                path + ": no half second of it has a rolling ball, or a robot with known commands");
+    return fail(
+        Errc::input,
+        path +
+            ": it has no half second with a rolling ball or with a robot whose commands are known");
   }
   for (int u = 0; u < unknown_count; ++u) fit.set_free(u, !is_between_bodies(u));
   if (start.parameters.grip == simulator::infinite_grip) fit.set_free(grip_limit, false);
@@ -340,7 +342,7 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
     result = {};
     result.guess = fit.guess();
     describe(fit, covariance, result);
-    const char* const same = "no difference from motor_time_constant shows";
+    const char* const same = "the recordings show no difference from motor_time_constant";
     if (one_lag) result.why_not[turn_lag] = same;
     if (no_brake) result.why_not[brake_lag] = same;
   }
@@ -355,8 +357,9 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
   identify_hits(footages, fit, covariance, result);
   for (int u = 0; u < unknown_count; ++u) {
     if (result.known[u] || !result.why_not[u].empty()) continue;
-    result.why_not[u] = fit.is_free(u) ? "it takes " + std::string(unknowns()[u].needs)
-                                       : "the pitch from which the search began has none";
+    result.why_not[u] = fit.is_free(u)
+                            ? "the recordings need " + std::string(unknowns()[u].needs)
+                            : "the pitch with which the search began does not have this number";
   }
   count_sights(recordings, footages, result);
   return result;

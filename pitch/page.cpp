@@ -118,7 +118,7 @@ void for_each_result(const Identified& r, Visit visit) {
   }
   visit("deceleration of the ball at 0.5 m/s",
         r.has_deceleration ? std::optional<Estimate>(r.deceleration) : std::nullopt,
-        std::string("it takes a ball that rolls freely"));
+        std::string("the recordings need a ball that rolls freely"));
   visit("camera's noise, position, m", std::optional<Estimate>(r.position_noise), std::string());
   visit("camera's noise, heading, rad", std::optional<Estimate>(r.heading_noise), std::string());
 }
@@ -162,8 +162,9 @@ std::string text_of_result(const Identified& r) {
 
 std::string page_of(const Validation& v, const std::string& title) {
   std::string body = formatted(
-      "<p>Errors in mm some pictures of %.4g s ahead, root mean square, without the "
-      "camera's noise of %.2f mm. What is worse than a yardstick is marked.</p>\n",
+      "<p>Root mean square of the prediction's errors in mm, by the number of pictures ahead (one "
+      "each %.4g s), without the camera's noise of %.2f mm. Errors of the simulator that are "
+      "larger than a yardstick's are marked.</p>\n",
       v.period, 1e3 * v.noise);
   for (std::size_t kind = 0; kind < v.cells.size(); ++kind) {
     if (v.cells[kind].front().count + v.cells[kind].back().count == 0) continue;
@@ -188,9 +189,9 @@ std::string page_of(const Validation& v, const std::string& title) {
     for (const ErrorCell& cell : v.cells[kind]) body += formatted("<td>%d</td>", cell.count);
     body += "</tr></table>\n";
   }
-  body += "<h2>What the simulator is worse at</h2>\n<ul>\n";
+  body += "<h2>Where a yardstick is better</h2>\n<ul>\n";
   for (const std::string& o : v.objections) body += "<li>" + system::html_escaped(o) + "</li>\n";
-  if (v.objections.empty()) body += "<li>nothing that the recording shows</li>\n";
+  if (v.objections.empty()) body += "<li>nowhere in these recordings</li>\n";
   body += "</ul>\n<h2>Recorded and predicted</h2>\n" + colour_key(labels_of(v)) +
           "<div class=\"row\">\n";
   for (const Track& track : v.examples) body += picture_of(track);

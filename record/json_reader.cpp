@@ -298,7 +298,7 @@ class TreeBuilder final : public nlohmann::json_sax<JsonReader::Json> {
 
   bool open(Json container) {
     if (levels_.size() >= limits_.depth) {
-      return refuse("lists and objects within each other are at most " +
+      return refuse("lists and objects may be within each other at most " +
                     std::to_string(limits_.depth) + " deep");
     }
     Json* const opened = place(std::move(container));
@@ -318,7 +318,7 @@ class TreeBuilder final : public nlohmann::json_sax<JsonReader::Json> {
                     std::to_string(text.size()));
     }
     if (text.find('\0') != std::string::npos) {
-      return refuse("the character U+0000 is in no text of ours");
+      return refuse("a text may not have the character U+0000");
     }
     return true;
   }

@@ -228,7 +228,7 @@ match::Setup read_setup(const JsonReader& json) {
   if (!rules.has("kickoff_behind")) setup.rules.kickoff_behind = false;
   for (const auto& [key, seconds] :
        {std::pair{"half_s", setup.rules.half_s}, std::pair{"ready_s", setup.rules.ready_s}}) {
-    if (!(seconds <= max_half_s)) rules.at(key).complain("no half is that long");
+    if (!(seconds <= max_half_s)) rules.at(key).complain("it is more than 36000 s");
   }
   setup.stage = json.at("stage").name<referee::Stage>();
   setup.seed = json.at("seed").as<std::uint64_t>();
@@ -244,7 +244,7 @@ match::Setup read_setup(const JsonReader& json) {
   if (const auto given = json.find("situation")) {
     const Situation situation = read_situation(*given);
     if (situation.league != setup.league)
-      given->at("league").complain("it is not the leg's league");
+      given->at("league").complain("the situation must be of the leg's league");
     setup.start = situation.start;
   }
   return setup;
@@ -344,11 +344,11 @@ bool has_other_behaviour(const MatchRecord& record) {
 Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick) {
   const std::string played_by =
       record.software.behaviour_hash.empty() ? "unknown" : record.software.behaviour_hash;
-  return {Errc::damaged, path + ": it was played by another version of the game (" + played_by +
-                             ", mirocup " + record.software.version + "; this program plays " +
-                             MIROCUP_BEHAVIOUR_HASH + ") and goes another way here from tick " +
-                             std::to_string(tick) +
-                             " on, which says nothing against it: use the program that played it"};
+  return {Errc::damaged,
+          path + ": it was played by another version of the game (" + played_by + ", mirocup " +
+              record.software.version + "; this program plays " + MIROCUP_BEHAVIOUR_HASH +
+              ") and differs here from tick " + std::to_string(tick) +
+              " on, which does not mean that the record is wrong: use the program that played it"};
 }
 
 std::string replay_path_of(const std::string& record_path) {
@@ -429,7 +429,7 @@ Result<void> expect_whole(const std::string& text, const std::string& path) {
   const std::size_t begin = text.rfind(",\n");
   if (begin != std::string::npos && text.substr(begin) == checksum_line(text.substr(0, begin)))
     return {};
-  return fail(Errc::damaged, path + ": its text is not what was written (sha256)");
+  return fail(Errc::damaged, path + ": its text was changed after it was written (sha256)");
 }
 
 Result<MatchRecord> load(system::Files& files, const std::string& path, ChecksumPolicy policy) {

@@ -57,9 +57,9 @@ geometry::OutlineCorners read_corners(const JsonReader& json) {
     const Vec2 edge = corners[(i + 1) % n] - corners[i];
     const Vec2 next = corners[(i + 2) % n] - corners[(i + 1) % n];
     if (!(cross(edge, next) > 0.0)) {
-      json.complain("the corners are not those of a convex polygon, one after the other");
+      json.complain("the corners must be those of a convex polygon, in their order");
     } else if (!(cross(corners[i], corners[(i + 1) % n]) > 0.0)) {
-      json.complain("the centre of mass, [0, 0], is not inside");
+      json.complain("the centre of mass, [0, 0], is not inside the polygon");
     }
     outline.x[i] = corners[i].x();
     outline.y[i] = corners[i].y();

@@ -103,7 +103,7 @@ Result<std::string> unpacked_thoughts(std::string_view bytes, const std::string&
   const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
   const bool is_known = size != ZSTD_CONTENTSIZE_UNKNOWN;
   if (size == ZSTD_CONTENTSIZE_ERROR || (is_known && size > most_unpacked)) {
-    return fail(Errc::damaged, path + ": these are no thoughts of a leg");
+    return fail(Errc::damaged, path + ": this is not a file of a leg's thoughts");
   }
   std::string lines(is_known ? size : 0, '\0');
   if (!(is_known ? unpack_at_once(bytes, lines) : unpack_in_parts(bytes, lines)))

@@ -128,10 +128,9 @@ Result<bool> FileLock::signal_holder(const std::string& path, std::span<const in
   // the descriptor was opened, the descriptor stands for it.
   const Descriptor process(pid > 0 ? static_cast<int>(syscall(SYS_pidfd_open, pid, 0)) : -1);
   if (!process.is_open() || identity_of(pid) != text) {
-    return fail(Errc::unavailable,
-                path +
-                    " is locked, but not by a process of this computer that can be told; end it "
-                    "where it was started");
+    return fail(Errc::unavailable, path +
+                                       " is locked, but not by a process of this computer that can "
+                                       "be asked to stop; end the process where it was started");
   }
   for (const int signal : signals) {
     if (syscall(SYS_pidfd_send_signal, process.get(), signal, nullptr, 0) != 0) {

@@ -98,7 +98,7 @@ Result<void> Batch::step() {
   if (buffers_.actions == nullptr) return fail(Errc::input, "no buffer of actions is bound");
   return on_all([&](int i, simulator::World& world) -> Result<void> {
     Match& match = *matches_[static_cast<std::size_t>(i)];
-    if (!match.has_started()) return fail(Errc::input, "it has not been reset yet");
+    if (!match.has_started()) return fail(Errc::input, "the match has not been reset yet");
     return match.step(rows_of(i), config_.weights, world);
   });
 }

@@ -99,7 +99,7 @@ Side read_side(const JsonReader& json, int robots, const std::string& folder) {
   if (const auto parameters = json.find("parameters")) {
     side.parameters = record::read_team_parameters(*parameters);
     if (side.library.empty())
-      parameters->complain("only a library asks for parameters, and none plays");
+      parameters->complain("only a library asks for parameters, but no library plays");
   }
   return side;
 }
@@ -217,7 +217,8 @@ Config read_config(const JsonReader& json, const std::string& folder) {
     const JsonReader other(defaults[index_of(team)], "", none);
     const JsonReader side = json.has(key) ? json.at(key) : other;
     config.sides[index_of(team)] = read_side(side, robots, folder);
-    if (none) json.complain("the house team idle is not there: mirocup is not wholly installed");
+    if (none)
+      json.complain("the house team idle is missing: the installation of mirocup is not complete");
   }
   const auto& [blue, yellow] = config.sides;
   if (!blue.learns() && !yellow.learns()) json.complain("no robot learns");
@@ -227,7 +228,8 @@ Config read_config(const JsonReader& json, const std::string& folder) {
   }
   if (config.observation == ObservationKind::relative && config.agents == Agents::team &&
       std::max(blue.learners.size(), yellow.learners.size()) > 1) {
-    json.complain("the observation \"relative\" is that of one robot: \"agents\": \"robot\"");
+    json.complain(
+        "the observation \"relative\" is of one robot, so it needs \"agents\": \"robot\"");
   }
   return config;
 }

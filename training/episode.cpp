@@ -66,8 +66,9 @@ record::TeamInfo team_info(const Side& side, system::Files& files) {
 Result<void> save_record(const Config& config, const Episode& episode, const std::string& path) {
   MIROCUP_TRY(const auto setup, setup_of(config, episode.seed));
   if (const std::string problem = match::problem_with(setup.parameters); !problem.empty()) {
-    return fail(Errc::input,
-                "the \"pitch\" of this episode makes no robot, so no record: " + problem);
+    return fail(
+        Errc::input,
+        "no record can be made, because no robot fits the \"pitch\" of this episode: " + problem);
   }
   match::Leg leg(setup);
   const int robots = leg.field().robots_per_team;

@@ -53,7 +53,9 @@ TermText text_of(Term term) {
     case Term::foul:
       return {"1", "calls against the opponents minus calls against the own team"};
     case Term::energy:
-      return {"s", "minus the time, times the mean commanded share of the wheel speed limit"};
+      return {
+          "s",
+          "minus the product of the time and the mean commanded share of the wheel speed limit"};
     case Term::time:
       return {"s", "minus time"};
     case Term::vss_goal:

@@ -75,7 +75,7 @@ void check(const JsonReader& json, const StartRanges& start, League league, bool
   if (once->league != league) json.complain("its league is not that of the matches");
   const auto& score = once->start.score;
   if (is_even && score[0] != score[1]) {
-    json.complain("with ends_at_goal the score at the start has to be even");
+    json.complain("with ends_at_goal the score at the start has to be level");
   }
 }
 

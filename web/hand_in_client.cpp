@@ -28,11 +28,11 @@ std::string words_of(httplib::Error error) {
     case httplib::Error::Connection:
       return "the connection was refused, or there is no such computer";
     case httplib::Error::ConnectionTimeout:
-      return "it cannot be reached within the time";
+      return "it cannot be reached within the time limit";
     case httplib::Error::SSLConnection:
       return "it does not speak https; try http://, or another port";
     case httplib::Error::SSLServerVerification:
-      return "its certificate is not one that this computer trusts; --ca names another";
+      return "this computer does not trust its certificate; --ca names a further authority";
     case httplib::Error::Read:
     case httplib::Error::Write:
       return "the connection broke, or it speaks https; try https://";

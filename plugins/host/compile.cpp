@@ -233,7 +233,7 @@ Result<bool> listen_to(int output, pid_t compiler, const CompileLimits& limits, 
   while (true) {
     const auto now = steady_clock::now();
     if (now >= end)
-      return fail(Errc::host, "compiling a source did not end in " +
+      return fail(Errc::host, "compiling a source did not end within " +
                                   std::to_string(static_cast<int>(limits.wall)) + " s");
     if (now >= next_look) {
       const double used = system::use_of_trees({compiler}).at(compiler).seconds;
@@ -273,11 +273,12 @@ std::string read_all(int file, std::size_t size) {
 std::string advice_on(std::string_view words) {
   constexpr std::pair<std::string_view, const char*> usual[] = {
       {"No such file or directory",
-       ": it finds mirocup's headers, the standard library and the files of an archive, no others"},
+       ": the compiler finds only mirocup's headers, the standard library and the files of an "
+       "archive"},
       {"-fmodules-ts", ": modules of C++20 are not taken, so write headers"},
       {"was not declared in this scope",
-       ": a name that it does not know is misspelt, or lacks a header, such as "
-       "\"mirocup/skills/attack.hpp\", or using namespace mirocup::strategy"},
+       ": the name is misspelt, or an include is missing, such as \"mirocup/skills/attack.hpp\", "
+       "or using namespace mirocup::strategy is missing"},
       {"are pure within",
        ": a team has void decide(const Observation& now, Command& command) override"},
       {"but does not override",
@@ -311,7 +312,7 @@ Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result
   } else if (code == not_compiled) {
     done.why_not = "it does not compile; the log has the compiler's words" + advice_on(done.output);
   } else if (code != compiled) {
-    done.why_not = "compiling it takes more time, memory or disk than there is for a team";
+    done.why_not = "compiling it takes more time, memory or disk than a team may use";
   } else {
     struct stat about {};
     if (fstat(result, &about) != 0) return cannot("the library cannot be read");

@@ -158,7 +158,7 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
     return std::nullopt;
   }
   const bool has_ended = length == 0;  // the socket is closed, and nothing was said
-  std::string why = "it ended without a word";
+  std::string why = "its process ended without a message";
   if (length > 0) {
     why.assign(text, static_cast<std::size_t>(length));
     // The text may come in pieces.
@@ -168,7 +168,7 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
   child_.kill();
   if (has_ended && child_.exit_status()->signal == SIGKILL) {
     return HostFailure{"the " + std::string(to_string(team_)) +
-                       " team's process was killed from outside before its sandbox stood"};
+                       " team's process was killed from outside before its sandbox was complete"};
   }
   return HostFailure{"the sandbox of a team could not be built: " + why};
 }

@@ -59,7 +59,8 @@ void note_name(TeamHost& host, std::string_view name) {
   if (!is_name(name)) {
     tell_once(host.has_told_parameter, [&] {
       return "the team asks for the parameter \"" + std::string(name) +
-             "\", which is no name: letters, digits, '_', '-' and '.', a letter first, at most 31";
+             "\", which is no name: at most 31 letters, digits, '_', '-' and '.' are expected, a "
+             "letter first";
     });
   }
   const std::size_t hash = std::hash<std::string_view>()(name);
@@ -90,7 +91,7 @@ void note_shape(void* host, std::uint32_t colour, std::span<const double> number
   }
   if (!match::is_finite(numbers)) {
     tell_once(own.has_told_number, [] {
-      return "the team draws at a place that is not finite; the replay leaves it out";
+      return "the team draws at a place that is not finite; the replay leaves that shape out";
     });
   }
   if (++own.shapes <= match::max_thoughts) return;
@@ -191,7 +192,7 @@ void note_own_name(TeamHost& host, const std::string& name) {
       std::none_of(name.begin(), name.end(), [](char c) { return c > 0 && c < ' '; });
   if (is_plain && name.size() <= max_own_name) return;
   tell_once(host.has_told_name, [] {
-    return "the team's name is not shown: it may have " + std::to_string(max_own_name) +
+    return "the team's name is not shown: it may have at most " + std::to_string(max_own_name) +
            " bytes, on one line";
   });
 }

@@ -17,7 +17,7 @@ if [ $status -ne 0 ] && [ -n "$header" ] &&
   ! LC_ALL=C "$@" -fsyntax-only -DMIROCUP_SIMUROSOT_HEADER_ALONE 2>"$messages.header"; then
   cat "$messages.header" >&2
   echo "$header: this header does not compile by itself." >&2
-  echo "  Cure: write PRELUDE in CMakeLists.txt, and the header that declares what it needs. If no file here does, this is no team." >&2
+  echo "  Cure: in CMakeLists.txt, give after PRELUDE the header that declares what it needs. If no file here declares that, this is no team." >&2
   exit $status
 fi
 cat "$messages" >&2

@@ -126,7 +126,7 @@ Drill read_drill(const JsonReader& json) {
     drill.situation = json.at("situation").json();
     const JsonReader situation = json.at("situation");
     if (situation.has("league") && situation.at("league").name<League>() != drill.league) {
-      situation.at("league").complain("it is not the drill's league");
+      situation.at("league").complain("the situation must be of the drill's league");
     }
   }
   drill.opponent = json.at("opponent").text();

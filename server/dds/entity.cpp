@@ -76,7 +76,7 @@ Result<void> attach(const Entity& waitset, const Entity& reader) {
       condition > 0 ? dds_waitset_attach(waitset.get(), condition, 0) : condition;
   if (attached == DDS_RETCODE_OK) return {};
   return fail(Errc::unavailable,
-              std::string("DDS: nothing to wait on: ") + dds_strretcode(attached));
+              std::string("DDS: waiting for samples is not possible: ") + dds_strretcode(attached));
 }
 
 std::optional<ParticipantKey> participant_of(const Entity& reader, dds_instance_handle_t writer) {

@@ -15,7 +15,8 @@ class FewWords {
 
   void say(const std::function<void(const std::string&)>& tell, const std::string& what) {
     if (left_ <= 0) return;
-    tell(--left_ > 0 ? what : what + "; more of this kind is counted, but not told");
+    tell(--left_ > 0 ? what
+                     : what + "; further messages of this kind are counted, but not printed");
   }
 
  private:

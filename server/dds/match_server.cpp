@@ -161,7 +161,7 @@ void MatchServer::look_after_host() {
   if (is_up != std::exchange(is_up_, is_up)) {
     of_host_.say(seats_.front()->terms().tell,
                  "this host's network interface " + interface_ +
-                     (is_up ? " is up again" : " is down; that is no team's absence"));
+                     (is_up ? " is up again" : " is down; this time counts as no team's absence"));
   }
 }
 
@@ -250,11 +250,12 @@ void MatchServer::close(const match::Leg& leg) {
 }
 
 std::string MatchServer::reach() const {
-  if (interface_ == "lo") return "; it can be on this computer only (--interface lo)";
+  if (interface_ == "lo") return "; with --interface lo, the team must run on this computer";
   const int first = port_of(domain_.number, 0);
   const int last = port_of(domain_.number, server_ports - 1) + 1;
-  return "; firewalls must let UDP to ports " + std::to_string(first) + "-" + std::to_string(last) +
-         " of " + interface_ + " in here, and UDP from here in there; no NAT may be between";
+  return "; firewalls here must let in UDP to ports " + std::to_string(first) + "-" +
+         std::to_string(last) + " of " + interface_ +
+         ", and the team's firewalls UDP from here; no NAT may be between";
 }
 
 std::string MatchServer::last_error() const {

@@ -123,7 +123,7 @@ mirocup_v4_Welcome Seat::answer_to(const mirocup_v4_Hello& hello, dds_instance_h
     return welcome;
   };
   const auto process = participant_of(hello_reader_, writer);
-  if (!process) return answer(Admission::not_now, "your process cannot be seen yet");
+  if (!process) return answer(Admission::not_now, "the match server does not see your process yet");
   if (const std::string why = layout_mismatch(hello.layout); !why.empty()) {
     return answer(Admission::refused, "the team cannot be understood: " + why);
   }
@@ -213,7 +213,7 @@ void Seat::take_commands() {
         if (terms_.tick) take_late(command);
         if (terms_.tick && taken && ++late_in_a_row_ == late_commands_to_tell) {
           tell(of_lateness_, "answers come " + milliseconds_text(*taken - *terms_.tick) +
-                                 " too late; what came last is driven");
+                                 " too late; the robots drive the last command that came");
         }
         break;
       case Arrival::repeated:

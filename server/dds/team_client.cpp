@@ -285,10 +285,10 @@ std::string TeamClient::last_error() const {
   }
   const std::string reasons =
       request_.credentials.empty()
-          ? "does it run, under this ID, and can it be reached by UDP? If the match is played with "
-            "credentials, it answers only a team that shows its own"
+          ? "does it run, under this ID, and can it be reached by UDP? If the match uses "
+            "credentials, its server answers only teams that give theirs"
           : "does it run, under this ID, and can it be reached by UDP? The match must be played "
-            "with credentials of the same league, and yours be neither revoked nor expired";
+            "with credentials of the same league, and yours must be neither revoked nor expired";
   if (const std::string type = type_of_server(); !type.empty()) {
     return "the match is there, but its server sends " + type + ", and this program needs " +
            mirocup_v4_WorldState_desc.m_typename + ": both need the same version of mirocup";

@@ -148,7 +148,9 @@ std::size_t numbers_of(Sight sight, int robots) {
 Result<void> check_actors(const Policy& policy, const std::string& path) {
   for (const auto& actor : policy.actors) {
     if (actor.size() != policy.actors.front().size()) {
-      return fail(Errc::input, path + ": spec: /slots: learners of one team have as many robots");
+      return fail(
+          Errc::input,
+          path + ": spec: /slots: all learners of a team must have the same number of robots");
     }
     if (policy.sight == Sight::relative && actor.size() != 1) {
       return fail(Errc::input, path +

@@ -69,7 +69,7 @@ function follow({ url, events }) {
         const reply = await fetch(url);
         if (reply.ok) show(await reply.json());
       } catch {
-        say('The server does not answer. What it has taken is not lost; this page asks again.');
+        say('The server does not answer. Files that it has taken are not lost; this page asks again.');
       }
       if (!isOver) setTimeout(ask, pause);
     };

@@ -321,7 +321,7 @@ export class Play {
   #aim() {
     if (!this.driven) return 'To play, choose a robot under “You drive”.';
     const end = this.driven === this.status.left ? 'right' : 'left';
-    return `You score on the ${end}. While the game runs, hold the mouse or a finger where your robot shall go, and F or “Shoot” to shoot.`;
+    return `You score on the ${end}. While the game runs, hold the mouse or a finger where your robot shall go, and hold F or “Shoot” to shoot.`;
   }
 
   #showDragged() {
@@ -453,7 +453,7 @@ export class Play {
     };
     const first = link(`${name}.json`, record, 'application/json');
     get('files').replaceChildren('Files: ', first, ' and ', link(`${name}.replay.zst`, replay, 'application/zstd'));
-    get('told').textContent = `The leg up to here is in two files, to be kept in one folder: mirocup verify ${name}.json reproduces them.`;
+    get('told').textContent = `The leg up to here is in two files; keep both in one folder: mirocup verify ${name}.json reproduces them.`;
     first.focus();
   }
 

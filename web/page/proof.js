@@ -31,7 +31,7 @@ function valueOf(file, name) {
   return new Promise((resolve, reject) => {
     const script = element('script');
     script.src = file;
-    script.addEventListener('load', () => (globalThis[name] ? resolve(globalThis[name]) : reject(new Error(`${file} is not what it was`))));
+    script.addEventListener('load', () => (globalThis[name] ? resolve(globalThis[name]) : reject(new Error(`${file} was changed after it was written`))));
     script.addEventListener('error', () => reject(new Error(`the file ${file} is not beside this page`)));
     document.head.append(script);
   });

@@ -63,7 +63,7 @@ std::string objection_to_name(const std::string& path, const std::vector<std::st
     const bool is_plain = std::all_of(part.begin(), part.end(), [](unsigned char c) {
       return c >= ' ' && c != 0x7f && c != '\\' && c != '"';
     });
-    if (!is_plain) return "has a character in its name that names of files do not have";
+    if (!is_plain) return "has a character in its name that is not allowed in names of files";
   }
   return "";
 }
@@ -102,7 +102,7 @@ class Unpacking {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     const int out = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
-    if (error || out < 0) return refuse(name, "is there twice, or as a folder, too");
+    if (error || out < 0) return refuse(name, "is there twice, or both as a file and as a folder");
     auto copied = copy(name, out);
     close(out);
     return copied;
@@ -116,7 +116,9 @@ class Unpacking {
     while (true) {
       const auto count = archive_read_data(from_, bytes.data(), bytes.size());
       if (count == 0) return {};
-      if (count < 0) return refuse(name, "cannot be read: it is damaged or packed in another way");
+      if (count < 0)
+        return refuse(name,
+                      "cannot be read: it is damaged, or packed in a way that is not supported");
       const auto read = static_cast<std::uint64_t>(count);
       size += read;
       read_ += read;

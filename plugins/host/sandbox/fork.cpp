@@ -134,7 +134,7 @@ Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& ru
   if ((!has_namespaces || write_id_maps(pid)) && send_byte(line) && receive_byte(line) &&
       send_byte(line))
     return pid;
-  const auto error = no_sandbox("a team's process cannot have a user of its own");
+  const auto error = no_sandbox("a team's process cannot get a separate user");
   kill(pid, SIGKILL);
   waitpid(pid, nullptr, 0);
   return error;

@@ -28,10 +28,10 @@ bool can_trap_system_calls() {
 
 // What helps where a step of T2 is refused; docs/containers.md has it for each kind of container.
 const char* cure_of(const Error& refused) {
-  const bool is_user = refused.what.find("user of its own") != std::string::npos;
+  const bool is_user = refused.what.find("separate user") != std::string::npos;
   if (is_user && geteuid() == 0) return "run it as another user, in a container by --user 1000";
   return "a container needs a profile that allows it, see docs/containers.md; elsewhere an "
-         "administrator allows namespaces of users";
+         "administrator can allow user namespaces";
 }
 
 // In the child: tells the parent which step was refused.
@@ -57,7 +57,8 @@ Result<std::string> try_namespaces() {
   while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
   const bool has_ended = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  if (!has_ended) return fail(Errc::unavailable, "a root of its own: its process died");
+  if (!has_ended)
+    return fail(Errc::unavailable, "a separate root folder: the process that tried it died");
   return std::string(text.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
 }
 

@@ -51,7 +51,7 @@ TEST(Identify, SaysWhatARecordingDoesNotTell) {
   const auto found = identify({recording}, {});
   ASSERT_TRUE(test_support::is_ok(found));
   EXPECT_FALSE(found->known[8]);
-  EXPECT_EQ(found->why_not[8], "it takes a ball that hits a wall");
+  EXPECT_EQ(found->why_not[8], "the recordings need a ball that hits a wall");
   EXPECT_FALSE(found->known[0]);
   ASSERT_TRUE(found->has_deceleration);
   EXPECT_NEAR(found->deceleration.value, a, 0.02);
@@ -90,7 +90,7 @@ TEST(Identify, SaysNothingOfWallsThatNothingHits) {
   for (const int u : {ball_on_wall, ball_on_robot, robot_on_wall, robot_on_robot}) {
     EXPECT_FALSE(found->known[u]) << unknowns()[u].name;
   }
-  EXPECT_EQ(found->why_not[robot_on_wall], "it takes a robot that hits a wall");
+  EXPECT_EQ(found->why_not[robot_on_wall], "the recordings need a robot that hits a wall");
 }
 
 // Catches a validation that cannot fail: of a pitch that is wrong.

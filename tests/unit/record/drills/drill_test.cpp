@@ -77,7 +77,7 @@ TEST(Drill, NamesFileAndKeyOfAMistake) {
   EXPECT_NE(error_with("/success/0/area", {0, 0, 1, 1}).find("/success/0/area"), std::string::npos)
       << "a goal has no area";
   EXPECT_NE(error_with("/success", Json::array()).find("/success"), std::string::npos);
-  EXPECT_NE(error_with("/situation/league", "middle").find("not the drill's league"),
+  EXPECT_NE(error_with("/situation/league", "middle").find("of the drill's league"),
             std::string::npos);
   EXPECT_NE(error_with("/robots", {0}).find("/robots"), std::string::npos);
   const std::string key = error_with("/situation/blue/0/speed", 1);

@@ -165,7 +165,7 @@ TEST(Journal, NamesTheLineThatIsLargerThanAnyOfOurs) {
       error_of("\"kind\":" + std::string(200'000, '[') + std::string(200'000, ']')).substr(0, 29),
       "journal.jsonl: line 1: /kind/");
   EXPECT_EQ(error_of("\"kind\":\"a\\u0000\""),
-            "journal.jsonl: line 1: /kind: the character U+0000 is in no text of ours");
+            "journal.jsonl: line 1: /kind: a text may not have the character U+0000");
   EXPECT_EQ(error_of("\"why\":\"" + std::string(9u << 20, 'x') + "\""),
             "journal.jsonl: line 1: /: it has 9437284 bytes; at most 8388608 are read");
 }
