@@ -125,8 +125,9 @@ void for_each_result(const Identified& r, Visit visit) {
 
 std::string summary_of(const Identified& r) {
   return formatted(
-      "%d windows of half a second fit; %d are left out, because no motion explains them. A "
-      "picture misses %.1f %% of the bodies; %.1f %% were seen at wrong places.",
+      "The search explains %d windows of half a second; it leaves out %d windows, because no "
+      "motion explains them. A picture misses %.1f %% of the bodies; %.1f %% were seen at wrong "
+      "places.",
       r.windows, r.unexplained, 100.0 * r.unseen, 100.0 * r.outliers);
 }
 
@@ -200,8 +201,8 @@ std::string page_of(const Validation& v, const std::string& title) {
 
 std::string text_of_result(const Validation& v) {
   std::string text = formatted(
-      "errors in mm, without the camera's noise of %.2f mm; pictures of %.4g "
-      "s ahead: ",
+      "errors in mm, without the camera's noise of %.2f mm; number of pictures ahead, one each "
+      "%.4g s: ",
       1e3 * v.noise, v.period);
   for (const int h : horizons) text += formatted("%d ", h);
   text += "\n";

@@ -298,8 +298,8 @@ class TreeBuilder final : public nlohmann::json_sax<JsonReader::Json> {
 
   bool open(Json container) {
     if (levels_.size() >= limits_.depth) {
-      return refuse("lists and objects may be within each other at most " +
-                    std::to_string(limits_.depth) + " deep");
+      return refuse("lists and objects may be nested at most " + std::to_string(limits_.depth) +
+                    " deep");
     }
     Json* const opened = place(std::move(container));
     if (opened == nullptr) return false;

@@ -239,7 +239,7 @@ Result<Replay> read_plain_replay(const std::string& plain, const ReplayShape& sh
     *count = get(plain, at, 4);
   }
   if (counts.robots != static_cast<std::size_t>(shape.robots)) {
-    return damaged("it is of another number of robots than the record");
+    return damaged("it has another number of robots than the record");
   }
   if (counts.ticks != shape.ticks) {
     return damaged("it has another number of ticks than the record says");
@@ -268,7 +268,7 @@ Result<Replay> read_plain_replay(const std::string& plain, const ReplayShape& sh
   }
   replay.asked.resize((plain.size() - counts.plain_size()) / counts.asked_size());
   if (!get_asked(plain, at, replay.asked, counts.robots)) {
-    return damaged("a placement at a restart is not in a tick of a restart");
+    return damaged("it has a placement in a tick without a restart");
   }
   return replay;
 }

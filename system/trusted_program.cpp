@@ -36,7 +36,7 @@ std::string objection(const struct statx& about, bool is_in_shared_folder) {
   if (others_write(about) && !is_shared_folder(about))
     return "may be written by others than its owner";
   if (is_in_shared_folder && !S_ISDIR(about.stx_mode) && about.stx_nlink > 1)
-    return "has a second name, in a folder that all users share";
+    return "has a second name (a hard link) in a folder that all users share";
   if (is_in_shared_folder && (about.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0)
     return "is mounted in a folder that all users share";
   return "";

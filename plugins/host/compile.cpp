@@ -344,7 +344,7 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
   if (language == SourceLanguage::project) {
     program = system::Descriptor(open(kit.project_compiler.c_str(), O_RDONLY | O_CLOEXEC));
     if (!program.is_open())
-      return fail(Errc::unavailable, kit.project_compiler + ": it is missing here");
+      return fail(Errc::unavailable, kit.project_compiler + ": this program is missing here");
     work.command = project_command;
     work.is_program_given = true;
     work.program = program.get();

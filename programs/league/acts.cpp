@@ -108,7 +108,7 @@ void add_withdraw(system::Commands& commands) {
               {"mirocup league withdraw spring beta --reason \"left the course\""});
   add_team(command, act);
   act.results = "keep";
-  command.option("--results", act.results, "Keep its results, or annul them")
+  command.option("--results", act.results, "Keep the team's results, or annul them")
       .one_of({"keep", "annul"})
       .shows_default();
   add_reason(command, act);

@@ -372,7 +372,9 @@ void add_compare(system::Commands& commands) {
       .shows_default();
   command.option("--half", r.half_s, "Length of a half in seconds")
       .between(record::min_half_s, record::max_half_s);
-  command.option("--conditions", r.conditions, "exact, hall or camera (default: as in a match)")
+  command
+      .option("--conditions", r.conditions,
+              "Conditions: exact, hall or camera (default: as in a match)")
       .one_of({"exact", "hall", "camera"});
   command.option("--seed", r.seed, "Seed of the fixtures").is_a_seed().shows_default();
   command

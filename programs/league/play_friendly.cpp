@@ -56,7 +56,7 @@ Result<int> run_play_friendly(const PlayFriendlyOptions& options) {
 
 void add_play_friendly(system::Commands& commands) {
   const auto [command, o] = commands.add<PlayFriendlyOptions>(
-      {"play-friendly", "", "What serve --hand-in starts for each friendly", {}},
+      {"play-friendly", "", "Play a friendly, as a child of serve --hand-in", {}},
       run_play_friendly);
   add_folder(command, o.folder);
   command.option("TEAM", o.team).required();

@@ -29,7 +29,7 @@ Result<int> run_prune(const PruneOptions& options) {
   const int last = static_cast<int>(state.nights.size());
   if (state.file.format.kind != FormatKind::nightly)
     return fail(Errc::input,
-                folder.path + " has no nights: only leagues of the format nightly have");
+                folder.path + " has no nights: only leagues of the format nightly have nights");
   if (options.before > last)
     return fail(Errc::input, "--before " + std::to_string(options.before) +
                                  ": the last night keeps its pages, so at most " +

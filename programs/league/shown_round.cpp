@@ -196,7 +196,7 @@ std::optional<web::Page> ShownRound::leg(const Leg& leg) {
   if (!data) {
     std::cerr << "mirocup: " << leg.record
               << " cannot be shown: this program does not reproduce it. Call mirocup league "
-                 "publish: it has the leg's page made by the program that played the leg\n";
+                 "publish: the program that played the leg then makes the leg's page\n";
     return std::nullopt;
   }
   for (const char* colour : {"blue", "yellow"})

@@ -22,7 +22,7 @@ Result<int> run_start(const StartOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
   MIROCUP_TRY(auto held,
-              hold_league(disk, folder, "; mirocup league stop " + folder.path + " ends that"));
+              hold_league(disk, folder, "; to stop that, call mirocup league stop " + folder.path));
 
   auto progress = make_progress_reporter();
   MIROCUP_TRY(const auto played, play_league(disk, std::move(held.store), *progress, options.play));

@@ -156,7 +156,7 @@ void add_submit(system::Commands& commands) {
       .needs(run);
   command
       .flag("--lockstep", o.lockstep,
-            "Legs of that program wait for its answers, not for the clock")
+            "Let the legs of that program wait for its answers, not for the clock")
       .excludes(inbox);
   command.flag("--json", o.json, "Print one JSON object for each entry");
 }

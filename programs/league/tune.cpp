@@ -301,7 +301,9 @@ void add_tune(system::Commands& commands) {
       .shows_default();
   command.option("--half", o.run.half_s, "Length of a half in seconds")
       .between(record::min_half_s, record::max_half_s);
-  command.option("--conditions", o.run.conditions, "exact, hall or camera (default: as in a match)")
+  command
+      .option("--conditions", o.run.conditions,
+              "Conditions: exact, hall or camera (default: as in a match)")
       .one_of({"exact", "hall", "camera"});
   command.option("--seed", t.seed, "Seed of the search and of its fixtures")
       .is_a_seed()

@@ -61,7 +61,7 @@ void add_verify(system::Commands& commands) {
   const auto [command, o] = commands.add<VerifyOptions>(
       {"verify",
        to_play,
-       "Simulate all records again, each with the program that played it",
+       "Simulate all records again, each record with the program that made it",
        {"mirocup league verify spring", "mirocup league verify copied --trust-programs"}},
       run_verify_league);
   add_folder(command, o.folder);

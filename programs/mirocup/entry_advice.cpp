@@ -68,8 +68,8 @@ std::string advice_on_signal(const LastWords& words) {
     case SIGFPE:
       return std::string("an integer was divided by zero: ") + in_a_debugger;
     case SIGABRT:
-      return "an assert(), abort(), std::terminate() or an exception of a global object ended it; "
-             "the log's last line may say which";
+      return "an assert(), abort(), std::terminate() or an exception of a global object ended the "
+             "process; the log's last line may say which";
     default:
       break;
   }
@@ -92,13 +92,13 @@ std::string advice_on_signal(const LastWords& words) {
 
 // The words of the C++ library are for those who know it.
 constexpr ErrorAdvice library_errors[] = {
-    {"map::at", "a map has no such key: ask it by find() or contains() first"},
+    {"map::at", "a map does not have the key: test that by find() or contains() first"},
     {"range_check", "an index of at() or substr() was not below the size: print the index"},
     {"basic_string::", "a position was beyond the end of a text: print the position"},
     {"array::at", "an index of at() was not below the size: print the index"},
     {"threw: sto", "a text that is no number was read as one: print the text"},
     {"bad optional access", "value() was asked of an empty optional: ask has_value() first"},
-    {"bad_function_call", "a std::function was called that holds none: give it one first"},
+    {"bad_function_call", "an empty std::function was called: give it a function first"},
     {"bad variant access", "get() was asked for a type that the variant does not hold"},
     {"bad_variant_access", "get() was asked for a type that the variant does not hold"},
     {"max_size", "a vector or a text was given a size that is negative or huge"},
@@ -109,7 +109,8 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
   const LastWords words = evidence.words.value_or(LastWords());
   const std::string& text = evidence.fault.text;
   if (words.team_call == plugins::TeamCall::none && words.signal == 0)
-    return "a constructor of a global object ended it; make the object a member of the team";
+    return "a constructor of a global object ended the process; make the object a member of the "
+           "team";
   if (has(evidence.requests, "thread\n") && has(text, "threw"))
     return "it asked for a thread: a team has one, so compute in decide()";
   if (has(text, "bad_alloc"))
@@ -125,13 +126,13 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
     return "it asked for a program, which no team can run: popen() returned null";
   if (has(evidence.requests, "connection") && has(text, "threw")) return no_file;
   if (has(text, "threw")) {
-    std::string advice = "catch it, or mend what throws it";
+    std::string advice = "catch the exception, or mend the code that throws it";
     for (const ErrorAdvice& error : library_errors) {
       if (!has(text, error.part)) continue;
       advice = error.advice;
       break;
     }
-    return advice + "; gdb stops there with catch throw: " + in_a_debugger;
+    return advice + "; gdb stops at the throw with catch throw: " + in_a_debugger;
   }
   if (has(text, "of its command"))
     return "look at the index of wheels[]: it goes from 0 to the number of robots less 1";
@@ -153,7 +154,7 @@ constexpr ErrorAdvice python_errors[] = {
     {"name 'exit' is not", no_exit},
     {"RecursionError", "look for a method that calls itself without end"},
     {".parameter() missing",
-     "write self.parameter(\"name\", 0.5): 0.5 is its value in a leg that gives none"},
+     "write self.parameter(\"name\", 0.5): 0.5 is the parameter's value in a leg that gives none"},
     {"string to float", "a text that is no number was read as one; parameters are numbers"},
     {".draw_", "a point is a pair: self.draw_line(\"layer\", 0xff0000ff, (0.0, 0.0), (0.1, 0.2))"},
     {"returned None", "end each way through decide() with return and the list"},
@@ -190,9 +191,9 @@ constexpr ErrorAdvice python_errors[] = {
     {"PermissionError", no_file},
     {"FileNotFoundError", no_file},
     {"MemoryError", "it used more than 1 GiB of memory; keep what a team needs, and free the rest"},
-    {"defines no class", "derive one: class Mine(Team), with decide(self, now)"},
+    {"defines no class", "derive a class: class Mine(Team), with decide(self, now)"},
     {"defines several teams",
-     "keep one class that derives from Team, and hand in the others apart"},
+     "keep one class that derives from Team, and hand in the others as separate files"},
     {"has to call super()", "call super().__init__(setup) first in __init__()"},
     {"UnicodeDecodeError", "save the file as UTF-8"},
     {"set attribute",
@@ -211,9 +212,9 @@ std::string advice_on_python(const FaultEvidence& evidence) {
       if (has(text, error.part)) return error.advice;
     }
     if (has(text, "No module named")) {
-      return is_loaded
-                 ? "import it at the top of the file: no file can be opened while the team plays"
-                 : one_file;
+      return is_loaded ? "import the module at the top of the file: no file can be opened while "
+                         "the team plays"
+                       : one_file;
     }
   }
   switch (evidence.fault.code) {
@@ -229,8 +230,8 @@ std::string advice_on_python(const FaultEvidence& evidence) {
     case FaultCode::budget:
       return advice_on_time_in_python;
     case FaultCode::illegal_call:
-      return "do without it: files, network, processes and signals are not for a team, nor for a "
-             "module that it imports";
+      return "files, network, processes and signals are not for a team, nor for a module that it "
+             "imports: do without them";
     default:
       return "";
   }
@@ -249,14 +250,16 @@ std::string advice_on(const FaultEvidence& evidence) {
         return "it was built with -fsanitize=undefined by clang++: build it without that option";
       if (const std::string name = missing_function(text); !name.empty()) {
         return "it declares " + name +
-               " and does not define it: write it, or link the source or the library that has it";
+               " and does not define it: write the definition, or link the source or the library "
+               "that has it";
       }
       if (has(text, "undefined symbol"))
-        return "a function of its own is missing: link the source or the library that defines it";
+        return "the library calls a function that is missing: link the source or the library that "
+               "defines it";
       if (has(text, "returned null")) return "create() has to return the team";
       if (has(text, "failed to map segment") || has(text, "cannot allocate memory"))
         return "its tables need more than the 1 GiB of memory that a team has: make them smaller";
-      return "link everything that it uses into the library, or use what the system has";
+      return "link into the team's library what it uses, or use libraries that the system has";
     case FaultCode::bad_abi:
       if (has(text, "for version 0 of"))
         return "set abi_version to MIROCUP_ABI_VERSION, and size to sizeof(mirocup_strategy)";

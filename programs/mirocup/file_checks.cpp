@@ -58,7 +58,7 @@ Result<bool> examine_python(Examination& e) {
   MIROCUP_TRY_VOID(plugins::host_program(*e.entry));
   pass(e, "a text in Python");
   pass(e, "imports mirocup.team");
-  return pass(e, "plays with this system's Python and what is installed for it");
+  return pass(e, "plays with this system's Python and the modules that are installed for it");
 }
 
 }  // namespace

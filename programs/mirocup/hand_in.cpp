@@ -244,8 +244,8 @@ void add_hand_in(system::Commands& commands) {
       .required();
   command
       .option("--ca", o.authority,
-              "File with the certificate of the authority that signed the server's (default: the "
-              "system's certificates)")
+              "File with the certificate of the authority that signed the server's certificate "
+              "(default: the system's certificates)")
       .named("FILE");
   command.flag("--json", o.json, "Print the answer as one JSON object");
 }

@@ -143,14 +143,15 @@ Result<void> give_parameters(const MatchOptions& options,
     if (record::is_on_network(info.kind)) {
       if (own.empty()) continue;
       return fail(Errc::input, option + " " + own[0] + ": " + info.name +
-                                   " plays over the network; give it to mirocup join");
+                                   " plays over the network; give the parameter to mirocup join");
     }
     MIROCUP_TRY(info.parameters, record::parameters_with_changes(shared, own, option));
     is_for_a_library = true;
   }
   if (is_for_a_library) return {};
-  return fail(Errc::input, "--param " + options.parameters[0] +
-                               ": both teams play over the network; give it to mirocup join");
+  return fail(Errc::input,
+              "--param " + options.parameters[0] +
+                  ": both teams play over the network; give the parameter to mirocup join");
 }
 
 Result<match::ByTeam<server::TeamChoice>> choose_teams(const MatchOptions& options) {
@@ -358,8 +359,8 @@ void add_firasim(const system::Command& command, server::NetworkTerms& o) {
       "Where placements are received (default: 224.5.23.2:10004)");
   command
       .option("--firasim-instance", o.firasim_instance,
-              "Number of this match on this host; K above 0: ports 10002+K, 20011+K, 40000+K, "
-              "50000+K; auto: the first free number from 1000 on")
+              "Number K of this match on this host; if K is above 0, its ports are 10002+K, "
+              "20011+K, 40000+K and 50000+K; auto: the first free number from 1000 on")
       .between_or(0, 9999, "auto")
       .named("K|auto")
       .in_group(group);
@@ -484,9 +485,9 @@ void add_match(system::Commands& commands) {
                    "Run the teams in this process, without protection from them");
   command
       .option("--isolation", o.session.isolation,
-              "Tier of the sandbox: T2 (namespaces) or T1 (filtered system calls); the match "
-              "is not played "
-              "if this system does not allow it (default: the strongest that it allows)")
+              "Tier of the sandbox: T2 (namespaces) or T1 (filtered system calls); if this system "
+              "does not allow the tier, the match is not played (default: the strongest tier that "
+              "it allows)")
       .one_of({"T1", "T2"})
       .excludes(trusted);
   command.option("--match", network.match_id, "ID of the match, by which DDS teams join it")

@@ -39,10 +39,11 @@ void add_playground(system::Commands& commands) {
   const auto [command, o] = commands.add<PlaygroundOptions>(
       {"playground",
        for_teams,
-       "Make a page in which anyone plays by hand, against house teams, in a browser",
+       "Make a page in which anyone can play by hand, against house teams, in a browser",
        {"mirocup playground -o playground"}},
       run_playground);
-  command.option("-o,--output", o.folder, "Folder to write index.html to; it opens from disk")
+  command
+      .option("-o,--output", o.folder, "Folder to write index.html to; this page opens from disk")
       .named("FOLDER")
       .required();
 }

@@ -113,8 +113,9 @@ Result<int> judge_record(const RefereeOptions& options) {
            {"rules", record::to_json(rules)},
            {"differences", list}});
   } else {
-    std::cout << system::printable(options.record_path) << ": " << differences.size()
-              << " decisions would differ, for the match as it was played\n";
+    std::cout
+        << system::printable(options.record_path) << ": " << differences.size()
+        << " decisions would differ; the course of the match itself is taken from the record\n";
   }
   return differences.empty() ? exit_yes : exit_no;
 }
@@ -135,7 +136,7 @@ void add_referee(system::Commands& commands) {
        {"mirocup referee trace.jsonl", "mirocup referee --record leg.json --rule stalemate_s=5"}},
       run_referee);
   const system::Option trace =
-      command.option("TRACE", o.trace_path, "File of situations, one JSON object a line");
+      command.option("TRACE", o.trace_path, "File of situations, one JSON object on each line");
   const system::Option record =
       command.option("--record", o.record_path, "Match record to judge again").excludes(trace);
   command

@@ -36,8 +36,8 @@ constexpr Surroundings all_other{.clocks = other_clocks,
                                  .number_offset = other_numbers};
 
 constexpr const char* depends_on_clock =
-    "it depends on a clock: take chance from setup.seed, time from now.time, and stop thinking "
-    "after a number of steps";
+    "it depends on a clock: take random numbers from setup.seed and the time from now.time, and "
+    "end a search after a number of steps";
 
 // Returns the first tick in which the two legs differ; the hashes differ if the team asks for other
 // poses at a restart.
@@ -70,11 +70,12 @@ Result<std::string> cause_of_difference(Examination& e, const TrialTerms& terms,
     MIROCUP_TRY(const auto counted, leg_in(counting, false));
     MIROCUP_TRY(const auto counted_again, leg_in(counting, false));
     if (!first_difference(counted, counted_again)) return std::string(depends_on_clock);
-    return std::string(e.entry->is_python()
-                           ? "chance of its own: take it from the module random, which setup.seed "
-                             "has seeded, and not from clocks, os.urandom() or default_rng()"
-                           : "chance of its own, such as std::random_device: take it from "
-                             "setup.seed");
+    return std::string(
+        e.entry->is_python()
+            ? "it has random numbers of its own: take them from the module random, which "
+              "setup.seed has seeded, and not from clocks, os.urandom() or default_rng()"
+            : "it has random numbers of its own, such as from std::random_device: take them from "
+              "setup.seed");
   }
 
   Surroundings clocks, memory, numbers, addresses;
@@ -87,9 +88,10 @@ Result<std::string> cause_of_difference(Examination& e, const TrialTerms& terms,
       {memory,
        "it depends on memory that was never written, that was freed, or that is not its own: give "
        "each variable and member a value, look for an index out of bounds, and keep no pointer to "
-       "what is gone after the call"},
+       "memory that is gone after the call"},
       {numbers,
-       "it depends on the number of its process, thread or processor: take chance from setup.seed"},
+       "it depends on the number of its process, thread or processor: take random numbers from "
+       "setup.seed"},
       {addresses,
        "it depends on addresses, such as the order of pointers in a set: compare numbers instead"}};
   MIROCUP_TRY(const auto careful, leg_in({}, true));
@@ -99,7 +101,8 @@ Result<std::string> cause_of_difference(Examination& e, const TrialTerms& terms,
     if (leg.fault || first_difference(careful, leg)) return std::string(cause);
   }
   return std::string(
-      "take chance from setup.seed, and no clocks, addresses or memory that was never written");
+      "take random numbers from setup.seed, and use no clocks, no addresses and no memory that was "
+      "never written");
 }
 
 // Returns false after a fault or a different answer, which is added.

@@ -315,7 +315,8 @@ Result<std::string> report(std::vector<LegReport> legs, const ReportOptions& opt
     std::erase_if(
         legs, [&](const LegReport& leg) { return leg.names[0] != team && leg.names[1] != team; });
     if (legs.empty()) {
-      return fail(Errc::input, "--team " + system::in_quotes(team) + ": none of the legs is of it");
+      return fail(Errc::input,
+                  "--team " + system::in_quotes(team) + ": this team has played none of the legs");
     }
   }
   if (options.json) return record::json_text(report_json(legs)) + "\n";

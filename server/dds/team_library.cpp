@@ -128,8 +128,7 @@ mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, 
   if (call == nullptr || (call->size != sizeof *call && call->size != size_without_domain) ||
       call->match == nullptr || call->name == nullptr ||
       (call->team != MIROCUP_BLUE && call->team != MIROCUP_YELLOW)) {
-    dds::put_why(why, size,
-                 "the call names no match, no team or no colour, or is of another version");
+    dds::put_why(why, size, "the call lacks a match, a team or a colour, or is of another version");
     errno = EINVAL;
     return nullptr;
   }

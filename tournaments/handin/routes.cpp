@@ -42,7 +42,7 @@ std::optional<std::vector<std::string_view>> match_path(std::string_view pattern
 std::optional<web::Reply> refused_role(Who who, const Visitor& visitor) {
   const Role role = visitor.role;
   if (who == Who::team && role != Role::team)
-    return problem_reply(403, "the staff's token does this for no team");
+    return problem_reply(403, "a staff token cannot do this for a team");
   if ((who == Who::reader || who == Who::staff) && role == Role::team)
     return problem_reply(403, "this is for the staff only");
   if (who == Who::staff && role == Role::tutor)

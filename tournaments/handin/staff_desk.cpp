@@ -130,7 +130,9 @@ class Forms {
     close("freeze");
     open("release", "Choose the rounds that the pages show");
     choice("release", "level", "For",
-           {{"all", "everybody"}, {"teams", "teams: each its own digest"}, {"hidden", "nobody"}});
+           {{"all", "everybody"},
+            {"teams", "teams: each team reads its own digest"},
+            {"hidden", "nobody"}});
     field("release", "through", "The last round that is shown", false,
           " placeholder=\"r3\" size=\"8\"");
     close("release");
@@ -231,8 +233,9 @@ void notice_form(Html& html, const std::string& notice) {
 void schedule(Html& html, const LeagueState& state) {
   html.open("ul");
   const std::string& frozen = state.frozen_from();
-  html.cell("li", frozen.empty() ? "Entries are taken as the format allows"
-                                 : "No entry is taken from " + shown_time(state.file, frozen));
+  html.cell("li", frozen.empty()
+                      ? "Entries are taken as the format allows"
+                      : "From " + shown_time(state.file, frozen) + " on, no entry is taken");
   if (!state.nights.empty())
     html.cell("li", "Night " + std::to_string(state.nights.back().number) + " began at " +
                         shown_time(state.file, state.nights.back().at));

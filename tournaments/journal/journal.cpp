@@ -90,7 +90,7 @@ Result<void> Journal::read_line(std::string_view line) {
 
 Result<void> Journal::add_values(std::size_t more, const std::string& where) {
   if (values_ + more > most_values_) {
-    return fail(Errc::damaged, where + ": with it the journal has more than " +
+    return fail(Errc::damaged, where + ": with this line the journal has more than " +
                                    std::to_string(most_values_) +
                                    " values, the most that a journal may have");
   }

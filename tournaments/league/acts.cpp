@@ -207,9 +207,9 @@ class Deciding {
                                                      : utc_of(act_.from, state().file));
       from = time;
     }
-    const std::string line = from.empty()
-                                 ? "entries are taken again"
-                                 : "no entry is taken from " + shown_time(state().file, from);
+    const std::string line =
+        from.empty() ? "entries are taken again"
+                     : "from " + shown_time(state().file, from) + " on, no entry is taken";
     if (state().is_started) {
       Frozen frozen;
       frozen.from = from;

@@ -183,7 +183,7 @@ Result<void> spare_class_list(system::Files& files, const Folder& folder, const 
   const bool is_empty = std::filesystem::file_size(list, error) == 0 && !error;
   if (is_empty) std::ofstream(list, std::ios::binary) << kept->substr(end + 1);
   return fail(Errc::input, system::printable(list) + " is the class list" +
-                               (is_empty ? ", whose lines are there again" : "") +
+                               (is_empty ? ", which was empty; its lines were restored" : "") +
                                ": name another file, as tokens.csv");
 }
 

@@ -41,7 +41,7 @@ Result<std::vector<Waiting>> waiting_in(system::Files& files, const std::string&
     const std::string path = inbox + "/" + name;
     const auto owner = system::owner_of(path);
     if (!owner && !files.exists(path)) continue;  // removed since
-    if (!owner) return fail(Errc::unavailable, path + " cannot be looked at");
+    if (!owner) return fail(Errc::unavailable, path + " cannot be examined");
     all.push_back(
         {.path = path, .team = name.substr(0, name.size() - end->size()), .turn = turns[*owner]++});
   }

@@ -471,7 +471,7 @@ std::string why_not_now(const LeagueState& state, const std::string& team, const
 
 std::string why_not_join(const LeagueState& state, const std::string& team) {
   if (const std::string twin = twin_of(state, team); !twin.empty())
-    return "the league has a team " + twin + "; choose a name that differs more";
+    return "the league has a team " + twin + ", whose name is too similar; choose another name";
   if (!state.is_started) return "";
   const auto valid = validate(state, TeamJoined{.team = team, .source = "submitted"});
   return valid ? "" : valid.error().what;

@@ -39,7 +39,7 @@ std::string memory_warning(std::optional<std::size_t> available, int jobs) {
   const std::size_t room = *available / system::memory_of_a_leg;
   return "warning: " + system::mebibytes(*available) + " of memory are free, and " +
          std::to_string(jobs) + (jobs == 1 ? " leg" : " legs at once") + " may take " +
-         system::mebibytes(needed) + "; a leg that runs out of it is void and played again" +
+         system::mebibytes(needed) + "; a leg that runs out of memory is void and played again" +
          (room > 0 ? ": --jobs " + std::to_string(room) + " always has room" : "");
 }
 

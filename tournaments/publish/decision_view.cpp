@@ -42,7 +42,7 @@ struct DecisionWriter {
   DecisionView operator()(const Frozen& e) const {
     return signed_by(e, e.from.empty()
                             ? "entries are taken again"
-                            : "no entry is taken from " + shown_time(state.file, e.from));
+                            : "from " + shown_time(state.file, e.from) + " on, no entry is taken");
   }
 
   DecisionView operator()(const Closed& e) const { return signed_by(e, "the league is closed"); }

@@ -179,7 +179,7 @@ std::string reason_in_words(const TableRow& row, const TableRow* next) {
   if (by.empty() || next == nullptr) return "";
   if (row.played == 0 && next->played == 0) return "";  // nothing has been decided yet
   if (by == "knockout") return "came further in the knockout";
-  if (by == "withdrawn") return "the next has withdrawn";
+  if (by == "withdrawn") return "the next team has withdrawn";
   if (by == "points") return "points" + to(row.points, next->points);
   if (by == "points per leg")
     return "points per leg, " + points_per_leg(row) + " to " + points_per_leg(*next);

@@ -66,7 +66,8 @@ Result<Round> find_round(const LeagueState& whole, const std::string& name) {
       round && std::any_of(whole.fixtures.begin(), whole.fixtures.end(),
                            [&](const FixtureState& f) { return Round::of(f.fixture) == *round; });
   if (exists) return *round;
-  return fail(Errc::input, "there is no round " + name + "; r3-f1 is a fixture of round r3");
+  return fail(Errc::input,
+              "there is no round " + name + "; for example, r3-f1 is a fixture of round r3");
 }
 
 // Returns the state after the rounds before `last` and those legs of it for which shows(fixture,

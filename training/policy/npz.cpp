@@ -97,7 +97,7 @@ std::optional<std::string> text_of(std::string_view kind, std::string_view data)
 
 Result<Array> array_of(std::string_view bytes, const std::string& name) {
   const auto header = header_of(bytes);
-  if (!header) return fail(Errc::damaged, name + " is no array in the order of C");
+  if (!header) return fail(Errc::damaged, name + " is not an array in C order");
   const std::string_view data = bytes.substr(header->data);
   Array array;
   if (header->kind.starts_with("<U") || header->kind.starts_with("|S")) {
@@ -114,7 +114,7 @@ Result<Array> array_of(std::string_view bytes, const std::string& name) {
   std::size_t count = 1;
   for (const std::size_t n : array.shape) count *= n;
   if (data.size() != count * sizeof(float)) {
-    return fail(Errc::damaged, name + ": its size is not that of its numbers");
+    return fail(Errc::damaged, name + ": its size does not fit its shape");
   }
   array.numbers.resize(count);
   if (count > 0) std::memcpy(array.numbers.data(), data.data(), data.size());
@@ -157,7 +157,7 @@ Result<std::vector<zip_stat_t>> members_of(zip_t* archive, const std::string& pa
     }
     total += member.size;
     if (total > max_total_bytes) {
-      return fail(Errc::input, where + ": with it the arrays take more than " +
+      return fail(Errc::input, where + ": with this array all arrays take more than " +
                                    std::to_string(max_total_bytes >> 20) +
                                    " MiB together, the most for one file; save only the arrays of "
                                    "the policy");

@@ -109,7 +109,7 @@ std::optional<Reply> Exchange::objection() {
   if (has_folded_line(std::string_view(buffer_).substr(0, parsed_)))
     return plain_reply(400, "a header is folded over two lines");
   if (headers.count("host") > 1 || (!is_http_1_0_ && !headers.contains("host")))
-    return plain_reply(400, "one Host is expected");
+    return plain_reply(400, "exactly one Host header is expected");
   const std::size_t lengths = headers.count("content-length");
   if (lengths > 1 || (lengths == 1 && !is_number(headers.find("content-length")->second)))
     return plain_reply(400, "one number is expected as Content-Length");

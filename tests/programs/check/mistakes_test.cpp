@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{Mistake::throws_in_second_half,
                 "throws_in_second_half",
                 "leg_blue",
-                {"second half", "catch it"}},
+                {"second half", "catch the exception"}},
         Refused{Mistake::throws_when_trailing, "throws_when_trailing", "leg_", {"trailing"}},
         Refused{Mistake::throws_after_a_goal, "throws_after_a_goal", "leg_", {"range_check"}},
         Refused{Mistake::throws_in_a_shoot_out, "throws_in_a_shoot_out", "knockout", {"shoot-out"}},
@@ -127,7 +127,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "repeatable",
                 {"a clock"}},
         Refused{Mistake::thinks_by_the_clock, "thinks_by_the_clock", "repeatable", {"a clock"}},
-        Refused{Mistake::time_stamp_counter, "time_stamp_counter", "repeatable", {"chance"}},
+        Refused{
+            Mistake::time_stamp_counter, "time_stamp_counter", "repeatable", {"random numbers"}},
         Refused{Mistake::variable_that_is_missing,
                 "variable_that_is_missing",
                 "loads",

@@ -179,8 +179,8 @@ TEST_F(Inbox, RefusesANameThatDiffersInCapitalsOnly) {
   const Outcome outcome = submit();
   EXPECT_EQ(outcome.exit_code, 1);
   expect_one_line(outcome,
-                  "ALPHA: not taken: the league has a team alpha; choose a name that "
-                  "differs more");
+                  "ALPHA: not taken: the league has a team alpha, whose name is too similar; "
+                  "choose another name");
 }
 
 TEST_F(Inbox, LimitsTriesAndVersions) {

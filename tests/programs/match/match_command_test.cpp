@@ -157,7 +157,8 @@ TEST(MatchCommand, NamesTheArgumentThatIsWrong) {
   fails(match("idle", "idle", {"--rule", "haste=1"}), "/rules/haste");
   fails(match("idle", "idle", {"--stage", "final"}), "final");
   fails(match("idle", "idle", {"--blue-param", "wait"}), "--blue-param wait: KEY=VALUE");
-  fails(match("idle", "dds:far", {"--yellow-param", "wait=1"}), "give it to mirocup join");
+  fails(match("idle", "dds:far", {"--yellow-param", "wait=1"}),
+        "give the parameter to mirocup join");
   fails({program("mirocup"), "match", "--blue", "idle"}, "--yellow");
   fails({program("mirocup")}, "After a leg:");
 }

@@ -38,7 +38,7 @@ TEST(ReplayFile, IsOfTheShapeThatTheRecordSays) {
     return replay ? "none" : replay.error().what;
   };
   EXPECT_EQ(error(robots, 100), "none");
-  EXPECT_EQ(error(11, 100), "r: it is of another number of robots than the record");
+  EXPECT_EQ(error(11, 100), "r: it has another number of robots than the record");
   EXPECT_EQ(error(robots, 99), "r: it has another number of ticks than the record says");
 }
 

@@ -51,7 +51,7 @@ TEST(Journal, AllLinesTogetherHaveABound) {
   const auto too_large = Journal::open(files, "journal.jsonl", nullptr, 3 * line + 1);
   ASSERT_FALSE(too_large);
   EXPECT_EQ(too_large.error().code, Errc::damaged);
-  EXPECT_EQ(too_large.error().what.find("journal.jsonl: line 3: with it"), 0u)
+  EXPECT_EQ(too_large.error().what.find("journal.jsonl: line 3: with this line"), 0u)
       << too_large.error().what;
   auto full = Journal::open(files, "journal.jsonl", nullptr, 4 * line + 1);
   ASSERT_TRUE(full);
