@@ -387,12 +387,12 @@ def against(policy: Path, opponent: str, matches: int) -> float:
 def main() -> None:
     parser = argparse.ArgumentParser(description="A team learns by PPO.")
     parser.add_argument("task", choices=[*TASKS, "test"])
-    parser.add_argument("folder", nargs="?", help="of the run; default: the name of the task")
-    parser.add_argument("--minutes", type=float, default=30.0, help="of training, those of earlier starts included")
+    parser.add_argument("folder", nargs="?", help="folder of the run (default: the name of the task)")
+    parser.add_argument("--minutes", type=float, default=30.0, help="minutes of training, with those of earlier starts")
     parser.add_argument("--stop-after", type=float, default=float("inf"), metavar="MINUTES",
-                        help="of this start; the same command continues: for jobs with a time limit")
-    parser.add_argument("--from", dest="start_from", type=Path, help="a run whose network is the first one")
-    parser.add_argument("--threads", type=int, default=0, help="0: one for each processor")
+                        help="end this start after MINUTES; the same command continues the run (for jobs with a time limit)")
+    parser.add_argument("--from", dest="start_from", type=Path, help="run whose network this run begins with")
+    parser.add_argument("--threads", type=int, default=0, help="number of threads (0: one for each processor)")
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     folder = Path(arguments.folder or ("score" if arguments.task == "test" else arguments.task))

@@ -83,7 +83,8 @@ void expect_late_answers_play(const std::string& colour) {
   EXPECT_GT(network["late_driven"], 0) << network;
   EXPECT_LE(network["late_driven"], network["late"]);
   EXPECT_LE(network["late_driven"], record["budget"][colour]["late_ticks"]);
-  EXPECT_NE(played.err.find(" ms too late; what came last is driven"), std::string::npos)
+  EXPECT_NE(played.err.find(" ms too late; the robots drive the last command that came"),
+            std::string::npos)
       << played.err;
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
 }

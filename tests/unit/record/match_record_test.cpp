@@ -94,7 +94,8 @@ TEST(MatchRecord, NamesTheKeyThatIsWrong) {
   EXPECT_EQ(error_with("/seed", 7), "");
   EXPECT_EQ(error_with("/seed", -1), "leg.json: /seed: -1 is not at least 0");
   EXPECT_EQ(error_with("/control_period", 0), "leg.json: /control_period: 0 is not at least 0.001");
-  EXPECT_EQ(error_with("/rules/half_s", nullptr), "leg.json: /rules/half_s: no half is that long");
+  EXPECT_EQ(error_with("/rules/half_s", nullptr),
+            "leg.json: /rules/half_s: it is more than 36000 s");
   EXPECT_EQ(error_with("/state_hash", "x"),
             "leg.json: /state_hash: 16 hexadecimal digits are expected, not \"x\"");
   EXPECT_EQ(error_with("/decisions/0/robots/blue", Json::array({11})),

@@ -150,9 +150,9 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
             of_rows = np.asarray(options["reset_mask"], np.bool_).reshape(-1, slots)
             mask = of_rows.any(axis=1)
             if of_rows.shape[0] != self.batch.matches or not np.array_equal(mask, of_rows.all(axis=1)):
-                raise ValueError("reset_mask: one value for each environment is expected, the same for those of a match")
+                raise ValueError("reset_mask: one value for each environment is expected, equal for those of one match")
             if not self._was_reset and not mask.all():
-                raise ValueError("reset_mask: the first reset is of all environments")
+                raise ValueError("reset_mask: the first reset must be of all environments")
         if seed is None and not self._was_reset:
             seed = self._first_seed if self._first_seed is not None else self.np_random_seed
         seeds = None

@@ -56,7 +56,8 @@ TEST(Npz, AllArraysTogetherHaveABound) {
   const auto five = read_npz(archive_of(5, 52 * mebibyte), "p.npz");
   ASSERT_FALSE(five);
   EXPECT_EQ(five.error().code, Errc::input) << five.error().what;
-  EXPECT_EQ(five.error().what.find("p.npz: e: with it the arrays take more than 256 MiB"), 0u)
+  EXPECT_EQ(five.error().what.find("p.npz: e: with this array all arrays take more than 256 MiB"),
+            0u)
       << five.error().what;
 }
 
