@@ -293,7 +293,7 @@ RecordFile read_record_file(const JsonReader& json) {
   record.recording.state_hash = read_hash(json.at("state_hash"));
   file.ticks = json.at("ticks").as<std::size_t>();
   if (record.from && record.from->tick > file.ticks) {
-    json.at("from").at("tick").complain("the leg has fewer ticks");
+    json.at("from").at("tick").complain("the leg does not have so many ticks");
   }
   file.replay_name = json.at("replay").at("file").text();
   file.replay_sha256 = json.at("replay").at("sha256").text();

@@ -110,7 +110,7 @@ Weights read_weights(const JsonReader& json) {
     if (const auto term = from_string<Term>(key)) {
       weights[static_cast<std::size_t>(*term)] = value.number();
     } else {
-      value.complain("no term has this name: they are " + list_of_names<Term>());
+      value.complain("no term has this name; the terms are " + list_of_names<Term>());
     }
   }
   return weights;

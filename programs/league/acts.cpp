@@ -68,7 +68,7 @@ void add_team(const system::Command& command, Act& act) {
 
 void add_reason(const system::Command& command, Act& act) {
   command.option("--reason", act.reason, "Reason, which is published").required();
-  command.option("--by", act.by, "Person who decides, which is published");
+  command.option("--by", act.by, "Name of the person who decides; it is published");
   command.flag("--dry-run", act.is_dry_run, "Print what would change, and change nothing");
 }
 

@@ -37,7 +37,7 @@ void add_backup(system::Commands& commands) {
                                    {"mirocup league backup spring /backup/spring"}},
                                   run_backup);
   add_folder(command, o.folder);
-  command.option("TO", o.to, "New folder, or one with an earlier copy")
+  command.option("TO", o.to, "Folder to copy to: a new one, or one with an earlier copy")
       .required()
       .checked("DIR", problem_with_folder);
 }

@@ -109,7 +109,7 @@ void add_credentials(system::Commands& commands) {
   add_folder(command, o.folder);
   command.option("--team", o.teams, "Further team, which league.json does not have");
   command.option("--revoke", o.revoked, "Team whose credentials become invalid");
-  command.option("--days", o.days, "Days for which new credentials are valid")
+  command.option("--days", o.days, "Number of days for which new credentials are valid")
       .between(1, 3650)
       .shows_default();
 }

@@ -166,7 +166,8 @@ void add_init(system::Commands& commands) {
         "mirocup league init spring --config league.json"}},
       run_init);
   add_folder(command, o.folder);
-  const system::Option config = command.option("--config", o.config, "Start from this league.json");
+  const system::Option config =
+      command.option("--config", o.config, "Make the league from this league.json");
   command
       .option("--team", o.teams,
               "NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, NAME=firasim:NAME (people start its "

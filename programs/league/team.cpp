@@ -153,15 +153,16 @@ void add_team(system::Commands& commands) {
   add_folder(command, o.folder);
   command.option("TEAM", o.team, "Name of the team in the league");
   command.option("--display", o.display, "Display name, of any letters; \"\": none");
-  command.option("--member", o.members, "Member; once for each member; \"\": none");
+  command.option("--member", o.members,
+                 "Member of the team; may be given once for each member; \"\": no members");
   command
       .option("--colour", o.colour,
               "Colour of the mark beside its name on pages, as #c03a2b; \"\": none")
       .named("COLOUR");
   command
       .option("--csv", o.csv,
-              "Class list: makes its teams; its columns are team, display, members (with ; between "
-              "them), colour, and further columns for the grades")
+              "Make the teams of this class list; its columns are team, display, members (with ; "
+              "between them), colour, and further columns for the grades")
       .named("FILE");
   command.flag("--remove", o.is_removed, "Remove a team that was added by mistake");
 }

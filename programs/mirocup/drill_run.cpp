@@ -237,7 +237,8 @@ Result<PlayedTry> Crew::play_one(const DrillTask& task, std::uint64_t seed) cons
     Try one(task, setup, isolation_);
     MIROCUP_TRY_VOID(one.seat_teams());
     if (!one.play()) {
-      why_void = one.leg().is_over() ? one.leg().outcome().why_void : "the mates cannot play";
+      why_void = one.leg().is_over() ? one.leg().outcome().why_void
+                                     : "the mates of the tested team cannot play";
       continue;
     }
     PlayedTry played{.seed = seed, .result = one.result(), .fault = one.fault()};

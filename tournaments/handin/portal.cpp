@@ -431,9 +431,8 @@ Result<void> Portal::wait_again(const std::string& team, int entry, NoAnswer why
   const std::string name = team + ": entry " + std::to_string(entry);
   Result<void> closed;
   if (why == NoAnswer::host_failed && times >= max_failures) {
-    closed =
-        close(team, entry, HandInState::void_,
-              name + " could not be checked, which is this computer's fault; hand it in again");
+    closed = close(team, entry, HandInState::void_,
+                   name + " could not be checked, because this computer failed; hand it in again");
   } else if (why == NoAnswer::spent && times >= max_spent) {
     closed = close(team, entry, HandInState::refused,
                    name + " was not accepted: its check took more than " +

@@ -149,7 +149,7 @@ Result<void> expect_program(system::Files& files, LeagueStore& store,
   if (!accepts_other) {
     return fail(Errc::input,
                 store.folder().path + " is played with " + in_words(before.version, before.game) +
-                    "; this is " + in_words(program.version, program.behaviour_hash) +
+                    "; this program is " + in_words(program.version, program.behaviour_hash) +
                     ", which may play other legs from the same seeds. Continue with the program "
                     "that played before, or give --other-program to continue with this one");
   }
