@@ -35,8 +35,9 @@ class Game {
   // or "" for standing robots. Errors: Errc::input.
   static Result<std::unique_ptr<Game>> make(const Json& options);
 
-  // Plays the record's commands up to `tick`; from `tick` on, `teams` play. The team "recorded"
-  // drives by the record's commands. Errors: Errc::input, Errc::damaged.
+  // Plays the record's commands up to `tick`; from `tick` on, `teams` play. A team with the name
+  // "recorded" also drives by the record's commands from then on. Errors: Errc::input,
+  // Errc::damaged.
   static Result<std::unique_ptr<Game>> go_on(record::MatchRecord past, std::uint32_t tick,
                                              const Json& teams);
 
@@ -48,7 +49,7 @@ class Game {
   // number of played ticks.
   int play(int ticks);
 
-  // From now on keeps impacts, pressing pairs and thoughts, which makes play() a quarter slower.
+  // From now on records impacts, pressing pairs and thoughts, which makes play() a quarter slower.
   void watch();
 
   // Ends the leg, so that record() can return its record.
@@ -66,7 +67,7 @@ class Game {
   // start.
   Json situation() const;
 
-  // Returns the settings of the leg but teams and start, with the keys of make().
+  // Returns the settings of the leg, except teams and start, with the keys of make().
   Json setup() const;
 
   // {tick, clock, state, phase, left, score, decisions, counts, impacts, pressing, result, drill}:

@@ -15,15 +15,15 @@
 
 namespace mirocup::pitch {
 
-// Returns windows of the ball alone, of up to two seconds: long windows show best how the ball
+// Returns windows of up to two seconds with the ball alone: long windows show best how the ball
 // slows down.
 std::vector<Window> rolls(const Footage& footage, const simulator::Parameters& parameters);
 
-// Returns windows of one robot alone whose commands are known, of up to half a second.
+// Returns windows of up to half a second with one robot alone, whose commands are known.
 std::vector<Window> drives(const Footage& footage, const simulator::Parameters& parameters);
 
-// Returns windows of two or three bodies that touch each other soon after the start, of up to half
-// a second.
+// Returns windows of up to half a second in which two or three bodies touch each other soon after
+// the start.
 std::vector<Window> meetings(const Footage& footage, const simulator::Parameters& parameters);
 
 }  // namespace mirocup::pitch

@@ -26,14 +26,15 @@ struct Piece {
   Window window;
   std::vector<simulator::BodyState> start;
   std::array<bool, unknown_count> tells{};  // true: the window depends on this number of the pitch
-  int states = 0;                           // number of unknowns of the starts
-  // Number of residuals: 2 for each sight of the ball, 3 of a robot, 1 for each sideways speed.
+  int states = 0;                           // number of unknowns in `start`
+  // Number of residuals: 2 for each sight of the ball, 3 for each of a robot, 1 for each sideways
+  // speed.
   int rows = 0;
   double square = 0.0;  // weighted sum of the squared residuals
   bool counts = true;   // false: no start fits the pictures of the window
   std::vector<simulator::BodyState> trial;
-  Eigen::MatrixXd gain;  // A^-1 B: minus the change of the starts with the pitch
-  Eigen::VectorXd own;   // A^-1 a
+  Eigen::MatrixXd gain;  // minus the derivatives of `start` by the numbers of the pitch
+  Eigen::VectorXd own;   // minus the step of `start` with the pitch fixed
 
   bool is_ball(std::size_t i) const { return window.bodies[i] == footage->ball(); }
   bool may_slide(std::size_t i) const { return window.may_slide && !is_ball(i); }
@@ -79,13 +80,13 @@ class Fit {
   // Steps until the cost no longer falls. `hard`: outliers are dropped instead of getting less
   // weight.
   void run(bool hard);
-  // Looks for better starts of windows that their present starts explain badly. For example, a hit
-  // with the other edge first is a separate minimum of the cost.
+  // Tries other starts for windows that their present starts explain badly, because the cost of a
+  // window can have several minima: for example one for each edge with which a robot may hit first.
   void retry();
-  // Returns, at some values of an unknown, the least cost of the windows that depend on it, with
-  // the other numbers of the pitch fixed. A sweep upwards and a sweep downwards find the best
-  // starts of each window. If the best of these values is better than the present value, profile()
-  // sets the unknown to the best value.
+  // Returns the least cost of the windows that depend on an unknown, for each of `values` of the
+  // unknown, with the other numbers of the pitch fixed. A sweep upwards and a sweep downwards find
+  // the best starts of each window. If the best of these values is better than the present value,
+  // profile() sets the unknown to the best value.
   struct Profile {
     std::vector<double> values, costs;
     std::vector<std::vector<double>> parts;  // cost of each window at each value

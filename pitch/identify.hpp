@@ -6,8 +6,9 @@
 // Least squares over windows (windows.hpp). The unknowns are the numbers of the pitch, and the
 // state of each body at the start of each window. Steps are those of Levenberg and Marquardt. The
 // states are eliminated window by window (Schur's complement), so a step solves a small system for
-// each window and one system of the size of the pitch. The reduced equations of a window are its
-// information about the pitch, and the sum over all windows is the inverse of the covariance.
+// each window, and one system whose unknowns are the numbers of the pitch. The reduced equations of
+// a window are its information about these numbers, and the sum over all windows is the inverse of
+// their covariance.
 //
 // The method is robust: pictures far from the simulation get less weight (Huber), and in the end
 // pictures beyond five standard deviations get none. Windows that no state explains, for example
@@ -32,19 +33,19 @@ struct Estimate {
 
 struct Identified {
   Guess guess;  // numbers that are not known are those of `start`
-  // Empty: the recording does not determine the number.
+  // An empty entry: the recordings do not determine the number.
   std::array<std::optional<Estimate>, unknown_count> known;
-  // A sentence for each empty entry of known.
+  // The reason for each empty entry of `known`, a sentence.
   std::array<std::string, unknown_count> why_not;
   // True: turning and driving have the same lag.
   bool has_one_lag = true;
-  bool has_brake = false;
-  Estimate deceleration;  // of the ball at 0.5 m/s, m/s^2; meaningless without a rolling ball
+  bool has_brake = false;  // true: the motors brake with a separate lag
+  Estimate deceleration;   // of the ball at 0.5 m/s, m/s^2; only if has_deceleration
   bool has_deceleration = false;
   Estimate position_noise;  // m
   Estimate heading_noise;   // rad
-  double unseen = 0.0;      // share of bodies that a picture misses
-  double outliers = 0.0;    // share of dropped sights
+  double unseen = 0.0;      // share of the bodies that a picture misses, in the mean
+  double outliers = 0.0;    // share of the sights that were dropped as wrong
   int windows = 0;          // windows that count
   int unexplained = 0;      // windows that no state explains
 };

@@ -10,12 +10,12 @@
 
 namespace mirocup::pitch {
 
-inline constexpr double z95 = 1.959964;     // standard deviations to each side that hold 95 %
+inline constexpr double z95 = 1.959964;     // half-width of a 95 % interval in standard deviations
 inline constexpr double rise95 = 3.841459;  // rise of a cost at the ends of a 95 % interval
 
-// Returns the value of the least cost and its interval of 95 %, in the units of the profile's
+// Returns the value with the least cost and its interval of 95 %, in the units of the profile's
 // values. Precondition: at least two windows depend on the number. `others` is the standard
-// deviation that comes from the uncertainty of the other numbers.
+// deviation that the number has because the other numbers are uncertain.
 Estimate interval_of(const Fit::Profile& profile, double others);
 
 }  // namespace mirocup::pitch

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A recording: the robots and the ball, seen by a camera, and the commands of the robots. The
-// schema is mirocup/recording/1, JSON lines. docs/pitches.md describes it, and a camera program
-// that writes it.
+// schema is mirocup/recording/1, JSON lines. docs/pitches.md describes the schema, and a camera
+// program that writes recordings.
 //
 // Units are metres, radians counter-clockwise, seconds and rad/s, in the field's frame. `t` is the
 // time at which a picture was taken, or a command was sent.
@@ -52,8 +52,9 @@ struct Recording {
   double usual_period() const;
 };
 
-// The most pictures of a recording: those of four hours at 30 Hz, in half a GiB of memory. In
-// memory a picture has all robots, so a picture may be some hundred times larger than its line.
+// The most pictures of a recording: four hours at 30 Hz, which take half a GiB of memory. In memory
+// a picture has an entry for each robot, seen or not, so it may be some hundred times larger than
+// its line.
 inline constexpr std::size_t max_pictures = 450'000;
 
 // Reads a recording. The error, Errc::input, names the file, the line, the key and the reason.

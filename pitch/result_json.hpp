@@ -15,8 +15,8 @@
 namespace mirocup::pitch {
 
 // Returns a file of schema mirocup/pitch/1. Identified numbers have {"value", "low", "high"}; other
-// numbers have the values of `start`, and "not_known" gives the reason. `name` is the name of the
-// pitch.
+// numbers have the values of `start`, and "not_known" gives the reason for each. `name` is the name
+// of the pitch.
 nlohmann::ordered_json pitch_json(const Identified& identified, const match::PitchSpec& start,
                                   const std::string& name);
 

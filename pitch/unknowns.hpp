@@ -23,9 +23,10 @@ struct Unknown {
   std::string_view name;  // "wheel_radius", "restitution/ball_wall", "command_delay"
   // True: the number is positive, and the fit searches its logarithm.
   bool is_ratio;
-  double least, most;      // range of the number
-  double widest;           // the largest half-width of a known number's 95 % interval; of the
-                           // interval of the logarithm if is_ratio
+  double least, most;  // range of the number
+  // A number is known if half the width of its 95 % interval is less than this. If is_ratio, the
+  // interval of the logarithm counts.
+  double widest;
   std::string_view needs;  // the motion that a recording must show to identify the number
 };
 

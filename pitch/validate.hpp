@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Validation: the errors of the simulator's predictions some pictures ahead in a recording, beside
-// the errors of yardsticks.
+// Validation: the simulator predicts the bodies' places some pictures ahead in a recording, and its
+// errors are compared with those of yardsticks.
 //
 // Every few pictures a prediction begins: all bodies start with the positions and velocities that
 // the pictures up to that time show. The yardsticks start from the same states:
@@ -24,11 +24,11 @@
 
 namespace mirocup::pitch {
 
-// The kind of event of a body in the simulator between the start and the picture ahead. If a body
-// has several kinds, the first of this list counts.
+// The kind of event that a body has in the simulator between the start and the picture ahead. If a
+// body has events of several kinds, the first kind of this list counts.
 enum class EventKind { push, robot_and_robot, robot_and_ball, wall, slide, drive, free_roll };
 
-inline constexpr std::array<int, 5> horizons{1, 2, 5, 10, 30};  // pictures
+inline constexpr std::array<int, 5> horizons{1, 2, 5, 10, 30};  // pictures ahead
 
 enum class Predictor { simulator, straight, paper, peer };
 inline constexpr int predictors = 4;
@@ -37,15 +37,15 @@ inline constexpr int predictors = 4;
 struct ErrorCell {
   int count = 0;
   std::array<double, predictors> rms{};            // m, without the camera's noise
-  std::array<bool, predictors> beats_simulator{};  // by two standard errors at least
+  std::array<bool, predictors> beats_simulator{};  // by two standard errors, and noticeably
 };
 
-// One prediction for a picture of the page: the seen and the predicted places of a body.
+// One prediction that the page draws: the seen and the predicted places of a body.
 struct Track {
   EventKind kind = EventKind::drive;
   bool is_ball = false;
   std::string body;    // "blue 1", "the ball"
-  double t = 0.0;      // s, of the recording
+  double t = 0.0;      // time of the start in the recording, s
   double error = 0.0;  // error of the simulator at the last horizon, m
   std::vector<Vec2> seen;
   std::array<std::vector<Vec2>, predictors> predicted;
@@ -56,7 +56,7 @@ struct Validation {
   double noise = 0.0;   // noise of the camera, m
   double period = 0.0;  // time between two pictures, s
   std::array<std::array<ErrorCell, horizons.size()>, 7> cells{};  // [kind][horizon]
-  std::vector<Track> examples;  // an example of median error for each kind that occurred
+  std::vector<Track> examples;  // a prediction of median error for each kind that occurred
   // Sentences about the cells in which a yardstick is better than the simulator.
   std::vector<std::string> objections;
 };
@@ -64,7 +64,7 @@ struct Validation {
 // Another engine as a yardstick.
 struct Peer {
   std::string name;
-  // Sets the bodies to `start`, and calls see(frame, place in window.bodies, position) for each
+  // Sets the bodies to `start`, and calls see(frame, index in window.bodies, position) for each
   // body in each later frame of the window, in the order of frames and bodies.
   using See = std::function<void(int, std::size_t, const Vec2&)>;
   std::function<void(const Recording&, const Footage&, const Guess&, const Window&,

@@ -13,7 +13,7 @@ namespace mirocup::pitch {
 struct ValidationRequest {
   std::vector<std::string> recordings;
   std::string pitch = "mirosot";  // a preset's name, or a file
-  std::string page;               // "": none
+  std::string page;               // path for the page; "": no page
   bool json = false;
 };
 

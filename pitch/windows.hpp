@@ -67,8 +67,8 @@ class Footage {
   // pictures, or fewer than degree + 2, show the body.
   std::optional<FittedState> state_at(int body, int frame, int count, int degree) const;
 
-  // True if, between two frames of the range, a hand moves a body (faster than any robot), or the
-  // camera pauses.
+  // True if, between the frames `first` and `last`, a hand moves a body (faster than any robot
+  // can), or the camera pauses.
   bool is_broken(int first, int last) const;
 
   // Returns the camera's noise of a coordinate, m, estimated robustly from third differences, in
@@ -92,7 +92,7 @@ class Rerun {
  public:
   Rerun(const Footage& footage, const Guess& guess) : footage_(footage), guess_(guess) {}
 
-  // Sets the bodies to `start`, and calls see(frame, place in window.bodies, state) for each body
+  // Sets the bodies to `start`, and calls see(frame, index in window.bodies, state) for each body
   // in each later frame of the window. If `statistics` is given, records the impacts with times
   // since the first frame. A robot whose commands are not known keeps its first wheel speeds.
   template <class See>

@@ -21,18 +21,21 @@ struct NetworkTerms {
   std::string match_id = "1";  // ID by which DDS teams join
   std::string interface = "lo";
   int dds_domain = 0;
-  std::string credentials;                         // folder; "": anybody may join
-  double join_within = 60.0;                       // time that a team has to join, s
-  std::optional<double> away_limit;                // allowed absence, s; empty: the default
-  firasim::Addresses firasim{"", "", "", "", ""};  // "": the address of the instance
-  std::string firasim_instance = "0";              // a number, or "auto"
+  std::string credentials;    // folder; "": anybody may join
+  double join_within = 60.0;  // time that a team has to join, s
+  // Allowed absence of a team, s; empty: the default of the team's protocol.
+  std::optional<double> away_limit;
+  // Each address that is not "" replaces that address of `firasim_instance`.
+  firasim::Addresses firasim{"", "", "", "", ""};
+  std::string firasim_instance = "0";  // a number, or "auto"
   // Shell commands that start FIRASim teams; "": a person starts the team.
   match::ByTeam<std::string> programs;
   // True: the match waits for FIRASim teams, also in real time.
   bool lockstep = false;
 };
 
-// The part of the match that a seat uses. Everything in it must outlive the seat.
+// The part of the match that a seat uses. All objects to which its members refer must outlive the
+// seat.
 struct SeatTerms {
   const match::Leg& leg;
   double period;  // wall time of a tick, s; 0: as fast as possible

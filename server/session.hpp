@@ -35,7 +35,7 @@ struct SessionTerms {
 
 // A match. Call the functions below this class in their order, each once. Threads: one.
 struct Session {
-  // `factor` of real time; if empty, the match plays as fast as possible.
+  // `factor`: simulated seconds per second; if empty, the match plays as fast as possible.
   Session(SessionTerms terms, const match::Setup& setup, std::optional<double> factor);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;

@@ -39,11 +39,11 @@ struct Site {
   std::function<std::optional<int>(const std::string& name)> match;
 
   // Handles the body of a request to /control; returns false if the request is not allowed. Without
-  // this function no request changes anything.
+  // this function, /control is a path like any other.
   std::function<bool(const std::string& body)> control = {};
 
-  // If set, the server first calls this function, for every method. If it returns nothing, the
-  // server looks for the path in the pages.
+  // If set, the server first calls this function with each request, of any method. If the function
+  // returns nothing, the server looks for the path in the pages.
   std::function<std::optional<Reply>(const Request& request, const Body& body)> desk = {};
 };
 

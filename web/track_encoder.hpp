@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Encodes the positions of all bodies, tick by tick, small enough for a page. Positions are whole
-// numbers. Each number is written as its difference to the straight line through the two numbers
-// before it, in as few bytes as possible.
+// numbers. Each number is written as its difference from the straight line through its values in
+// the two frames before, in as few bytes as possible.
 //
 // A frame is the state at the start of a tick as whole numbers, in the units below: clock, ball x
 // and y, then x, y and heading of each robot, blue robots first. page/track.js reads frames and

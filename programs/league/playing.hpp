@@ -19,8 +19,8 @@ struct HeldLeague {
 };
 
 // Opens a league in order to play it, and prints any repair of its journal. Errors are those of
-// expect_owner(), and Errc::unavailable, with `advice` as the end of the sentence, if another
-// process plays the league.
+// expect_owner(), and Errc::unavailable if another process plays the league; `advice` is the end of
+// that error's sentence.
 Result<HeldLeague> hold_league(system::Files& files, const Folder& folder,
                                const std::string& advice);
 
@@ -38,7 +38,7 @@ struct PlayTerms {
 Result<LeagueState> play_league(system::Files& files, LeagueStore store, ProgressReporter& progress,
                                 const PlayTerms& terms);
 
-// Adds the option --other-program of these subcommands.
+// Adds the option --other-program to a subcommand.
 void add_other_program(const system::Command& command, bool& accepts_other_program);
 
 // Prints to standard error why the league has not ended.

@@ -13,8 +13,8 @@ namespace mirocup::league {
 std::unique_ptr<ProgressReporter> make_progress_reporter();
 
 // Returns "[######......]  37 of 100 legs, 2 playing, 4 min left" with a bar of `width` characters.
-// `seconds` is the time since `first` legs were decided, from which the remaining time is
-// estimated.
+// The remaining time is estimated from `seconds`, the time since the moment at which `first` legs
+// were decided.
 std::string bar_text(int first, int decided, int legs, int playing, double seconds, int width);
 
 }  // namespace mirocup::league

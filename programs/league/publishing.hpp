@@ -14,7 +14,7 @@
 
 namespace mirocup::league {
 
-// The nights on the pages: the last night that may be shown, and the feed.
+// The news of nights on the pages: the last night that may be shown, and the feed.
 struct NightNews {
   std::optional<Night> night;
   std::string feed;  // feed.xml; "": none

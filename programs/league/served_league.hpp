@@ -102,7 +102,7 @@ class ServedLeague {
   system::Files& files_;
   std::mutex mutex_;  // guards all members up to replaying_
   LeagueStore store_;
-  std::string config_;  // league.json, until the league starts
+  std::string config_;  // the last text of league.json
   bool takes_hand_ins_ = false;
   std::chrono::steady_clock::time_point polled_at_{};
   std::uint64_t version_ = 0;  // grows with each change of the journal or of the live legs

@@ -14,10 +14,10 @@ namespace mirocup::app {
 
 class CheckPlan {
  public:
-  static constexpr double all = 20.0;        // use of a check
-  static constexpr double causes = 15.0;     // additional use to find the cause of a refusal
-  static constexpr double longest = 4.0;     // longest playing of one leg
-  static constexpr double shortest = 0.5;    // shortest playing of a leg that must be played
+  static constexpr double all = 20.0;        // most use of a whole check
+  static constexpr double causes = 15.0;     // most further use to find the cause of a refusal
+  static constexpr double longest = 4.0;     // longest playing time of a leg
+  static constexpr double shortest = 0.5;    // shortest playing time of a leg
   static constexpr double most_start = 4.0;  // longest processor time for loading an entry
 
   // Adds the use of a leg, and the part of this use for loading the entry.
@@ -29,7 +29,7 @@ class CheckPlan {
   // From now on legs are played to find the cause of a refusal.
   void look_for_causes() { most_ = std::max(most_, used_ + causes); }
 
-  // Returns how long the next leg may play if `legs` legs, the next leg included, must be played.
+  // Returns the playing time of the next leg if `legs` legs, the next leg included, must be played.
   double share_of(int legs) const {
     return std::clamp((most_ - used_) / legs - start_, shortest, longest);
   }

@@ -36,7 +36,7 @@ struct PlayedTry {
 struct DrillTerms {
   std::uint64_t first_seed = 1;
   int jobs = 0;               // tries at once; 0: one for each processor
-  std::string replay_folder;  // folder for record and page of a failed try; "": not kept
+  std::string replay_folder;  // for record and page of each failed try; "": not kept
 };
 
 // Plays all tries and returns the tries of each task in the order of their seeds. The function

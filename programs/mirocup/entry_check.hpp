@@ -25,7 +25,7 @@ struct Check {
   std::string name = {};            // for scripts: "file", "complete", ...
   std::optional<bool> passed = {};  // empty: not run, because an earlier check failed
   std::string text = {};            // the finding; after a failure, a sentence with a remedy
-  // After a failure, the parts of the text, and the place of the failure in the file or the leg.
+  // After a failure: the finding, the place in the file or the leg, and the remedy.
   std::string what = {};
   std::string where = {};
   std::string cure = {};
@@ -41,7 +41,7 @@ struct EntryReport {
   std::string sha256;  // "" if the file cannot be an entry
   plugins::Isolation isolation = plugins::Isolation::T2;
   std::vector<Check> checks;
-  double start_ms = 0.0;
+  double start_ms = 0.0;                     // processor time to load and create the team
   double mean_tick_ms = 0.0;                 // processor time
   double slowest_tick_ms = 0.0;              // processor time
   double bank_share = 0.0;                   // mean_tick_ms / the time that a tick adds to the bank
@@ -78,12 +78,13 @@ using OnCheck = std::function<void(const Check&)>;
 using OnStep = std::function<void(int number, int of, const char* name)>;
 
 // Looks at the file, then lets it play in the sandbox: whole legs against the house team striker in
-// both colours, and a knock-out leg. It plays the knock-out leg and the leg as blue again with a
-// heap that watches the entry's memory, at other addresses and at another time. Takes three seconds
-// for a usual team. A slow team plays shorter legs, so that the check takes at most 20 s of
-// processor time, of all its processes together, and 15 s more to find out why an entry is refused.
-// Only an entry that takes more than 2 s to load needs more, since each leg loads it. An error
-// means that the check has no answer: the file cannot be read, or the host failed.
+// both colours, and a knock-out leg. Then the entry repeats the knock-out leg and the leg as blue
+// with a heap that watches the entry's memory, at other addresses and at another time. The check
+// takes three seconds for a usual team. A slow team plays shorter legs, so that the check takes at
+// most 20 s of processor time, of all its processes together, and 15 s more to find out why an
+// entry is refused. Only for an entry that takes more than 2 s to load, the check takes longer,
+// since each leg loads the entry. An error means that the check has no answer: the file cannot be
+// read, or the host failed.
 Result<EntryReport> check_entry(const std::string& path, const EntryTerms& terms,
                                 const OnCheck& on_check = {}, const OnStep& on_step = {});
 

@@ -38,7 +38,7 @@ struct Examination {
   std::set<MetRestart> restarts{};  // restarts in the legs so far
   double slept = 0.0;               // s of sleep, scaled to a leg of full length
   std::size_t grown = 0;            // growth of the entry's memory in a leg, bytes
-  std::string requests{};           // requests of the team, a line each
+  std::string requests{};           // lines of ProcessController::requests()
   CheckPlan plan{};
   EntryReport report{};
 };
@@ -51,7 +51,7 @@ Result<bool> play_whole_legs(Examination& e);
 Result<bool> play_knockout(Examination& e);
 Result<bool> repeat_elsewhere(Examination& e);
 
-// Tells the name of the next check.
+// Calls on_step for the next check.
 void tell_next(const Examination& e);
 
 // These functions add the result of the next check and return true if it passed.

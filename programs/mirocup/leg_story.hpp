@@ -20,7 +20,7 @@ struct LegStory {
   double turning = 0.0;          // share: turned in place
   double backwards = 0.0;        // share: drove backwards
   double fastest_wheel = 0.0;    // commanded by the entry, rad/s
-  double towards_own_end = 0.0;  // part of given_speed that went towards the own end
+  double towards_own_end = 0.0;  // the part of given_speed towards the own end, 0 to 1
   double given_speed = 0.0;      // sum of the speeds along x that its touches gave the ball, m/s
   unsigned told_left = 0;        // bit i: a command turned the left wheel of robot i
   unsigned told_right = 0;       // bit i: a command turned the right wheel of robot i

@@ -11,10 +11,10 @@ namespace mirocup::app {
 
 // Returns the path of a program that reproduces the record at `path`; "" if no such program exists.
 // Precondition: the record's checksum is right. The function looks for programs in the folders of
-// $MIROCUP_VERSIONS and in /opt/mirocup/*, each in bin/ and in the folder itself. It runs a program
-// only if no stranger can have put it there (system/trusted_program.hpp), it is called mirocup, and
-// `--version` prints the version that the record names. Standard error names each program that a
-// stranger might have put there.
+// $MIROCUP_VERSIONS and in /opt/mirocup/*, each in bin/ and in the folder itself. It runs only
+// programs that are called mirocup and that no stranger can have put there
+// (system/trusted_program.hpp). `--version` must print the version that the record names. Standard
+// error names each program that a stranger might have put there.
 std::string version_that_reproduces(const std::string& path, const record::MatchRecord& record);
 
 }  // namespace mirocup::app

@@ -26,7 +26,7 @@ struct TrialTerms {
   Team team = Team::blue;  // the colour of the entry
   match::TeamParameters parameters;
   std::uint32_t max_ticks = UINT32_MAX;
-  double max_seconds = CheckPlan::longest;  // the leg stops after this use in play, s
+  double max_seconds = CheckPlan::longest;  // the leg stops after this use, without loading, s
   plugins::Isolation isolation = plugins::Isolation::T2;
   plugins::Surroundings surroundings;
   bool is_recorded = false;
@@ -45,7 +45,7 @@ struct TrialLeg {
   double start_seconds = 0.0;                  // processor time to load and create the team
   double playing_seconds = 0.0;                // processor time
   double slowest_tick_ms = 0.0;                // processor time
-  std::uint32_t places = 0;                    // times that the entry was asked to place
+  std::uint32_t places = 0;                    // number of calls of place()
   double slept_seconds = 0.0;                  // sleep; waiting for a processor does not count
   double used_seconds = 0.0;                   // as CheckPlan counts, loading included
   double used_to_start = 0.0;                  // the part of used_seconds before the first tick

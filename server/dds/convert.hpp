@@ -61,7 +61,8 @@ match::Command to_command(const mirocup_v4_TeamCommand& sample);
 // sample.
 bool is_known(const mirocup_v4_WorldState& sample);
 
-// Returns why two processes with these layouts of topics cannot play together; "" if they can.
+// Returns why this process cannot play with a process whose topics have the layout `theirs`; "" if
+// it can.
 std::string layout_mismatch(std::uint32_t theirs);
 
 // Copies text into a bounded string of a sample and cuts it to fit.

@@ -25,8 +25,8 @@ class CycloneLog {
   CycloneLog& operator=(const CycloneLog&) = delete;
   ~CycloneLog();
 
-  // Returns the last different messages, oldest first, separated by "; ", in printable ASCII; "" if
-  // no message came. Malformed packets are mentioned only if there is no other message.
+  // Returns the kept messages, oldest first, separated by "; ", in printable ASCII; "" if no
+  // message came. Malformed packets are mentioned only if there is no other message.
   std::string last_error() const;
 
   // Returns last_error() as the end of a sentence, " (DDS: ...)"; "" if there was no message.

@@ -20,8 +20,8 @@ inline constexpr int server_ports = 10;
 inline constexpr int default_domain = 0;
 inline constexpr int last_domain = 230;  // later domains have no valid ports
 
-// Returns the port of discovery of the participant with an index, as in DDSI-RTPS 2.2 (9.6.1.1).
-// The participant receives data at the next port.
+// Returns the discovery port of the participant number `index`, as in DDSI-RTPS 2.2 (9.6.1.1). The
+// participant receives data at the next port.
 int port_of(int domain, int index);
 
 // The connection of this process to the network. Its destructor leaves the network properly. A

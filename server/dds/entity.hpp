@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// DDS entities that delete themselves, and functions that make entities with the QoS of a topic's
-// row (idl/qos.hpp). A class that owns entities declares parents before children, so that children
+// DDS entities that delete themselves, and functions that make entities with the QoS in a topic's
+// row of idl/qos.hpp. A class that owns entities declares parents before children, so that children
 // are deleted first.
 #pragma once
 

@@ -12,13 +12,13 @@ namespace mirocup::dds {
 
 class ExcusedTime {
  public:
-  // `usual_step`: a server at work calls look() at least this often, s. Time beyond `usual_step`
-  // counts as a stall of the server.
+  // `usual_step`: the longest time between two calls of look() by a server at work, s. The part of
+  // a step beyond `usual_step` counts as a stall of the server.
   explicit ExcusedTime(double usual_step) : usual_step_(usual_step) {}
 
   // Notes the state at the moment `now`, s. `is_up`: the host's interface has a carrier and an
   // address. `any_heard`: a command of a team has come since the last look. If commands of one team
-  // arrive, the network is not down, even if the interface seems down. Then the other team is away
+  // arrive, the network is not down, even if the interface seems down; a silent team is then away
   // by its own fault.
   void look(double now, bool is_up, bool any_heard) {
     const double step = last_ ? now - *last_ : 0.0;

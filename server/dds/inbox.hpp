@@ -27,8 +27,8 @@ struct CommandCounts {
 // The kinds of commands of the team's own process.
 enum class Arrival {
   in_step,   // the answer to the present tick
-  late,      // answers a tick that is over, but a newer one than all earlier commands
-  old,       // answers a tick that is over, and not a newer one than all earlier commands
+  late,      // answers a tick that is over, newer than the ticks of all earlier commands
+  old,       // answers a tick that is over, not newer than the ticks of all earlier commands
   repeated,  // a further answer to the last answered tick
   ahead,
 };

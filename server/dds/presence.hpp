@@ -51,7 +51,7 @@ struct HostAtFault {};
 using Verdict = std::variant<PlayOn, AwaitOther, Disconnected, HostAtFault>;
 
 // `host_was_down` is the time for which the host's own network was down in this leg. Such time does
-// not count as absence of a team. If it is longer than `limit`, the leg is void.
+// not count as absence of a team. If the network was down for longer than `limit`, the leg is void.
 Verdict judge_absences(const match::ByTeam<Standing>& teams, double host_was_down, double limit);
 
 }  // namespace mirocup::dds

@@ -93,12 +93,12 @@ class Seat final : public match::Controller {
   void end(match::Answer how) { end_ = std::move(how); }
   match::Fault disconnected() const;
   const JoinTerms& terms() const { return terms_; }
-  double resend_after() const { return round_trip_.resend_after(); }  // s
+  double resend_after() const { return round_trip_.resend_after(); }
   // True if a command has come since the last call.
   bool take_heard() { return std::exchange(was_heard_, false); }
 
-  // True if a command of the team's process has come lately. To be called only before the first
-  // tick, while the server sends the state again and again.
+  // True if a command of the team's process has come within the last JoinTerms::notice seconds. To
+  // be called only before the first tick, while the server sends the state again and again.
   bool is_there() const { return !has_left() && now() - heard_at_ < terms_.notice; }
 
   Team team() const { return briefing_.team; }

@@ -6,8 +6,8 @@
 // In FIRASim every process may steer both colours. Here a colour belongs to the first address and
 // port that sends commands for the colour. This sender may also own the other colour. If the owner
 // of a colour has been silent for half of Terms::away, a sender without a colour may take the
-// colour over. Placements come from another socket of the sender's host. That socket gets the
-// colour by the same rule.
+// colour over. Placements come from another socket of the sender's host. The first such socket owns
+// the placements of the colour, under the same rule.
 //
 // As in FIRASim, a robot drives its last command until a newer command comes. At a restart all
 // robots of the team stop.
@@ -36,8 +36,8 @@ struct Terms {
   // datagram (real time) or with the vision that the team should answer (lock-step).
   double away = 10.0;
   std::function<bool()> interrupted = [] { return false; };
-  // If the team can no longer send, returns the reason; otherwise no value. The argument ends the
-  // sentence: "before it sent anything".
+  // If the team can no longer send, returns the reason; otherwise no value. `when` is the end of
+  // the reason's sentence: "before it sent anything".
   std::function<std::optional<match::Answer>(const std::string& when)> why_gone = [](auto&) {
     return std::nullopt;
   };
@@ -134,7 +134,7 @@ class Seat final : public match::Controller {
   // True: the team never commands some robots, and ticks wait only for `ever_commanded_`.
   bool only_ever_commanded_ = false;
   int partial_ticks_ = 0;       // ticks whose wait ended with commands for only some robots
-  int silent_ready_ticks_ = 0;  // in a row
+  int silent_ready_ticks_ = 0;  // ticks in READY without a command, in a row
   int missing_placements_ = 0;  // in a row
   std::optional<TeamPlacement> placement_;  // since the last call of a restart
   bool may_place_ = false;                  // true: the team may place in this tick

@@ -17,7 +17,7 @@ namespace mirocup::firasim {
 
 // Addresses and ports, by default those of FIRASim and VSSReferee.
 struct Addresses {
-  std::string vision = "224.0.0.1:10002";  // addresses, separated by commas
+  std::string vision = "224.0.0.1:10002";  // the addresses to send to, separated by commas
   std::string referee = "224.5.23.2:10003";
   std::string command;                         // PORT or ADDRESS:PORT; "": 20011
   std::string placement = "224.5.23.2:10004";  // a multicast group or an address of this host

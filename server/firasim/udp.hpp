@@ -27,8 +27,8 @@ std::string to_text(const Endpoint& endpoint);
 Result<Endpoint> parse_endpoint(const std::string& text, const std::string& option);
 Result<std::vector<Endpoint>> parse_endpoints(const std::string& text, const std::string& option);
 
-// True for an address of this host. A datagram with such a sender is from this host: Linux drops
-// those that come from other hosts.
+// True for an address of this host. A datagram with such a sender is from this host, because Linux
+// drops all others with such a sender.
 bool is_of_this_host(const Endpoint& endpoint);
 
 // The interface with which datagrams to a group do not leave this host.

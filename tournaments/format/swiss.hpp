@@ -15,7 +15,7 @@ namespace mirocup::league {
 // rounded up, or max_swiss_rounds() if that is less.
 int usual_swiss_rounds(int teams);
 
-// Returns the number of rounds that can be paired for all possible results.
+// Returns the number of rounds that can be paired, whatever the results are.
 int max_swiss_rounds(int teams);
 
 // The points of a team before a round.
@@ -24,8 +24,8 @@ struct SwissStanding {
   std::int64_t points = 0;
 };
 
-// Which team gets the bye, of the teams that have had none and without which the others can be
-// paired.
+// The choice of the team that gets the bye, among the teams that have had no bye and whose bye lets
+// all other teams be paired.
 enum class SwissBye {
   left_over,       // the team that is left when the others have been paired
   last,            // the last of the standings

@@ -2,8 +2,8 @@
 //
 // The book of the hand-ins of a league, hand-ins.jsonl: a journal like that of the league, with a
 // line for each file that came in over the network and a line for each answer. The server confirms
-// a file, or tells its answer, only after the line is on disk. So a server that was killed
-// continues from the book.
+// a file, or gives the answer to a file, only after the line is on disk. So a server that was
+// killed continues from the book.
 //
 // The book is not part of the league's journal, because teams hand in before the league starts, and
 // because only the team may read an answer. journal/format.md describes the lines of the book.

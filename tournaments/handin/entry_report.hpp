@@ -27,7 +27,8 @@ CheckStep last_step(std::string_view output);
 
 // Returns the report of an entry; null if the team has no entry of that number. A verdict that
 // cannot be read is an error, not a refusal. If `waiting` is null, the entry was not handed in over
-// the network. Only if `is_whole`, the report has checks, times and log.
+// the network. `before` is HandInQueue::before(). Only if `is_whole`, the report has checks, times
+// and log.
 Result<Json> entry_report(system::Files& files, const Folder& folder, const std::string& team,
                           int entry, const WaitingHandIn* waiting, int before,
                           const CheckStep& step, bool is_whole);

@@ -51,8 +51,8 @@ bool is_house(std::string_view opponent);
 
 class Friendlies {
  public:
-  static constexpr int per_hour = 10;  // the most legs that a team may ask for
-  static constexpr int kept = 60;      // latest legs of each team whose records stay
+  static constexpr int per_hour = 10;  // the most legs that a team may ask for in an hour
+  static constexpr int kept = 60;      // number of each team's latest legs whose records stay
 
   // Adds a leg that waits. Precondition: the leg has the team's next number.
   void add(Friendly friendly);
@@ -80,7 +80,7 @@ class Friendlies {
   std::vector<int> waiting_of_older(const std::string& team, int entry) const;
 
   bool has_burst(const std::string& team, int entry) const;
-  // Returns the last entry of each team that had a burst.
+  // Returns, for each team, the last entry that had a burst.
   const std::map<std::string, int>& bursts() const { return bursts_; }
 
   // Returns how many legs the team has asked for in the hour before `now`.
@@ -93,7 +93,7 @@ class Friendlies {
   std::vector<Key> open_;             // waiting or playing, in the order in which they came
   std::map<std::string, long> turn_;  // when each team had its last turn
   long turns_ = 0;
-  std::map<std::string, int> bursts_;  // the last entry of each team that had a burst
+  std::map<std::string, int> bursts_;  // for each team, the last entry that had a burst
 };
 
 }  // namespace mirocup::league

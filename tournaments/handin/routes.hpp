@@ -41,8 +41,8 @@ struct Call {
   std::vector<std::string_view> parts = {};  // the part of the path for each star of the route
 };
 
-// If a path matches a pattern, returns the parts of the path in the places of its stars. "*" is one
-// part that is not empty; "**", at the end, is the rest of the path.
+// If a path matches a pattern, returns the parts of the path that stand for the pattern's stars.
+// "*" is one part that is not empty; "**", at the end, is the rest of the path.
 std::optional<std::vector<std::string_view>> match_path(std::string_view pattern,
                                                         std::string_view path);
 

@@ -40,8 +40,8 @@ Result<void> apply_line(LeagueState& state, const Json& line, const std::string&
 // line, the state has no fixtures. Errors are those of apply_line().
 Result<LeagueState> state_from_journal(LeagueFile file, const Journal& journal);
 
-// Returns the state after the first `count` lines alone. The state also skips the decision of the
-// line `undoing` (0: none), which a caller is about to undo.
+// Returns the state after the first `count` lines alone, except undone decisions and the
+// decision of the line `undoing` (0: none), which the caller is about to undo.
 Result<LeagueState> state_from_lines(LeagueFile file, const Journal& journal, std::size_t count,
                                      int undoing = 0);
 

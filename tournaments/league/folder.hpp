@@ -87,7 +87,7 @@ struct Folder {
   std::string check_log(const std::string& team, int number) const {
     return entry(team, number) + "/check.log";
   }
-  // The record of the leg in the check.
+  // The record of the leg that the check keeps (EntryReport::gate_leg).
   std::string gate_leg(const std::string& team, int number) const {
     return entry(team, number) + "/gate.json";
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The copies of match servers in the folder of a league: one of each program that has played the
-// league. Only the program that played a leg is certain to repeat its course. In another program
-// the same commands may give another course.
+// league. Only the program that played a leg is certain to repeat the course of the leg. In another
+// program the same commands may give another course.
 //
 // A folder may come from another host. So a copy is run only if its digest is on a list outside the
 // folder. This host lists a copy that it has kept itself, or that its user has called trusted.

@@ -58,8 +58,8 @@ struct FixtureState {
   // The outcome of a knockout tie that was decided because a team had left. The outcome stays if
   // the other team also leaves. Empty in leagues of the former rules.
   std::optional<TieOutcome> walkover;
-  int counted_needed = 0;  // needed() and decided() as added to the league's counts
-  int counted_decided = 0;
+  int counted_needed = 0;   // needed() as last added to the league's count
+  int counted_decided = 0;  // decided() as last added to the league's count
 
   // The number of legs that the fixture needs by present results (a level tie needs one more), and
   // the number of its decided legs.

@@ -21,13 +21,13 @@ struct RosterRow {
   TeamStatus status = TeamStatus::playing;
   std::string why;        // the reason why the team is paused or has withdrawn
   int playing_entry = 0;  // the entry that plays, by the journal; 0: none yet
-  int last_accepted = 0;  // the last entry that was accepted, or the pinned one; 0: none
+  int last_accepted = 0;  // the pinned entry, otherwise the last accepted entry; 0: none
   int last_entry = 0;     // number of the last kept entry
   std::string handed_in;  // time of the last hand-in, UTC; "": never, or the host gave the library
   bool was_accepted = false;         // the last try was accepted
   bool has_ended = true;             // false: the check of the last try is running, or was stopped
   std::string message;               // the answer to the last try
-  std::string sha256;                // of the last kept entry; or ""
+  std::string sha256;                // of the last kept entry; "": no entry
   std::vector<std::string> same_as;  // other teams whose entry is the same file
 
   // Returns "nothing handed in", "accepted", "refused", "not checked to the end" or "given by the

@@ -75,9 +75,9 @@ Result<std::string> pin_entry(system::Files& files, const Folder& folder, const 
 // capital letters. A mistake in the file and a used-up quota give a Submission that says so; errors
 // are faults of the host or of the call.
 //
-// The result is fixed when entry.json is on disk. A process that dies before has had no effect. If
-// a process dies after that, the next call with the same number does not check again, and finishes
-// the missing steps.
+// The result is fixed when entry.json is on disk. A process that dies before that moment has had no
+// effect. If a process dies after it, the next call with the same number does not check again, and
+// finishes the missing steps.
 Result<Submission> submit(system::Files& files, const Folder& folder, const HandIn& handed,
                           const Quota& quota = {});
 

@@ -21,8 +21,9 @@ Result<void> expect_program(system::Files& files, LeagueStore& store,
                             const record::Software& program, bool accepts_other);
 
 // Copies this match server, and the plugin host that a rerun needs, to the league's folder, unless
-// it has a copy of this server that this host trusts. Puts the match server on this host's list
-// (league/kept_program.hpp). If the list cannot be written, prints a warning to standard error.
+// the folder has a copy of this server that this host trusts. Puts the match server on this host's
+// list (league/kept_program.hpp). If the list cannot be written, prints a warning to standard
+// error.
 Result<void> keep_program(system::Files& files, const Folder& folder,
                           const record::Software& program);
 

@@ -47,7 +47,7 @@ class Runner {
   struct Worker {
     int cpu = -1;
     std::string fixture;           // the id of its fixture; "": the processor is free
-    std::optional<LegId> playing;  // its fixture is a copy from the start of the leg
+    std::optional<LegId> playing;  // LegId::fixture is a copy, made when the leg started
     pid_t joiner[2] = {0, 0};      // processes of mirocup join for DDS teams, blue and yellow
   };
 

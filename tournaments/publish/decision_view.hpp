@@ -13,7 +13,7 @@ namespace mirocup::league {
 
 struct DecisionView {
   int number = 1;  // number of the decision, from 1, in the order of the journal
-  // Kind of the decision's line: "void", "ruling", "withdraw", "pause", "resume".
+  // Kind of the decision's line: "void", "ruling", "withdraw", …
   std::string_view kind;
   std::string at;    // time of the decision, UTC; "" if its line has no time
   std::string by;    // the person; "" if the line names no person

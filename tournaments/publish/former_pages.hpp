@@ -10,7 +10,7 @@
 
 namespace mirocup::league {
 
-// Removes the files in the folder `part` ("rounds/") of the site that `names` does not list; each
+// Removes the files that `names` does not list from the folder `part` ("rounds/") of the site. Each
 // name begins with `part`. A file that another process is writing stays.
 Result<void> remove_former_pages(system::Files& files, const std::string& site,
                                  const std::string& part, const std::set<std::string>& names);

@@ -37,7 +37,7 @@ struct TuningOptions {
   std::uint64_t seed = 1;
   int generations = 12;
   int fixtures = 4;        // of each candidate in the first generation, against each opponent
-  int most_fixtures = 32;  // the most fixtures in a generation, if there is much noise
+  int most_fixtures = 32;  // the most of these fixtures in a later generation
   int test_fixtures = 60;  // fixtures of the final test, against each opponent
 };
 

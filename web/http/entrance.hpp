@@ -6,7 +6,8 @@
 // As long as at most half of the capacity is taken, everybody may enter. If more than half is
 // taken, an address that has many streams or connections waits: the server serves its further
 // requests a few at a time, and grants it no further stream. Earlier connections of the address
-// stay. If no capacity is left, the oldest request that has not arrived completely gives way.
+// stay. If no capacity is left, a connection gives way to the new one: the oldest that waits,
+// otherwise the oldest whose request has not arrived, otherwise the oldest with a slow answer.
 //
 // Threads: one at a time.
 #pragma once
@@ -70,8 +71,9 @@ class Entrance {
   // Stage::receiving.
   std::vector<int> let_in(Instant now);
 
-  // Returns connections that have to end now, because they waited or took too long, or gave way.
-  // Each connection is returned once, and is then in Stage::leaving.
+  // Returns connections that have to end now, because they gave way, or because they waited too
+  // long, or their request took too long to arrive. Each connection is returned once, and is then
+  // in Stage::leaving.
   std::vector<int> to_end(Instant now);
 
   // True if a thread serves the connection. No thread serves a connection that waits, or that gave

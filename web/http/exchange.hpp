@@ -33,8 +33,8 @@ class Exchange {
 
   Request& request() { return request_; }
 
-  // Reads the body as a web::Body does. A client that waits for "100 Continue" gets this reply only
-  // now.
+  // Reads the body as a web::Body does. Before this call a client that waits for "100 Continue"
+  // does not get this reply.
   bool receive_body(const std::function<bool(std::string_view part)>& take);
 
   // True if the client may still send an unread body.
@@ -57,7 +57,7 @@ class Exchange {
   Connection& connection_;
   const BodyLimits limits_;
   Request request_;
-  // Received bytes that are not yet parsed; while the head arrives, all of the head.
+  // Received bytes that are not yet parsed. Until the head is complete, its parsed bytes also stay.
   std::string buffer_;
   std::size_t parsed_ = 0;  // parsed bytes of buffer_
   bool is_http_1_0_ = false;

@@ -20,7 +20,7 @@ struct Request {
   std::string address;           // address of the other end of the connection; "": a Unix socket
   bool is_encrypted = false;     // encrypted on the way to this server or to a trusted proxy
   bool is_from_proxy = false;    // true: from a trusted proxy, which names the viewer
-  std::string viewer = address;  // the address of the viewer, as far as it can be trusted
+  std::string viewer = address;  // the viewer's address, from a trusted proxy or `address`
 
   std::multimap<std::string, std::string> query{};
   std::multimap<std::string, std::string> headers{};  // names in lower case
