@@ -72,7 +72,8 @@ class JsonReader {
   // True if the value is an object. Otherwise complains.
   bool expect_object() const;
 
-  // True if the value is an object with only these keys. Otherwise complains about the first other.
+  // True if the value is an object with only these keys. Otherwise complains about the first extra
+  // one.
   bool expect_object(std::initializer_list<std::string_view> keys) const;
 
   // True if the value is an array of min_size to max_size elements. Otherwise complains.
@@ -106,7 +107,8 @@ class JsonReader {
   // complains and returns no members.
   std::vector<std::pair<std::string, JsonReader>> members() const;
 
-  // Returns a finite number in [min, max]. After a complaint, returns 0 or the exceeded limit.
+  // Returns a finite number in [min, max]. After a complaint, returns the exceeded limit, or the
+  // number in [min, max] that is nearest to 0 if the value is not a finite number.
   double number(double min = -std::numeric_limits<double>::infinity(),
                 double max = std::numeric_limits<double>::infinity()) const;
 
@@ -132,7 +134,7 @@ class JsonReader {
   T as() const;
 
   // Sets `value` to the member with a key. If the member is missing, `value` stays unchanged; if it
-  // is null, it is a value of the wrong type, as in at().
+  // is null, complains about the wrong type.
   template <class T>
   void read_if_present(const std::string& key, T& value) const {
     if (has(key)) value = at(key).as<T>();

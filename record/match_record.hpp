@@ -60,15 +60,16 @@ struct DatagramReport {
   std::uint64_t unknown_robots = 0;  // commands to a robot that does not exist
 };
 
-// The traffic between the server and a team on the network. Commands are counted by their fate.
-// Commands in step were driven. The newest late command was driven if no newer command had come.
+// The traffic between the server and a team on the network. Commands are counted by their fate. A
+// command in step answered the present tick and was driven. If a tick had no such command, the
+// newest late command could be driven.
 struct NetworkReport {
   std::uint64_t in_step = 0;
   std::uint64_t late = 0;         // for a tick that was over
   std::uint64_t late_driven = 0;  // late commands that were driven
   std::uint64_t duplicate = 0;    // further commands for the tick that was answered last
   std::uint64_t ahead = 0;        // for a tick that had not begun
-  std::uint64_t foreign = 0;      // from a process without the seat
+  std::uint64_t foreign = 0;      // from a process without the team's seat
   int processes = 0;              // processes that played for the team in turn
   std::vector<Absence> absences;
   Durations answers;  // wall time from sending a tick's state to the answer in step
@@ -116,12 +117,12 @@ struct MatchRecord {
 std::string software_version();
 Software this_software();
 
-// True if the record was played by a program with other physics or laws. In this case a difference
-// says nothing about the record or its teams.
+// True if the record was played by a program with other physics or laws. In this case a leg that
+// differs when it is played again says nothing against the record or its teams.
 bool has_other_behaviour(const MatchRecord& record);
 
-// Returns the error for a record with other behaviour that differs from `tick` on: Errc::damaged,
-// as for data of another version.
+// Returns the error for a record with other behaviour whose leg, played again, differs from `tick`
+// on: Errc::damaged, as for data of another version.
 Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick);
 
 Json to_json(const match::Outcome& result);

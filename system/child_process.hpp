@@ -4,7 +4,8 @@
 // (system/process_set.hpp) waits for several children.
 //
 // The kernel kills a child when the thread that started the child ends, so also when this process
-// ends. A child inherits no descriptor but standard input, output and error, and no blocked signal.
+// ends. A child inherits only the descriptors of standard input, output and error, and no blocked
+// signals.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -22,15 +23,16 @@ inline constexpr int not_found = 127;
 struct ChildOptions {
   std::vector<std::string> arguments;  // [0]: the program, a path or a name on the PATH
   int cpu = -1;                        // the only processor that the child may use; -1: any
-  // The file for its output and errors: a regular file of this user, or a device. The child then
-  // has no input and a separate process group, so that an interrupt at the terminal reaches this
-  // process alone. "": the child shares input, output, errors and process group with this process.
+  // The file for its output and errors: a regular file of this user, or a device. A child with a
+  // log has no input and a separate process group, so that an interrupt at the terminal reaches
+  // this process alone. "": the child has the input, output, errors and process group of this
+  // process.
   std::string log;
 };
 
 // Starts a child and returns its process id. The caller must wait for it. If the program does not
-// exist, the child ends with the code not_found. Errc::unavailable if no process can be started or
-// its log cannot be written.
+// exist, the child ends with the code not_found. Errc::unavailable if the process cannot be started
+// or the log cannot be written.
 Result<pid_t> start_child(const ChildOptions& options);
 
 // Starts a child and waits for its end. Returns its exit code, or 128 + the number of the signal

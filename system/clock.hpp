@@ -52,7 +52,7 @@ class TimeZone {
   std::string date(std::int64_t time) const;  // "2026-11-30"
 
   // Returns the time at which clocks in the zone show `shown`; if there are two such times, the
-  // first. If there is none (see gap_at()), returns a time before the gap.
+  // first. If clocks skip `shown` (see gap_at()), returns a time before they do.
   std::int64_t from_local(std::int64_t shown) const;
 
   // If no clock in the zone ever shows `shown`, because clocks are put forward past it, returns the

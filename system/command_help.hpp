@@ -18,7 +18,7 @@ namespace mirocup::system {
 // The parts of a command's help besides its options.
 struct CommandHelp {
   const char* name;         // name of the subcommand
-  const char* group;        // heading of its group in the program's help; "": not in the help
+  const char* group;        // heading of its group in the program's help; "": the help omits it
   const char* description;  // description in the program's help
   std::vector<const char*> examples;
 };
@@ -31,8 +31,8 @@ using ValueNames = std::map<std::string, const char*>;
 // "ADDR:PORT", "N" for "N:INT in [1 - 10]".
 std::string own_value_name(const std::string& type);
 
-// Sets the program's layout of help, the names of values, groups and examples. To be called once,
-// after all commands are declared.
+// Sets the layout of the program's help, the names of the options' values, and the commands' groups
+// and examples. To be called once, after all commands are declared.
 void finish_help(CLI::App& app, std::span<const CommandHelp> commands, const ValueNames& names);
 
 // Returns the completions of the last word, a completion in a line: "WORD<tab>DESCRIPTION". `words`

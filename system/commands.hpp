@@ -42,12 +42,12 @@ class Option {
   Option one_of(const std::vector<std::string>& words) const;
   Option one_of_numbers(const std::vector<int>& numbers) const;
   Option is_a_seed() const;  // an integer of 64 bits
-  // Sets a check of the value. `problem` returns why a text is wrong, or "".
+  // Sets the value's name in the help and its check: `problem` returns why a text is wrong, or "".
   Option checked(const std::string& value, std::string (*problem)(const std::string&)) const;
 
   // Makes the option's value a list that the separator divides: "a,b".
   Option split_at(char separator) const;
-  // Sets the number of words after the option.
+  // Sets the least and the greatest number of words after the option.
   Option takes(int least, int most) const;
 
   Option excludes(const Option& other) const;

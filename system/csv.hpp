@@ -21,7 +21,7 @@ struct CsvRow {
 };
 
 struct CsvTable {
-  std::vector<CsvRow> rows;  // without rows of empty cells
+  std::vector<CsvRow> rows;  // without rows whose cells are all empty
   bool was_windows_1252 = false;
 };
 

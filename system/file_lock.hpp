@@ -24,12 +24,12 @@ class FileLock {
   static Result<FileLock> acquire(const std::string& path);
 
   // Waits at most 0.2 s, and returns nothing if another process still holds the lock. Otherwise the
-  // file names this process until its end, so that signal_holder() finds it.
+  // file names this process until the process ends, so that signal_holder() finds it.
   static Result<std::optional<FileLock>> try_acquire(const std::string& path);
 
   // Sends the signals to the process that holds the lock. Returns false if no process holds the
   // lock. Errc::unavailable if the holder is not known for certain, for example because it runs on
-  // another computer: no other process is ever signalled.
+  // another computer, so that no other process is ever signalled.
   static Result<bool> signal_holder(const std::string& path, std::span<const int> signals);
 
  private:

@@ -37,12 +37,12 @@ inline constexpr std::uint64_t page = 256u << 20;        // a page that our prog
 inline constexpr std::uint64_t note = 4u << 20;          // verdicts, plans and other small JSON
 inline constexpr std::uint64_t certificate = 1u << 20;   // a file of credentials
 inline constexpr std::uint64_t log = 16u << 20;          // the output of a child process
-inline constexpr std::uint64_t system_file = 64u << 20;  // of the installation
+inline constexpr std::uint64_t system_file = 64u << 20;  // a file of the installation
 }  // namespace size_limit
 
 enum class Links {
-  refused,   // a user who may write into the folder could name a file that only the host may read
-  followed,  // the host has named the file: an argument of the command line
+  refused,   // a user who may write into the folder could link to a file that only the host reads
+  followed,  // for a file that the host itself has named, on the command line
 };
 
 enum class Growth {
@@ -66,18 +66,17 @@ struct OpenFile {
   std::uint64_t size = 0;     // bytes
   uid_t owner = 0;            // user
   std::uint64_t names = 1;    // number of hard links
-  std::uint64_t inode = 0;    // with `changed`, identifies the file
+  std::uint64_t inode = 0;    // identifies the file, together with `changed`
   std::int64_t changed = 0;   // ns since 1970 of the last change, also of its owner and names
   std::int64_t modified = 0;  // ns since 1970 of the last change of its bytes
 };
 
-// Opens a file. open() never waits, neither for the other end of a pipe nor for the holder of a
-// lease.
+// Opens a file without waiting, neither for the other end of a pipe nor for the holder of a lease.
 Result<OpenFile> open_file(const std::string& path, const ReadOptions& options);
 
-// True if the name stands for a device, a pipe or something that is already open, for example
-// /dev/null or /dev/stdout. Bytes are written there in place: a file must not replace it, and no
-// temporary file can stand beside it. False if the name, such as a link, belongs to another user.
+// True if the path names a device, a pipe or something that is already open, for example /dev/null
+// or /dev/stdout. Such a target is written in place: a file must not replace it, and no temporary
+// file can stand beside it. False if the path, for example a link, belongs to another user.
 bool is_written_in_place(const std::string& path);
 
 // Returns a copy of the bytes in memory: a file without a name that can be run and that nobody can
@@ -99,7 +98,7 @@ class Files {
 
   virtual Result<std::string> read(const std::string& path, const ReadOptions& options) = 0;
 
-  // Returns the bytes after the first `offset`.
+  // Returns the file's bytes from `offset` on.
   virtual Result<std::string> read_from(const std::string& path, std::size_t offset,
                                         const ReadOptions& options);
 
@@ -111,9 +110,9 @@ class Files {
                                                    std::size_t offset = 0);
 
   // Replaces the file: writes a temporary file in the same folder, flushes it to disk, renames it
-  // and flushes the folder. The temporary file has a name that nobody can guess and is always a new
-  // one. If another user has put a link at `path`, the link is replaced and its target untouched.
-  // If is_written_in_place(path), the bytes are written there.
+  // and flushes the folder. The temporary file is always a new file, with a name that nobody can
+  // guess. If another user has put a link at `path`, the link is replaced and its target untouched.
+  // If is_written_in_place(path), writes the bytes into `path` itself.
   virtual Result<void> write(const std::string& path, std::string_view bytes,
                              Readers readers = Readers::everybody) = 0;
 

@@ -41,9 +41,9 @@ std::string house_team(const std::string& name);
 // Like the function above, for a library in another program. `folder` is the library's folder.
 std::string house_team(const std::string& name, const std::string& folder);
 
-// Returns the folder in which programs keep data of this computer that belong to no league:
-// $STATE_DIRECTORY, which systemd sets, $XDG_STATE_HOME/mirocup or ~/.local/state/mirocup; "" if no
-// variable names an absolute path. The folder may be missing.
+// Returns the folder, which may be missing, for data of this computer that belong to no league:
+// $STATE_DIRECTORY (set by systemd), otherwise $XDG_STATE_HOME/mirocup, otherwise
+// $HOME/.local/state/mirocup; "" if none of these variables has an absolute path.
 std::string state_folder();
 
 }  // namespace mirocup::system

@@ -19,7 +19,7 @@ inline constexpr std::size_t memory_of_a_leg = 2 * memory_of_a_team + memory_of_
 // Returns how much memory, bytes, this process and its children could take before the kernel has to
 // end a process. This is the memory that the kernel calls available or, if less, the room that is
 // left in a memory cgroup around this process. Returns nothing if the kernel does not say. Tests
-// pass another `root`.
+// pass a folder `root` with copies of the kernel's files.
 std::optional<std::size_t> available_memory(const std::string& root = "");
 
 // Returns how many processes the kernel has ended for lack of memory since its start; nothing if

@@ -22,9 +22,9 @@ std::string printable(std::string_view text, LineEnds ends = LineEnds::escaped);
 
 bool is_utf8(std::string_view text);
 
-// Returns the first character of a text in UTF-8 that nobody sees, as "U+200B"; "" if all
-// characters are visible. A joiner or a variation selector counts as hidden only at the beginning,
-// after a character below U+0600, where Arabic begins, or after the same character.
+// Returns the first invisible character of a text in UTF-8, as "U+200B"; "" if all characters are
+// visible. A joiner or a variation selector counts as invisible only at the beginning of the text,
+// after itself, and after characters below U+0600 (the first Arabic character).
 std::string hidden_character(std::string_view text);
 
 // Returns a stranger's words as a part of a sentence: on one line, escaped, in double quotation

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Child processes that run at the same time, and a wait for the first child that ends. The kernel
-// kills the children with this process.
+// kills the children when this process ends.
 //
 // One thread uses a ProcessSet. Create it before any other thread, because other threads must not
-// receive its signals.
+// receive the signals that it waits for.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -55,7 +55,7 @@ class ProcessSet {
   // arrives. With 0 s, returns at once, true if a signal has arrived.
   bool is_asked_to_stop_within(double seconds);
 
-  // Kills one child, and waits for its end. wait() will not report it.
+  // Kills one child, and waits for its end, which wait() will not report.
   void kill(pid_t pid);
 
  private:

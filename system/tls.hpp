@@ -26,8 +26,8 @@ class TlsConnection {
   // True if read() can return bytes without waiting, even if none wait in the socket.
   bool has_bytes() const;
 
-  // Reads up to `size` bytes. Returns the number of read bytes; 0 at the end; a negative number
-  // after an error or if nothing comes within `ms`.
+  // Reads up to `size` bytes. Returns the number of read bytes; 0 after the other end's last byte;
+  // a negative number after an error or if nothing comes within `ms`.
   ssize_t read(char* bytes, std::size_t size, int ms);
 
   // Writes all bytes. Returns the number of bytes; a negative number after an error or if the other
@@ -47,8 +47,8 @@ class TlsConnection {
 
 class TlsServer {
  public:
-  // Reads two PEM files: a certificate, followed by the certificates that lead to its root, and its
-  // key. The error (Errc::input) names the file and the reason.
+  // Reads two PEM files: `certificate` (the server's, then the certificates up to its root) and
+  // `key` (the server's). The error (Errc::input) names the file and the reason.
   static Result<TlsServer> load(const std::string& certificate, const std::string& key);
   TlsServer(TlsServer&&) noexcept;
   TlsServer& operator=(TlsServer&&) noexcept;

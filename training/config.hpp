@@ -56,7 +56,7 @@ struct Config {
   // After this time of play, s, an episode is truncated; infinite: never.
   double episode_s = 30.0;
   bool ends_at_goal = true;         // a goal terminates the episode
-  bool skips_stops = true;          // a step lasts through a stop of play, in which robots stand
+  bool skips_stops = true;          // a step also plays a stop of play after it; robots then stand
   std::vector<StartRanges> starts;  // starts of episodes; empty: the kick-off
   nlohmann::ordered_json pitch;     // "parameters" of a scene, with ranges; null: as in a match
   int ticks_per_step = 1;           // control periods for which an action holds

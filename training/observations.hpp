@@ -7,12 +7,12 @@
 // the taker of the last restart, and the time for which the ball has been stuck. If the learner is
 // one robot, this robot comes first in its team.
 //
-// `relative`: values in the frame of the one robot that learns, whose x points forward: the ball;
-// its own velocity and turn; the middle of both goals; then the places of the robot and the ball on
-// the field; the directions of the ball, of the goal, and of the place behind the ball
-// (training/behind_ball.hpp), and the nearness of the ball and of this place; the shot from the
-// ball to the goal; then for each mate and each opponent x, y, velocity, and cosine and sine of its
-// heading; restart and stuck ball as in `standard`.
+// `relative`: values in the frame of the one robot that learns, in which x points forward: the
+// ball; the robot's own velocity and turn; the middles of both goals; then the places of the robot
+// and the ball on the field; the directions of the ball, of the goal, and of the place behind the
+// ball (training/behind_ball.hpp), and the nearness of the ball and of this place; the shot from
+// the ball to the goal; then for each mate and each opponent x, y, velocity, and cosine and sine of
+// its heading; restart and stuck ball as in `standard`.
 //
 // `vss`: the observation of rSoccer's VSS environment: the ball, the own robots with sine before
 // cosine, the opponents without heading.

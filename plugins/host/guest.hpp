@@ -10,7 +10,7 @@
 
 namespace mirocup::plugins {
 
-// Returns true if loading a team of this kind lists the folders of the system's libraries.
+// Returns `listed` if loading a team of this kind lists the folders of the system's libraries.
 Folders folders_of_guest();
 
 // Loads the team from the entry at `path`, which is also open as entry_descriptor, and creates it.

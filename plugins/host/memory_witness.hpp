@@ -23,7 +23,7 @@ namespace mirocup::plugins {
 
 // The evidence about a team's process that was killed from outside; sizes in bytes.
 struct MemoryEvidence {
-  // True: in this leg the kernel killed a process for lack of memory. Empty: it does not say.
+  // True: in this leg the kernel killed a process for lack of memory. Empty: not known.
   std::optional<bool> was_out_of_memory;
   std::optional<std::size_t> free_at_start;  // free memory when the leg began
   std::optional<std::size_t> free_now;       // free memory after the end of the process

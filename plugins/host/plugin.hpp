@@ -25,8 +25,8 @@ class Plugin {
   static tl::expected<Plugin, match::Fault> load(const std::string& path,
                                                  const mirocup_setup& setup);
 
-  // Wraps a team that other code of this process has created with these functions. The plugin does
-  // not call destroy() for such a team.
+  // Wraps a team that other code of this process has created with the functions of `strategy`. The
+  // plugin does not call destroy() for such a team.
   static Plugin adopt(const mirocup_strategy& strategy, void* team) {
     return Plugin(nullptr, &strategy, team);
   }

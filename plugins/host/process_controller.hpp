@@ -40,7 +40,7 @@ struct Budget {
   double bank = 2.0;
   double bank_per_tick = 1e-3;
   double bank_per_place = 20e-3;
-  // The time of a leg in which a team may neither compute nor wait for a processor.
+  // The longest time of a leg for which a team may sleep: neither compute nor wait for a processor.
   double sleep = 10.0;
 
   // Returns the processor time, s, that a team may have used after these ticks and placements.
@@ -49,15 +49,15 @@ struct Budget {
   }
 };
 
-// The limits of a match in real time. An answer after the deadline is late.
+// The limits of a match in real time. An answer after `tick` is late. A team loses if it has more
+// late answers than either count below allows.
 struct Deadline {
   double tick = 0.0;           // longest time from observation to answer, s
   int max_late_in_a_row = 90;  // late answers in a row; 3 s with ticks of 33 ms
   int max_late = 600;          // late answers in the leg
 };
 
-// The conditions under which the teams of a leg play. Both teams share the witness, and the
-// doorbell on which the server waits for answers.
+// The conditions under which a leg's teams play. Both teams share the witness and the doorbell.
 struct ProcessTerms {
   Isolation isolation = Isolation::T2;
   Budget budget;
@@ -154,8 +154,8 @@ class ProcessController final : public match::Controller {
                     const ProcessTerms& terms);
 
   std::optional<match::HostFailure> wait_for_sandbox();
-  // Waits until done() is true. Otherwise returns Late at `until`, or the reason why the team has
-  // lost or the leg is void.
+  // Waits until done() is true. Returns Late if `until` comes first; otherwise a reason for which
+  // the team has lost or the leg is void.
   template <class Done>
   std::optional<match::Answer> wait(Done done, const WaitLimit& limit,
                                     std::optional<WallClock::time_point> until);

@@ -4,9 +4,9 @@
 //
 // A leg must be repeatable, so it must not depend on the time of day. In every leg the time of day
 // begins with the same reading, so that a team that seeds its random numbers with time() repeats a
-// leg exactly. `mirocup check` plays a leg twice with different readings to find such a team.
-// Differences between two readings and processor time are true, except when `mirocup check` looks
-// for a team whose answers depend on clocks.
+// leg exactly. `mirocup check` plays a leg twice with different readings to find such a team. The
+// time that passes between two readings and the processor time are the real ones, except when
+// `mirocup check` looks for a team whose answers depend on clocks.
 //
 // These clocks prevent honest mistakes. A team that asks the processor or the kernel directly sees
 // other clocks, and harms only itself.

@@ -16,12 +16,12 @@
 namespace mirocup::plugins {
 
 // The caller owns the targets of the pointers below. `has_told_...` is true once the log has the
-// line about that mistake, which is logged only once.
+// line about the mistake, so that each mistake is logged only once.
 struct TeamHost {
   const ParameterTable* table = nullptr;
   AskedRows* asked = nullptr;
   ThoughtsPage* thoughts = nullptr;  // null: the team's shapes are not kept
-  // Hashes of the first different names that the team asked for and that are not in the table.
+  // Hashes of the names that the team asked for and the table lacks: the first names, each once.
   std::array<std::size_t, match::max_team_parameters + 1> names{};
   std::size_t different_names = 0;
   bool has_told_name = false;

@@ -5,7 +5,7 @@
 // program, so that a team needs only the system's Python.
 //
 // The team has the form of the functions of strategy.h, so host and match treat it like a library.
-// An exception that leaves a method leaves the function as a std::runtime_error.
+// An exception that leaves a method of the class leaves the function as a std::runtime_error.
 #pragma once
 
 #include "core/match/controller.hpp"

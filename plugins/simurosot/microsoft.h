@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The functions of Microsoft's C library, under the names that they have in it.
+ * Functions of the C library, under the names that Microsoft's C library gives them.
  */
 #ifndef MIROCUP_SIMUROSOT_MICROSOFT_H
 #define MIROCUP_SIMUROSOT_MICROSOFT_H

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Included before every source of an old team: names that Microsoft's compilers have and others
- * lack.
+ * Included before every source of an old team: names that only Microsoft's compilers know.
  */
 #ifndef MIROCUP_SIMUROSOT_PREFIX_H
 #define MIROCUP_SIMUROSOT_PREFIX_H

@@ -32,7 +32,7 @@ enum class Frame { field, ball };
 
 // An event that must happen in a try, or must not. The comment of a member names the kinds of
 // events for which the member counts. If a drill has an event that must happen, its events that
-// must not happen give no marks; such an event takes all marks of the try if it happens.
+// must not happen give no marks; if one of these happens, it takes all marks of the try.
 struct Event {
   EventKind kind = EventKind::goal;
   double marks = 1.0;
@@ -67,10 +67,10 @@ struct Drill {
   League league = League::small;
   referee::Rules rules;
   match::Conditions conditions;
-  nlohmann::ordered_json situation;  // numbers may be {"from", "to"}
+  nlohmann::ordered_json situation;  // numbers may be ranges
   std::string opponent;              // the opponent, as on the command line
-  std::string mates;                 // "": the tested team steers all robots
-  referee::RobotSet robots;          // robots of the tested team; the mates steer the others
+  std::string mates;                 // the team that steers the other robots; "": none
+  referee::RobotSet robots;          // robots of the tested team; the mates have the others
   match::TeamParameters parameters;  // parameters of the tested team
   double seconds = 10.0;             // time of play in a try, s
   int tries = 60;

@@ -12,13 +12,13 @@
 namespace mirocup::statistics {
 
 struct Advice {
-  std::string drill;  // of docs/drills.md
+  std::string drill;  // name of a drill of docs/drills.md
   std::string why;    // the figure, as part of a sentence: "3 of 7 goals against it were own goals"
   double weight = 0;  // about the number of goals that the weakness cost
 };
 
-// Returns at most three pieces of advice for `team`, which is one of totals_of(legs), the greatest
-// weight first; none if no figure stands out.
+// Returns at most three pieces of advice, the greatest weight first; none if no figure stands out.
+// `team` must be one of totals_of(legs).
 std::vector<Advice> advice_for(const std::vector<LegReport>& legs, const TeamTotals& team);
 
 }  // namespace mirocup::statistics

@@ -16,7 +16,7 @@ inline constexpr double shot_speed = 0.5;       // m/s; a slower ball is not a s
 inline constexpr double shot_distance_m = 1.0;  // greatest distance of a shot to the goal line
 // A shot crosses the goal line at most this many half widths of the goal from the goal's middle.
 inline constexpr double wide_goals = 2.0;
-inline constexpr double shot_pause_s = 0.5;  // after a longer pause, a new shot begins
+inline constexpr double shot_pause_s = 0.5;  // a shot ends if its ball is off course for longer
 inline constexpr double save_s = 0.5;        // no goal may fall for this time after a save
 // A duel is over after this time without a contested tick.
 inline constexpr double duel_pause_s = 0.5;

@@ -12,7 +12,7 @@ namespace mirocup::statistics {
 
 // The content and the form of a report.
 struct ReportOptions {
-  bool goals = false;  // true: goals and lost balls; false: the numbers
+  bool goals = false;  // true: goals and lost balls; false: the numbers of each team
   std::string team;    // only legs of this team, and only goals against it; "": all teams
   bool csv = false;    // comma-separated values instead of text for people
   bool json = false;   // true: JSON, one object

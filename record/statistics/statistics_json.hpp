@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The JSON of statistics, schema mirocup/statistics/1: docs/statistics.md describes it. Pages, the
-// command and the files of a league hold the same objects.
+// output of `mirocup stats --json` and the files of a league hold the same objects.
 #pragma once
 
 #include "record/statistics/totals.hpp"

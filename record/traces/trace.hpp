@@ -25,7 +25,7 @@ struct KeyFrame {
   Vec2 ball{0.0, 0.0};
   double ball_since = 0.0;                   // time of the last frame with a ball
   referee::ByEnd<std::vector<Pose>> robots;  // by index; unlisted robots stand far away
-  // Pairs that touch: two robots, or a robot and, if the second is empty, the ball. Without a list,
+  // Pairs that touch: two robots, or a robot and the ball (then `second` is empty). Without a list,
   // the gaps between bodies decide which bodies touch.
   using Contact = std::pair<referee::RobotId, std::optional<referee::RobotId>>;
   std::optional<std::vector<Contact>> contacts;

@@ -287,7 +287,7 @@ class DrillTeam {
     return wheels_for(forward, 9.0 * error);
   }
 
-  // Returns `wheels`; slower speeds if the robot would push an opponent without playing the ball.
+  // Returns `wheels`, slower if the robot would push an opponent without playing the ball.
   Wheels without_pushing(const Robot& robot, Wheels wheels) const {
     const Point here = at(robot);
     const double forward = forward_of(wheels);
@@ -309,7 +309,8 @@ class DrillTeam {
     return wheels_for(forward < 0.0 ? -allowed : allowed, turn_of(wheels));
   }
 
-  // Returns `wheels`, or speeds for the shortest way out of the own goal area.
+  // Returns `wheels`. If the robot is or will soon be in the own goal area, returns speeds for the
+  // shortest way out.
   Wheels out_of_area(const Robot& robot, Wheels wheels) const {
     const double arc = std::abs(robot.y) < setup.goal_area_half_width / 2.0 ? 0.05 : 0.0;
     const double front = -setup.half_length + setup.goal_area_depth + arc + 0.04;

@@ -10,7 +10,7 @@
 namespace mirocup::plugins {
 
 struct ProjectSources {
-  std::string root;              // the outermost folder with more in it than one folder
+  std::string root;              // the outermost folder whose content is not just one folder
   std::vector<std::string> c;    // sources in C: paths from the root, sorted
   std::vector<std::string> cpp;  // sources in C++: paths from the root, sorted
 };

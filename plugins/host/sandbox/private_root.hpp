@@ -24,8 +24,8 @@ inline constexpr const char* loader_cache = "/etc/ld.so.cache";
 const char* enter_private_root(int entry);
 
 // The common steps of making file trees. begin_root() makes an empty tree in a tmpfs with these
-// options, and enters it. change_root() makes the tree that was entered the root of the process.
-// Both functions return null on success, otherwise the step that failed.
+// mount options, and enters it. change_root() makes the tree that was entered the root of the
+// process. Both functions return null on success, otherwise the step that failed.
 const char* begin_root(const char* options);
 const char* change_root();
 

@@ -46,7 +46,7 @@ inline bool is_stuck(const Observation& now, double patience = 0.6) {
 
 // Returns `wheels` unchanged, unless the robot would push an opponent without playing the ball. In
 // this case returns speeds at which the robot slows down before the opponent and backs off. A robot
-// at the ball counts as playing it: if it and the opponent both backed off, the ball would stay.
+// at the ball counts as playing it: if both robots backed off, the ball would stay.
 inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
                               Wheels wheels) {
   const Point here = position(robot);

@@ -92,8 +92,8 @@
  *   team at most 32 parameters. The record keeps them, and `mirocup rerun` gives them again.
  *
  * Clocks
- *   The time of day begins at 1 January 2000 in every leg. Differences between two readings of
- *   a clock are true, and processor time is also true.
+ *   The time of day begins at 1 January 2000 in every leg. The time that passes between two
+ *   readings of a clock is real, and so is processor time.
  *
  * Random numbers
  *   Derive random numbers from `seed`, so that a leg can be played again exactly. Clocks, addresses
@@ -281,7 +281,7 @@ typedef struct mirocup_observation {
   double stalemate_s; /* how long the ball has made no progress */
   double advantage_s; /* how long a foul has waited for a goal; 0: no foul waits */
   /* The age of each body's pose, ticks. It is above 0 only under the conditions `camera`: the
-     camera sees late and now and then loses a body, whose last pose is then repeated. */
+     pictures come late, and now and then lack a body, whose last pose is then repeated. */
   int32_t own_age_ticks[MIROCUP_MAX_ROBOTS];
   int32_t opponent_age_ticks[MIROCUP_MAX_ROBOTS];
   int32_t ball_age_ticks;

@@ -75,9 +75,9 @@ const mirocup_setup* mirocup_team_setup(const mirocup_connection* connection);
 const mirocup_observation* mirocup_team_observation(const mirocup_connection* connection);
 
 /* Requests places at a restart, while the last tick has `placing` 1. The following _send() sends
- * the request. The rules of place() in strategy.h hold, but fill `placement` completely: robots
- * that should stay, and the ball, get their values of the observation. Without a request all robots
- * stay. Returns 0; in a tick without `placing` returns -1 and has no effect. */
+ * the request. The rules of place() in strategy.h hold, but fill `placement` completely: give
+ * robots that should stay, and the ball, their observed places. Without a request all robots stay.
+ * Returns 0; in a tick without `placing` returns -1 and has no effect. */
 int32_t mirocup_team_place(mirocup_connection* connection, const mirocup_placement* placement);
 
 /* Sends the answer to the last tick. Call this function once for a tick. Returns 0, or -1 if the

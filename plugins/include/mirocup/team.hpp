@@ -57,11 +57,11 @@ class Connection {
     is_wrong_ = connection_ == nullptr && errno == EINVAL;
   }
 
-  // False if the network cannot be used. In this case why() has the reason, and no other function
-  // may be called.
+  // False if the match could not be opened. In this case why() has the reason, and no other
+  // function but is_wrong() may be called.
   bool is_open() const { return connection_ != nullptr; }
   const std::string& why() const { return why_; }
-  // True if the call or the credentials are wrong, so that another try is of no use.
+  // True if the Call or the credentials are wrong, so that another try is of no use.
   bool is_wrong() const { return is_wrong_; }
 
   int wait(double seconds) { return mirocup_team_wait(connection_.get(), seconds); }

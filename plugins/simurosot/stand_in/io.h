@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Functions for folders and files, which are all missing here. */
+/* Functions for folders and files: here every folder and file is missing. */
 #ifndef MIROCUP_SIMUROSOT_IO_H
 #define MIROCUP_SIMUROSOT_IO_H
 struct _finddata_t {

@@ -12,10 +12,10 @@
  * matches have 3 robots a side, blue learns, and yellow is the house team `idle`.
  *
  * Rows
- *   A match has one slot for each learner: a team, or with "agents": "robot" a robot. The slots of
- *   blue come before those of yellow. Buffers have a row for each slot of each match:
- *   row = match * slots + slot. All values of a row are in the frame of the row's team, which
- *   always attacks +x.
+ *   A match has a slot for each learner: a whole team or, with "agents": "robot", one robot. The
+ *   slots of blue come before those of yellow. Buffers have a row for each slot of each match: row
+ *   = match * slots + slot. All values of a row are in the frame of the row's team, which always
+ *   attacks +x.
  *
  * Same result
  *   A match depends only on the configuration, its seeds and its actions, not on the number of
@@ -49,7 +49,7 @@ extern "C" {
 
 typedef struct mirocup_training mirocup_training;
 
-/* The version of this header. It changes when programs that were built before can no longer run. */
+/* The header's version. It changes when programs built with an older header can no longer run. */
 #define MIROCUP_TRAINING_VERSION 2u
 
 /* Returns the MIROCUP_TRAINING_VERSION that the library was built with. */
@@ -127,8 +127,8 @@ int32_t mirocup_training_record(mirocup_training* training, int32_t match,
                                 const char* path);
 
 /* save() copies a match, so that restore() can continue it from this moment, in this or another
- * match or process with the same configuration. save() returns the size of the copy in bytes, and
- * writes the copy if `size` is large enough; a size of 0 is an error. The copy holds the
+ * match or process with the same configuration. save() returns the length of the copy in bytes (0
+ * after an error), and writes the copy if `size` is at least this length. The copy holds the
  * commands of the episode, so restoring takes as long as playing the episode. restore() asks teams
  * that do not learn for their commands again, so such teams must be deterministic. */
 size_t mirocup_training_save(const mirocup_training* training, int32_t match, void* copy,

@@ -70,7 +70,7 @@ inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
 struct Attack {
   double speed = 1.8;    // m/s
   double sight = 1e9;    // m: robots farther away are not obstacles
-  double lead_s = 0.08;  // s: the robot reads the field where it will be after this time
+  double lead_s = 0.08;  // s: the direction is that of the robot's place after this time
 };
 
 // Robot `me` meets the ball at `at` and shoots it to `aim`: the robot comes in along a field of
@@ -98,8 +98,8 @@ inline Wheels attack_ball_at(const Setup& setup, const Observation& now, int me,
   return follow_field(setup, robot, target, how.speed, obstacles, count, {}, how.lead_s);
 }
 
-// Shoots the moving ball to `aim` from the point at which robot `me` meets it. Draws both points
-// (draw.hpp).
+// Shoots the moving ball to `aim` from the point at which robot `me` meets it. Draws this point and
+// `aim` (draw.hpp).
 inline Wheels attack_ball(const Setup& setup, const Observation& now, int me, Point aim,
                           const Attack& how = {}) {
   const Point meet = intercept(setup, now, now.own[me]).ball.at;

@@ -5,7 +5,7 @@
 // roots.
 //
 // A path answers frequent questions about the ball alone. For a ball that meets robots use the
-// Simulator of predict.hpp. If no robot is met, the two agree to 1e-6 m.
+// Simulator of predict.hpp. If the ball meets no robot, path and Simulator agree to 1e-6 m.
 //
 //   rolled       the ball after some seconds
 //   BallPath     the ball at many times, for a team that asks often: finds walls once
@@ -26,7 +26,7 @@ struct Rolling {
   double bounce = 0.8;                   // part of the speed towards a wall that a rebound keeps
 };
 
-// Returns the floor and the walls of this leg; on hosts that do not give them, the defaults.
+// Returns the floor and the walls of this leg; the defaults if the host does not give them.
 inline Rolling rolling_of(const Setup& setup) {
   if (setup.size < offsetof(Setup, corners)) return {};
   // The formulas below divide by both constants, so neither may be 0.

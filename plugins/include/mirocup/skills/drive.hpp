@@ -116,7 +116,8 @@ inline Wheels drive_quickly(const Setup& setup, const Robot& robot, Point target
   return head_for(setup, robot, math::atan2(to.y, to.x), speed, distance + beyond);
 }
 
-// Drives to a point and turns to a heading there, or to the opposite heading if that is nearer.
+// Drives to a point. Within `near` (m) of the point, turns to a heading, or to the opposite heading
+// if the turn to it is smaller.
 inline Wheels take_pose(const Setup& setup, const Robot& robot, Point target, double heading,
                         double near = 0.012, double speed = 1.8) {
   if (length(target - position(robot)) > near)

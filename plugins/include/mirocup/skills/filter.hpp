@@ -2,10 +2,10 @@
 //
 // Estimates the present and the next places of all bodies from the pictures of a camera. Under the
 // conditions `camera` a team sees positions with noise, a tick late, and now and then not at all;
-// velocities are differences of two such positions. A filter estimates both better, since it
-// remembers earlier pictures and the team's commands.
+// velocities are differences of two such positions. A filter estimates positions and velocities
+// better, since it remembers earlier pictures and the team's commands.
 //
-//   Filter::see    the observation at the moment when its answer will be driven
+//   Filter::see    the scene at the moment when the answer to an observation will be driven
 //   Filter::sent   tells the filter the answer to that observation
 //
 //   Filter filter_{setup()};
@@ -32,8 +32,8 @@
 namespace mirocup::strategy {
 
 // The filter's trust in its pictures and its predictions. Between pictures a velocity becomes less
-// certain: its variance grows by `..._push` in a second (m^2/s^3), that of an angular velocity by
-// `..._turn` (rad^2/s^3).
+// certain: its variance grows by `..._push` in a second (m^2/s^3). The variance of an angular
+// velocity grows by `..._turn` (rad^2/s^3).
 struct FilterSettings {
   double see_m = 0.0015;         // standard deviation of a position along x and y
   double see_rad = 0.017;        // standard deviation of a heading
@@ -42,7 +42,7 @@ struct FilterSettings {
   double opponent_push = 2.0;    // m^2/s^3
   double own_turn = 0.5;         // rad^2/s^3
   double opponent_turn = 200.0;  // rad^2/s^3
-  double surprise = 5.0;         // more standard deviations from prediction to picture mean a hit
+  double surprise = 5.0;         // standard deviations; a picture farther from prediction: a hit
 };
 
 // The uncertainty of a position and its velocity: the variances and the covariance of a Kalman
@@ -62,7 +62,7 @@ struct Uncertainty {
     speed += seconds * push;
   }
   struct Gain {
-    double place, speed;  // correction / difference of picture and prediction; speed: 1/s
+    double place, speed;  // correction / (picture - predicted position); of `speed`: 1/s
   };
   // Reduces the uncertainty by a new picture.
   Gain shrink(double variance) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Goalkeeping from the mouth of the goal. The keeper stands so deep that a ball which rolls along
-// the end wall meets the middle of its face. If the keeper stands farther out, such a ball meets a
-// corner of the keeper, turns it aside, and rolls in: half of all goals against a keeper 5 cm
+// the end wall meets the middle of the keeper's face. If the keeper stands farther out, such a ball
+// meets its corner, turns the keeper aside, and rolls in: half of all goals against a keeper 5 cm
 // before its line fell in this way.
 //
 //        |                |
@@ -100,7 +100,7 @@ inline Wheels push_outwards(const Setup& setup, const Robot& robot, double outwa
                               turn_for(setup, robot.turn, error));
 }
 
-// Drives back to the line around the ball, so that the ball stays.
+// Drives around the ball back to the goal line, so that the ball stays.
 inline Wheels return_to(const Setup& setup, const Robot& robot, Point post, Point ball) {
   const Point to = post - position(robot);
   const Point to_ball = ball - position(robot);

@@ -17,13 +17,13 @@ struct Distance {
   double gap = 0.11;        // m between the middles; a nearer attacker backs off
   double speed = 0.3;       // m/s, allowed at that gap
   double rate = 3.5;        // 1/s: additional speed for each metre beyond the gap
-  double slant = 0.3;       // least cosine of the angle from motion to keeper that slows a robot
+  double slant = 0.3;       // cosine of the angle from motion to keeper; above: the robot slows
   double with_ball = 0.45;  // m/s, allowed with the ball between the two
   double retreat = 0.0;     // m: the robot backs off from a nearer keeper, even if the keeper comes
 };
 
-// Returns the distances to keep under the rules of a leg. Under SimuroSot rules, known by their
-// control period, each touch of a keeper is a foul.
+// Returns the distances to keep under the rules of a leg. A control period of at most 20 ms counts
+// as SimuroSot rules, under which each touch of a keeper is a foul.
 inline Distance keeper_distance(const Setup& setup) {
   if (setup.control_period > 0.02) return {.gap = setup.robot_side + 0.035};
   return {.gap = 0.12, .speed = 0.0, .rate = 4.0, .slant = 0.0, .with_ball = 0.2, .retreat = 0.135};
@@ -76,8 +76,8 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
 }
 
 // True if a robot that does not attack is about to be in the opponents' goal area, in which only
-// one robot may be. A team whose robots keep away scores less. Keeping away pays only under
-// SimuroSot rules, known by their control period, because there the referee often calls this foul.
+// one robot may be. A team whose robots keep away scores less. Keeping away pays only if the
+// control period is at most 20 ms (SimuroSot rules): the referee then often calls this foul.
 inline bool must_leave_area(const Setup& setup, const Robot& robot) {
   if (setup.control_period > 0.02) return false;
   return robot.x + 0.1 * robot.vx > setup.half_length - setup.goal_area_depth - 0.1 &&

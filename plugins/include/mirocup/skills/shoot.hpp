@@ -53,7 +53,7 @@ inline Wheels shoot(const Setup& setup, const Robot& robot, Point ball, Point ai
 }
 
 // Returns the point on the opponents' goal line to aim at: near the post that the opponent nearest
-// to the line leaves open. `margin`: distance of the ball inside the post, m. `y_bias` is added to
+// to that line leaves open. `margin`: distance of the ball inside the post, m. `y_bias` is added to
 // that opponent's y, m, and decides the corner if the opponent stands in the middle.
 inline Point open_corner(const Setup& setup, const Observation& now, double margin = 0.05,
                          double y_bias = 0.0) {
@@ -76,7 +76,7 @@ inline mirocup_pose run_up(Point ball, Point aim, double distance = 0.2) {
   return {place.x, place.y, math::atan2(along.y, along.x)};
 }
 
-// True while the ball of your own penalty or free kick still lies where it was put.
+// True while the ball of your own penalty or free kick still lies at `spot`, where it was put.
 inline bool must_take_kick(const Observation& now, Point spot) {
   const bool is_kick = now.restart == MIROCUP_PENALTY_KICK || now.restart == MIROCUP_FREE_KICK;
   return is_kick && now.own_restart != 0 && length(ball(now) - spot) < 0.01;

@@ -1,4 +1,4 @@
-// A team in the other order of members, as some headers had it: opponents behind the ball, a message in the header.
+// Some headers had the opponents behind the balls, as here. This header also defines a variable.
 #ifndef ESTRATEGIA_H
 #define ESTRATEGIA_H
 
