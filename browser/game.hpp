@@ -35,9 +35,8 @@ class Game {
   // or "" for standing robots. Errors: Errc::input.
   static Result<std::unique_ptr<Game>> make(const Json& options);
 
-  // Plays the record's commands up to `tick`; from `tick` on, `teams` play. A team with the name
-  // "recorded" also drives by the record's commands from then on. Errors: Errc::input,
-  // Errc::damaged.
+  // Plays the record's commands up to `tick`; from `tick` on, `teams` play. The team "recorded"
+  // continues with the record's commands. Errors: Errc::input, Errc::damaged.
   static Result<std::unique_ptr<Game>> go_on(record::MatchRecord past, std::uint32_t tick,
                                              const Json& teams);
 

@@ -27,8 +27,7 @@ struct Piece {
   std::vector<simulator::BodyState> start;
   std::array<bool, unknown_count> tells{};  // true: the window depends on this number of the pitch
   int states = 0;                           // number of unknowns in `start`
-  // Number of residuals: 2 for each sight of the ball, 3 for each of a robot, 1 for each sideways
-  // speed.
+  // Residuals: 2 for each sight of the ball, 3 for each of a robot, 1 for each sideways speed.
   int rows = 0;
   double square = 0.0;  // weighted sum of the squared residuals
   bool counts = true;   // false: no start fits the pictures of the window

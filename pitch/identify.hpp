@@ -7,7 +7,7 @@
 // state of each body at the start of each window. Steps are those of Levenberg and Marquardt. The
 // states are eliminated window by window (Schur's complement), so a step solves a small system for
 // each window, and one system whose unknowns are the numbers of the pitch. The reduced equations of
-// a window are its information about these numbers, and the sum over all windows is the inverse of
+// a window are its information about these numbers; the sum over all windows is the inverse of
 // their covariance.
 //
 // The method is robust: pictures far from the simulation get less weight (Huber), and in the end
@@ -46,8 +46,8 @@ struct Identified {
   Estimate heading_noise;   // rad
   double unseen = 0.0;      // share of the bodies that a picture misses, in the mean
   double outliers = 0.0;    // share of the sights that were dropped as wrong
-  int windows = 0;          // windows that count
-  int unexplained = 0;      // windows that no state explains
+  int windows = 0;          // number of windows that the fit used
+  int unexplained = 0;      // number of windows that no state explains
 };
 
 // Identifies a pitch from one or several recordings of it. The search begins at `start`.

@@ -39,7 +39,7 @@ struct Recording {
   std::string path;  // for messages
   League league = League::small;
   int robots = 0;                // number of listed robots of each team
-  std::optional<double> period;  // time between two pictures, s; empty: irregular
+  std::optional<double> period;  // time between two pictures, s; empty: it varies
   std::string pitch;             // the name of the pitch; "": not known
   std::vector<Frame> frames;     // in the order of their times
 
@@ -53,8 +53,7 @@ struct Recording {
 };
 
 // The most pictures of a recording: four hours at 30 Hz, which take half a GiB of memory. In memory
-// a picture has an entry for each robot, seen or not, so it may be some hundred times larger than
-// its line.
+// a picture has all robots, also unseen ones, so it may be a hundred times larger than its line.
 inline constexpr std::size_t max_pictures = 450'000;
 
 // Reads a recording. The error, Errc::input, names the file, the line, the key and the reason.

@@ -24,8 +24,7 @@ struct Unknown {
   // True: the number is positive, and the fit searches its logarithm.
   bool is_ratio;
   double least, most;  // range of the number
-  // A number is known if half the width of its 95 % interval is less than this. If is_ratio, the
-  // interval of the logarithm counts.
+  // A number is known if half its 95 % interval, of the logarithm if is_ratio, is less than this.
   double widest;
   std::string_view needs;  // the motion that a recording must show to identify the number
 };

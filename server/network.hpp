@@ -34,8 +34,7 @@ struct NetworkTerms {
   bool lockstep = false;
 };
 
-// The part of the match that a seat uses. All objects to which its members refer must outlive the
-// seat.
+// The part of the match that a seat uses. All members must outlive the seat.
 struct SeatTerms {
   const match::Leg& leg;
   double period;  // wall time of a tick, s; 0: as fast as possible

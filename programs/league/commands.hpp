@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `mirocup league`. Each has one source with its options, their declaration and
-// its work; acts.cpp has all acts of the staff. A run returns the exit code of an answer, exit_yes
-// or exit_no, or an error.
+// The subcommands of `mirocup league`. Each has one source, which declares its options and does its
+// work; acts.cpp has all acts of the staff. A run returns the exit code of an answer, exit_yes or
+// exit_no, or an error.
 #pragma once
 
 #include "system/commands.hpp"

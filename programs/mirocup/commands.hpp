@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `mirocup`. Each has one source with its options, their declaration and its
-// work. A run returns the exit code of an answer, exit_yes or exit_no, or an error.
+// The subcommands of `mirocup`. Each has one source, which declares its options and does its work.
+// A run returns the exit code of an answer, exit_yes or exit_no, or an error.
 #pragma once
 
 #include "system/commands.hpp"

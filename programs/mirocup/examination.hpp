@@ -37,7 +37,7 @@ struct Examination {
   TrialLeg knockout{};
   std::set<MetRestart> restarts{};  // restarts in the legs so far
   double slept = 0.0;               // s of sleep, scaled to a leg of full length
-  std::size_t grown = 0;            // growth of the entry's memory in a leg, bytes
+  std::size_t grown = 0;            // largest growth of the entry's memory in a leg, bytes
   std::string requests{};           // lines of ProcessController::requests()
   CheckPlan plan{};
   EntryReport report{};

@@ -14,8 +14,8 @@ namespace mirocup::app {
 // or a pipe needs no folder: system::is_written_in_place().
 Result<void> expect_writable_folder_of(const std::string& path);
 
-// Like the function above, for an output that must not replace an input file. If `path` is "",
-// there is no output.
+// Like the function above, for an output that must not replace an input file. For "" it checks
+// nothing.
 Result<void> expect_writable_output(const std::string& path,
                                     const std::vector<std::string>& inputs);
 

@@ -19,8 +19,8 @@ inline constexpr std::size_t max_team_name = sizeof(mirocup_v4_Hello::name) - 1;
 mirocup_v4_WorldState to_sample(const match::Snapshot& scene, int robots, std::uint64_t leg);
 match::Snapshot to_scene(const mirocup_v4_WorldState& sample);
 
-// The answer of a Welcome to a Hello, with the numbers of the IDL's constants ADMISSION_ACCEPTED
-// and so on.
+// The answer to a Hello in a Welcome. The numbers are those of the IDL's constants
+// ADMISSION_ACCEPTED and so on.
 enum class Admission : std::uint8_t { accepted, not_now, refused };
 
 // Returns the facts of a leg for spectators. `speed`: factor of real time, 0 for lockstep.
@@ -61,8 +61,7 @@ match::Command to_command(const mirocup_v4_TeamCommand& sample);
 // sample.
 bool is_known(const mirocup_v4_WorldState& sample);
 
-// Returns why this process cannot play with a process whose topics have the layout `theirs`; "" if
-// it can.
+// Returns why this process cannot play with one that has the topic layout `theirs`; "" if it can.
 std::string layout_mismatch(std::uint32_t theirs);
 
 // Copies text into a bounded string of a sample and cuts it to fit.

@@ -41,7 +41,7 @@ struct JoinTerms {
   double away = 10.0;    // longest time of all absences of a team in a leg together
   double longest = 0.0;  // longest time from the construction of the seat to the end of the leg
   ThoughtSink thoughts;  // gets the team's shapes; if `add` is empty, shapes are not kept
-  std::function<bool()> interrupted = [] { return false; };     // called while the seat waits
+  std::function<bool()> interrupted = [] { return false; };  // called in waits; true ends the wait
   std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
 };
 
@@ -53,7 +53,7 @@ struct SeatLink {
   std::uint64_t leg = 0;  // the number of the server's leg
   // Receives samples for all seats; waits at most `seconds`.
   std::function<void(double seconds)> listen;
-  std::function<void()> settle;  // waits for the answers of all seats
+  std::function<void()> settle;  // waits until all seats have answered
   // Wall seconds in which the host's own fault kept the teams away.
   std::function<double()> excused;
   std::function<std::optional<match::HostFailure>()> host_failure;

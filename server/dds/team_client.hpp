@@ -115,7 +115,7 @@ class TeamClient {
   OwnedBriefing briefing_;
   std::optional<mirocup_v4_TeamCommand> answer_;  // the last answer that was sent
   std::uint32_t acknowledged_commands_ = 0;       // commands that the server has counted
-  WallClock::time_point acknowledged_at_;         // last change of acknowledged_commands_
+  WallClock::time_point acknowledged_at_;         // when acknowledged_commands_ last changed
   int unacknowledged_ = 0;                        // commands sent since acknowledged_at_
   std::string wait_reason_;                       // why the server said "not now"
 };

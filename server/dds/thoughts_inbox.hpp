@@ -16,7 +16,7 @@ namespace mirocup::dds {
 // The receiver of a team's thoughts.
 struct ThoughtSink {
   std::function<void(std::uint32_t tick, const match::Thought&)> add;
-  std::function<void(std::uint32_t shapes)> leave_out;  // notes shapes that the team dropped
+  std::function<void(std::uint32_t shapes)> leave_out;  // notes how many shapes the team dropped
 };
 
 // Numbers of samples; a sample holds what a team drew in one tick.

@@ -136,7 +136,7 @@ class Seat final : public match::Controller {
   int partial_ticks_ = 0;       // ticks whose wait ended with commands for only some robots
   int silent_ready_ticks_ = 0;  // ticks in READY without a command, in a row
   int missing_placements_ = 0;  // in a row
-  std::optional<TeamPlacement> placement_;  // since the last call of a restart
+  std::optional<TeamPlacement> placement_;  // the last placement since the last restart was called
   bool may_place_ = false;                  // true: the team may place in this tick
 
   Counts counts_;

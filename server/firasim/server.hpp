@@ -88,7 +88,7 @@ class Server {
   bool was_sent_again_ = false;  // the vision was sent again, so two answers to it may come
   Counts strangers_;
   bool is_only_for_this_host_ = true;  // only this host may send commands
-  std::string commands_at_;            // address of commands, for messages
+  std::string commands_at_;            // the address that receives commands, for messages
   std::string refused_;                // the sender of the last refused datagram, and the reason
 };
 

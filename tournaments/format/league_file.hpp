@@ -77,7 +77,7 @@ struct LeagueFile {
   Format format;
   League league = League::small;
   referee::Rules rules;
-  std::optional<match::Conditions> conditions;  // empty: `hall` for a league that starts now
+  std::optional<match::Conditions> conditions;  // empty: default_conditions() at the start
   std::optional<match::PitchSpec> pitch;        // empty: mirosot
   std::uint64_t seed = 1;
   Points points;

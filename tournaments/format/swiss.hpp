@@ -35,10 +35,10 @@ enum class SwissBye {
 // Returns the fixtures of round `round` (from 1) of `rounds`. `standings` has all teams that still
 // play, the best first; `before` has all earlier fixtures. With an odd number of teams one team
 // gets a bye, a fixture with no_team as away. Within a group of equal points the upper half meets
-// the lower half; from the top down, opponents have points as equal as possible. In a round with a
-// SwissBye::best_of_lowest, the teams that have had a bye come last in their group. Returns no
-// fixtures if every pairing repeats a meeting, which is possible only beyond max_swiss_rounds() or
-// after teams have left.
+// the lower half; from the top down, opponents have points as equal as possible. If a team gets a
+// bye by SwissBye::best_of_lowest, the teams that have had a bye come last in their group. Returns
+// no fixtures if every pairing repeats a meeting, which is possible only beyond max_swiss_rounds()
+// or after teams have left.
 std::vector<Fixture> swiss_round(std::vector<SwissStanding> standings,
                                  const std::vector<Fixture>& before, int round, int rounds,
                                  SwissBye bye = SwissBye::best_of_lowest);

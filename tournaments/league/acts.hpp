@@ -32,7 +32,7 @@ struct Act {
   int decision = 0;           // undo: the number of a decision in the list
   std::string reason = {};    // the reason of the act
   std::string by = {};        // the person who decides; "": not named
-  bool is_dry_run = false;    // returns the same lines and writes nothing
+  bool is_dry_run = false;    // true: perform() only returns its lines and writes nothing
 };
 
 // The most goals that a person can give a team in a leg.

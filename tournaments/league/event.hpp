@@ -238,7 +238,7 @@ struct Closed {
 enum class ReleaseLevel {
   all,     // everybody
   teams,   // the pages end with the released round; each team reads its own digest
-  hidden,  // the pages end with the released round
+  hidden,  // nobody; the pages end with the released round
 };
 
 // The rounds that the pages show.

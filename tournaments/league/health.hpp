@@ -31,7 +31,7 @@ Json disk_json(const DiskUse& disk);
 struct Health {
   int night = 0;                      // number of the last night; 0: no night yet
   std::string night_at;               // start of the last night, UTC
-  int open_legs = 0;                  // of the whole league
+  int open_legs = 0;                  // legs of the whole league that are not decided
   bool is_playing = false;            // the league is being played now
   int waiting = 0;                    // hand-ins over the network without an answer
   std::int64_t waits_s = 0;           // wait of the oldest hand-in without an answer, s

@@ -47,7 +47,7 @@ Result<std::vector<std::string>> trust_kept_programs(system::Files& files, const
 
 // A match server that simulates records again.
 struct MatchServer {
-  std::string path;                // for people
+  std::string path;                // the server's path, for messages
   std::vector<std::string> words;  // the beginning of a command line that runs the server
   std::string why_not_kept;        // a sentence: why the kept program is not run; or ""
 };

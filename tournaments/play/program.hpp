@@ -22,8 +22,7 @@ Result<void> expect_program(system::Files& files, LeagueStore& store,
 
 // Copies this match server, and the plugin host that a rerun needs, to the league's folder, unless
 // the folder has a copy of this server that this host trusts. Puts the match server on this host's
-// list (league/kept_program.hpp). If the list cannot be written, prints a warning to standard
-// error.
+// list (league/kept_program.hpp). If the list cannot be written, warns on standard error.
 Result<void> keep_program(system::Files& files, const Folder& folder,
                           const record::Software& program);
 

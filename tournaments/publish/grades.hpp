@@ -22,7 +22,7 @@ enum class GradesLayout {
 
 // Returns grades.csv. It has a row for each team of the table, withdrawn teams last, then a row for
 // each other team in `people`:
-//   rank, team, points, played           as in table.csv; no rank for a team that is not in it
+//   rank, team, points, played           as in table.csv; no rank for a team without a row there
 //   strength, strength_low, strength_high  the strength, and the ends of its interval
 //   house_beaten                         the house teams against which the team has won more legs
 //                                        than it has lost, of the legs that count

@@ -28,7 +28,7 @@ struct SiteSource {
   LegReports reports = {};                       // of the played legs; optional
   FactsOfLegs facts = {};                        // of the played legs; optional
   std::optional<Night> night = {};               // adds night.html and digests/
-  std::string feed = {};                         // feed.xml, if not ""
+  std::string feed = {};                         // the text of feed.xml; "": no feed.xml
   std::function<std::string()> playground = {};  // makes playground.html; null: no playground
 };
 

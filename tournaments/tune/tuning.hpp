@@ -43,7 +43,7 @@ struct TuningOptions {
 
 // The result of a fixture: the mean of the results of this fixture against each opponent.
 struct Mark {
-  double goals = 0.0;   // goal difference of a leg
+  double goals = 0.0;   // mean goal difference in a leg
   double points = 0.0;  // share of the points: 1 for a win, 1/2 for a draw
 };
 
@@ -63,18 +63,18 @@ struct Gain {
 // The result of a generation.
 struct Generation {
   std::vector<double> mean;       // values of the parameters
-  std::vector<double> deviation;  // standard deviation of the candidates
+  std::vector<double> deviation;  // standard deviations of the candidates' values
   double goals = 0.0;             // mean goal difference of all candidates
   double error = 0.0;             // standard error of `goals` for one candidate
   int fixtures = 0;               // the number of fixtures of each candidate
-  int played = 0;                 // fixtures of the search so far
+  int played = 0;                 // number of fixtures that the search has played so far
 };
 
 struct TuningResult {
   std::vector<double> values;
   Gain points;
   Gain goals;
-  Mark before;  // without parameters, in the test
+  Mark before;  // result of the test without parameters; `after`: with `values`
   Mark after;
   int test_fixtures = 0;
   std::vector<Generation> course;

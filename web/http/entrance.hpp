@@ -71,9 +71,8 @@ class Entrance {
   // Stage::receiving.
   std::vector<int> let_in(Instant now);
 
-  // Returns connections that have to end now, because they gave way, or because they waited too
-  // long, or their request took too long to arrive. Each connection is returned once, and is then
-  // in Stage::leaving.
+  // Returns connections that have to end now: those that gave way, waited too long, or took too
+  // long to send their request. Each connection is returned once, and is then in Stage::leaving.
   std::vector<int> to_end(Instant now);
 
   // True if a thread serves the connection. No thread serves a connection that waits, or that gave
