@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The distribution of durations in constant memory: a histogram with 32 ranges in each octave, so
-// that a quantile is at most 1/32 too long.
+// that a quantile exceeds the true quantile by at most 1/32 of it.
 #pragma once
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 //
 // Access to the disk. A reading caller gives the largest size of the file, and whether its name may
 // be a link. Only regular files are read, so no reader waits for a pipe or reads a device without
-// an end. A file that is written whole is at any moment either the old or the new file, also after
+// an end. A file that write() replaces is at any moment either the old or the new file, also after
 // a crash. Appended bytes are on disk when append() returns. Tests replace the disk by a disk with
 // faults.
 //
@@ -32,7 +32,7 @@ inline constexpr std::uint64_t trace = 256u << 20;       // situations, one a li
 inline constexpr std::uint64_t record = 64u << 20;       // the JSON of a leg
 inline constexpr std::uint64_t replay = 256u << 20;      // the commands of a leg, compressed
 inline constexpr std::uint64_t league_file = 4u << 20;   // league.json
-inline constexpr std::uint64_t journal = 256u << 20;     // of a league
+inline constexpr std::uint64_t journal = 256u << 20;     // the journal of a league
 inline constexpr std::uint64_t page = 256u << 20;        // a page that our programs have made
 inline constexpr std::uint64_t note = 4u << 20;          // verdicts, plans and other small JSON
 inline constexpr std::uint64_t certificate = 1u << 20;   // a file of credentials
@@ -64,7 +64,7 @@ struct OpenFile {
   ReadOptions options;
   Descriptor descriptor{};
   std::uint64_t size = 0;     // bytes
-  uid_t owner = 0;            // user
+  uid_t owner = 0;            // the user who owns the file
   std::uint64_t names = 1;    // number of hard links
   std::uint64_t inode = 0;    // identifies the file, together with `changed`
   std::int64_t changed = 0;   // ns since 1970 of the last change, also of its owner and names

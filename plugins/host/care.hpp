@@ -2,8 +2,8 @@
 //
 // In the team's process: the work around each call of the team's code.
 //
-// mirocup-plugin-host, which plays matches, does nothing (no_care.cpp). mirocup-careful-host, with
-// which `mirocup check` looks for mistakes, watches the team's memory and its requests to the
+// mirocup-plugin-host, which plays matches, has no such work (no_care.cpp). mirocup-careful-host,
+// with which `mirocup check` looks for mistakes, watches the team's memory and its requests to the
 // system (careful/).
 #pragma once
 

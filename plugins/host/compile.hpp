@@ -39,7 +39,7 @@ struct Compiled {
 
 // Compiles a source. A mistake in the source is not an error: then the result has a reason in
 // `why_not`. Errors: Errc::unavailable if this machine has no namespaces or no compiler;
-// Errc::host.
+// Errc::host for every other failure.
 Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage language,
                                     const CompilerKit& kit, const CompileLimits& limits = {});
 

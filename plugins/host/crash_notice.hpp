@@ -15,9 +15,9 @@ struct RunningCall {
   std::uint32_t tick = 0;
 };
 
-// From now on, before a deadly signal ends this process, one line about the running call is
-// printed. Existing handlers, such as a sanitizer's, stay. Only a program may call this function,
-// not a library in another program's process.
+// From now on, this process prints a line about the running call before a deadly signal ends it.
+// Existing handlers, such as a sanitizer's, stay. Only a program may call this function, not a
+// library in another program's process.
 void tell_of_crashes();
 
 // Marks a call as running as long as the object lives.

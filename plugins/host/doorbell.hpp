@@ -3,8 +3,8 @@
 // Wakes the processes of both teams of a match together.
 //
 // If the server woke one process after the other, the first would take the core at once, answer and
-// sleep before the server could wake the second: four context switches in a tick. With one system
-// call that wakes both processes there are three. The teams share no memory for this.
+// sleep before the server could wake the second: four context switches in a tick. One system call
+// that wakes both processes makes them three. The teams share no memory for this.
 #pragma once
 
 #include "plugins/host/mailbox.hpp"

@@ -40,7 +40,7 @@ struct Budget {
   double bank = 2.0;
   double bank_per_tick = 1e-3;
   double bank_per_place = 20e-3;
-  // The longest time of a leg for which a team may sleep: neither compute nor wait for a processor.
+  // The longest time for which a team may sleep in a leg: neither compute nor wait for a processor.
   double sleep = 10.0;
 
   // Returns the processor time, s, that a team may have used after these ticks and placements.

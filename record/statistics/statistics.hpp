@@ -81,8 +81,8 @@ struct TeamStatistics {
   int duels_won = 0;
   PerName<referee::Law> fouls{};
   double possession_s = 0.0;
-  double opponent_half_s = 0.0;  // play with the ball in the half of the opponents
-  double distance_m = 0.0;       // distance of all robots of the team in play
+  double opponent_half_s = 0.0;  // time of play with the ball in the opponents' half
+  double distance_m = 0.0;       // sum of the ways that the team's robots drove in play
 
   int all_goals() const;
   int all_losses() const;
@@ -145,9 +145,9 @@ struct Foul {
 struct LegStatistics {
   ByTeam<TeamStatistics> teams;
   double play_s = 0.0;
-  double dead_ball_s = 0.0;  // from a decision to the whistle after it
+  double dead_ball_s = 0.0;  // time from each decision to the next whistle
   int stoppages = 0;         // restarts, without those that open a half
-  int duels = 0;             // duels that no team won included
+  int duels = 0;             // also duels that no team won
   std::vector<Goal> goals;   // in the order of their ticks
   std::vector<Foul> fouls;   // in the order of their ticks
   std::vector<ShotMark> shots;

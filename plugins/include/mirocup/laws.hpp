@@ -44,9 +44,9 @@ inline bool is_stuck(const Observation& now, double patience = 0.6) {
   return now.stalemate_s > patience && length(ball_velocity(now)) < 0.15;
 }
 
-// Returns `wheels` unchanged, unless the robot would push an opponent without playing the ball. In
-// this case returns speeds at which the robot slows down before the opponent and backs off. A robot
-// at the ball counts as playing it: if both robots backed off, the ball would stay.
+// If the robot would push an opponent without playing the ball, returns speeds at which the robot
+// slows down before the opponent and backs off. Otherwise returns `wheels` unchanged. A robot at
+// the ball counts as playing it: if both robots backed off, the ball would stay.
 inline Wheels without_pushing(const Setup& setup, const Observation& now, const Robot& robot,
                               Wheels wheels) {
   const Point here = position(robot);
@@ -76,9 +76,9 @@ inline Wheels without_pushing(const Setup& setup, const Observation& now, const 
   return wheels_for(setup, forward < 0.0 ? -allowed : allowed, turn);
 }
 
-// Returns `wheels` unchanged, unless robot `i` is in an area that keep_out() forbids, or will soon
-// be there at its speed. In this case returns speeds that take the robot out on the shortest way.
-// Do not call this function for the keeper.
+// If robot `i` is in an area that keep_out() forbids, or will soon be there at its speed, returns
+// speeds that take the robot out on the shortest way. Otherwise returns `wheels` unchanged. Do not
+// call this function for the keeper.
 inline Wheels out_of_area(const Setup& setup, int i, const Robot& robot, Wheels wheels) {
   // m: half a robot, because a robot counts as in the area if more than half of it is inside.
   const double margin = setup.robot_side / 2.0 + 0.0025;

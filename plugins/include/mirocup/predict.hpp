@@ -20,10 +20,10 @@
 // How exact it is
 //   From a scene that a simulator made, or from robots and a ball that were just put down, a
 //   simulator computes the next ticks of a match under `exact` conditions to the last bit, if you
-//   give it the commands of both teams. An observation lacks the contact memory of the last tick,
-//   which matters little, and the commands of the opponents, which matter most. Under `hall` each
-//   wheel turns up to 4 % faster or slower than commanded. Under `camera` an observation is late
-//   and its velocities are noisy: a prediction is only as good as the observation.
+//   give it the commands of both teams. An observation lacks the last tick's contact memory and the
+//   opponents' commands: the memory matters little, the commands most. Under `hall` each wheel
+//   turns up to 4 % faster or slower than commanded. Under `camera` an observation is late and its
+//   velocities are noisy: a prediction is only as good as the observation.
 //
 // Link mirocup::predict (CMake), or libmirocup_predict.a. Frames and units are those of strategy.h.
 #pragma once
@@ -131,8 +131,8 @@ class Tracker {
 };
 
 // The precision of contacts. `match` gives the same bits as a match. `coarse` takes half the time
-// of `match` in play at 3 a side, and a quarter at 11. After ten ticks with a kick the ball of
-// `coarse` is 2 mm off in the median, and at least 3 cm in one case of ten.
+// of `match` in play at 3 a side, and a quarter at 11. If a robot kicks the ball in ten predicted
+// ticks, `coarse` puts the ball 2 mm off in the median, and at least 3 cm off in one case of ten.
 enum class Precision { match, coarse };
 
 // The events of a predicted tick. Bit i of a set is robot i.
@@ -156,10 +156,10 @@ class Simulator {
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
-  // Plays one tick of control_period from the scene, in place. Commands are rounded and clamped as
-  // in a match; opponent.wheels[j] drives scene.opponent[j]. If `ticks` is above 1, the commands
-  // hold for this number of ticks, which are played as one long tick: this takes less time than
-  // single ticks, and gives the same result up to rounding, but not the same bits.
+  // Plays one tick, of control_period, and changes the scene in place. Commands are rounded and
+  // clamped as in a match; opponent.wheels[j] drives scene.opponent[j]. If `ticks` is above 1, the
+  // commands hold for this number of ticks, which are played as one long tick: this takes less time
+  // than single ticks, and gives the same result up to rounding, but not the same bits.
   PredictedTick advance(Scene& scene, const Command& own, const Command& opponent, int ticks = 1);
 
  private:

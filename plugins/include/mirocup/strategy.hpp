@@ -44,8 +44,8 @@
 //               draw_value
 //
 // The folder skills/ beside this header has stronger functions: read attack.hpp first. Functions
-// that drive return the wheel speeds of one robot for this tick; call them again in every tick.
-// These functions are good enough to start from: copy and improve them.
+// that drive return the wheel speeds of one robot for this tick; call them again in every tick. The
+// functions of this header are good enough to start from: copy and improve them.
 #pragma once
 
 #if __cplusplus < 202002L

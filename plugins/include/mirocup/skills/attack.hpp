@@ -12,7 +12,7 @@
 //
 //   shooting_aim    the open corner of the goal, or along a wall
 //   is_on_line      whether a robot is behind the ball, on the line of the shot
-//   attack_ball     1, 2 and 3
+//   attack_ball     steps 1, 2 and 3
 //   attack_ball_at  the same, for a caller that knows where the robot meets the ball
 //   supporting_place  between the ball and the own goal, on alternate sides
 //
@@ -26,7 +26,8 @@
 
 namespace mirocup::strategy {
 
-// Returns the target of a shot from `from`: the open corner of the goal, or a point along a wall.
+// Returns the target of a shot from `from`: the open corner of the goal or, at a wall, a point
+// ahead along the wall.
 inline Point shooting_aim(const Setup& setup, const Observation& now, Point from) {
   const double wall = setup.half_width - 0.05;
   const bool is_at_wall = std::abs(from.y) > wall && from.x < setup.half_length - 0.25;
@@ -44,7 +45,7 @@ struct Shot {
   bool is_on_line = false;
 };
 
-// Returns the shot with which `robot` sends the ball, which will be at `at`, to `aim`.
+// Returns the shot of `robot` at a ball that will be at `at`, with the target `aim`.
 inline Shot shot_of(const Robot& robot, Point at, Point aim) {
   Shot shot{at, unit(aim - at)};
   const Point from_ball = position(robot) - at;
@@ -70,7 +71,7 @@ inline Target pose_at_ball(const Setup& setup, int me, const Shot& shot) {
 struct Attack {
   double speed = 1.8;    // m/s
   double sight = 1e9;    // m: robots farther away are not obstacles
-  double lead_s = 0.08;  // s: the direction is that of the robot's place after this time
+  double lead_s = 0.08;  // s: the field of directions is read at the robot's place after this time
 };
 
 // Robot `me` meets the ball at `at` and shoots it to `aim`: the robot comes in along a field of
@@ -108,7 +109,7 @@ inline Wheels attack_ball(const Setup& setup, const Observation& now, int me, Po
 }
 
 // Returns the place of a robot that does not attack: between the ball and the own goal. Rank 0 is
-// on the line between them, 1 beside the line, 2 and 3 a row farther back, and so on.
+// on the line from ball to goal, 1 beside it, 2 and 3 a row farther back, and so on.
 inline Point supporting_place(const Setup& setup, const Observation& now, int me, int rank) {
   const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
   const int row = rank / 2;

@@ -8,7 +8,7 @@
 // Simulator of predict.hpp. If the ball meets no robot, path and Simulator agree to 1e-6 m.
 //
 //   rolled       the ball after some seconds
-//   BallPath     the ball at many times, for a team that asks often: finds walls once
+//   BallPath     the ball at many times, for a team that asks often: finds each wall only once
 //   time_at_x    when and where the ball reaches a line across the field
 //
 // The goals are open: a ball that passes between the posts rolls on to the wall behind them. Posts
@@ -195,7 +195,7 @@ class BallPath {
 
 // The point at which the ball crosses a line across the field.
 struct Crossing {
-  bool is_ahead = false;  // false: the ball does not cross the line within the time
+  bool is_ahead = false;  // false: the ball does not cross the line within `most_s`
   double seconds = 0.0;
   double y = 0.0;  // m
 };

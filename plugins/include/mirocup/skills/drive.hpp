@@ -5,8 +5,8 @@
 // A motor follows a wanted speed with the time constant T, so a robot that turns at w still turns
 // by w T after the command to stop. With the command c for one tick of length P and then 0, the
 // robot turns by w T + c P in all. This equation, solved for c, gives the command after which the
-// robot ends at the wanted heading, without a gain and without overshoot. The same equation in
-// metres holds for driving.
+// robot ends at the wanted heading, without overshoot and without a gain to choose. The same
+// equation in metres holds for driving.
 //
 //   when_commanded   where a robot will be when its next command begins
 //   turn_quickly     turns on the spot

@@ -13,8 +13,8 @@
 //   holding_y   the y in the mouth at which the keeper has to be
 //   hold_goal   drives there, and clears a ball before the keeper
 //
-// Pass the robot's state at its next command (drive.hpp), and the path of the ball. Frames and
-// units are those of strategy.h.
+// hold_goal() takes the robot's state at its next command (drive.hpp). Frames and units are those
+// of strategy.h.
 #pragma once
 
 #include "mirocup/skills/ball_path.hpp"
@@ -26,7 +26,7 @@ namespace mirocup::strategy {
 
 struct GoalHolding {
   double line = 0.027;          // m, from the goal line to the middle of the keeper
-  double inside_post = 0.0385;  // m: distance of the keeper's middle inside the posts
+  double inside_post = 0.0385;  // m: the keeper's middle stays this far inside the posts
   double slow = 0.2;            // m/s: a slower ball is cleared
   double patience = 1.0;        // s, until the keeper spins at a ball stuck beside the goal
 };

@@ -30,7 +30,7 @@ inline Interception intercept(const BallPath& path, const Robot& robot, double p
     return length(ball.at - position(robot)) / pace - t;
   };
   MovingBall ball = path.after(0.0);
-  // The robot would meet the ball at `first` if the ball rolled straight to it; never earlier.
+  // If the ball rolled straight to the robot, they would meet after `first` s; never earlier.
   const double first = length(ball.at - position(robot)) / (pace + length(ball.velocity));
   double t = math::min(step * std::floor(first / step), most_s);
   ball = path.after(t);

@@ -21,7 +21,7 @@ namespace mirocup::strategy {
 
 struct KeeperHabits {
   double line = 0.05;        // m, from the goal line to the middle of the keeper
-  double inside_post = 0.0;  // m: distance of the keeper's middle inside the posts
+  double inside_post = 0.0;  // m: the keeper's middle stays this far inside the posts
   double clear_speed = 0.5;  // m/s: a slower ball in the goal area is cleared
   double spin = 25.0;        // rad/s, to throw away a ball that lies before the keeper
 };
@@ -31,7 +31,7 @@ inline double y_on_line(Point ball, Point direction, double x) {
   return ball.y + (x - ball.x) / direction.x * direction.y;
 }
 
-// If an opponent drives at a slow ball, returns the y, m, at which the shot will reach `x` (m);
+// If an opponent drives at a slow ball, returns the y, m, at which its shot will reach `x` (m);
 // otherwise returns no value.
 inline std::optional<double> y_of_coming_shot(const Observation& now, double x) {
   if (length(ball_velocity(now)) >= 0.3) return std::nullopt;

@@ -35,8 +35,8 @@ inline bool has_ball(const Setup& setup, const Observation& now, const Robot& ro
   return length(to_ball) < setup.robot_side + 0.01 && dot(unit(to_ball), unit(to)) > 0.7;
 }
 
-// Slows down all robots but the own keeper before the opponents' keeper; less if the ball is
-// between robot and keeper. Touching a keeper without playing the ball costs a goal kick.
+// Slows down all robots but the own keeper before the opponents' keeper; slows a robot less if the
+// ball is between it and the keeper. Touching a keeper without playing the ball costs a goal kick.
 inline void spare_keeper(const Setup& setup, const Observation& now, Command& command,
                          const Distance& keep) {
   for (int j = 0; j < now.robots; ++j) {

@@ -24,8 +24,8 @@ namespace mirocup::strategy {
 
 struct PenaltyHabits {
   double run_up = 0.35;     // m, from the middle of the kicker to the middle of the ball
-  double turn_from = 0.18;  // m from the ball at which the kicker chooses the corner
-  double reads_at = 0.025;  // m: a keeper this far on the side of the run-up reads the run-up
+  double turn_from = 0.18;  // m: at this distance from the ball the kicker chooses the corner
+  double reads_at = 0.025;  // m: a keeper this far towards the run-up's corner reads the run-up
   double margin = 0.05;     // m, from the post to the ball's path
   double speed = 1.8;       // m/s
 };

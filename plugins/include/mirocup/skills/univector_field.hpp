@@ -62,7 +62,7 @@ struct Obstacle {
 };
 
 struct Avoidance {
-  double nearest = 0.085;  // m between the middles; a nearer robot drives only past the obstacle
+  double nearest = 0.085;  // m between the middles; a nearer robot turns aside completely
   double width = 0.045;    // m: a greater width makes avoiding begin more softly
   double lead_s = 0.15;    // s: an obstacle counts at its relative place after this time
 };
