@@ -51,7 +51,8 @@ inline tl::unexpected<Error> fail(Errc code, std::string what) {
 #define MIROCUP_TRIED(line) MIROCUP_TRIED_IN(line)
 #define MIROCUP_TRIED_IN(line) tried_##line
 
-// Exit codes of a program that did its work. 0: yes; 1: no (diverged, rejected, fixtures left).
+// Exit codes of a program that did its work. 0: yes; 1: no (a replay diverged, a file was rejected,
+// fixtures are left to play).
 inline constexpr int exit_yes = 0;
 inline constexpr int exit_no = 1;
 

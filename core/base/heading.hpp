@@ -2,9 +2,9 @@
 //
 // The heading of a robot, as a unit vector.
 //
-// If a heading were an angle, a half-turn of the field would add pi to it and round the sum. A unit
-// vector is negated, which is exact to the last bit, so both ends of the field play the same game
-// (core/README.md, "Fair ends").
+// If a heading were an angle, a half-turn of the field would add pi to it and round the sum. The
+// half-turn negates a unit vector, which is exact to the last bit. So both ends of the field play
+// the same game (core/README.md, "Fair ends").
 #pragma once
 
 #include "core/base/math.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Elementary functions that give the same bits on every machine, under the names that core uses.
-// The one implementation is plugins/include/mirocup/elementary.h, which teams also use; it states
-// errors and domains.
+// Their implementation is plugins/include/mirocup/elementary.h, which teams also use; that header
+// states errors and domains.
 #pragma once
 
 #include <array>

@@ -3,7 +3,7 @@
 // Seeded random numbers that are the same on every machine.
 //
 // The generator is xoshiro256** (Blackman and Vigna 2018), seeded by splitmix64. The distributions
-// are our own, because those of the standard library differ between libraries. Records name this
+// are our own, because std:: distributions differ between standard libraries. Records name this
 // generator "mirocup-1".
 #pragma once
 

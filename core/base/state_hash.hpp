@@ -2,9 +2,9 @@
 //
 // A 64-bit fingerprint of a run.
 //
-// In every tick the whole state is folded in, bit by bit, so that two runs agree in the last hash
-// only if they agreed in every bit of every tick. It reveals differences but does not guard against
-// forgery, for which records carry a SHA-256.
+// In every tick the whole state is folded into the hash, bit by bit, so that two runs agree in the
+// last hash only if they agreed in every bit of every tick. The hash reveals differences. Records
+// carry a SHA-256 against forgery.
 #pragma once
 
 #include <bit>
@@ -18,7 +18,7 @@ class StateHash {
   StateHash() = default;
   explicit StateHash(std::uint64_t value) : value_(value) {}
 
-  // Folds a word in.
+  // Folds a word into the hash.
   void add(std::uint64_t word) {
     // Multiply-xorshift: each step is a bijection of the running value, so no difference is lost.
     value_ = (value_ ^ word) * 0xff51afd7ed558ccdULL;

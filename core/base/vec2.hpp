@@ -2,7 +2,7 @@
 //
 // Points and vectors of the plane, in metres or metres per second; in the field's frame unless the
 // code that uses them says otherwise. Operations have the names that they have in Eigen, and round
-// as Eigen's do: every multiplication, addition and division once, x before y.
+// as Eigen's do: once for each multiplication, addition and division, x before y.
 #pragma once
 
 #include <cmath>

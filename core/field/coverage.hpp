@@ -3,8 +3,8 @@
 // The exact share of a robot's square that stands in an area.
 //
 // The rules ask for "more than 50 %" of a robot. The position of its centre does not answer that at
-// a corner or an arc of an area: with its centre just inside a corner, a third of the body may be
-// inside. So the square is clipped against the parts of the area (rectangle, arc, inside of the
+// a corner or an arc of an area: of a robot whose centre is just inside a corner, only a third may
+// be inside. So the square is clipped against the parts of the area (rectangle, arc, inside of the
 // goal), and the sizes of the clipped polygons are added up.
 #pragma once
 

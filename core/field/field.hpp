@@ -25,8 +25,8 @@ struct Area {
   double depth = 0.0;       // from the goal line into the field
   double half_width = 0.0;  // |y| is at most this
   double arc_radius = 0.0;  // 0: no arc
-  // |x| of the arc's centre, at y = 0. The part of the disc in front of the rectangle belongs to
-  // the area.
+  // |x| of the arc's centre, at y = 0. The part of the arc's disc in front of the rectangle belongs
+  // to the area.
   double arc_centre = 0.0;
 };
 
@@ -60,9 +60,9 @@ struct Field {
   double centre_circle_radius = 0.0;
   Area goal_area;
   std::optional<Area> penalty_area;  // the small league has none
-  double penalty_mark_x = 0.0;       // |x|; also the free-kick mark
+  double penalty_mark_x = 0.0;       // |x| of the penalty mark, which is also the free-kick mark
   Vec2 free_ball_mark{0.0, 0.0};     // of the quarter x > 0, y > 0
-  double free_ball_offset = 0.0;     // contenders stand this far from the mark along x
+  double free_ball_offset = 0.0;     // contenders stand this far from that mark along x
 
   std::array<Wall, 8> walls;      // side walls, goal backs, corner cuts
   std::array<GoalPost, 4> posts;  // end walls

@@ -4,8 +4,8 @@
 //
 // The field's frame has its origin at the centre of the pitch, x towards the right goal and y
 // towards the upper wall. The frame of a team is the field's frame for the team that defends the
-// left end, and the field's frame turned by 180 degrees for the other team: it is a half-turn,
-// never a mirror, and every team sees itself attack +x. Units: m; headings are unit vectors.
+// left end, and the field's frame turned by 180 degrees, not mirrored, for the other team. So every
+// team sees itself attack +x. Units: m; headings are unit vectors.
 #pragma once
 
 #include "core/base/heading.hpp"

@@ -15,7 +15,7 @@
 
 namespace mirocup::geometry {
 
-// Capacity of a polygon.
+// The largest number of corners of a polygon.
 inline constexpr int max_corners = 8;
 
 // A convex polygon in the robot's frame, counter-clockwise around its centre of mass, m. The axis
@@ -32,7 +32,7 @@ struct OutlineCorners {
 struct Outline {
   int corners = 0;  // 0: a circle
 
-  // m: radius of the circle, or of the smallest one around the reference point that holds a
+  // m: radius of the circle, or of the smallest circle around the reference point that holds the
   // polygon.
   double radius = 0.0;
 
@@ -60,8 +60,8 @@ Outline square(double side);
 // Returns a polygon. Precondition: 3 to max_corners corners, convex, counter-clockwise.
 Outline polygon(std::span<const Vec2> corners);
 
-// Returns the solid end wall behind a goal post, in the field's frame. It reaches 10 m outwards,
-// where there are no bodies.
+// Returns the solid end wall behind a goal post, in the field's frame. It extends 10 m from the
+// post, away from the field and from the goal mouth, beyond all bodies.
 Outline end_wall(const field::GoalPost& post);
 
 }  // namespace mirocup::geometry

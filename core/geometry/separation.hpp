@@ -17,12 +17,12 @@ namespace mirocup::geometry {
 struct Separation {
   double gap;               // m, along the normal; negative where the outlines overlap
   Vec2 normal{0.0, 0.0};    // unit vector from b to a
-  double reach_a, reach_b;  // m: extent of each from its reference point towards the other
+  double reach_a, reach_b;  // m: extent of a and of b from its reference point towards the other
 };
 
-// Return the separation of two polygons, or of a circle (a) and a polygon (b); or of an outline
-// and a wall. The gap is the Euclidean distance where a corner or a circle faces an edge, and a
-// lower bound of it between two corners. If they overlap, it is minus the overlap's depth.
+// Return the separation of two polygons, or of a circle (a) and a polygon (b); or of an outline and
+// a wall. The gap is the Euclidean distance where a corner or a circle faces an edge, and a lower
+// bound of it between two corners. If the outlines overlap, it is minus the overlap's depth.
 Separation separation(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b);
 Separation separation(const Outline& a, const Pose& body_a, const field::Wall& wall);
 
@@ -37,7 +37,7 @@ inline double gap(const Outline& a, const Pose& body_a, const field::Wall& wall)
 // The direction in which a polygon is separated best from a point, in the polygon's frame.
 struct Axis {
   Vec2 normal;        // unit: an edge's normal, or from the nearest corner to the point
-  double offset;      // m: extent of the polygon along the normal
+  double offset;      // m: extent of the polygon from its reference point along the normal
   double separation;  // m: distance of the point from the polygon, negative inside
   int edge;           // the edge that faces the point
   int corner;         // the nearest corner if it is nearer than any edge, else -1
@@ -62,14 +62,14 @@ struct Reference {
   bool is_a;  // the edge belongs to a
   EdgeSeparation best;
 };
-// Returns the reference edge. On a tie it is that of `a` at any poses, so that a half-turn of the
-// field changes nothing. If an edge of a separates the two by more than `margin`, m, it is
-// returned, and the edges of b are not tried.
+// Returns the reference edge. On a tie it is an edge of `a`, whatever the poses, so that a
+// half-turn of the field changes nothing. If an edge of `a` separates the two by more than
+// `margin`, m, that edge is returned, and the edges of b are not tried.
 Reference reference_of(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b,
                        double margin = infinity);
 
-// Returns the distance, m, of the other polygon's nearest corner beyond the line of the given
-// reference edge, whether or not that edge separates them best at these poses.
+// Returns how far, m, the other polygon's nearest corner is outside the line of the given reference
+// edge (negative: inside), whether or not that edge separates the two best at these poses.
 double separation_from(const Reference& reference, const Outline& a, const Pose& body_a,
                        const Outline& b, const Pose& body_b);
 

@@ -21,8 +21,8 @@ class Camera {
   // `robots` is the number of robots of a team; `period` is the control period, s.
   Camera(const Conditions& conditions, std::uint64_t seed, int robots, double period);
 
-  // Takes the picture of a tick. To be called once a tick with the truth. `were_placed`: the bodies
-  // were put down since the last picture, so the difference to that picture is not motion.
+  // Takes the picture of a tick. To be called once a tick with the truth. `were_placed` is true if
+  // bodies were put down since the last picture, so that changes since that picture are not motion.
   void look(const Snapshot& truth, bool were_placed);
 
   // Returns the truth of the latest look(), but with the bodies as the camera sees them.

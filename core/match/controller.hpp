@@ -39,7 +39,8 @@ struct HostFailure {
 };
 
 // The answer did not come in time, which happens only where real time counts. The leg drives
-// `older` or, if there is none, repeats the last command for a few ticks.
+// `older`. If `older` is empty, the leg repeats the last command for a few ticks, then stops the
+// robots.
 struct Late {
   // A command that answers an earlier tick and came after the last command was driven. Its
   // placement has no effect, because it was meant for another tick.

@@ -4,9 +4,9 @@
 //
 // Every robot has its own draws, which depend on its team's colour and its number and are in its
 // team's own frame; the ball's draws are in the frame of the blue team. So neither the end that a
-// team defends nor the order in which bodies are asked for changes a draw: a leg that is turned by
-// 180 degrees has the same numbers, negated, and in the two legs of a fixture, which have one seed
-// and swapped colours, each team has the luck that the other one had before.
+// team defends nor the order of the calls changes a draw: a leg that is turned by 180 degrees has
+// the same numbers, negated. The two legs of a fixture have one seed and swapped colours, so in the
+// second leg each team has the luck that the other team had in the first.
 #pragma once
 
 #include "core/base/random.hpp"

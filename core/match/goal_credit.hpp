@@ -3,8 +3,9 @@
 // The credit of a goal: its scorer, the team-mate who passed the ball, and how the goal came about.
 //
 // A parry that does not keep the ball out is not an own goal. So a touch of a defender counts only
-// if it changed the outcome: the ball is rolled on alone from where it was before that touch, and
-// if it crosses the line all the same, the goal is the attacker's. Own goals count like any other.
+// if it changed the outcome: the simulator lets the ball roll on alone from where it was before
+// that touch, and if it crosses the line all the same, the goal is the attacker's. Own goals count
+// like any other goal.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -28,7 +29,7 @@ struct Touch {
 
 // How a goal came about. A goal belongs to the last restart if the taker's team (at a free ball,
 // either team) scores before an opponent has touched the ball. It is a rebound if a defender saved
-// a ball that would have gone in, less than rebound_s before the scorer touched it.
+// a ball that would have gone in and the scorer touched the ball less than rebound_s later.
 enum class GoalKind {
   open_play,
   kick_off,

@@ -63,9 +63,9 @@ struct Setup {
   simulator::Tolerances tolerances;
   Conditions conditions;
   std::optional<Team> left;  // the team that defends the left end first; empty: a toss decides
-  // The state from which the leg starts; if empty, it starts with the kick-off. Bodies must not
-  // overlap by more than a millimetre, and if the start has a restart, all bodies must stand where
-  // its law allows them. Its `left` replaces the one above.
+  // The state from which the leg starts; if empty, the leg starts with the kick-off. Bodies must
+  // not overlap by more than a millimetre, and if the start has a restart, all bodies must stand
+  // where the law of that restart allows them. start->left replaces the `left` above.
   std::optional<Start> start;
 };
 
@@ -122,7 +122,7 @@ struct LoggedPlacementRequest {
 
 // What a leg keeps of each tick that it has played.
 enum class TickLogs {
-  kept,     // a hash and an entry of the log: what a record needs
+  kept,     // a hash and an entry of the log for each tick: what a record needs
   dropped,  // neither; the play is the same and costs less
 };
 
@@ -130,8 +130,8 @@ class Leg {
  public:
   // Tosses for ends and kick-off, and places the bodies for the kick-off, unless there is a start.
   explicit Leg(const Setup& setup, TickLogs tick_logs = TickLogs::kept);
-  // The same play in a world that the leg shares with other legs. The world outlives the leg and
-  // was made for its field, parameters, tolerances and number of robots. The leg has the world
+  // A leg with the same play, in a world that it shares with other legs. The world outlives the leg
+  // and was made for its field, parameters, tolerances and number of robots. The leg has the world
   // until lay_aside(), and again after each take_up(). While it does not have the world, only
   // functions about the referee, the setup and the logs may be called.
   Leg(const Setup& setup, TickLogs tick_logs, simulator::World& shared);
@@ -167,8 +167,8 @@ class Leg {
   // Ends the leg without a winner, because the machine failed.
   void declare_void(std::string why);
 
-  // Ends the leg because of one or two faults, such as a team that did not start. With two faults
-  // the leg has no winner.
+  // Ends the leg because of one or two faults, such as that of a team that did not start. With two
+  // faults the leg has no winner.
   void forfeit(std::vector<TeamFault> faults);
 
   // The true state between two ticks. Pages and records show it.
@@ -181,7 +181,7 @@ class Leg {
   const referee::Referee& referee() const { return *referee_; }
   const referee::Decision& restart() const { return restart_; }  // the last restart
   Team taker() const { return team_at(restart_.taker); }         // who takes it
-  // The situation that the referee judged in the last tick; nothing if play was stopped in it.
+  // The situation that the referee judged in the last tick; nothing if play was stopped then.
   const std::optional<referee::Situation>& judged() const { return judged_; }
 
   // The answers to the observation of the last tick, which are driven in the next one.
@@ -258,7 +258,7 @@ class Leg {
   referee::Decision restart_;  // the last restart
   bool placement_is_due_ = false;
   std::optional<Team> placing_;  // the team whose turn it is to place
-  // The placement that this team requested in this tick, in its own frame and in the field's.
+  // The placement that `placing_` requested in this tick, in its own frame and in the field's.
   std::optional<PlacementRequest> requested_;
   referee::Placement requested_placement_;
   referee::ByEnd<bool> hands_{};  // true for a team that asked out of its turn in this tick

@@ -35,8 +35,8 @@ struct PlacementRequest {
 // Returns the request that changes nothing: everything stays where it is observed.
 PlacementRequest unchanged_request(const Observation& observation);
 
-// True if both hold the same numbers, bit for bit; unlike with ==, NaN equals itself. `robots` is
-// the number of robots compared.
+// True if a and b hold the same numbers, bit for bit; unlike with ==, NaN equals itself. `robots`
+// is the number of robots compared.
 bool bit_equal(double a, double b);
 bool bit_equal(const RequestedPose& a, const RequestedPose& b);
 bool bit_equal(const PlacementRequest& a, const PlacementRequest& b, int robots);

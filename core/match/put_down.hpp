@@ -19,9 +19,9 @@ struct Moved {
   static Moved everything(int robots_per_team);
 };
 
-// Returns where the bodies come to stand. `wanted` is legal, and every body that was moved stands
-// off its wanted place by the error that is drawn for it. If the law of the restart does not allow
-// the place with the error, the error is halved until the law does. `left` defends the left end.
+// Returns where the bodies come to stand. `wanted` must be legal. Each body in `moved` comes to
+// stand off its wanted place by an error that is drawn for it. If the law of the restart does not
+// allow that place, the error is halved until the law does. `left` is the team at the left end.
 referee::Placement put_down(const referee::Pitch& pitch, const referee::Decision& restart,
                             referee::Roles roles, const referee::Placement& wanted,
                             const Moved& moved, Team left, Disturbances& disturbances);

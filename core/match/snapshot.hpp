@@ -18,7 +18,7 @@ template <class T>
 using ByTeam = std::array<T, 2>;  // one value for each team: [index_of(team)]
 
 enum class State {
-  READY,  // placed for a restart; robots stand still until the whistle
+  READY,  // bodies are placed for a restart; robots stand still until the whistle
   PLAY,
   END,
 };

@@ -23,7 +23,7 @@ struct RobotStart {
   std::optional<simulator::BodyState> state;  // empty: at rest in its default place
   // rad/s: the command that the robot drives in the first tick, before an answer takes effect.
   simulator::WheelSpeeds wheels;
-  bool is_broken = false;  // the robot stands: its team's commands do not move it
+  bool is_broken = false;  // true: the robot stands, its team's commands do not move it
 };
 
 // The restart for which the bodies are placed. Until the whistle everything stands.

@@ -18,7 +18,8 @@ namespace mirocup::match {
 
 enum class ThoughtKind { line, circle, polygon, text };
 
-// One shape of one tick, in the team's own frame. It refers to memory of the object that gives it.
+// One shape of one tick, in the team's own frame. `layer`, `numbers` and `text` are not copies:
+// they point into memory of the reader or message from which the shape came.
 struct Thought {
   ThoughtKind kind = ThoughtKind::line;
   std::uint32_t colour = 0;  // 0xRRGGBBAA

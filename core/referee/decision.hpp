@@ -84,7 +84,7 @@ struct Decision {
   std::optional<End> team;  // the team that scored, offended or won; nothing if there is none
   ByEnd<RobotSet> robots;   // the robots involved
   std::string reason;       // a clause with numbers, for records and spectators
-  Vec2 ball{0.0, 0.0};      // where the ball was, m
+  Vec2 ball{0.0, 0.0};      // where the ball was at the decision, m
   Restart restart = Restart::none;
   End taker = End::left;            // takes the restart; at a free ball the spot is in its half
   Vec2 spot{0.0, 0.0};              // where the ball is put, m
@@ -92,7 +92,7 @@ struct Decision {
   bool goal_cancelled = false;      // a goal of the same tick does not count
   bool scored = false;              // for ATTEMPT_END: the attempt was a goal
 
-  // Adds a robot to those involved.
+  // Adds a robot to the robots involved.
   void add_robot(const RobotId& robot) { robots[index_of(robot.end)].set(robot.index); }
 };
 

@@ -9,8 +9,8 @@
 namespace mirocup::referee {
 
 struct Dwell {
-  bool holds = false;  // at the last sample
-  double for_s = 0.0;
+  bool holds = false;  // true if the condition held at the last sample
+  double for_s = 0.0;  // since the first sample in which it held
 
   // Adds a sample that lasts `duration` seconds.
   void sample(bool now, double duration) {

@@ -28,8 +28,8 @@ struct Judgement {
   std::optional<Decision> decision;
   std::vector<Decision> notes;
 
-  // Adds the call of a law, if it made one. The first call of a tick is the decision; later calls,
-  // and calls with the verdict NONE, become notes.
+  // Adds the call of a law, if the law made one. The first call of a tick is the decision; later
+  // calls, and calls with the verdict NONE, become notes.
   void call(std::optional<Decision> decision);
 
   // Adds a note: the decision without its verdict and restart.
@@ -39,7 +39,7 @@ struct Judgement {
 // The advantage: a foul of the defenders that is not called yet, because a goal may still come.
 struct Advantage {
   std::optional<Decision> foul;
-  double for_s = 0.0;  // how long it has waited
+  double for_s = 0.0;  // how long the foul has waited
 };
 
 // The memory of all laws. It is reset after each stoppage.

@@ -43,9 +43,9 @@ CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End tea
 ByEnd<RobotSet> misplaced_robots(const Pitch& pitch, const Decision& restart, Roles roles,
                                  const Placement& standing);
 
-// Returns true if the ball may be put at `ball`, m, a place near the spot of the restart. At a
-// kick-off and a goal kick the place must be one that the taker may choose; at other restarts every
-// place clear of the walls is allowed.
+// Returns true if the ball may be put at `ball`, m. The place must be clear of the walls and, at a
+// kick-off and a goal kick, one that the taker may choose. At other restarts the caller passes a
+// place near the spot.
 bool may_put_ball(const Pitch& pitch, const Decision& restart, const Vec2& ball);
 
 // Returns a sentence that says which bodies were moved, from where to where, and why. `asked` is

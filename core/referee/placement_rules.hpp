@@ -9,7 +9,7 @@
 
 namespace mirocup::referee {
 
-// Which robot of a team may stand in its special place.
+// Which robot of a team may stand in the team's special place (has_special_place()).
 enum class Roles {
   any,    // any robot, but one only
   fixed,  // in a shoot-out, where only two robots move: robot 1 as kicker, robot 0 as keeper

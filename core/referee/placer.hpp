@@ -5,12 +5,12 @@
 //
 // As few robots as possible are moved. Among the choices that move equally few, the one that moves
 // them the shortest way in total is taken; if these ways are also equal, robots with low numbers
-// stay. A robot that is moved goes to the free place, of those that the law allows, that is nearest
-// to the requested one: a default place of its team, or a place on rings around the requested
-// place. It is the nearest to within a tenth of the way or 5 mm, whichever is more. A robot whose
-// requested place is far from the field goes to its default place, or to a free place near it. A
-// robot that is moved to fill the special place, because the restart needs a robot there, goes to
-// the default of that place if it is free.
+// stay. A robot that is moved goes to the nearest place to the requested one that is free and that
+// the law allows: a default place of its team, or a place on rings around the requested place. The
+// rings miss the nearest place by at most a tenth of the way or 5 mm, whichever is more. A robot
+// whose requested place is far from the field goes to its default place, or to a free place near
+// it. A robot that is moved to fill the special place, because the restart needs a robot there,
+// goes to the default pose in that place if it is free.
 #pragma once
 
 #include "core/referee/placement_rules.hpp"
@@ -23,7 +23,7 @@ enum class Misplaced {
   outside_walls,        // or not finite
   not_allowed,          // by the law of the restart
   special_place_empty,  // a robot has to stand in the special place, and this one is sent there
-  second_in_goal_area,  // the second of its team in the other goal area, at a goal kick
+  second_in_goal_area,  // at a goal kick, the taker's second robot in the opponents' goal area
   too_near_ball,
   too_near_robot,
 };
@@ -50,7 +50,7 @@ class Placer {
   const ByRobot<Misplaced>& why() const { return why_; }
 
  private:
-  // Where the robots stand that have a place.
+  // The robots that have a place, and where they stand.
   struct Standing {
     Placement placement;
     ByEnd<RobotSet> placed;
@@ -63,7 +63,8 @@ class Placer {
     End team;
     const std::array<Pose, max_robots_per_team>& poses;
     RobotSet in_special_place;  // the robots that ask for the special place and may hold it
-    // By robot: what forbids its pose even without team-mates; the team-mates that clash with it.
+    // By robot: what forbids its pose even without team-mates, and the team-mates whose poses clash
+    // with its pose.
     std::array<Misplaced, max_robots_per_team> alone{};
     std::array<RobotSet, max_robots_per_team> clashes;
   };

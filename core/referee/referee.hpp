@@ -37,11 +37,11 @@ struct LegProgress {
 // Each time runs towards the limit of its law, in seconds.
 struct TeamCounts {
   int defenders = 0;               // its robots in its own goal area
-  double two_defenders_s = 0.0;    // how long they have been too many
+  double two_defenders_s = 0.0;    // how long these robots have been too many
   int area_defenders = 0;          // its robots in its own penalty area
-  double four_defenders_s = 0.0;   // how long they have been too many
+  double four_defenders_s = 0.0;   // how long these robots have been too many
   int attackers = 0;               // its robots in the opponents' goal area
-  double two_attackers_s = 0.0;    // how long they have been too many
+  double two_attackers_s = 0.0;    // how long these robots have been too many
   double keeper_hold_s = 0.0;      // how long the ball has been uncontested in its goal area
   int keeper = -1;                 // the index of its keeper, -1: none
   bool advantage_against = false;  // its foul is called unless the opponents score
@@ -66,13 +66,13 @@ class Referee {
   const std::optional<RobotId>& last_touch() const { return last_touch_; }
   const LegProgress& progress() const { return now_; }
   PendingCounts pending_counts() const;
-  double stalemate_s() const { return book_.stalemate.still_s; }  // that of pending_counts()
+  double stalemate_s() const { return book_.stalemate.still_s; }  // as in pending_counts()
 
   // Returns the decision with the restart that opens the current phase.
   Decision opening() const;
 
-  // Judges one tick of play and advances the clock by it. The referee sets the situation's
-  // `begin`. It also sets `last_touch` if nobody touched the ball in this tick.
+  // Judges one tick of play and advances the clock by it. The referee sets the situation's `begin`
+  // and, if nobody touched the ball in this tick, its `last_touch`: the last robot that did.
   Judgement judge(Situation situation);
 
   // Returns the decision that follows from this one in the same tick: the end of the match after

@@ -36,14 +36,14 @@ struct Rules {
   double half_break_s = 600.0;     // break between the halves; a simulated match does not wait
   double golden_goal_s = 180.0;    // extra time that ends with a goal; 0: none
   double extra_halves_s = 0.0;     // two extra halves of this length, if no golden goal; 0: none
-  int shoot_out_rounds = 3;        // attempts of each team before single pairs decide
-  int shoot_out_most_rounds = 15;  // rounds after which lots are drawn
+  int shoot_out_rounds = 3;        // attempts of each team before single pairs of attempts decide
+  int shoot_out_most_rounds = 15;  // attempts of each team after which lots are drawn
   double attempt_s = 30.0;         // length of a penalty attempt
-  double attempt_hold_s = 1.0;     // the keeper alone touches the ball this long: it holds it
+  double attempt_hold_s = 1.0;     // a keeper that alone touches the ball this long holds it
   int time_outs = 2;               // of each team
   double time_out_s = 120.0;       // length of a time-out
   int substitutions = 2;           // of each team while play is on; in the break any number
-  double half_late_s = 300.0;      // after the break a late team is waited for this long
+  double half_late_s = 300.0;      // how long a match waits for a team that is late after the break
   int mercy_goal_diff = 10;        // a lead of this many goals ends the match
   int forfeit_goals = 10;          // a forfeit counts as 0 to this many
   double ready_s = 0.33;           // from placement to whistle: robots stand, teams place and see
@@ -55,8 +55,8 @@ struct Rules {
   double zone_margin_m = 0.05;  // small league: a goal's zone reaches this far beyond its goal area
   // The zone of a goal where crowds and charges count: the ball is at most zone_depth_m from the
   // goal line and zone_half_width_m from the long axis. If the depth is 0, the zone is the penalty
-  // area, or in the small league the goal area and its margin; charges then count in the whole
-  // half.
+  // area, or in the small league the goal area and zone_margin_m around it; charges then count in
+  // the whole half.
   double zone_depth_m = 0.0;
   double zone_half_width_m = off;
   double shoved_s = 1.0;     // how long a robot is excused after it was pushed
@@ -71,13 +71,13 @@ struct Rules {
   // Crowded areas.
   int def_max = 1;                // robots of the defenders allowed in their goal area
   int pa_def_max = 3;             // robots of the defenders allowed in their penalty area
-  double def_dwell_s = 0.5;       // how long more robots than that are forgiven
+  double def_dwell_s = 0.5;       // how long more defenders than allowed are forgiven
   bool def_at_once = false;       // two robots too many are not forgiven at all
-  int att_max = 1;                // robots of the attackers allowed in the goal area
-  int pa_att_max = 0;             // robots of the attackers allowed in the penalty area
-  double att_dwell_s = 0.33;      // how long one robot too many is forgiven
+  int att_max = 1;                // robots of the attackers allowed in the defenders' goal area
+  int pa_att_max = 0;             // robots of the attackers allowed in the defenders' penalty area
+  double att_dwell_s = 0.33;      // how long more attackers than allowed are forgiven
   bool att_at_once = true;        // two too many in the goal area are not forgiven at all
-  bool att_cancels_goal = false;  // no goal counts while one is too many there, however briefly
+  bool att_cancels_goal = false;  // no goal counts with too many in the goal area, however briefly
 
   // The keeper.
   double keeper_hold_s = 10.0;    // the ball stays uncontested in a goal area for this time
@@ -94,8 +94,8 @@ struct Rules {
   double stalemate_radius_m = 0.075;  // one robot side
   // If above 0, the ball gets nowhere while it is not faster than this, whatever the radius.
   double stalemate_speed_mps = 0.0;
-  // In a goal area: a free ball if both teams have a robot at the ball (contested_m), otherwise a
-  // penalty kick. False: a goal kick.
+  // The restart of a stalemate in a goal area. True: a free ball if both teams have a robot within
+  // contested_m of the ball, otherwise a penalty kick. False: a goal kick.
   bool stalemate_penalty = false;
 
   // Pushing and holding.

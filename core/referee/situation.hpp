@@ -36,16 +36,16 @@ struct Situation {
   double begin = 0.0;     // clock of the phase at the start of the tick, s; set by the referee
   double duration = 0.0;  // of the tick, s; 0 for the first frame of a camera
 
-  Vec2 ball_before{0.0, 0.0};  // at the start; until the end it moves on a straight line
-  Vec2 ball{0.0, 0.0};         // at the end
-  ByRobot<Pose> robots;        // at the end
+  Vec2 ball_before{0.0, 0.0};  // at the start of the tick; laws assume a straight line to `ball`
+  Vec2 ball{0.0, 0.0};         // at the end of the tick
+  ByRobot<Pose> robots;        // at the end of the tick
 
   // The velocity at the start of the tick, before any impact in it, and the commanded velocity,
   // which the wheel command gives along the heading at the tick's end.
   ByRobot<Vec2> velocity{};
   ByRobot<Vec2> commanded{};
 
-  // Touches during the tick, or within the touching distance at its end (touches.hpp).
+  // Touches: contacts during the tick, and gaps of at most Rules::touch_m at its end.
   ByEnd<RobotSet> touched_ball;
   ByRobot<RobotSet> touched_opponents;  // by robot: the opponents that it touched; symmetric
   ByRobot<RobotSet> touched_mates;      // by robot: the team-mates; symmetric

@@ -5,7 +5,7 @@
 // Robots and ball move as recorded, while a second referee judges the same situations. After a
 // different decision a real leg would have taken another course. Here the recorded motion
 // continues, so a difference says only how that moment of the recording would have been judged. At
-// each stoppage of the leg the second referee restarts from the state of the first.
+// each stoppage of the leg the second referee takes over the state of the first referee.
 #pragma once
 
 #include "core/replay/recording.hpp"

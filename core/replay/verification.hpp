@@ -11,7 +11,7 @@
 namespace mirocup::replay {
 
 // Returns the first difference, or nothing if every hash, every decision and the outcome are
-// reproduced. If `found` is given, it becomes the last state hash of this simulation.
+// reproduced. If `found` is not null, it is set to the last state hash of this simulation.
 std::optional<Divergence> verify(const Recording& recording, std::uint64_t* found = nullptr);
 
 }  // namespace mirocup::replay

@@ -28,7 +28,7 @@ struct SceneRobot {
   std::string name;
   BodyState state;                 // at time 0
   bool wheels_on_ground = true;    // false: a free body without motors and grip
-  std::vector<WheelsFrom> wheels;  // by increasing time; before the first one, zero
+  std::vector<WheelsFrom> wheels;  // by increasing time; before the first one, speeds are zero
 };
 
 struct Scene {
@@ -41,14 +41,14 @@ struct Scene {
   std::vector<double> sample_at;   // s, in [0, duration], increasing
 };
 
-// The state of all bodies at one time; at the time of an impact, after it.
+// The state of all bodies at one time; at the time of an impact, the state after the impact.
 struct Sample {
   double time = 0.0;
   std::optional<BallState> ball;
   std::vector<BodyState> robots;
 };
 
-// A scene with more impacts is not run to its end: the list of them would take all memory.
+// A scene with more impacts is not run to its end: their list could take all memory.
 inline constexpr std::size_t max_scene_impacts = 500'000;
 
 struct SceneResult {

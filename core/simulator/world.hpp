@@ -2,13 +2,13 @@
 //
 // All bodies on the field, and how they move through one tick.
 //
-// The simulator is event-driven: between two events every body moves on a smooth trajectory of
-// its own. An event is the first contact of two bodies, wheels that begin or cease to slide, a
-// ball that stops, or a contact that opens. Only the bodies of an event, and all that touch them,
-// get new trajectories. A body whose events cost more than its budget in a tick is time-stepped
-// with everything that it touches, so no scene can stall the world. Large islands that went over
-// budget are stepped from the start of the next tick. Contacts with friction (an option) are
-// stepped unless they slide. docs/algorithm.md describes the method room by room.
+// The simulator is event-driven: between two events every body moves on a smooth trajectory of its
+// own. An event is the first contact of two bodies, wheels that begin or cease to slide, a ball
+// that stops, or a contact that opens. Only the bodies of an event, and all that touch them, get
+// new trajectories. Once the events of a tick have cost its budget, the bodies of further events
+// are time-stepped with everything that they touch, so no scene can stall the world. Large islands
+// that went over budget are stepped from the start of the next tick. Contacts with friction (an
+// option) are stepped unless they slide. docs/algorithm.md describes the method room by room.
 //
 // Uses all rooms of core/simulator. Units: m, s, rad, N; times are seconds since the start of the
 // tick. Threads: none; a world belongs to one thread. Nothing is allocated after construction.
@@ -49,7 +49,6 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  // Returns how many robots there are.
   int robots() const { return static_world_.robots; }
   const Parameters& parameters() const { return static_world_.parameters; }
   const collision::StaticWorld& static_world() const { return static_world_; }
@@ -84,9 +83,9 @@ class World {
   void save(Memory& memory) const;
   void recall(const Memory& memory);
 
-  // Everything that changes in a world. Worlds that differ in nothing but rolling resistance can
-  // take each other's place: so a batch of legs needs one world for each thread, and a leg that
-  // waits is small.
+  // Everything that changes in a world. Any world that differs from the saved one in nothing but
+  // rolling resistance can load it. So a batch of legs needs one world for each thread, and a leg
+  // that waits needs its State only.
   struct State {
     double rolling_resistance = 0.0;
     std::array<BodyState, max_bodies> bodies{};

@@ -9,13 +9,13 @@
 // | two_attackers  | MiroSot 8.3, 12.2  | the opponents | goal area    | goal kick    |
 // | four_attackers | simulated leagues  | the opponents | penalty area | goal kick    |
 //
-// The rules say how many robots may be there (a limit of 0 switches the law off) and for how long
-// one more is forgiven. Two attackers too many in the goal area are called at once. The small
-// league has no penalty area, so the laws of four never apply to it.
+// The rules say how many robots may be in the area (a limit of 0 switches the law off), for how
+// long one more is forgiven, and whether two more are called at once. The small league has no
+// penalty area, so the laws of four never apply to it.
 //
 // The time is counted wherever the ball is, so that robots cannot park in an area; the call comes
-// when the ball is in the zone of that goal (ball_in_zone()). A robot that was pushed in does not
-// count.
+// when the ball is in the zone of that goal (ball_in_zone()). A robot that was pushed into the area
+// does not count.
 #pragma once
 
 #include "core/referee/dwell.hpp"

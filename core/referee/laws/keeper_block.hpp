@@ -15,7 +15,7 @@
 namespace mirocup::referee {
 
 struct KeeperBlockMemory {
-  ByEnd<std::array<Dwell, max_robots_per_team>> blocks;  // time of blocking, by attacker
+  ByEnd<std::array<Dwell, max_robots_per_team>> blocks;  // how long each attacker has blocked
 };
 
 std::optional<Decision> judge_keeper_block(const Pitch& pitch, const Situation& situation,

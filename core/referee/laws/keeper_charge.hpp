@@ -3,8 +3,8 @@
 // Charging the goalkeeper. Source: MiroSot laws 8.2 and 12.1, a goal kick.
 //
 // A brush is part of play. A charge is a contact in which the attacker drives at the keeper for
-// `charge_s`, or a first impact at `charge_speed_mps` or more. A charge through the ball, which
-// lies between the two and touches one of them, is allowed.
+// `charge_s`, or a first impact at `charge_speed_mps` or more. If the ball lies between the two and
+// touches one of them, the charge is allowed.
 #pragma once
 
 #include "core/referee/dwell.hpp"
@@ -14,7 +14,7 @@
 namespace mirocup::referee {
 
 struct KeeperChargeMemory {
-  ByEnd<std::array<Dwell, max_robots_per_team>> driven;  // time of driving, by attacker
+  ByEnd<std::array<Dwell, max_robots_per_team>> driven;  // how long each attacker has driven at it
   ByRobot<bool> touched{};  // by attacker: it touched the keeper in the last tick
 };
 

@@ -21,7 +21,7 @@ struct PushInTick {
   double moved = 0.0;         // towards its goal line, m
   double duration = 0.0;      // s
   bool pressed = false;       // by an attacker, or by an attacker through the ball
-  bool backs_itself = false;  // its own command takes it towards its line
+  bool backs_itself = false;  // its own command takes it towards its goal line
   RobotSet attackers;
 };
 
@@ -29,7 +29,7 @@ struct KeeperPushInMemory {
   // The last ticks of each end's keeper, in a ring buffer. 64 ticks last longer than `push_in_s` at
   // any control period in use.
   ByEnd<std::array<PushInTick, 64>> ticks{};
-  int next = 0;  // where the next tick goes
+  int next = 0;  // index at which the next tick is stored
   ByEnd<std::optional<RobotId>> keeper;
   ByEnd<double> keeper_x{};
 };

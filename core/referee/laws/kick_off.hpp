@@ -3,9 +3,9 @@
 // The kick-off goes backwards. Source: MiroSot law 6.2: the ball is kicked towards the taker's own
 // side first.
 //
-// The text names no sanction. The kick-off passes to the opponents, as does one that is not taken
-// within `kickoff_limit_s`. The side is judged where the ball is first `kickoff_move_m` from its
-// spot.
+// The text names no sanction. A kick-off that goes forward passes to the opponents, as does a
+// kick-off that is not taken within `kickoff_limit_s`. The side is judged where the ball is first
+// `kickoff_move_m` from its spot.
 #pragma once
 
 #include "core/referee/laws/law.hpp"

@@ -2,11 +2,11 @@
 //
 // Pushing an opponent. Sources: MiroSot laws 8.1 and 10.
 //
-// Intent is judged by what can be measured: a robot drives at an opponent that does not drive back,
-// does not touch the ball, and moves the opponent by `push_dist_m` away from itself. A push by the
-// defending side is a free kick for the other team. For a push by the attacking side the texts name
-// no restart: it is a goal kick if the ball is in the goal area, else a free ball. Other laws
-// protect the keeper in its goal area.
+// Intent is judged by what can be measured: a robot that does not touch the ball drives at an
+// opponent that does not drive back, and moves this opponent by `push_dist_m` away from itself. A
+// push by the defending side is a free kick for the other team. For a push by the attacking side
+// the texts name no restart: it is a goal kick if the ball is in the defenders' goal area, else a
+// free ball. Other laws protect the keeper in its goal area.
 #pragma once
 
 #include "core/referee/laws/law.hpp"
@@ -29,8 +29,9 @@ struct PushMemory {
   ByRobot<RobotSet> on{};  // by pusher: the robots that it pushes, or for which it is muted
 };
 
-// Returns the decision about a push. A team defends if the ball is in its own half or was last
-// touched by the pushed team. `reason` says what the pusher did; the function adds its team's side.
+// Returns the decision about a push. The pusher's team defends if the ball is in its half or was
+// last touched by the pushed team. `reason` says what the pusher did; the function adds whether its
+// team defended or attacked.
 Decision call_push(const Pitch& pitch, const Situation& situation, const RobotId& pusher,
                    const RobotId& pushed, std::string reason);
 

@@ -13,10 +13,10 @@ namespace mirocup::referee {
 
 struct StalemateMemory {
   std::optional<Vec2> anchor;  // where the ball was when the count started
-  double still_s = 0.0;        // time since then
+  double still_s = 0.0;        // time since the count started
 };
 
-// True if that time has reached the limit of the rules. `duration` is that of a tick, s.
+// True if `still_s` has reached the limit of the rules. `duration` is that of a tick, s.
 bool is_stalemate(const Pitch& pitch, const StalemateMemory& memory, double duration);
 
 std::optional<Decision> judge_stalemate(const Pitch& pitch, const Situation& situation,

@@ -4,9 +4,9 @@
 // it wastes time. Off unless `wall_push` is set.
 //
 // Applies when a robot that a team-mate touches shoves the ball along the wall (a defender away
-// from the goal, an attacker towards it), or when robots of both teams press on the ball there
-// for `wall_s`. The restart is a free ball; for an attacker's offence it is in the mirrored quarter
-// of the other half.
+// from the goal, an attacker towards it), or when robots of both teams press on the ball at the
+// wall for `wall_s`. The restart is a free ball in the quarter of the ball; for an attacker's
+// offence, in the neighbouring quarter across the half line.
 #pragma once
 
 #include "core/referee/dwell.hpp"

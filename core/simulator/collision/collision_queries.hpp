@@ -4,7 +4,7 @@
 // functions choose between body, end wall and plane wall, so callers need not.
 //
 // Units are m and s, points and normals are in the field's frame, times are s of the tick. All
-// functions are pure but for the ContactList they append to. Uses model, trajectory and solver.
+// functions are pure, except that some append to a ContactList. Uses model, trajectory and solver.
 #pragma once
 
 #include "core/geometry/separation.hpp"
@@ -47,7 +47,8 @@ void refresh_contact(const StaticWorld& world, std::span<const BodyState> bodies
 
 // Returns the gap of a contact where its bodies are now, m: the signed distance of its point from
 // its edge's line. A corner beside the edge's end can lie behind the line without penetrating. So
-// below -`trusted_depth`, m, the result is the larger of the gap and the pair's separation.
+// if this distance is below -`trusted_depth`, m, it returns the larger of the distance and the
+// pair's gap.
 double clamped_gap(const StaticWorld& world, std::span<const BodyState> bodies,
                    const Contact& contact, double trusted_depth);
 
@@ -59,8 +60,8 @@ double first_time_below(const StaticWorld& world, const Pair& pair, double level
                         std::span<const trajectory::Segment> segments, double t);
 
 // Returns the first time, from t to the earlier end of the pair's two segments, at which the pair
-// touches, or trajectory::never. If it touches at t already, returns when it has come closer by
-// `penetration`, m.
+// touches, or trajectory::never. If the pair touches at t already, returns the first time at which
+// its bodies have come closer by `penetration`, m.
 double contact_time(const StaticWorld& world, const Pair& pair,
                     std::span<const trajectory::Segment> segments, double t, double penetration);
 

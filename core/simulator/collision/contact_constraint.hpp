@@ -59,7 +59,7 @@ struct Contact {
   int a = no_body;              // the body on the point's side (see Touching); no_body: an end wall
   int b = no_body;              // the body on the edge's side (see Touching); no_body: a wall
   ContactPoint point;           // as of the last add_contacts() or refresh_contact()
-  solver::ConstraintRow row{};  // of the rate of the gap
+  solver::ConstraintRow row{};  // the row whose rate is the rate of the gap
   ContactMaterial material{};
   ContactImpact impact{};
   RestingForce resting{};

@@ -26,11 +26,11 @@ enum class Touching { corner_on_edge, circle_on_edge, circle_on_corner };
 struct ContactPoint {
   Vec2 point{0.0, 0.0};   // m, on the point's side
   Vec2 normal{0.0, 0.0};  // unit, from the edge's side to the point's side
-  double gap = 0.0;       // m, negative if they overlap
+  double gap = 0.0;       // m, negative if the outlines overlap
   Touching kind = Touching::corner_on_edge;
   bool point_on_a = true;  // a is the point's side
-  int corner = 0;          // of the point's side, or of the edge's side for circle_on_corner
-  int edge = 0;            // of the edge's side; 0 for a plane wall
+  int corner = 0;          // index: of the point's side; for circle_on_corner, of the edge's side
+  int edge = 0;            // index: of the edge's side; 0 for a plane wall
 };
 
 // The contact points of one pair of outlines.

@@ -15,8 +15,8 @@
 
 namespace mirocup::simulator::collision {
 
-// Plain data, made once by make_static_world() and then only read, so threads may share it. It does
-// not own the field, which must outlive it.
+// Plain data, made once by make_static_world() and then only read, so threads may share it. The
+// field is not copied and must outlive it.
 struct StaticWorld {
   Parameters parameters;
   Tolerances tolerances;
@@ -31,7 +31,7 @@ struct StaticWorld {
   solver::InverseMass free_robot;                              // wheels lifted
   solver::InverseMass grounded_robot;                          // wheels on the ground
   solver::InverseMass ball;
-  // m between reference points: bodies that are farther apart have no contact.
+  // m between reference points: two bodies that are farther apart have no contact.
   double reach_of_robots = 0.0;  // of two robots
   double reach_of_ball = 0.0;    // of the ball and a robot
 

@@ -19,7 +19,7 @@
 
 namespace mirocup::simulator::collision {
 
-// An outline that moves along a segment. It refers to both, which must outlive it.
+// An outline that moves along a segment. Outline and segment must outlive this object.
 struct MovingOutline {
   const geometry::Outline& shape;
   const trajectory::Segment& segment;

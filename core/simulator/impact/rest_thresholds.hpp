@@ -8,11 +8,10 @@
 // times the last. After a flight of time T that ends with an approach v, the next bounce is
 // e^2 v T / 4 high. If the contact presses with an acceleration a, the bounce is e^2 v^2 / 2 a
 // high. If that height is at most (1 - e) series_height, the impact ends the series: its impulse
-// stops the contact, and the force of the contact that presses from there on is the mean force of
-// the impacts that are left out. Every other impact bounces: an approach that is faster than a
-// series allows, a higher bounce, a first touch, and any impact at e = 1. The exception: in a
-// contact that presses, approaches up to Tolerances::restitution_threshold count as rounding and do
-// not bounce.
+// stops the contact, which then presses with the mean force of the impacts that are left out. Every
+// other impact bounces: an approach that is faster than a series allows, a higher bounce, a first
+// touch, and any impact at e = 1. The exception: in a contact that presses, approaches up to
+// Tolerances::restitution_threshold count as rounding and do not bounce.
 //
 // The contacts of the last contact_memory seconds are remembered from tick to tick, so the end of a
 // tick does not interrupt a series.
@@ -44,10 +43,12 @@ class RestThresholds {
 
   // Starts a tick with the least min_duration(), an unspent budget and no impacts.
   void begin_tick();
-  // Ends a tick of `duration` seconds: remembered times count from its end from now on.
+  // Ends a tick of `duration` seconds. Afterwards, remembered times count from the end of that
+  // tick.
   void end_tick(double duration);
-  // To be called at a tick's end with the bodies then in a step. With an event budget of 0 all
-  // bodies are over budget in every tick, but were_over_budget() of the next tick has only these.
+  // To be called at a tick's end with the bodies that are then in a step. With an event budget of 0
+  // all bodies are over budget in every tick, but were_over_budget() of the next tick has only
+  // `bodies`.
   void note_steps(const BodySet& bodies) {
     if (budget_ == 0) memory_.over_budget = bodies;
   }
@@ -60,7 +61,7 @@ class RestThresholds {
     std::uint8_t a, partner;  // of the pair
     std::uint8_t corner;      // of the point's side; 0 for the ball
     bool point_on_a;          // the pair's a is the point's side
-    double time = 0.0;        // s of the tick: when it was closed last
+    double time = 0.0;        // s of the tick: when the contact was closed last
     double approach = 0.0;    // m/s, at its last impact
     double pressing = 0.0;    // m/s^2: the closing acceleration that its force prevents at `time`
   };
@@ -86,15 +87,14 @@ class RestThresholds {
   // Counts an event. It costs the square of the number of bodies involved, or their number if these
   // are one or two: the time for deciding their forces grows like this. If the world has spent its
   // budget of the tick, the bodies involved are over budget. Bodies that were over budget in the
-  // last tick are over budget again as soon as a share of the budget is spent. `was_forced` is true
-  // if the event ended a curve as soon as min_duration() allowed.
+  // last tick are over budget again if they have an event once 1/budget_divisor of the budget is
+  // spent. `was_forced` is true if the event ended a curve as soon as min_duration() allowed.
   void note_event(const BodySet& involved, bool was_forced);
 
   // Puts all bodies of a large island over budget from the start of the tick if one of them went
   // over budget in the last tick. To be called at the start of a tick for each island.
   void note_island(const BodySet& island);
 
-  // Returns the bodies that are over budget.
   const BodySet& over_budget() const { return memory_.over_budget; }
   // Returns the bodies that were over budget in the last tick.
   const BodySet& were_over_budget() const { return were_over_budget_; }
@@ -103,9 +103,9 @@ class RestThresholds {
   double restitution_threshold(const collision::Contact& contact, double t) const;
   // Returns for how long a contact or a grip holds at least, s.
   double min_duration() const { return min_duration_; }
-  // Returns for how long a curve that starts at time t should hold, s. It is a small multiple of
-  // the mean time between the impacts of this tick or of the time since the last impact, whichever
-  // is longer. An impact would probably cut a longer curve short.
+  // Returns for how long a curve that starts at time t should hold, s; an impact would probably cut
+  // a longer curve short. It is times_between_impacts times the mean time between the impacts of
+  // this tick or the time since the last impact, whichever is longer; `never` before the first one.
   double preferred_duration(double t) const;
 
  private:

@@ -13,15 +13,16 @@ namespace mirocup::simulator::settings {
 // ---- trajectory/
 
 inline constexpr struct TaylorSeriesSettings {
-  // [unit of the series] A series has reached the level that is searched for when its value is this
-  // close to it. This is more than the rounding of a gap, and far less than any tolerance.
+  // [unit of the series] A root search looks for the time at which a series falls to a level, for
+  // example a gap to 0. The series has reached the level when its value is this close to it. This
+  // is more than the rounding of a gap, and far less than any tolerance.
   double root_tolerance = 1e-14;
-  // [1] Steps of the root search in one window before a smaller window is tried.
+  // [1] Steps of the search in one window of its interval before a smaller window is tried.
   int steps_per_window = 8;
-  // [1] Windows of one search. Only a curve that stays within rounding of the level needs so many.
+  // [1] Windows of one search. Only a series that stays within rounding of its level needs so many.
   int max_windows = 256;
-  // [1] Growth of the window after one without a crossing, and shrinkage after one in which the
-  // curvature bound was too loose for the steps to get through.
+  // [1] Factor of the window's length after a window in which the level was not reached, and after
+  // one that the steps did not get through, because the curvature bound was too loose.
   double window_growth = 2.0;
   double window_shrink = 0.25;
   // [1] Length of a segment times its fastest rate. 14 terms of an exponential or of a steady turn
@@ -47,16 +48,16 @@ inline constexpr struct SegmentSettings {
 inline constexpr struct DifferentialDriveSettings {
   // [m/s] Slower lateral motion is the rounding of wheels that roll.
   double slip_round_off = 1e-13;
-  // [1] Share by which the limit of the lateral acceleration lies above grip g. The slide that
-  // begins there has a direction in spite of rounding.
+  // [1] Share by which the limit of the lateral acceleration lies above grip g. A slide that begins
+  // at this limit has a direction in spite of rounding.
   double grip_margin = 1e-7;
-  // [s] The least lag of a motor. The length of a series is cut to a part of the lag, so a tick has
-  // at most 5500 series.
+  // [s] The least lag of a motor. A segment is cut to a part of the lag, so a robot has at most
+  // 5500 segments in a tick.
   double least_lag = 1e-5;
 } differential_drive;
 
 inline constexpr struct RollingBallSettings {
-  // [m/s] A ball that is slower lies still.
+  // [m/s] A slower ball lies still.
   double roll_round_off = 1e-10;
   // [m/s] Below this speed the direction in which a pushed ball brakes is kept fixed, because it
   // is not smooth where the speed is zero.
@@ -72,12 +73,12 @@ inline constexpr struct ClosedFormSettings {
   // [1] Limit of the turn (rad) plus the number of motor time constants in one span. Up to here the
   // quadrature rule of eight nodes is exact to 1e-16 of the path.
   double max_angle = 2.5;
-  // [1] Share by which a box is larger than the path requires, for rounding.
+  // [1] Share by which a box is larger than the path requires, to allow for rounding.
   double box_margin = 1e-9;
 } closed_form;
 
 inline constexpr struct MotionBoundSettings {
-  // [m] The rounding that is added to the deviation from the chord.
+  // [m] Added to a curve's deviation from its chord, to allow for rounding.
   double position_round_off = 1e-12;
 } motion_bound;
 
@@ -99,14 +100,14 @@ inline constexpr struct BoxQpSettings {
   double tolerance_growth = 4.0;
   double max_gradient_tolerance = 1e-6;
   int max_rounds = 64;
-  // [unknowns] From this size on a warm start pays. Six robots around the ball have fewer.
+  // [unknowns] From this size on a warm start pays. Six robots around the ball give fewer.
   int warm_start_size = 32;
 } box_qp;
 
 inline constexpr struct RegularizedQpSettings {
   // [1] D as a share of A's diagonal: the compliance of a contact.
   double regularization = 1e-5;
-  // [1] Rounds of Newton's method; few are needed.
+  // [1] Limit of the rounds of Newton's method; few are needed.
   int max_newton_rounds = 40;
   // [1] Fractions 1, 1/2, 1/4, 1/8 of Newton's step that the line search tries.
   int max_backtracks = 4;
@@ -118,7 +119,7 @@ inline constexpr struct RegularizedQpSettings {
   // [1] Rounding of the objective, as a share of it.
   double value_round_off = 1e-14;
   // [1] The step to the first bound is multiplied by this, because rounding could otherwise leave
-  // the unknown just inside its bound, round after round.
+  // the unknown just short of its bound, round after round.
   double bound_round_off = 1.0 + 1e-12;
 } regularized_qp;
 
@@ -139,7 +140,8 @@ inline constexpr struct TimeOfImpactSettings {
   // search stops and returns the time that it has reached. The bodies do not touch at that time;
   // the caller notices this and searches again from there.
   int max_axes = 64;
-  // [1] Multiple of root_tolerance by which a ball that has left a corner's sector is outside it.
+  // [1] A ball has left a corner's sector when its centre is farther outside than this multiple of
+  // root_tolerance.
   double sector_round_off = 4.0;
 } time_of_impact;
 
@@ -150,24 +152,27 @@ inline constexpr struct ImpactSettings {
   // [m/s] Rounding of the rate of a contact that presses. A contact that approaches no faster is
   // left out when others are thrown back; else rounding would decide its share of the impulses.
   double resting_approach = 1e-9;
-  int max_rounds = 64;  // [1] then all contacts that still approach are stopped for good
-  double energy_round_off = 1e-14;  // [1] a round that adds no more than this share adds no energy
+  int max_rounds = 64;  // [1] after them, contacts that still approach are stopped without bounce
+  double energy_round_off = 1e-14;  // [1] of the energy: a smaller gain of a round counts as none
 } impact;
 
 inline constexpr struct RestThresholdsSettings {
   // [1] A curve is long enough if it holds for this multiple of the mean time between the impacts
   // of the tick, or of the time since the last impact, whichever is longer.
   double times_between_impacts = 2.0;
-  int bodies_of_least_budget = 7;  // a smaller world has the budget of this many
+  int bodies_of_least_budget = 7;  // a world of fewer bodies has the budget of this many
   int budget_divisor = 8;          // [1] of the budget of bodies that were over it in the last tick
-  int large_island = 5;        // [bodies] stepped from the start if one was over budget last tick
-  double forced_growth = 8.0;  // [1] of min_duration() when a curve ends as soon as it allows
+  // [bodies] From this size on, an island is stepped from the start of a tick if one of its bodies
+  // was over budget in the last tick.
+  int large_island = 5;
+  // [1] Factor by which min_duration() grows when a curve ends as soon as min_duration() allows.
+  double forced_growth = 8.0;
   double max_min_duration = 2e-3;  // [s]
-  double contact_memory = 0.02;    // [s] a contact that was left for longer is forgotten
+  double contact_memory = 0.02;    // [s] a contact that has been open for longer is forgotten
   // [1] An approach of at most e + this * (1 - e) times the last one may belong to a series.
   double series_margin = 0.5;
-  // [m/s^2] A contact that was thrown open returns with a smaller acceleration, unless another body
-  // hit one of its bodies. In that case its approach does not belong to a series.
+  // [m/s^2] A contact that an impact has opened closes again with a smaller acceleration, unless
+  // another body has hit one of its bodies. Its approach then does not belong to a series.
   double max_acceleration = 5e3;
 } rest_thresholds;
 
@@ -177,25 +182,27 @@ inline constexpr struct ContactForcesSettings {
   double min_force = 1e-9;               // [N] a smaller force is rounding: the contact is open
   double min_slip_acceleration = 1e-10;  // [m/s^2] a smaller one is rounding: the wheels hold
   double min_rate = 1e-12;               // [m/s] a slower change of a gap counts as none
-  double weak_share = 1e-3;              // [1] a smaller share of the largest force is a weak force
+  double weak_share = 1e-3;              // [1] of the largest force: a smaller force is weak
   double min_closing = 1e-9;  // [m/s^2] a gap may close this fast where a weak force is dropped
   // [1] Friction agrees with the normal forces if these change by at most this share of the largest
-  // one in a round. If that takes more than friction_rounds, friction can hold itself up: a jam.
+  // one in a round. If they still change more after friction_rounds, the bodies are jammed:
+  // friction holds itself up.
   double friction_tolerance = 1e-9;
   int friction_rounds = 64;
   // [1] A's diagonal grows by this share. If wheels and walls hold a robot from both sides, many
   // forces would do; the growth selects the smallest, on which friction depends.
   double friction_compliance = 1e-6;
   // [m/s^2] A contact at rest sticks if it would begin to slide with a smaller acceleration. The
-  // compliance alone gives a wedged robot a thousandth of this one.
+  // compliance alone gives a wedged robot a thousandth of this acceleration.
   double min_slide_acceleration = 1e-3;
 } contact_forces;
 
 inline constexpr struct ContactMotionSettings {
-  double edge_overhang = 1e-10;        // [m] a corner this far beyond its edge has left it
-  double closed_gap_share = 0.01;      // [1] of Tolerances::penetration: a smaller gap is kept
-  double max_displacement = 1e-9;      // [m] gaps are not corrected if that needs more than this
-  double resting_speed = 1e-10;        // [m/s, rad/s] slower, and with less acceleration: at rest
+  double edge_overhang = 1e-10;    // [m] a corner this far beyond its edge has left it
+  double closed_gap_share = 0.01;  // [1] of Tolerances::penetration: a smaller gap is not corrected
+  double max_displacement = 1e-9;  // [m] no gap is corrected if a body would move farther than this
+  // A body whose speeds and accelerations are all below these two is at rest.
+  double resting_speed = 1e-10;        // [m/s, rad/s]
   double resting_acceleration = 1e-9;  // [m/s^2, rad/s^2]
   double friction_round_off = 1e-14;   // [1] of a force's term: a smaller change ends the rounds
 } contact_motion;
@@ -211,11 +218,11 @@ inline constexpr struct ContactSeriesSettings {
 inline constexpr struct StepTrajectoriesSettings {
   // [1] of Tolerances::intermediate_penetration: a smaller overlap is not worth a correction.
   double min_correction_share = 0.25;
-  // [m] a larger correction would give the body another velocity than its twist says.
+  // [m] A larger correction would make the body's velocity differ too much from its twist.
   double max_correction = 2e-5;
   double correction_tolerance = 1e-3;  // [1] of the largest overlap: precision of the corrections
-  double length_safety = 0.8;  // [1] share of the permitted overlap at which the next step aims
-  double max_growth = 2.0;     // [1] ratio of a step's length to that of the last one
+  double length_safety = 0.8;  // [1] of the permitted overlap: the next step is to reach this share
+  double max_growth = 2.0;     // [1] largest ratio of a step's length to that of the step before
 } step_trajectories;
 
 inline constexpr struct TimeStepperSettings {
@@ -224,8 +231,9 @@ inline constexpr struct TimeStepperSettings {
   double max_travel_in_radii = 0.5;
   // [1] The twists that a step finds may move a body by up to this multiple of that limit.
   double travel_overrun = 1.5;
-  int max_refinements = 10;         // fixed-point iterations for the gaps at the end of a step
-  int strict_refinements = 4;       // number of first iterations that must meet step_gap
+  int max_refinements = 10;  // fixed-point iterations for the gaps at the end of a step
+  // The first iterations must meet Tolerances::step_gap, later ones only step_gap_in_conflict.
+  int strict_refinements = 4;
   double impulse_tolerance = 1e-9;  // [1] of the largest relative velocity: precision of impulses
   int max_halvings = 6;             // of the step's length; then the last attempt is taken
   // Overlaps at the start of a step are removed at `max_undoing_speed` [m/s] at most, because a
@@ -233,9 +241,9 @@ inline constexpr struct TimeStepperSettings {
   // or longer removes the whole overlap.
   double max_undoing_speed = 2e-4;
   double undone_overlap = 1e-7;
-  // [1] enlarges a remembered wheel force, so that rounding does not take it off its bound.
+  // [1] Factor of a remembered wheel force, so that rounding does not take it off its bound.
   double force_round_off = 1.0 + 1e-12;
-  // [1] tolerance, so that a time of a whole number of steps is not divided into one step more.
+  // [1] Factor of a number of steps before it is rounded up, so that rounding adds no step.
   double count_round_off = 1.0 - 1e-9;
   double min_step_share = 1.0 / 64.0;  // [1] of Tolerances::max_step: no shorter step is proposed
   // [1] A step that was cut to less than this share of its wanted length shortens no later step.
@@ -250,7 +258,9 @@ inline constexpr struct WorldSettings {
   // step ends with the tick.
   double min_remaining_share = 0.5;
   int max_estimates = 2;  // refinements of a pair's contact time before the exact search
-  double forced_end_round_off = 1e-3;  // [1] of min_duration(): an end this near to it is forced
+  // [1] of min_duration(): a segment whose length differs from min_duration() by at most this share
+  // counts as forced: it ended as soon as min_duration() allowed.
+  double forced_end_round_off = 1e-3;
   // [1] of Tolerances::contact_gap: a deeper overlap is projected away at an event.
   double projected_overlap = 2.0;
   double first_contact_gap = 1e-10;  // [m] a contact that was open closes only up to this gap

@@ -24,7 +24,7 @@ struct Tolerances {
   double contact_gap = 1e-10;  // m: bodies with a smaller gap are in contact
   double penetration = 1e-12;  // m: bodies in contact that overlap more than this collide again
 
-  // ---- restitution: an approach slower than a threshold does not bounce, it comes to rest
+  // ---- restitution: a contact that approaches more slowly than its threshold does not bounce
   // m/s: the threshold of a contact that did not press before.
   double first_restitution_threshold = 1e-10;
   // m/s: the threshold of a contact that presses. Over the distance `penetration`, motors give
@@ -39,12 +39,12 @@ struct Tolerances {
   // m/s: if slower, a robot in contact does not slide, and a ball in contact does not roll.
   double slow_motion = 1e-7;
   // Event budget of a tick, for each body of the world; a world with fewer than seven bodies has
-  // the budget of seven. An event with n bodies costs n^2, or n for one or two: seven bodies have
-  // 280 events of two, 35 of four or 11 of all. The bodies of an event beyond the budget are
-  // time-stepped for the rest of the tick, together with the bodies that they touch. In the next
-  // tick they have an eighth of the budget, and an island of five or more moving bodies is
-  // time-stepped from the start: a lasting scrum costs steps, a single crowded tick costs events.
-  // With a budget of 0 every body in contact is always time-stepped.
+  // the budget of seven. An event with n bodies costs n^2, or n for one or two: a tick of seven
+  // bodies can have 280 events of two, 35 of four or 11 of all. The bodies of an event beyond the
+  // budget are time-stepped for the rest of the tick, together with the bodies that they touch. In
+  // the next tick these bodies have an eighth of the budget, and an island of five or more bodies
+  // that holds one of them and moves is time-stepped from the start: a lasting scrum costs steps, a
+  // single crowded tick costs events. With a budget of 0 every body in contact is time-stepped.
   int event_budget = 80;
 
   // ---- time stepping

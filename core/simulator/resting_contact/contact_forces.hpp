@@ -58,8 +58,8 @@ class ContactForces {
   // `drives` has one entry per robot, `bodies` one per body.
   //
   // Returns false if the friction of a pressing contact has no constant direction: the contact does
-  // not slide, or it is the ball's. Then there is no decision for the island, and its bodies need
-  // time steps.
+  // not slide, or it is a contact of the ball. Then there is no decision for the island, and its
+  // bodies need time steps.
   bool decide(std::span<const trajectory::DriveReference> drives, std::span<BodyState> bodies,
               std::span<collision::Contact> contacts);
 

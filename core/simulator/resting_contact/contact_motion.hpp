@@ -26,7 +26,7 @@ struct SegmentRequest {
   double begin;               // s of the tick
   double horizon;             // s of the tick: the segment ends there at the latest
   double preferred_duration;  // s: a series that holds for this time needs no more terms
-  double min_duration;        // s: until then no contact opens and no wheels begin to slide
+  double min_duration;  // s: first time after `begin` for a contact to open or wheels to slide
 };
 
 // Computes the segments of clusters. Kept and reused: construction allocates, move() does not.
@@ -36,9 +36,10 @@ class ContactMotion {
   explicit ContactMotion(const collision::StaticWorld& world);
 
   // Sets the segments of the cluster's bodies, all with the same end. First moves the bodies, by
-  // less than a nanometre, so that pressing gaps are zero, and makes their velocities fit.
-  // `forces` has decided the cluster's contacts (Contact::resting) and the grounding of its
-  // bodies. Sets is_persistent of its pressing contacts.
+  // less than a nanometre, so that pressing gaps are zero, and changes their velocities so that the
+  // rates of these gaps are zero as well. `forces` has decided the cluster's contacts
+  // (Contact::resting) and the grounding of its bodies. Sets is_persistent of its pressing
+  // contacts.
   void move(const BodySet& cluster, const ContactForces& forces,
             std::span<collision::Contact> contacts,
             std::span<const trajectory::DriveReference> drives, const SegmentRequest& request,
@@ -112,7 +113,7 @@ class ContactMotion {
   std::array<collision::Contact, solver::max_unknowns> held_;  // contacts that press
   std::array<int, solver::max_unknowns> held_index_;           // of held_, among all contacts
   int held_count_ = 0;
-  bool have_friction_ = false;          // some of held_
+  bool have_friction_ = false;          // true if some of held_ have friction
   std::vector<ContactSeries> rows_;     // of held_
   std::array<int, max_bodies> wheels_;  // robots whose wheels hold
   int wheel_count_ = 0;

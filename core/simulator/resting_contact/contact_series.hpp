@@ -39,12 +39,12 @@ struct ContactSeries {
   Vec2 point;                // m: contact point, in the frame of the point's side
   Vec2 normal;               // unit, in the frame of the edge's side
   Vec2 push;                 // force per N along the normal, with friction; frame of edge's side
-  double distance;           // m, along the normal: from the reference point of the edge's side
+  double distance;           // m: of the edge's line from the reference point of the edge's side
   TwoSeries heading;         // cos and sin of the point's side, seen from the edge's side
-  trajectory::Series omega;  // rad/s: rate of that heading
+  trajectory::Series omega;  // rad/s: turn rate of `heading`
   TwoSeries velocity;        // m/s: of the contact point, in the frame of the point's side
-  // m/s: the contribution of terms 1 to k of the heading to term k of `velocity` in the frame of
-  // the edge's side; k is that of the last gap_rate_term().
+  // m/s: the part of term k of the contact point's velocity, in the frame of the edge's side, that
+  // terms 1 to k of `heading` contribute; k is that of the last call of gap_rate_term().
   Vec2 later_velocity;
   trajectory::Series lever_b;   // m: third component of row_b = -(place along the edge)
   double edge_begin, edge_end;  // m, along the edge

@@ -43,7 +43,7 @@ class BlockCholesky {
   static_assert(max_bodies <= 8 * sizeof(BodyMask));
 
   // The three rows of a body at its elimination: an upper triangle of its own columns, then a block
-  // for each of the others that it is coupled with, in increasing order of their indices.
+  // for each body in `others`, with which it is coupled, in increasing order of their indices.
   struct Front {
     Block own;
     Vec3 inverse_pivot;  // zero for an infinite pivot, whose unknown is then zero

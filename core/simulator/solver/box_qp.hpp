@@ -63,8 +63,8 @@ class BoxQp {
   bool is_solved(double tolerance) const;
   void apply_warm_start();
   void order_all_free();  // sets order_ from bound_; nothing of it is factorised
-  void drop_fixed();      // from order_
-  void factorise();       // the rest of order_
+  void drop_fixed();      // removes the fixed unknowns from order_
+  void factorise();       // factorises the unknowns of order_ behind factorised_
   void solve_free();      // sets target_: the minimum over the free unknowns
   bool step_to_target();  // true if no bound was in the way
   void minimise_over_free();

@@ -35,7 +35,6 @@ class StepIslands {
 
   // Returns all bodies that are in a step.
   const BodySet& stepping() const { return stepping_; }
-  // True if the body is in a step.
   bool is_stepping(int body) const { return stepping_[body]; }
   // Returns when the body's latest step started, in seconds of the tick.
   double start_of(int body) const { return start_[body]; }

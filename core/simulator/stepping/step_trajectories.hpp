@@ -59,8 +59,8 @@ class StepTrajectories {
   // Sets the corrections of the members to zero. To be called before each attempt at a step.
   void clear_corrections(const BodySet& members);
 
-  // True if no pair tunnels during the step: a pair that starts apart must not end on the other
-  // side of an edge. Pairs that touch or nearly touch at the start are left to
+  // True if no pair tunnels during the step: if a pair starts apart, neither body may pass through
+  // an edge of the other. Pairs that touch or nearly touch at the start are left to
   // correct_middle(), which is called next.
   bool is_clear(const Step& step);
 

@@ -70,7 +70,7 @@ class TimeStepper {
   // Returns the pressing contacts of the latest step. Valid until the next call of take_step().
   std::span<const collision::Contact> pressing() const { return contacts_.contacts(); }
 
-  // Starts a tick: bodies that took no step in the last tick may take a long one again.
+  // Starts a tick: the first step of a body that took no step in the last tick may be long again.
   void begin_tick();
   // Makes the next steps start from zero forces: after bodies were set, old forces mean nothing.
   void forget_forces();
@@ -92,11 +92,11 @@ class TimeStepper {
   struct Memory {
     BodySet stepped;                                   // bodies that took a step in this tick
     std::array<double, max_robots> wheel_force{};      // N, lateral, of each robot's latest step
-    std::array<double, max_bodies> proposed_length{};  // s, by each body's latest step
+    std::array<double, max_bodies> proposed_length{};  // s, of each body's next step
     int forces = 0;                                    // elements in use of `force`
     std::array<RememberedForce, solver::max_unknowns> force;  // of each body's latest step
   };
-  // Both copy only the forces in use: the rest of the target's array keeps its values.
+  // Both copy only the forces in use: other elements of the target's array keep their values.
   void save(Memory& memory) const { copy(memory_, memory); }
   void recall(const Memory& memory) { copy(memory, memory_); }
 

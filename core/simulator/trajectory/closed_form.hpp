@@ -47,7 +47,7 @@ bool has_closed_form(const Parameters& parameters, const BodyState& robot,
 // Returns the state of the robot at the end of the decays' span. Precondition: has_closed_form().
 BodyState closed_form_state(const BodyState& robot, const DriveReference& drive,
                             const DriveDecay& decay);
-// The same after `span` seconds, for a caller that has no decays.
+// The same state after `span` seconds, for a caller that has no decays.
 BodyState closed_form_state(const BodyState& robot, const DriveReference& drive, double span);
 
 // Returns the largest magnitude of a speed on its way from `now` to `aim`, the speed that the

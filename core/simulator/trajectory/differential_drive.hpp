@@ -7,7 +7,7 @@
 //   domega/dt = (omega_ref - omega)/T_w           (1) to (3), errata in docs/model.md
 //
 // T_f and T_w are one constant, as in the paper, unless the pitch has motors with two lags or a
-// brake; then DriveReference holds those of the command. Both are constant until the next command.
+// brake. DriveReference holds both for one command; they are constant until the next command.
 //
 // f_g is the ground's lateral force on the wheels, |f_g| <= grip M g. While the wheels roll, v_l
 // = 0 and f_g is the force that keeps it zero. While they slide, f_g is -grip M g sign(v_l). A
@@ -33,8 +33,8 @@ struct DriveReference {
   double rate() const { return 1.0 / std::min(forward_lag, turn_lag); }
 };
 
-// Returns the drive reference of a command, whose speeds are clamped to the wheel speed limit. If
-// the motors brake, the forward lag of the command (0, 0) is the brake's.
+// Returns the drive reference of a command, whose speeds are clamped to the wheel speed limit. For
+// the command (0, 0) the forward lag is Parameters::brake_lag().
 DriveReference drive_reference(const Parameters& parameters, const WheelCommand& command);
 
 // The contact of the wheels with the ground.

@@ -14,7 +14,7 @@ namespace mirocup::simulator::trajectory {
 struct MotionBound {
   double begin = 0.0;          // s of the tick
   Vec2 from{0.0, 0.0};         // m: the reference point at `begin`
-  Vec2 velocity{0.0, 0.0};     // m/s: of the chord, from the start of the curve to its end
+  Vec2 velocity{0.0, 0.0};     // m/s: of the point that moves along the chord
   double max_deviation = 0.0;  // m
   double max_omega = 0.0;      // rad/s: upper bound of the turn rate's size
 

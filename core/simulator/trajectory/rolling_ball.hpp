@@ -34,8 +34,7 @@ RollingDeceleration rolling_deceleration(const Parameters& parameters);
 double stopping_time(const RollingDeceleration& d, double speed);
 
 // The direction in which a ball in contact brakes, as series in the time of its segment. Below
-// min_speed_with_direction (solver_settings.hpp) the direction is kept fixed, because it is not
-// smooth where the speed is zero.
+// min_speed_with_direction (solver_settings.hpp) the direction is kept fixed.
 struct Braking {
   bool is_fixed = false;
   // The unit vector of the motion. Per axis: the sign of each component that is at least k, else 0.

@@ -42,7 +42,7 @@ struct Series {
   // Returns the value at t, by Horner's rule.
   double at(double t) const;
 
-  // The same for a series that is known to have n terms.
+  // The same value, for a series that is known to have n terms.
   template <int n>
   double at(double t) const {
     double sum = c[n - 1];
@@ -85,7 +85,7 @@ Series sum_of_products(const Series& a, const Series& b, const Series& c, const 
 Series difference_of_products(const Series& a, const Series& b, const Series& c, const Series& d);
 
 // Returns coefficient k of a * b from the coefficients 0 .. k of both: the step of every
-// recurrence. With `first`, terms of `a` below it are left out.
+// recurrence. Terms of `a` below term `first` are left out.
 inline double product_term(const Series& a, const Series& b, int k, int first = 0) {
   double sum = 0.0;
   for (int j = first; j <= k; ++j) sum += a[j] * b[k - j];
