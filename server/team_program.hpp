@@ -26,7 +26,8 @@ class TeamProgram {
   ~TeamProgram();  // kills the program and all processes that it has started
 
   // If the program has ended, returns why the team can no longer send: a fault of the team, or of
-  // the host if the command does not exist. `when` ends the sentence: "before it sent anything".
+  // the host if the command does not exist. `when` is the end of that sentence: "before it sent
+  // anything".
   std::optional<match::Answer> why_gone(const std::string& when);
 
   // Gives the program a moment to end by itself, after the referee's HALT.

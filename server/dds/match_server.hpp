@@ -19,8 +19,8 @@ namespace mirocup::dds {
 class MatchServer {
  public:
   // `interface` and `domain` are the arguments of open_server_domain(). `credentials` is the folder
-  // of the server's credentials; "" is open mode. Errc::unavailable also if another server of this
-  // host plays `match_id`.
+  // of the server's credentials; "" is open mode. Errors are those of open_server_domain(), and
+  // Errc::unavailable if another server of this host plays `match_id`.
   static Result<std::unique_ptr<MatchServer>> open(const std::string& match_id,
                                                    const std::string& interface,
                                                    const std::string& credentials,

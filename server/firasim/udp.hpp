@@ -38,8 +38,9 @@ inline constexpr const char* this_host = "lo";
 //
 // A sender joins each group on its own interface. If any socket of a host has joined a group on the
 // interface of arrival, Linux gives a datagram to all sockets of the host that listen to the group.
-// So each of them gets the datagram once, whichever interface it has joined. A client that got two
-// copies would answer twice, and the second answer would look like an answer to the next vision.
+// So each of these sockets gets the datagram once, whichever interface it has joined. A client that
+// got two copies would answer twice, and the second answer would look like an answer to the next
+// vision.
 class Sender {
  public:
   static Result<Sender> open(std::vector<Endpoint> to, const std::string& interface);

@@ -57,7 +57,7 @@ class Friendlies {
   // Adds a leg that waits. Precondition: the leg has the team's next number.
   void add(Friendly friendly);
 
-  // Notes how a leg ended, with its goals and its end.
+  // Notes how a leg ended: its state, its goals and its Friendly::end.
   void finish(const std::string& team, int number, FriendlyState state, int goals, int against,
               const std::string& end);
 

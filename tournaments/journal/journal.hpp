@@ -52,7 +52,7 @@ class Journal {
   Journal(system::Files& files, std::string path, std::size_t most_values);
 
   Result<void> read_line(std::string_view line);
-  // Counts the values of a line. Returns an error if the journal then has too many.
+  // Counts the values of a line. Returns an error if the journal then has more than most_values_.
   Result<void> add_values(std::size_t more, const std::string& where);
 
   system::Files* files_;

@@ -12,8 +12,8 @@
 namespace mirocup::league {
 
 // Writes the team, whose source is "firasim:NAME", into league.json. Replaces a team of that name
-// if the source of the replaced team is also of this kind. Returns a sentence that says why the
-// team cannot enter; "" if it was written.
+// if the replaced team also speaks FIRASim's protocol. Returns a sentence that says why the team
+// cannot enter; "" if it was written.
 Result<std::string> enter_firasim_team(system::Files& files, const Folder& folder,
                                        const TeamConfig& team, std::int64_t now);
 

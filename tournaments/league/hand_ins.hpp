@@ -18,7 +18,7 @@ namespace mirocup::league {
 // The limits of hand-ins. The size of an entry is system::size_limit::entry.
 struct Quota {
   int tries_per_hour = 20;  // checked files, accepted or not
-  // Kept entries of each team, besides all entries that were booked to play.
+  // The most kept entries of each team, besides all entries that were booked to play.
   int versions = 20;
 
   // The most teams for which one user of a shared inbox may hand in. The host and the owner of the

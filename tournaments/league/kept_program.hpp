@@ -20,7 +20,7 @@ namespace mirocup::league {
 // The largest size of a program, bytes. Programs with sanitizers are large.
 inline constexpr std::uint64_t max_program = 256u << 20;
 
-// Returns the path of the kept match server with a behaviour (`game` in records).
+// Returns the path of the kept match server with the behaviour `game`, as in records.
 std::string kept_program(const Folder& folder, const std::string& game);
 
 // The files of the browser module (browser/) of a kept program, and their paths. The files exist
@@ -28,9 +28,9 @@ std::string kept_program(const Folder& folder, const std::string& game);
 inline constexpr const char* kept_module_files[] = {"mirocup.js", "mirocup.wasm"};
 std::string kept_module(const Folder& folder, const std::string& game, const std::string& file);
 
-// Returns the behaviour of the program that played a record, a path inside the folder; "" if the
-// record does not exist or names no behaviour. It is an error if the record cannot be read or is
-// damaged.
+// Returns the behaviour of the program that played the record at a path inside the folder; "" if
+// the record does not exist or names no behaviour. It is an error if the record cannot be read or
+// is damaged.
 Result<std::string> game_of_record(system::Files& files, const Folder& folder,
                                    const std::string& record);
 
@@ -62,7 +62,7 @@ class MatchServers {
   // that behaviour, if no such program is kept, or if this host does not trust the kept program.
   const MatchServer& of_game(const std::string& game);
 
-  // Returns the match server for a record, a path inside the folder. If the record is damaged,
+  // Returns the match server for the record at a path inside the folder. If the record is damaged,
   // returns this program's own server.
   const MatchServer& of_record(const std::string& record);
 

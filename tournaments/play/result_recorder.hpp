@@ -2,8 +2,8 @@
 //
 // Turns match records into events of the journal, alike for every engine that plays a league. A leg
 // gets its result. But the attempt is void if the host failed, or if a team lost the leg by
-// exceeding a time limit for the first time. A team that loses a number of legs in a row by its own
-// faults is paused.
+// exceeding a time limit for the first time. A team that loses LeagueFile::strikes legs in a row by
+// its own faults is paused.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"
@@ -26,7 +26,7 @@ class ResultRecorder {
   // Starts the league unless it has started.
   Result<void> start();
 
-  // Reads the events that other processes, such as a person's rulings, have written.
+  // Reads the events that other processes have written, such as a person's rulings.
   Result<void> refresh() { return store_.refresh(); }
 
   // Returns the fixture with an id; null if the schedule no longer has the fixture. The pointer is

@@ -31,15 +31,15 @@ enum class GradesLayout {
 //   points_per_leg, state, entry         state: plays, no entry, paused, withdrawn, or not in the
 //                                        league
 // then the further columns of the class list, and the team's score in each drill and in all drills
-// together. In a row for each member, a cell with as many parts between semicolons as the team has
-// members gives each member one part. `drills_csv` is the output of `mirocup drill … --csv`, read
-// from `path`; "": there are no drills. Its teams are matched by their names, and a missing mark is
-// an empty cell. For Moodle and Gradescope, the score of a team is its points in per cent of the
-// points that it would have if it had won all its legs. Students are named by their mail and
+// together. If a cell of the class list has as many parts between semicolons as the team has
+// members, each member's row gets one part. `drills_csv` is the output of `mirocup drill … --csv`,
+// read from `path`; "": there are no drills. Its teams are matched by their names, and a missing
+// mark is an empty cell. For Moodle and Gradescope, the score of a team is its points in per cent
+// of the points that it would have if it had won all its legs. Students are named by their mail and
 // number, further columns of the class list. A team for which the list has no members, mails and
 // numbers has no row. Errc::input if `drills_csv` is not such an output or names no team of the
-// league, if the list has neither of these two columns, or if it gives a member neither mail nor
-// number.
+// league, if the class list has columns neither of mails nor of numbers, or if it gives a member
+// neither.
 Result<SiteFile> grades(const Overview& overview, const PeopleOfTeams& people,
                         std::string_view drills_csv, const std::string& path,
                         GradesLayout layout = GradesLayout::teams);

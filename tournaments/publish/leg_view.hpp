@@ -25,8 +25,8 @@ struct LegView {
   bool is_annulled = false;           // the leg counts for nothing, because a team has left
   bool is_pruned = false;             // the replay page was removed to save room
 
-  // Returns the path of the leg's replay page, `root` and the path from the top of the site; "" if
-  // the leg has no page.
+  // Returns the path of the leg's replay page: `root`, then the path from the top of the site; ""
+  // if the leg has no page.
   std::string page(const std::string& root = "") const;
 
   bool has_replay() const { return played != nullptr && !played->record.empty(); }

@@ -38,7 +38,7 @@ std::string commands_file_of(const std::string& record);
 // Returns the fixture of a record, also of a void attempt: "r1-f2" for "records/r1-f2-1-1.json".
 const FixtureState* fixture_of_record(const LeagueState& state, const std::string& record);
 
-// Returns `root` and the path of a record's page; "" if the page was removed to save room.
+// Returns the path of a record's page after `root`; "" if the page was removed to save room.
 std::string page_of_record(const LeagueState& state, const std::string& root,
                            const std::string& record);
 

@@ -16,9 +16,9 @@ struct StrengthHistory {
   bool empty() const { return rounds.size() < 2; }
 };
 
-// Fits the strengths to the results up to each round; of more than 24 played rounds only up to
-// every second, third, … and the last round. The history is empty for more than 64 teams, because
-// the fit would take too long.
+// Fits the strengths to the results up to each round. If more than 24 rounds were played, fits only
+// every n-th round (n: rounds / 24, rounded up) and the last. The history is empty for more than 64
+// teams, because the fit would take too long.
 StrengthHistory strength_history(const Overview& overview, const std::vector<RoundView>& rounds);
 
 // Returns an SVG element with a curve for each team. The curve of the team `highlighted` is in

@@ -9,10 +9,10 @@
 // refute that the expected share is m or less, a gambler bets on every fixture at odds that are
 // fair for m. The gambler begins with 1 and is never ruined. If m is true, the probability that his
 // capital ever reaches 40 is at most 1/40, however long he plays and whenever he stops (Ville's
-// inequality). A second gambler bets against m or more. The shares that neither gambler has refuted
-// are an interval. The probability that this interval ever loses the true share is at most 5 %. A
-// team is better once the whole interval is on one side of 1/2; two teams are equal once the whole
-// interval is between the shares of -20 and 20 Elo.
+// inequality). A second gambler bets against a share of m or more. The shares that neither gambler
+// has refuted are an interval. The probability that this interval ever loses the true share is at
+// most 5 %. A team is better once the whole interval is on one side of 1/2; two teams are equal
+// once the whole interval is between the shares of -20 and 20 Elo.
 //
 // Each gambler divides his capital among fixed bets of many sizes. So the capital depends on how
 // often each result occurred and not on the order of the results. docs/comparisons.md has the
@@ -75,7 +75,7 @@ double elo_of(double share);
 
 namespace mirocup {
 
-// The texts name the first team of the command A and the second B.
+// In the texts, A is the first team of the command line and B the second.
 template <>
 inline constexpr std::array<std::string_view, 4> enum_names<league::ComparisonVerdict>{
     "undecided", "A", "B", "equal"};

@@ -80,7 +80,7 @@ struct TableRules {
   Points points;
   std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};
   std::uint64_t seed = 1;  // the seed of the lots
-  // True for a ladder, in which teams play different numbers of legs.
+  // True for a ladder or a nightly league, in which teams play different numbers of legs.
   bool by_points_per_leg = false;
 
   // True: a tie-break does not depend on how many legs a team has played. Sums over legs are

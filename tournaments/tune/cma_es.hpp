@@ -2,7 +2,7 @@
 //
 // CMA-ES: searches for the maximum of a function of a few numbers, of which only noisy samples are
 // known. The search draws candidates from a normal distribution, ranks them, and moves mean and
-// covariance towards the better half of them.
+// covariance towards the better half.
 //
 // The algorithm is that of N. Hansen, "The CMA Evolution Strategy: A Tutorial", arXiv:1604.00772,
 // with the constants of table 1 there and without negative weights.

@@ -47,9 +47,9 @@ struct Mark {
   double points = 0.0;  // share of the points: 1 for a win, 1/2 for a draw
 };
 
-// Plays `fixtures` fixtures against each opponent and returns a mark for each of them. `values` are
-// in the order of the parameters; if empty, the team plays without parameters. The marks depend
-// only on the arguments.
+// Plays `fixtures` fixtures, each against every opponent, and returns a mark for each fixture.
+// `values` are in the order of the parameters; if empty, the team plays without parameters. The
+// marks depend only on the arguments.
 using PlayFixtures = std::function<Result<std::vector<Mark>>(
     const std::optional<std::vector<double>>& values, std::uint64_t seed, int fixtures)>;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The folder of a search. tune.json holds every candidate that has been played, so that a stopped
-// search can continue and gives the same result. course.svg shows the course of the search.
+// The folder of a search. tune.json holds the marks of every candidate that has played, so that a
+// stopped search can continue and gives the same result. course.svg shows the course of the search.
 #pragma once
 
 #include "system/files.hpp"
