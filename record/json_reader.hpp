@@ -72,8 +72,8 @@ class JsonReader {
   // True if the value is an object. Otherwise complains.
   bool expect_object() const;
 
-  // True if the value is an object with only these keys. Otherwise complains about the first extra
-  // one.
+  // True if the value is an object with only these keys. Otherwise complains about the first other
+  // key.
   bool expect_object(std::initializer_list<std::string_view> keys) const;
 
   // True if the value is an array of min_size to max_size elements. Otherwise complains.

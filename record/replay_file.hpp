@@ -38,7 +38,7 @@ struct ReplayShape {
 Result<Replay> unpack_replay(std::string_view bytes, const ReplayShape& shape,
                              const std::string& path);
 
-// Reads a replay from uncompressed bytes, which may be any bytes.
+// Reads a replay from uncompressed bytes, which may come from strangers.
 Result<Replay> read_plain_replay(const std::string& plain, const ReplayShape& shape,
                                  const std::string& path);
 

@@ -8,11 +8,11 @@
 // one robot, this robot comes first in its team.
 //
 // `relative`: values in the frame of the one robot that learns, in which x points forward: the
-// ball; the robot's own velocity and turn; the middles of both goals; then the places of the robot
-// and the ball on the field; the directions of the ball, of the goal, and of the place behind the
-// ball (training/behind_ball.hpp), and the nearness of the ball and of this place; the shot from
-// the ball to the goal; then for each mate and each opponent x, y, velocity, and cosine and sine of
-// its heading; restart and stuck ball as in `standard`.
+// ball; the robot's own velocity and turn; the middles of both goals; then the robot's pose and the
+// ball's place on the field; the directions of the ball, of the opponents' goal, and of the place
+// behind the ball (training/behind_ball.hpp), and the nearness of the ball and of this place; the
+// shot from the ball to the goal; then for each mate and each opponent x, y, velocity, and cosine
+// and sine of its heading; restart and stuck ball as in `standard`.
 //
 // `vss`: the observation of rSoccer's VSS environment: the ball, the own robots with sine before
 // cosine, the opponents without heading.

@@ -3,7 +3,7 @@
 // Decides who is to blame if a lack of memory ended a leg.
 //
 // If memory is short, the kernel kills a process of its choice with SIGKILL. A team that stayed
-// within its limit is not at fault: the leg is void, and the reason has the memory of both teams.
+// within its limit is not at fault: the leg is void, and its reason names the memory of both teams.
 // A team is at fault only if all of this holds: the kernel ended a process for lack of memory, the
 // memory for a leg was free when the leg began, no other process has taken that memory since, and
 // the team has taken more memory than the other team and at least half of its limit.

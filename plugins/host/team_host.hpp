@@ -36,7 +36,7 @@ struct TeamHost {
   std::string last_line = {};  // last line of the log, at most 200 bytes
 };
 
-// The longest name from a library that is shown, bytes; leagues have the same limit.
+// The most bytes of a name from a library that is still shown; leagues have the same limit.
 inline constexpr std::size_t max_own_name = 40;
 
 // The prefix of the host's lines in the team's log; `mirocup check` shows these lines as warnings.
@@ -62,7 +62,8 @@ double parameter_of(void* host, const char* name, double fallback);
 // radians, and a line, once, about a requested place far outside of every pitch.
 void note_units(TeamHost& host, const mirocup_placement& placement, std::int32_t robots);
 
-// Logs a line if the name from the team's library is not shown: it is too long or not one line.
+// Logs a line if the library's name of the team is not shown, because it is too long or not one
+// line.
 void note_own_name(TeamHost& host, const std::string& name);
 
 // Logs a line, once, about commands to robots that the team does not have.

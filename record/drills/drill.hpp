@@ -40,7 +40,7 @@ struct Event {
   int count = 1;                                        // goal, save, touch, pass: the least number
   int most = 0;                                         // no_goal, no_foul: the greatest number
   std::optional<int> robot;      // touch, pose, in_area: this robot; empty: any robot
-  bool first = false;            // touch: true: before any opponent
+  bool first = false;            // touch: true: before an opponent touches the ball
   bool is_of_ball = true;        // in_area: true: the ball must be there; false: a robot
   std::array<double, 4> area{};  // in_area: low x, low y, high x, high y
   Frame frame = Frame::field;    // pose

@@ -25,14 +25,14 @@ Result<std::string> report(std::vector<LegReport> legs, const ReportOptions& opt
 // Returns the numbers of each team over all legs, as lines for a terminal.
 std::string numbers_text(const std::vector<LegReport>& legs);
 
-// Returns one line for each team of each leg.
+// Returns a line of comma-separated values for each team of each leg.
 std::string numbers_csv(const std::vector<LegReport>& legs);
 
 // Returns how goals fell against each team, where it lost the ball and which laws it broke, with
 // record and tick, as lines for a terminal. With a name, returns only the lines of this team.
 std::string goals_text(const std::vector<LegReport>& legs, const std::string& team = "");
 
-// Returns one line for each goal and each foul.
+// Returns a line of comma-separated values for each goal and each foul.
 std::string goals_csv(const std::vector<LegReport>& legs);
 
 // Returns a share as "47 %"; "-" for an empty share.

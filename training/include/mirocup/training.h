@@ -13,9 +13,9 @@
  *
  * Rows
  *   A match has a slot for each learner: a whole team or, with "agents": "robot", one robot. The
- *   slots of blue come before those of yellow. Buffers have a row for each slot of each match: row
- *   = match * slots + slot. All values of a row are in the frame of the row's team, which always
- *   attacks +x.
+ *   slots of blue come before those of yellow. Buffers have a row for each slot of each match, with
+ *   the index match * slots + slot. All values of a row are in the frame of the row's team, which
+ *   always attacks +x.
  *
  * Same result
  *   A match depends only on the configuration, its seeds and its actions, not on the number of
@@ -31,8 +31,8 @@
  *     disabled   the caller resets; until then, steps leave the match as it is
  *
  * Errors
- *   Functions that can fail return 0 for success, else the exit code of the commands for the same
- *   fault (2 wrong input, 3 not available, 4 damaged data, 5 the host's fault).
+ *   Functions that can fail return 0 for success, else the exit code with which commands report the
+ *   same fault (2 wrong input, 3 not available, 4 damaged data, 5 the host's fault).
  *   mirocup_training_error() then has a sentence. Nothing throws. A batch may be used by one thread
  *   at a time, bind() included; different batches are independent. docs/interfaces.md has the
  *   conventions.
@@ -59,12 +59,12 @@ uint32_t mirocup_training_version(void);
 typedef struct mirocup_training_sizes {
   uint32_t size; /* of this structure, bytes; later versions add members at its end */
   int32_t matches;
-  int32_t slots;       /* learners of a match */
+  int32_t slots;       /* number of learners of a match */
   int32_t rows;        /* matches * slots */
-  int32_t robots;      /* of each team */
+  int32_t robots;      /* robots of each team */
   int32_t observation; /* numbers in a row of observations */
   int32_t action;      /* numbers in a row of actions, each in [-1, 1] */
-  int32_t terms;       /* of the reward */
+  int32_t terms;       /* terms of the reward */
   int32_t statistics;  /* number of statistics of an episode */
   int32_t threads;
 } mirocup_training_sizes;
