@@ -72,8 +72,7 @@ class JsonReader {
   // True if the value is an object. Otherwise complains.
   bool expect_object() const;
 
-  // True if the value is an object with only these keys. Otherwise complains about the first other
-  // key.
+  // True if an object with only these keys; otherwise complains about it or its first other key.
   bool expect_object(std::initializer_list<std::string_view> keys) const;
 
   // True if the value is an array of min_size to max_size elements. Otherwise complains.

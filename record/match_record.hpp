@@ -61,8 +61,8 @@ struct DatagramReport {
 };
 
 // The traffic between the server and a team on the network. Commands are counted by their fate. A
-// command in step answered the present tick and was driven. If a tick had no such command, the
-// newest late command could be driven.
+// command in step answered the present tick and was driven. In a tick without one, the newest late
+// command could be driven.
 struct NetworkReport {
   std::uint64_t in_step = 0;
   std::uint64_t late = 0;         // for a tick that was over

@@ -14,10 +14,9 @@ struct TreeUse {
   bool is_runnable = false;  // one of the processes runs, or waits for a processor or a disk
 };
 
-// Returns the values of each process of `roots` together with all its descendants, also descendants
-// that have ended and were waited for. A process that does not exist has 0 s. A child that was
-// killed together with its parent no longer counts, so a caller that asks repeatedly keeps the
-// largest time.
+// Returns the values of each of `roots` with all its descendants, also descendants that have ended
+// and were waited for. A process that does not exist has 0 s. A child that was killed together with
+// its parent no longer counts, so a caller that asks repeatedly keeps the largest time.
 std::map<pid_t, TreeUse> use_of_trees(const std::vector<pid_t>& roots);
 
 }  // namespace mirocup::system

@@ -62,8 +62,7 @@ double parameter_of(void* host, const char* name, double fallback);
 // radians, and a line, once, about a requested place far outside of every pitch.
 void note_units(TeamHost& host, const mirocup_placement& placement, std::int32_t robots);
 
-// Logs a line if the library's name of the team is not shown, because it is too long or not one
-// line.
+// Logs a line if the team's own name is not shown, because it is too long or not one line.
 void note_own_name(TeamHost& host, const std::string& name);
 
 // Logs a line, once, about commands to robots that the team does not have.

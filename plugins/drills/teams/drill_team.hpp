@@ -309,8 +309,7 @@ class DrillTeam {
     return wheels_for(forward < 0.0 ? -allowed : allowed, turn_of(wheels));
   }
 
-  // Returns `wheels`. If the robot is or will soon be in the own goal area, returns speeds for the
-  // shortest way out.
+  // Returns `wheels` or, in and near the own goal area, speeds for the shortest way out.
   Wheels out_of_area(const Robot& robot, Wheels wheels) const {
     const double arc = std::abs(robot.y) < setup.goal_area_half_width / 2.0 ? 0.05 : 0.0;
     const double front = -setup.half_length + setup.goal_area_depth + arc + 0.04;

@@ -26,8 +26,7 @@
 
 namespace mirocup::strategy {
 
-// Returns the target of a shot from `from`: the open corner of the goal or, at a wall, a point
-// ahead along the wall.
+// Returns the target of a shot from `from`: the open corner or, at a wall, a point along the wall.
 inline Point shooting_aim(const Setup& setup, const Observation& now, Point from) {
   const double wall = setup.half_width - 0.05;
   const bool is_at_wall = std::abs(from.y) > wall && from.x < setup.half_length - 0.25;

@@ -116,8 +116,8 @@ inline Wheels drive_quickly(const Setup& setup, const Robot& robot, Point target
   return head_for(setup, robot, math::atan2(to.y, to.x), speed, distance + beyond);
 }
 
-// Drives to a point. Within `near` (m) of the point, turns to a heading, or to the opposite heading
-// if the turn to it is smaller.
+// Drives to within `near` m of a point, then turns to a heading or to its opposite, whichever is
+// nearer.
 inline Wheels take_pose(const Setup& setup, const Robot& robot, Point target, double heading,
                         double near = 0.012, double speed = 1.8) {
   if (length(target - position(robot)) > near)
