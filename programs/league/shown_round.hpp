@@ -40,7 +40,7 @@ class ShownRound {
  private:
   struct Leg {
     Json about;          // about the leg, for the programme
-    std::string record;  // path
+    std::string record;  // path of the record
     std::string page;    // path of the leg's replay page, if the league was published
   };
 

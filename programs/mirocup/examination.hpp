@@ -36,7 +36,7 @@ struct Examination {
   TrialLeg blue{};  // the leg as blue
   TrialLeg knockout{};
   std::set<MetRestart> restarts{};  // restarts in the legs so far
-  double slept = 0.0;               // s of sleep, scaled to a leg of full length
+  double slept = 0.0;               // the entry's sleep, scaled to a leg of full length, s
   std::size_t grown = 0;            // largest growth of the entry's memory in a leg, bytes
   std::string requests{};           // lines of ProcessController::requests()
   CheckPlan plan{};

@@ -16,12 +16,12 @@ struct LegStory {
   std::string opponent;          // a house team
   std::array<int, 2> score{};    // goals for the entry, and against it
   int own_goals = 0;             // own goals of the entry
-  double standing = 0.0;         // share
+  double standing = 0.0;         // share: stood still
   double turning = 0.0;          // share: turned in place
   double backwards = 0.0;        // share: drove backwards
-  double fastest_wheel = 0.0;    // commanded by the entry, rad/s
+  double fastest_wheel = 0.0;    // the fastest command of the entry, rad/s
   double towards_own_end = 0.0;  // the part of given_speed towards the own end, 0 to 1
-  double given_speed = 0.0;      // sum of the speeds along x that its touches gave the ball, m/s
+  double given_speed = 0.0;      // sum of the speeds along x that the entry gave the ball, m/s
   unsigned told_left = 0;        // bit i: a command turned the left wheel of robot i
   unsigned told_right = 0;       // bit i: a command turned the right wheel of robot i
 };

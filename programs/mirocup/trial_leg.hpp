@@ -53,7 +53,7 @@ struct TrialLeg {
   std::size_t memory_at_start = 0;             // memory when the team was created, bytes
   std::size_t peak_memory = 0;                 // bytes
   std::set<MetRestart> restarts;               // restarts with a call of place()
-  std::optional<replay::Recording> recording;  // recording of a leg that was played to its end
+  std::optional<replay::Recording> recording;  // only of a leg that was played to its end
   LegStory story;                              // without the opponent's name
   std::string output;
   std::string requests;  // lines of ProcessController::requests()

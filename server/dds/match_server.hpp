@@ -86,7 +86,7 @@ class MatchServer {
   WallClock::time_point began_ = WallClock::now();
   WallClock::time_point looked_;  // when the server last looked at the host's interface
   bool is_up_ = true;             // true: the host's interface is up
-  bool was_up_ = false;           // the interface has been up, so its state means something
+  bool was_up_ = false;           // true: the interface has been up; only then can it be down
   FewWords of_host_{4};
 };
 

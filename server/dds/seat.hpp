@@ -38,7 +38,7 @@ struct JoinTerms {
   // limit (lockstep).
   std::optional<double> tick;
   double notice = 1.0;   // a team that is silent for this long is away
-  double away = 10.0;    // longest time of all absences of a team in a leg together
+  double away = 10.0;    // limit of the sum of a team's absences in a leg
   double longest = 0.0;  // longest time from the construction of the seat to the end of the leg
   ThoughtSink thoughts;  // gets the team's shapes; if `add` is empty, shapes are not kept
   std::function<bool()> interrupted = [] { return false; };  // called in waits; true ends the wait

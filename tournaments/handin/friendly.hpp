@@ -31,7 +31,7 @@ enum class FriendlyState {
 // One leg. The team that has asked for the leg plays in blue.
 struct Friendly {
   std::string team;
-  int number = 0;             // number among the team's friendlies, from 1; 0: the entry's drills
+  int number = 0;             // number among the team's friendlies, from 1; 0: no leg, but drills
   int entry = 0;              // the team's entry that plays
   std::string opponent = {};  // a team of the league, or "house:NAME"
   int opponent_entry = 0;     // number of the opponent's entry; 0: a house team

@@ -29,7 +29,7 @@ class StaffDesk {
     int done = 0;           // the number of the decision just written; 0: none
     std::string said = {};  // a sentence for the top of the page
     int status = 200;       // status of the reply
-    Form given = {};        // first values of the forms: those of a sent form, or of a leg
+    Form given = {};        // the values that the forms show at first: of a sent form, or a leg
   };
 
   // Returns the page for the staff; a tutor gets the page without forms.

@@ -40,7 +40,7 @@ struct HandIns {
   // before the first such file.
   std::optional<uid_t> owner;
   std::optional<uid_t> last_user;  // the last user of a shared inbox who tried
-  int pinned = 0;                  // the entry that the team wants to play; 0: its latest
+  int pinned = 0;                  // the entry with which the team wants to play; 0: its latest
   // Identifies the last file that was refused without being read; "": none.
   std::string last_file;
   std::vector<Try> tries;  // the last tries, oldest first

@@ -49,7 +49,7 @@ Result<std::vector<std::string>> trust_kept_programs(system::Files& files, const
 struct MatchServer {
   std::string path;                // the server's path, for messages
   std::vector<std::string> words;  // the beginning of a command line that runs the server
-  std::string why_not_kept;        // a sentence: why the kept program is not run; or ""
+  std::string why_not_kept;        // why a kept program is not run, a sentence; "": no reason
 };
 
 // The match servers for the records of a league. A kept program is run from a copy in memory, whose

@@ -70,7 +70,7 @@ struct ComparedLeg {
 struct PairComparison {
   std::array<int, 2> teams{};  // indices into ComparisonRun::teams
   ComparisonVerdict verdict = ComparisonVerdict::undecided;
-  bool is_of_copies = false;  // true: fewer than half of the fixtures differ, so no claim
+  bool is_of_copies = false;  // true: no claim, as fewer than half of the fixtures differ
   ScoreSequence scores;
   std::vector<std::array<ComparedLeg, 2>> fixtures;
   std::set<std::string> trajectories;  // the texts of all different legs

@@ -21,7 +21,7 @@ struct Night {
   int number = 0;
   std::string at;                 // start of the night, UTC; "" if its line has no time
   LeagueState before;             // the league before the night's line
-  std::set<std::string> records;  // paths inside the league of the legs of the night
+  std::set<std::string> records;  // paths of the night's records inside the league folder
 };
 
 // Returns the last night of a league; nothing if the league has had no night. `shown` is the state

@@ -30,7 +30,7 @@ enum class ComparisonVerdict { undecided, first, second, equal };
 
 struct ComparisonOptions {
   double error = 0.05;      // the largest probability of a wrong claim, in (0, 1)
-  double equal_elo = 20.0;  // teams that are less apart count as equal; above 0
+  double equal_elo = 20.0;  // teams that are less than this apart are equal; above 0
 };
 
 // An interval of shares or of differences in Elo, and the estimate inside the interval.
