@@ -44,7 +44,7 @@ struct Pose {
 };
 
 // Converts from the field's frame to the frame of the team that defends `end`. The conversion is
-// its own inverse, so the same functions convert back, and it is exact to the last bit.
+// exact to the last bit and its own inverse, so the same functions convert back.
 inline Vec2 team_frame(End end, const Vec2& v) {
   return attack_sign(end) * v;
 }

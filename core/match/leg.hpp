@@ -58,7 +58,7 @@ struct Setup {
   referee::Stage stage = referee::Stage::group;
   std::uint64_t seed = 1;
   double control_period = 0.033;      // s
-  std::string pitch_name{"mirosot"};  // of the parameters below
+  std::string pitch_name{"mirosot"};  // the pitch that has these `parameters`
   simulator::Parameters parameters;
   simulator::Tolerances tolerances;
   Conditions conditions;
@@ -89,7 +89,7 @@ struct Outcome {
   std::optional<Team> winner;
   std::optional<ByTeam<int>> shoot_out;  // attempts scored, if there was one; they are not goals
   OutcomeKind kind = OutcomeKind::full_time;
-  std::vector<TeamFault> faults;  // of a forfeit: one, or one of each team
+  std::vector<TeamFault> faults;  // of a forfeit: one fault, or one of each team
   std::string why_void;           // a sentence, if the leg is void
 };
 

@@ -19,7 +19,7 @@ struct Occupancy {
   // The time for which each robot has been in its own goal area without a break, s.
   ByRobot<double> at_home_s{};
   // The keeper of each end: the robot that has been in its own goal area for the longest time; of
-  // several, that of the lowest index. Nothing if no robot of the team is there.
+  // several, the robot of the lowest index. Nothing if no robot of the team is there.
   ByEnd<std::optional<RobotId>> keeper;
 
   // The time for which each robot is still excused for standing in an area, s. It is `shoved_s` of

@@ -82,12 +82,12 @@ struct Rules {
   // The keeper.
   double keeper_hold_s = 10.0;    // the ball stays uncontested in a goal area for this time
   double charge_s = 0.10;         // an attacker drives into the keeper for this time
-  double charge_speed_mps = 0.5;  // or hits it at this speed
+  double charge_speed_mps = 0.5;  // or an attacker hits the keeper at this speed
   double push_in_s = 0.5;         // how long before a goal a push counts
-  double push_in_m = 0.02;        // in that time the keeper was moved this far towards its line
+  double push_in_m = 0.02;        // a push moves the keeper this far towards its goal line
   double block_s = 1.0;           // an attacker stands in the keeper's way for this time
-  double block_gap_m = 0.01;      // and is this near to the keeper
-  double block_ball_m = 0.25;     // while the ball is farther than this from both
+  double block_gap_m = 0.01;      // the attacker is this near to the keeper
+  double block_ball_m = 0.25;     // the ball is farther than this from attacker and keeper
 
   // Play that gets nowhere.
   double stalemate_s = 10.0;          // the ball stays within the radius for this time
@@ -99,18 +99,18 @@ struct Rules {
   bool stalemate_penalty = false;
 
   // Pushing and holding.
-  double push_dist_m = 0.10;          // the pusher moves an opponent this far
-  double push_angle_rad = 0.70;       // at no more than this angle to the line of centres
-  double cooldown_s = 2.0;            // the same pair is not called again for this time
-  double collision_mps = off;         // a closing speed that could do harm
-  double collision_differ_mps = 0.3;  // and one of the two robots is faster by this much
+  double push_dist_m = 0.10;     // the pusher moves an opponent this far
+  double push_angle_rad = 0.70;  // largest angle of that way to the line of the robots' centres
+  double cooldown_s = 2.0;       // the same pair is not called again for this time
+  double collision_mps = off;    // a speed of approach that could do harm
+  double collision_differ_mps = 0.3;  // in a harmful collision, one robot is faster by this much
   bool collision_foul = false;        // such a collision is called like a push, not only noted
-  double hide_m = 0.0128;             // the ball is this deep inside a robot's outline
-  double hide_s = 0.2;                // for this time
+  double hide_m = 0.0128;             // a ball this deep inside a robot's outline is hidden
+  double hide_s = 0.2;                // the ball is hidden for this time
   bool wall_push = false;             // pushing the ball along an end wall is an offence
   double wall_ball_m = 0.08;          // the ball's centre is this near to the end wall
-  double wall_robot_m = 0.0669;       // and a robot's centre this near to the ball
-  double wall_s = 50.0 / 60.0;        // robots of both teams press the ball for this time
+  double wall_robot_m = 0.0669;       // a robot's centre is this near to the ball's centre
+  double wall_s = 50.0 / 60.0;  // robots of both teams press the ball to the wall for this time
 
   bool hand_penalty = false;  // reaching onto the field costs a penalty kick
 };

@@ -69,7 +69,7 @@ class World {
     bool bodies_were_set = true;  // since the last tick; if so, nothing below counts
     impact::RestThresholds::Memory thresholds;
     struct Touch {
-      std::uint8_t a, partner;  // of a pair
+      std::uint8_t a, partner;  // as in Pair
     };
     int touches = 0;                                     // elements in use of `touch`
     std::array<Touch, collision::max_contacts> touch{};  // the pairs in contact, in their order
@@ -109,7 +109,7 @@ class World {
   // The next time at which a trajectory changes.
   struct Event {
     double time;       // s of the tick
-    bool is_touch;     // a first contact; otherwise segments end
+    bool is_touch;     // true: a first contact; false: segments end
     Pair pair;         // the pair that touches
     BodySet involved;  // bodies that touch, or whose segments end
   };
@@ -153,7 +153,7 @@ class World {
   std::array<BodyState, max_bodies> bodies_{};  // each at the start of its segment
   std::array<trajectory::Segment, max_bodies> segments_{};
   BodySet closed_form_;                                // bodies without series
-  std::array<BodyState, max_bodies> closed_form_end_;  // of each in closed form, not in a step
+  std::array<BodyState, max_bodies> closed_form_end_;  // of bodies in closed form, not in a step
   // The decays last used over a whole tick, and over the rest of a tick.
   struct KnownDecay {
     trajectory::MotorDecay forward, turn;  // `turn` only for motors with two lags

@@ -36,7 +36,7 @@ inline double gap(const StaticWorld& world, const Pair& pair, std::span<const Bo
 void add_contacts(const StaticWorld& world, const Pair& pair, std::span<const BodyState> bodies,
                   double margin, ContactList& list);
 
-// Appends contacts at given contact points of the pair, otherwise like add_contacts().
+// Appends contacts like add_contacts(), but at the contact points of the pair in `found`.
 void add_points(const StaticWorld& world, const Pair& pair, std::span<const BodyState> bodies,
                 const ContactPoints& found, ContactList& list);
 

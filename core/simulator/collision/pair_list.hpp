@@ -42,8 +42,8 @@ class PairList {
   void clear() { count_ = 0; }
 
   // Returns the pair with the smallest contact time if that is at most t, and sets t to it; null if
-  // there is none. Among equal times the pair of lowest index is taken. The pointer is valid
-  // until the list changes.
+  // there is no such pair. Among equal times the pair of lowest index is taken. The pointer is
+  // valid until the list changes.
   CandidatePair* earliest(double& t);
 
   // Replaces the pairs of the changed bodies by those that the boxes do not rule out, and returns

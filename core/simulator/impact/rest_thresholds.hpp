@@ -59,7 +59,7 @@ class RestThresholds {
   // A contact that was closed not long ago.
   struct Touched {
     std::uint8_t a, partner;  // of the pair
-    std::uint8_t corner;      // of the point's side; 0 for the ball
+    std::uint8_t corner;      // index: of the point's side; 0 for the ball
     bool point_on_a;          // the pair's a is the point's side
     double time = 0.0;        // s of the tick: when the contact was closed last
     double approach = 0.0;    // m/s, at its last impact

@@ -32,7 +32,7 @@ inline constexpr struct TaylorSeriesSettings {
 
 inline constexpr struct SegmentSettings {
   // [m; 1 for headings] Limit of the sum of the last two terms of a pose. The error of the
-  // truncation is a hundredth of that or less.
+  // truncation is a hundredth of this limit or less.
   double free_truncation = 1e-10;
   // [m; 1] The same for bodies in contact. It is looser, because pressing contacts keep their gaps
   // at zero in any case.
@@ -87,8 +87,8 @@ inline constexpr struct MotionBoundSettings {
 inline constexpr struct BoxQpSettings {
   // [1] Smallest pivot, as a share of its diagonal entry. A smaller pivot says that the unknown
   // depends on others, for example where two contacts push the same bodies in the same direction.
-  // The pivot is then raised to this share. As a result the unknown hardly moves if the others
-  // leave it undetermined, and goes to its bound if they contradict it.
+  // The pivot is then raised to this share. As a result the unknown hardly moves if the other
+  // equations leave it undetermined, and goes to its bound if they contradict it.
   double min_pivot = 1e-10;
   // [1] Gradient that counts as zero, as a share of the largest |b|.
   double gradient_tolerance = 1e-14;
@@ -169,7 +169,7 @@ inline constexpr struct RestThresholdsSettings {
   double forced_growth = 8.0;
   double max_min_duration = 2e-3;  // [s]
   double contact_memory = 0.02;    // [s] a contact that has been open for longer is forgotten
-  // [1] An approach of at most e + this * (1 - e) times the last one may belong to a series.
+  // [1] An approach of at most e + this * (1 - e) times the approach before may belong to a series.
   double series_margin = 0.5;
   // [m/s^2] A contact that an impact has opened closes again with a smaller acceleration, unless
   // another body has hit one of its bodies. Its approach then does not belong to a series.
@@ -183,14 +183,15 @@ inline constexpr struct ContactForcesSettings {
   double min_slip_acceleration = 1e-10;  // [m/s^2] a smaller one is rounding: the wheels hold
   double min_rate = 1e-12;               // [m/s] a slower change of a gap counts as none
   double weak_share = 1e-3;              // [1] of the largest force: a smaller force is weak
-  double min_closing = 1e-9;  // [m/s^2] a gap may close this fast where a weak force is dropped
+  double min_closing = 1e-9;  // [m/s^2] no gap may close faster after weak forces are dropped
   // [1] Friction agrees with the normal forces if these change by at most this share of the largest
   // one in a round. If they still change more after friction_rounds, the bodies are jammed:
   // friction holds itself up.
   double friction_tolerance = 1e-9;
   int friction_rounds = 64;
-  // [1] A's diagonal grows by this share. If wheels and walls hold a robot from both sides, many
-  // forces would do; the growth selects the smallest, on which friction depends.
+  // [1] The diagonal of the problem's matrix A grows by this share. If wheels and walls hold a
+  // robot from both sides, many sets of forces would do; the growth selects the smallest one, and
+  // friction follows from it.
   double friction_compliance = 1e-6;
   // [m/s^2] A contact at rest sticks if it would begin to slide with a smaller acceleration. The
   // compliance alone gives a wedged robot a thousandth of this acceleration.
@@ -235,7 +236,7 @@ inline constexpr struct TimeStepperSettings {
   // The first iterations must meet Tolerances::step_gap, later ones only step_gap_in_conflict.
   int strict_refinements = 4;
   double impulse_tolerance = 1e-9;  // [1] of the largest relative velocity: precision of impulses
-  int max_halvings = 6;             // of the step's length; then the last attempt is taken
+  int max_halvings = 6;             // of the step's length; then the last attempt is accepted
   // Overlaps at the start of a step are removed at `max_undoing_speed` [m/s] at most, because a
   // faster removal would add energy. A step that lasts `undone_overlap` [m] / `max_undoing_speed`
   // or longer removes the whole overlap.
@@ -263,7 +264,7 @@ inline constexpr struct WorldSettings {
   double forced_end_round_off = 1e-3;
   // [1] of Tolerances::contact_gap: a deeper overlap is projected away at an event.
   double projected_overlap = 2.0;
-  double first_contact_gap = 1e-10;  // [m] a contact that was open closes only up to this gap
+  double first_contact_gap = 1e-10;  // [m] a contact that is not remembered has at most this gap
   double resting_speed = 1e-6;       // [m/s] an island that is slower leaves time stepping
   // [events] If the event budget is 0, a lone robot that slides along a wall is followed event by
   // event until the tick has had this many events.

@@ -53,7 +53,7 @@ struct ContactSeries {
   std::array<trajectory::Series, 3> row_a, row_b;
   std::array<trajectory::Series, 2> inside;  // positive while the ball is in the corner's sector
   trajectory::Series x, y;                   // m: of the ball, in the frame of the corner's side
-  trajectory::Series dx, dy;                 // m: the same, in the field's frame
+  trajectory::Series dx, dy;  // m: from that side's reference point to the ball, field's frame
 };
 
 // Sets the first term (term 0) of each series of `rows`, from the first terms of the bodies' poses.

@@ -44,7 +44,7 @@ inline double along(const JacobianRow& row, const Twist& v) {
 }
 
 // A row of J. Its rate is on_a . twist of a + on_b . twist of b; an impulse x along it changes the
-// twist of a by x M_a^-1 on_a, and that of b likewise.
+// twist of a by x M_a^-1 on_a, and the twist of b by x M_b^-1 on_b.
 struct ConstraintRow {
   int a = no_body;  // always a body
   int b = no_body;  // no_body: the row has one body only; on_b is not read then

@@ -3,11 +3,11 @@
 // How the members of a step move between its ends: each on the arc of its constant twist, plus a
 // mid-step correction.
 //
-// The impulses of a step leave no overlap at its end (time_stepper.hpp). A body that turns while
-// it touches another would still penetrate it between the ends, by an amount of second order in
-// the step. That amount is measured in the middle and taken away there by a displacement, which
-// fades to both ends as a parabola. What remains is of third order. The correction matters because
-// bodies from outside the step may collide with a member at any time of the step.
+// The impulses of a step leave no overlap at its end (time_stepper.hpp). A body that turns while it
+// touches another would still penetrate it between the ends, by an amount of second order in the
+// step. That amount is measured in the middle and taken away there by a displacement, which fades
+// to both ends as a parabola. The overlap that remains is of third order. The correction matters
+// because bodies from outside the step may collide with a member at any time of the step.
 //
 // Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad. Threads: none.
 #pragma once
