@@ -20,7 +20,7 @@ enum class Errc {
   unavailable,  // a file, a child process or the network is not available
   damaged,      // data that a program wrote was changed, or is of another version
   host,         // the machine failed and nothing was decided: run it again
-  interrupted,  // stopped on request: the same command continues later
+  interrupted,  // stopped on request: the same command, given again, continues
 };
 
 // A failure. `what` is a sentence for the person who must act: it names the file, key or symbol.

@@ -53,7 +53,7 @@ struct Field {
 
   double half_length = 0.0;      // X: goal lines at x = -X and X
   double half_width = 0.0;       // Y: side walls at y = -Y and Y
-  double corner_leg = 0.0;       // legs of the solid corner triangles
+  double corner_leg = 0.0;       // length of the legs of the solid corner triangles
   double goal_half_width = 0.0;  // the mouth is |y| < this
   double goal_depth = 0.0;
 

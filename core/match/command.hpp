@@ -43,7 +43,7 @@ struct DrivenCommand {
 
 struct CheckedCommand {
   DrivenCommand command;
-  int bad_values = 0;  // not finite, or out of range
+  int bad_values = 0;  // speeds that were not finite, or out of range
 };
 
 // Checks the commands of the first `robots` robots. `limit` is the largest allowed wheel speed,

@@ -45,7 +45,7 @@ bool bit_equal(const PlacementRequest& a, const PlacementRequest& b, int robots)
 inline constexpr double placement_step = 0x1p-24;
 
 // Returns the request with the ball's place and each pose rounded to multiples of placement_step,
-// unless they equal those `shown` to the team. `robots` is the number of robots that count.
+// unless they equal those `shown` to the team. `robots` is the number of robots of the team.
 PlacementRequest rounded(const PlacementRequest& asked, const PlacementRequest& shown, int robots);
 
 // Returns the placement, in the field's frame, in which the team of one end stands as requested and

@@ -16,8 +16,8 @@ using TeamParameters = std::map<std::string, double>;
 inline constexpr std::size_t max_team_parameters = 32;
 inline constexpr std::size_t max_parameter_name = 31;  // bytes
 
-// Returns why a team cannot have these parameters, as a part of a sentence; "" if it can. A name is
-// letters, digits, '_', '-' and '.', and begins with a letter. A value is finite.
+// Returns why a team cannot have these parameters, as a part of a sentence; "" if it can. A name
+// has only letters, digits, '_', '-' and '.', and begins with a letter. A value must be finite.
 std::string problem_with(const TeamParameters& parameters);
 
 }  // namespace mirocup::match

@@ -20,7 +20,7 @@ namespace mirocup::referee {
 // The reasons why a robot may not have the pose that was asked for.
 enum class Misplaced {
   no,
-  outside_walls,        // or not finite
+  outside_walls,        // or the pose is not finite
   not_allowed,          // by the law of the restart
   special_place_empty,  // a robot has to stand in the special place, and this one is sent there
   second_in_goal_area,  // at a goal kick, the taker's second robot in the opponents' goal area

@@ -73,7 +73,7 @@ class World {
     };
     int touches = 0;                                     // elements in use of `touch`
     std::array<Touch, collision::max_contacts> touch{};  // the pairs in contact, in their order
-    stepping::TimeStepper::Memory steps;                 // ends with the forces in use
+    stepping::TimeStepper::Memory steps;  // the last member: it ends with its unused elements
   };
   static std::size_t size_of(const Memory& memory);
 

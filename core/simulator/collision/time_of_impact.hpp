@@ -35,8 +35,8 @@ double time_of_impact(const MovingOutline& a, const field::Wall& wall, double le
 
 // Returns the first time at which the gap has fallen to 0. If the gap at `begin` is already at most
 // `penetration`, m, the function instead returns the first time at which the gap has fallen to
-// min(gap at `begin`, 0) - `penetration`. In both cases the result is trajectory::never if that
-// does not happen by `end`.
+// min(gap at `begin`, 0) - `penetration`. In both cases the result is trajectory::never if
+// the gap does not fall so far by `end`.
 double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline& b,
                                      double penetration, double begin, double end);
 double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall,

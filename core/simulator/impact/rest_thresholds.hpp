@@ -116,7 +116,7 @@ class RestThresholds {
   Tolerances tolerances_;
   Memory memory_;
   int budget_;                // of the tick
-  int spent_ = 0;             // of the budget, so far
+  int spent_ = 0;             // the part of budget_ that is spent so far
   BodySet were_over_budget_;  // in the last tick
   int all_impacts_ = 0;       // in this tick, so far
   double last_impact_ = 0.0;  // s of the tick

@@ -45,7 +45,7 @@ struct Parameters {
   double motor_time_constant = 0.06;       // s: T in (2)
   // s: T of the angular velocity. 0: motor_time_constant.
   double turn_time_constant = 0.0;
-  // s: T of the forward speed while motors brake (command 0 for both). 0: motor_time_constant.
+  // s: T of the forward speed while both wheels are commanded to stand. 0: motor_time_constant.
   double brake_time_constant = 0.0;
   double wheel_speed_limit = 80.0;  // rad/s: wheel speeds beyond +-limit are clamped
   double grip = 0.8;                // 1: lateral force of the wheels <= grip M g; see (3)

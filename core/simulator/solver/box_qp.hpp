@@ -9,7 +9,7 @@
 //
 // Method: a primal active set (Nocedal and Wright, "Numerical Optimization", 16.5). The exact
 // minimum over the free unknowns is found by Cholesky factorisation. On the line to that minimum,
-// the first unknown that hits a bound is held there. At the minimum, one bound whose gradient
+// the first unknown that hits a bound is held at it. At the minimum, one bound whose gradient
 // points inwards is released. Every step lowers the objective, so the method ends. The
 // factorisation is our own because a library may order its sums by the size of a cache, and a match
 // must give the same bits everywhere.
