@@ -35,7 +35,7 @@ std::string words_of(httplib::Error error) {
       return "this computer does not trust its certificate; --ca names a further authority";
     case httplib::Error::Read:
     case httplib::Error::Write:
-      return "the connection broke, or it speaks https; try https://";
+      return "the connection broke, or the server expects https; try https://";
     default:
       return httplib::to_string(error);
   }

@@ -47,8 +47,8 @@ Result<int> run_health(const HealthOptions& options) {
   if (h.night == 0) std::cout << "no night yet";
   if (h.night > 0) std::cout << "night " << h.night << " began at " << shown_time(file, h.night_at);
   std::cout << (h.is_playing ? ", the league is being played" : "") << "; " << h.open_legs
-            << " legs are open\nhand-ins that wait: " << h.waiting << "\ndisk: " << in_words(use)
-            << '\n';
+            << " legs are not decided\nwaiting hand-ins: " << h.waiting
+            << "\ndisk: " << in_words(use) << '\n';
   for (const std::string& problem : h.problems)
     std::cout << "for you: " << system::printable(problem) << '\n';
   return h.problems.empty() ? exit_yes : exit_no;

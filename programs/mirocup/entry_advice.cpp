@@ -172,7 +172,7 @@ constexpr ErrorAdvice python_errors[] = {
      "a name that a function assigns to is local in it: use another name, or keep the value in "
      "self"},
     {"IndexError", "an index goes from 0 to the length less 1, of robots to now.robots - 1"},
-    {"module 'mirocup' has no attribute", "write from mirocup.team import Team"},
+    {"module 'mirocup' has no attribute", "write \"from mirocup.team import Team\""},
     {"cannot import name", "team.py has the names of all functions (docs/python.md)"},
     {"object is not callable", "data has no brackets ( ) after it, and an index stands in [ ]"},
     {"Operation not permitted", "a team sends no signals and changes nothing of the system"},

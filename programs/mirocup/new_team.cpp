@@ -97,7 +97,7 @@ Result<void> adopt(system::Disk& disk, const system::TeamKit& kit, const NewOpti
                                                    fs::path(options.folder) / "src" / path));
     if (is_changed) {
       std::cout << "src/" << system::printable(path)
-                << ": its text was changed so that g++ can read it\n";
+                << ": mirocup new changed its text so that g++ can read it\n";
     }
   }
   std::string sources;

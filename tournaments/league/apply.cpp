@@ -140,7 +140,7 @@ struct Validator {
     if (f.legs[at.leg].played) return fail(Errc::input, name + " is decided already");
     // The teams of a line must be those of its fixture; otherwise the journal is damaged.
     if (e.home != state.name(f.fixture.home) || e.away != state.name(f.fixture.away)) {
-      return fail(Errc::input, name + " is not between " + e.home + " and " + e.away);
+      return fail(Errc::input, name + " is not a leg of " + e.home + " against " + e.away);
     }
     return {};
   }

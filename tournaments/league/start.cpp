@@ -31,7 +31,8 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
                 "no entry of " + missing + " was accepted; league withdraw leaves a team out");
   }
   if (ready < 2)
-    return fail(Errc::input, "only " + std::to_string(ready) + " teams have an accepted entry");
+    return fail(Errc::input,
+                "a league needs two teams with an accepted entry and has " + std::to_string(ready));
   MIROCUP_TRY(const auto config,
               files.read(store.folder().config(), {.max_size = system::size_limit::league_file,
                                                    .links = system::Links::followed}));

@@ -40,7 +40,7 @@ Result<TuningFile> TuningFile::open(system::Files& files, const std::string& fol
   for (const auto& [key, value] : file.identity_.items()) {
     if (search.contains(key) && search.at(key) == value) continue;
     return fail(Errc::input, file.path_ + ": " + key + " is not " + record::json_text(value) +
-                                 ": the folder holds another search; name a new folder");
+                                 " in this folder, which holds another search; name a new folder");
   }
   MIROCUP_TRY(file.marks_, record::read_json<std::map<std::string, std::vector<Mark>>>(
                                *text, file.path_, Errc::damaged, read_marks));

@@ -60,7 +60,7 @@ const char* enter_toolchain_root(std::span<const TreeFile> files) {
   if (!make_read_only("/")) return "a root that is read only";
   if (mount("work", work_folder, "tmpfs", MS_NOSUID | MS_NODEV, work_options) != 0 ||
       chdir(work_folder) != 0)
-    return "a folder to work in";
+    return "the folder in which the compiler works";
   for (const TreeFile& file : files) {
     if (is_work(file) && !write_file(file)) return "the source";
   }

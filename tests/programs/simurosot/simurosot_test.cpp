@@ -422,7 +422,7 @@ TEST(Simurosot, BuildsAnUntidyFolder) {
       run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_NE(made.out.find("2 sources, gnu++98"), std::string::npos) << made.out;
-  EXPECT_NE(made.out.find("src/TEAM.CPP: its text was changed so that g++ can read it"),
+  EXPECT_NE(made.out.find("src/TEAM.CPP: mirocup new changed its text so that g++ can read it"),
             std::string::npos);
   ASSERT_NO_FATAL_FAILURE(build_project(folder / "made", folder / "build"));
   const Outcome played = run({program("mirocup"), "match", "--blue", folder / "build/team.so",
