@@ -12,9 +12,9 @@
 
 namespace mirocup::field {
 
-// Returns the part, from 0 to 1, of a square robot that lies in the area of that end. The inside of
-// the goal belongs to the area. `side` is in metres. A robot and an end turned by 180 degrees give
-// the same bits.
+// Returns the part, from 0 to 1, of a square robot that lies in the area at `end`. The inside of
+// the goal belongs to the area. `side` is the robot's, in metres. A robot and an end turned by 180
+// degrees give the same bits.
 double covered_part(const Field& field, const Area& area, End end, const Pose& robot, double side);
 
 }  // namespace mirocup::field

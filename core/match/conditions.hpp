@@ -33,8 +33,8 @@ struct Conditions {
 
   // ---- wheels and floor
   double wheel_gain_sigma = 0.0;    // share by which a wheel is too fast or slow in the whole leg
-  double wheel_jitter_sigma = 0.0;  // share by which a wheel's command is off in each tick
-  double rolling_sigma = 0.0;       // share by which rolling resistance is off in the whole leg
+  double wheel_jitter_sigma = 0.0;  // share by which a wheel deviates from its command in each tick
+  double rolling_sigma = 0.0;       // share by which rolling resistance deviates in the whole leg
 
   // ---- camera
   double see_sigma_m = 0.0;        // m, along x and y, of every robot and of the ball in each tick

@@ -58,7 +58,7 @@ struct Setup {
   referee::Stage stage = referee::Stage::group;
   std::uint64_t seed = 1;
   double control_period = 0.033;      // s
-  std::string pitch_name{"mirosot"};  // the pitch that has these `parameters`
+  std::string pitch_name{"mirosot"};  // name of the pitch with the parameters below
   simulator::Parameters parameters;
   simulator::Tolerances tolerances;
   Conditions conditions;
@@ -87,7 +87,7 @@ struct Outcome {
   ByTeam<int> score{};   // the official score: a forfeit is 0 to forfeit_goals
   ByTeam<int> played{};  // goals scored, those of extra time included
   std::optional<Team> winner;
-  std::optional<ByTeam<int>> shoot_out;  // attempts scored, if there was one; they are not goals
+  std::optional<ByTeam<int>> shoot_out;  // attempts scored (not goals); empty: no shoot-out
   OutcomeKind kind = OutcomeKind::full_time;
   std::vector<TeamFault> faults;  // of a forfeit: one fault, or one of each team
   std::string why_void;           // a sentence, if the leg is void

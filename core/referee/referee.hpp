@@ -56,7 +56,7 @@ struct PendingCounts {
 
 class Referee {
  public:
-  // `pitch` and what it points to outlive the referee.
+  // The field and the rules of `pitch` outlive the referee.
   Referee(const Pitch& pitch, const LegProgress& progress);
 
   Phase phase() const { return now_.phase; }

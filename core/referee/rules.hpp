@@ -34,8 +34,8 @@ struct Rules {
   // The course of a match.
   double half_s = 300.0;           // length of a half, effective time
   double half_break_s = 600.0;     // break between the halves; a simulated match does not wait
-  double golden_goal_s = 180.0;    // extra time that ends with a goal; 0: none
-  double extra_halves_s = 0.0;     // two extra halves of this length, if no golden goal; 0: none
+  double golden_goal_s = 180.0;    // longest extra time, which a goal ends; 0: none
+  double extra_halves_s = 0.0;     // each of two extra halves if golden_goal_s is 0; 0: none
   int shoot_out_rounds = 3;        // attempts of each team before single pairs of attempts decide
   int shoot_out_most_rounds = 15;  // attempts of each team after which lots are drawn
   double attempt_s = 30.0;         // length of a penalty attempt

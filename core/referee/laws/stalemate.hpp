@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Stalemate: the ball gets nowhere for `stalemate_s`. Sources: MiroSot law 13, a free ball, and
-// 12.5, in a goal area a goal kick.
+// Stalemate: the ball gets nowhere for `stalemate_s`. Sources: MiroSot laws 13 (a free ball)
+// and 12.5 (a goal kick if the ball is in a goal area).
 //
 // "Nowhere" is a circle of `stalemate_radius_m` around the place where the count started: robots
 // that shake the ball do not restart the count.

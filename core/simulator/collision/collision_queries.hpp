@@ -47,8 +47,8 @@ void refresh_contact(const StaticWorld& world, std::span<const BodyState> bodies
 
 // Returns the gap of a contact where its bodies are now, m: the signed distance of its point from
 // its edge's line. A corner beside the edge's end can lie behind the line without penetrating. So
-// if this distance is below -`trusted_depth`, m, it returns the larger of the distance and the
-// pair's gap.
+// if this distance is below -`trusted_depth`, m, the result is the larger of the distance and
+// the pair's gap.
 double clamped_gap(const StaticWorld& world, std::span<const BodyState> bodies,
                    const Contact& contact, double trusted_depth);
 

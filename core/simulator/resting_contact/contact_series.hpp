@@ -2,11 +2,11 @@
 //
 // A resting contact as power series: its constraint row, its force, and its place on the edge.
 //
-// Seen from the body with the edge, the edge's normal is constant, and the contact point moves
-// along the edge at a constant distance. So a contact on an edge needs two series: the heading of
-// one body relative to the other, and the place of the point along the edge. Everything else is
-// linear in these. Where the ball presses on a corner, the normal turns for both bodies, and the
-// rows themselves are series.
+// Seen from the body with the edge, the edge's normal is constant, and the contact point moves in
+// parallel to the edge. So a contact on an edge needs two series: the heading of one body relative
+// to the other, and the place of the point along the edge. Everything else is linear in these two.
+// Where the ball presses on a corner, the normal turns for both bodies, and the rows themselves are
+// series.
 //
 // Order of the calls for each contact, in which every term needs the ones before:
 //   1. start_rows(): terms 0, from poses.
@@ -47,7 +47,7 @@ struct ContactSeries {
   // terms 1 to k of `heading` contribute; k is that of the last call of gap_rate_term().
   Vec2 later_velocity;
   trajectory::Series lever_b;   // m: third component of row_b = -(place along the edge)
-  double edge_begin, edge_end;  // m, along the edge
+  double edge_begin, edge_end;  // m: places of the edge's ends along the edge
 
   // Used if the ball touches a corner.
   std::array<trajectory::Series, 3> row_a, row_b;

@@ -41,9 +41,9 @@ class BoxQp {
   }
   Unknowns b, low, high;
 
-  // A large problem costs a round for each bound, so it needs a warm start. If is_large(), the
-  // caller may give all rows of A = J M^-1 J^T to warm_start() after reset(); solve() then starts
-  // from the solution of that regularised QP.
+  // Without a warm start, a large problem takes a round for each bound. If is_large(), the caller
+  // may give all rows of A = J M^-1 J^T to warm_start() after reset(); solve() then starts from the
+  // solution of the regularised QP with these rows.
   bool is_large() const;
   RegularizedQp& warm_start(std::span<const InverseMass> mass);
 

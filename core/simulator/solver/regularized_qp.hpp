@@ -73,7 +73,7 @@ class RegularizedQp {
   std::array<Bound, max_unknowns> bound_;
   Unknowns prox_centre_;
 
-  // At x.
+  // The objective, its gradient and the rates at x.
   double value_ = 0.0;
   Unknowns gradient_;
   Unknowns rates_, x_at_rates_;  // A x, and the x for which it holds

@@ -52,8 +52,8 @@ Braking braking_along(const RollingDeceleration& d, const Vec2& velocity, const 
 double time_of_braking_change(const RollingDeceleration& d, const Segment& ball,
                               const Braking& braking, double length);
 
-// Adds term k + 1 of the ball's twist, from its terms up to k, without contact forces, and term k
-// of `braking`.
+// Adds term k of `braking` and, from the terms up to k, term k + 1 of the ball's twist without
+// contact forces.
 void extend_ball_twist(const RollingDeceleration& d, int k, Segment& ball, Braking& braking);
 
 // Returns the motion of a ball without contacts from `begin`, s of the tick. It ends at
