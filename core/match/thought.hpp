@@ -23,7 +23,7 @@ enum class ThoughtKind { line, circle, polygon, text };
 struct Thought {
   ThoughtKind kind = ThoughtKind::line;
   std::uint32_t colour = 0;  // 0xRRGGBBAA
-  std::string_view layer;    // any bytes, at most max_layer_name
+  std::string_view layer;    // at most max_layer_name bytes, of any value
   // m. Line: x1, y1, x2, y2. Circle: x, y, radius. Polygon: x, y of each corner. Text: x, y.
   std::span<const double> numbers;
   std::string_view text;  // any bytes

@@ -45,7 +45,7 @@ struct Rules {
   int substitutions = 2;           // of each team while play is on; in the break any number
   double half_late_s = 300.0;      // how long a match waits for a team that is late after the break
   int mercy_goal_diff = 10;        // a lead of this many goals ends the match
-  int forfeit_goals = 10;          // a forfeit counts as 0 to this many
+  int forfeit_goals = 10;          // a forfeit counts as 0 to this many goals
   double ready_s = 0.33;           // from placement to whistle: robots stand, teams place and see
 
   // Definitions of words that several laws use.
@@ -83,7 +83,7 @@ struct Rules {
   double keeper_hold_s = 10.0;    // the ball stays uncontested in a goal area for this time
   double charge_s = 0.10;         // an attacker drives into the keeper for this time
   double charge_speed_mps = 0.5;  // or an attacker hits the keeper at this speed
-  double push_in_s = 0.5;         // how long before a goal a push counts
+  double push_in_s = 0.5;         // time before a goal in which a push counts
   double push_in_m = 0.02;        // a push moves the keeper this far towards its goal line
   double block_s = 1.0;           // an attacker stands in the keeper's way for this time
   double block_gap_m = 0.01;      // the attacker is this near to the keeper
@@ -100,7 +100,7 @@ struct Rules {
 
   // Pushing and holding.
   double push_dist_m = 0.10;     // the pusher moves an opponent this far
-  double push_angle_rad = 0.70;  // largest angle of that way to the line of the robots' centres
+  double push_angle_rad = 0.70;  // largest angle of the push to the line of the robots' centres
   double cooldown_s = 2.0;       // the same pair is not called again for this time
   double collision_mps = off;    // a speed of approach that could do harm
   double collision_differ_mps = 0.3;  // in a harmful collision, one robot is faster by this much

@@ -19,7 +19,7 @@ struct Impact {
   int first = no_body;
   int second = no_body;   // indices of bodies; no_body is an obstacle
   Vec2 point{0.0, 0.0};   // m
-  Vec2 normal{0.0, 0.0};  // unit, from the second to the first
+  Vec2 normal{0.0, 0.0};  // unit, from the second body to the first
   double impulse = 0.0;   // N s along the normal
 };
 

@@ -14,7 +14,8 @@
 namespace mirocup::referee {
 
 struct KeeperChargeMemory {
-  ByEnd<std::array<Dwell, max_robots_per_team>> driven;  // how long each attacker has driven at it
+  // How long each attacker has driven at the keeper.
+  ByEnd<std::array<Dwell, max_robots_per_team>> driven;
   ByRobot<bool> touched{};  // by attacker: it touched the keeper in the last tick
 };
 

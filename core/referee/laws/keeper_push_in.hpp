@@ -5,8 +5,8 @@
 //
 // Judged by the last `push_in_s` before the goal: an attacker pressed on the keeper, directly or
 // through the ball, while the keeper was moved `push_in_m` towards its goal line; and at the moment
-// of the goal the keeper touches the ball or is over the line. A keeper that its own commands took
-// towards the line was not pushed.
+// of the goal the keeper touches the ball or is over the line. If the keeper's own commands took it
+// towards the line, the keeper was not pushed.
 #pragma once
 
 #include "core/referee/laws/law.hpp"

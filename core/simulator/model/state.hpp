@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Poses and twists of all bodies, and the commands of their wheels: plain data, the whole memory of
-// the physics between two ticks. SI units, angles in radians, counter-clockwise.
+// Poses and twists of all bodies, and the commands of their wheels: plain data. SI units, angles in
+// radians, counter-clockwise.
 #pragma once
 
 #include "core/field/frames.hpp"

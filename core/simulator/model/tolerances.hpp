@@ -39,7 +39,7 @@ struct Tolerances {
   // m/s: if slower, a robot in contact does not slide, and a ball in contact does not roll.
   double slow_motion = 1e-7;
   // Event budget of a tick, for each body of the world; a world with fewer than seven bodies has
-  // the budget of seven. An event with n bodies costs n^2, or n for one or two: a tick of seven
+  // the budget of seven. An event with n bodies costs n^2, or n if n is one or two: a tick of seven
   // bodies can have 280 events of two, 35 of four or 11 of all. The bodies of an event beyond the
   // budget are time-stepped for the rest of the tick, together with the bodies that they touch. In
   // the next tick these bodies have an eighth of the budget, and an island of five or more bodies

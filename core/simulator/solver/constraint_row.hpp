@@ -24,8 +24,8 @@ static_assert(max_unknowns >= 2 * 3 * max_bodies + max_robots);
 // One number for each unknown of a problem; those beyond its size are not used.
 using Unknowns = std::array<double, max_unknowns>;
 
-// The diagonal of a body's inverse mass matrix M^-1: 1/M, 1/M (1/kg) and 1/I (1/(kg m^2)). Zero if
-// the velocity in that direction cannot change, as the lateral one of wheels of infinite grip.
+// The diagonal of a body's inverse mass matrix M^-1: 1/M, 1/M (1/kg) and 1/I (1/(kg m^2)). An entry
+// is zero if its velocity cannot change, as the lateral velocity of wheels of infinite grip.
 struct InverseMass {
   double forward = 0.0;
   double left = 0.0;

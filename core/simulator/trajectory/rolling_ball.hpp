@@ -47,8 +47,8 @@ struct Braking {
 // ball moves, else that of `push`, a force in any unit, else zero.
 Braking braking_along(const RollingDeceleration& d, const Vec2& velocity, const Vec2& push);
 
-// Returns when the braking of a ball in contact changes, s since the start of its segment, or
-// `never` if not within `length`: the ball stops, or, per axis, a component passes k.
+// Returns when the braking of a ball in contact changes, because the ball stops or, per axis, a
+// component passes k: s since the start of its segment, or `never` if not within `length`, s.
 double time_of_braking_change(const RollingDeceleration& d, const Segment& ball,
                               const Braking& braking, double length);
 

@@ -50,7 +50,7 @@ void set_terms(Segment& segment, int terms);
 
 // True if the series of the pose have converged over `length` seconds: their last two terms add
 // up to at most `truncation` (free_truncation or contact_truncation of solver_settings.hpp), and
-// do not grow from one to the next. All terms must be there.
+// do not grow from one to the next. All terms must be set.
 bool has_converged(const Segment& segment, double length, double truncation);
 
 // Returns a length, s, over which the series have converged. It is at most `longest`, and at most
