@@ -62,9 +62,9 @@ class Footage {
     // Variances of a coordinate and of its velocity, and their covariance, for a noise of 1 m.
     double position = 0.0, both = 0.0, velocity = 0.0;
   };
-  // Fits `count` pictures from the frame on or, with a negative count, -count pictures up to the
-  // frame. `degree` is 1 for a line, 2 for a parabola. Returns nothing if less than half of the
-  // pictures, or fewer than degree + 2, show the body.
+  // Fits |count| pictures in a row. The picture at `frame` is the first of them if `count` is
+  // positive, the last if `count` is negative. `degree` is 1 for a line, 2 for a parabola. Returns
+  // nothing if less than half of the pictures, or fewer than degree + 2, show the body.
   std::optional<FittedState> state_at(int body, int frame, int count, int degree) const;
 
   // True if, between the frames `first` and `last`, a hand moves a body (faster than any robot

@@ -9,9 +9,9 @@
 
 namespace mirocup::system {
 
-// Returns the first IPv4 address of `host`, a name or an address, as 10.0.0.5. Errc::unavailable if
-// the host has no IPv4 address, or if the resolver does not answer within `seconds`; in this case
-// the resolver continues in another thread.
+// Returns the first IPv4 address of a host in dotted form, "10.0.0.5". `host` is a name or such an
+// address. Errc::unavailable if the host has no IPv4 address, or if the resolver does not answer
+// within `seconds`; such a resolver continues in another thread.
 Result<std::string> address_of(const std::string& host, double seconds);
 
 }  // namespace mirocup::system

@@ -21,8 +21,9 @@ struct StartRanges {
 };
 
 // Reads one start or a list of starts: a situation, the name of a drill, or the file of a situation
-// or a drill. `folder` is the library's folder; drills are searched near this folder. Complains
-// about a start of which no draw can be played and, if `is_even`, about a start with a lead.
+// or a drill. `folder` is the folder of the calling library; the drills are in share/mirocup/drills
+// in this folder or one or two folders above it. Complains about a start if its numbers cannot be
+// drawn, if it is for another league or, with `is_even`, if a team leads.
 std::vector<StartRanges> read_starts(const record::JsonReader& json, League league, bool is_even,
                                      const std::string& folder);
 

@@ -15,10 +15,12 @@ namespace mirocup::web {
 
 using Json = nlohmann::ordered_json;
 
-// The answer of the server: a status and an object, or the sentence from {"error"}.
+// The answer of the server.
 struct DeskReply {
   int status = 0;  // 0: no server has answered
-  Json json;       // null if the reply is not JSON
+  Json json;       // null if the reply is not a JSON object
+  // The text of the key "error" in `json`. Without this key: a sentence with the status or, if no
+  // server has answered, with the reason.
   std::string error;
 };
 

@@ -57,8 +57,8 @@ mirocup_v4_TeamCommand to_sample(const match::Command& command, Team team, std::
                                  std::uint64_t nonce);
 match::Command to_command(const mirocup_v4_TeamCommand& sample);
 
-// False if the sample has a number for which mirocup.idl has no constant; the caller ignores such a
-// sample.
+// True if mirocup.idl has constants for the sample's state, phase, restart and colours, and the
+// number of robots is at most MAX_ROBOTS. The caller ignores other samples.
 bool is_known(const mirocup_v4_WorldState& sample);
 
 // Returns why this process cannot play with one that has the topic layout `theirs`; "" if it can.

@@ -19,7 +19,7 @@ struct CommandCounts {
   std::uint64_t in_step = 0;      // answered the present tick; at most one command for each tick
   std::uint64_t late = 0;         // answered a tick that was over
   std::uint64_t late_driven = 0;  // late commands that were driven
-  std::uint64_t duplicate = 0;    // further answers to the last answered tick
+  std::uint64_t duplicate = 0;    // further answers to the last tick that was answered in step
   std::uint64_t ahead = 0;        // answered a tick that has not begun
   std::uint64_t foreign = 0;      // from a process without the seat
 };
@@ -27,10 +27,10 @@ struct CommandCounts {
 // The kinds of commands of the team's own process.
 enum class Arrival {
   in_step,   // the answer to the present tick
-  late,      // answers a tick that is over, newer than the ticks of all earlier commands
-  old,       // answers a tick that is over, not newer than the ticks of all earlier commands
-  repeated,  // a further answer to the last answered tick
-  ahead,
+  late,      // answers a tick that is over; neither this tick nor a newer one was answered before
+  old,       // answers a tick that is over; this tick or a newer one was answered before
+  repeated,  // a further answer to the last tick that was answered in step
+  ahead,     // answers a tick that has not begun
 };
 
 class Inbox {

@@ -54,7 +54,7 @@ struct SeatLink {
   // Receives samples for all seats; waits at most `seconds`.
   std::function<void(double seconds)> listen;
   std::function<void()> settle;  // waits until all seats have answered
-  // Wall seconds in which the host's own fault kept the teams away.
+  // Returns the wall seconds so far that count as no team's absence, because the host is at fault.
   std::function<double()> excused;
   std::function<std::optional<match::HostFailure>()> host_failure;
   // The time until which the team's credentials are valid, s since 1970 UTC; empty: not known.

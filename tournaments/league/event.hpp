@@ -258,7 +258,7 @@ struct Released {
 struct Undone {
   static constexpr std::string_view kind = "undo";
 
-  int line = 0;  // the number of the decision's line
+  int line = 0;  // the number of the journal's line with the decision that is taken back
   std::string why;
   std::string by;
   std::string at = {};

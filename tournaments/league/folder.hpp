@@ -113,7 +113,8 @@ struct Folder {
 Result<void> expect_league(system::Files& files, const Folder& folder);
 
 // For commands that write into the folder. Error: Errc::unavailable if the league belongs to
-// another user, who could not write to files of this user. A folder without a league passes.
+// another user, because that user could not change files that this command makes. A folder without
+// a league passes.
 Result<void> expect_owner(const Folder& folder);
 
 // Reads and writes the pruned nights: the host has removed the pages of their legs to save room

@@ -28,11 +28,11 @@ struct SiteModule {
 // proofs.
 using ModuleOfGame = std::function<std::optional<SiteModule>(const std::string& game)>;
 
-// Returns the path inside site/ of the page of a record ("records/x.json").
+// Returns the path of a record's page inside site/: "replays/x.html" for "records/x.json".
 std::string replay_page_of(const std::string& record);
 
-// Returns the path of the script file with the leg's commands, which exists only beside a page with
-// a proof.
+// Returns the path inside site/ of the script file with the commands of a record's leg. The file
+// "replays/x.proof.js" exists only if the page "replays/x.html" has a proof.
 std::string commands_file_of(const std::string& record);
 
 // Returns the fixture of a record, also of a void attempt: "r1-f2" for "records/r1-f2-1-1.json".

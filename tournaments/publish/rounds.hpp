@@ -35,7 +35,8 @@ std::vector<RoundView> rounds_of(const Overview& overview);
 // Returns the key of a fixture's round.
 std::string round_key(const Fixture& fixture);
 
-// Returns the link from the top of a site to a fixture on the page of its round.
+// Returns the link to a fixture on the page of its round, relative to the folder site/:
+// "rounds/r3.html#r3-f2".
 std::string fixture_link(const Fixture& fixture);
 
 }  // namespace mirocup::league

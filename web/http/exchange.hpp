@@ -37,7 +37,7 @@ class Exchange {
   // does not get this reply.
   bool receive_body(const std::function<bool(std::string_view part)>& take);
 
-  // True if the client may still send an unread body.
+  // True if the head of the request is complete, but the body is not yet read to its end.
   bool has_unread_body() const;
 
   // Sends a whole reply.

@@ -87,7 +87,8 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
   const bool is_in_area = now.ball_x < -setup.half_length + setup.goal_area_depth + 0.03 &&
                           std::abs(now.ball_y) < setup.goal_area_half_width + 0.03;
   if (is_slow && is_in_area) {
-    // The ball is before the keeper: spin, so that its face throws the ball to the nearer side.
+    // The ball is before the keeper: spin, so that the keeper's face throws the ball towards the
+    // nearer side wall.
     if (to_ball.x > 0.4 * setup.robot_side && length(to_ball) < setup.robot_side + 0.005) {
       return wheels_for(setup, 0.0, outwards * habits.spin);
     }
@@ -96,7 +97,8 @@ inline Wheels guard_goal(const Setup& setup, const Observation& now, const Robot
         length(to_ball) < setup.robot_side + 0.085) {
       return slide_to(setup, robot, now.ball_y + 0.1 * outwards, 1.2);
     }
-    // The ball is farther away, and the keeper on its inner side: push the ball out of the area.
+    // The ball is farther away, before the keeper, and nearer than the keeper to a side wall: push
+    // the ball out of the area.
     const bool is_outer = outwards * to_ball.y > -0.01;
     if (to_ball.x > -0.02 && is_outer && length(to_ball) < 0.3) {
       return drive_to(setup, robot, ball(now) + Point{0.1, 0.15 * outwards}, 1.2);
