@@ -359,7 +359,7 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
     if (result.known[u] || !result.why_not[u].empty()) continue;
     result.why_not[u] = fit.is_free(u)
                             ? "the recordings need " + std::string(unknowns()[u].needs)
-                            : "the pitch with which the search began does not have this number";
+                            : "the search began with an infinite value (--pitch) and kept it";
   }
   count_sights(recordings, footages, result);
   return result;

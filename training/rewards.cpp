@@ -49,13 +49,13 @@ TermText text_of(Term term) {
     case Term::behind_ball:
       return {"m", "way of the learner's nearest robot to the place behind the ball"};
     case Term::touch:
-      return {"1", "ticks in which a robot of the learner touched the ball last"};
+      return {"1", "ticks in which a robot of the learner was the last to touch the ball"};
     case Term::foul:
       return {"1", "calls against the opponents minus calls against the own team"};
     case Term::energy:
-      return {
-          "s",
-          "minus the product of the time and the mean commanded share of the wheel speed limit"};
+      return {"s",
+              "minus the product of the time and the mean of |command| / speed limit over the "
+              "learner's wheels"};
     case Term::time:
       return {"s", "minus time"};
     case Term::vss_goal:
@@ -66,7 +66,8 @@ TermText text_of(Term term) {
       return {"1",
               "rSoccer: speed of the learner's first robot towards the ball / 0.4 m/s, in [-5, 5]"};
     case Term::vss_energy:
-      return {"rad/s", "rSoccer: minus the commanded wheel speeds"};
+      return {"rad/s",
+              "rSoccer: minus the sum of |command| over the wheels of the learner's first robot"};
   }
   return {};
 }

@@ -22,7 +22,7 @@ enum class Term {
   behind_ball,    // m: by how much the nearest robot came nearer to the place behind the ball
   touch,          // 1: ticks in which a robot of the learner was the last to touch the ball
   foul,           // 1: decisions against the opponents minus decisions against the own team
-  energy,         // s: minus time times the mean commanded share of the wheel speed limit
+  energy,         // s: minus the time times the mean |command| / limit of the learner's wheels
   time,           // s: minus the time
   // The terms of rSoccer's VSS environment, with the definitions of that environment, for one step.
   vss_goal,

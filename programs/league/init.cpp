@@ -170,7 +170,7 @@ void add_init(system::Commands& commands) {
       command.option("--config", o.config, "Make the league from this league.json");
   command
       .option("--team", o.teams,
-              "NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, NAME=firasim:NAME (people start its "
+              "NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, NAME=firasim:NAME (a person starts its "
               "program), or NAME=submitted (the team hands in later); once for each team")
       .named("NAME=TEAM")
       .excludes(config);

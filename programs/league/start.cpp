@@ -56,8 +56,8 @@ void add_start(system::Commands& commands) {
                "Let league serve show the legs of this host while they are played");
   command
       .option("--jobs", o.play.jobs,
-              "Number of legs played, and then of pages made, at once (default: one for each "
-              "processor)")
+              "How many legs are played at once, and after them how many pages are made at once "
+              "(default: one for each processor)")
       .between(1, 1024);
   command
       .option("--dds-domain", o.play.dds_domain,

@@ -86,11 +86,11 @@ Result<int> enter_program(system::Files& files, const SubmitOptions& options) {
               enter_firasim_team(files, Folder{options.folder}, team, system::now_s()));
   Submission done;
   done.is_accepted = why.empty();
-  done.message =
-      team.name + (!done.is_accepted ? ": not taken: " + why
-                   : team.is_started_by_people()
-                       ? ": each leg waits at its start for the program, which people start"
-                       : ": each leg starts its program: " + team.program.run);
+  done.message = team.name +
+                 (!done.is_accepted ? ": not taken: " + why
+                  : team.is_started_by_people()
+                      ? ": each leg waits until a person has started the team's program"
+                      : ": the league starts the team's program for each leg: " + team.program.run);
   print(options.file, options.team, done, options.json);
   return done.is_accepted ? exit_yes : exit_no;
 }
@@ -148,15 +148,17 @@ void add_submit(system::Commands& commands) {
   const system::Option run = command
                                  .option("--run", o.run,
                                          "Command that starts a program for FIRASim in each leg; "
-                                         "without --run, people start the program")
+                                         "without --run, a person starts the program")
                                  .named("COMMAND")
                                  .excludes(inbox);
-  command.option("--folder", o.run_folder, "Folder in which that command runs (default: this one)")
+  command
+      .option("--folder", o.run_folder,
+              "Folder in which the command of --run runs (default: the working folder)")
       .named("DIR")
       .needs(run);
   command
       .flag("--lockstep", o.lockstep,
-            "Let the legs of that program wait for its answers, not for the clock")
+            "Let the legs of a program for FIRASim wait for its answers, not for the clock")
       .excludes(inbox);
   command.flag("--json", o.json, "Print one JSON object for each entry");
 }

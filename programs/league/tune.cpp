@@ -318,7 +318,7 @@ void add_tune(system::Commands& commands) {
   command
       .option("--fixtures", t.fixtures,
               "Fixtures (two legs each) that each candidate of the first generation plays against "
-              "each opponent; later ones play more if results are noisy")
+              "each opponent; later generations play more fixtures if their results are noisy")
       .between(2, 1000)
       .shows_default();
   command

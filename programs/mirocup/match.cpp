@@ -365,14 +365,14 @@ void add_firasim(const system::Command& command, server::NetworkTerms& o) {
       .named("K|auto")
       .in_group(group);
   add("--blue-program", o.programs[0], "COMMAND",
-      "Shell command that starts the blue team's program; its environment has colour and "
-      "addresses, MIROCUP_COLOUR and others (docs/firasim.md)");
+      "Shell command that starts the blue team's program; the environment variables "
+      "MIROCUP_COLOUR and others tell it colour and addresses (docs/firasim.md)");
   add("--yellow-program", o.programs[1], "COMMAND",
       "Shell command that starts the yellow team's program");
   command
       .flag("--lockstep", o.lockstep,
-            "Wait in each tick until these teams have commanded all their robots (also without "
-            "this option if --speed is max)")
+            "Wait in each tick until these teams have commanded all their robots; --speed max has "
+            "the same effect")
       .in_group(group);
 }
 
@@ -436,7 +436,8 @@ void add_match(system::Commands& commands) {
       .excludes(from);
   command
       .option("--speed", o.speed,
-              "max, or a factor of real time (default: 1 with --watch, otherwise max)")
+              "max, or a factor of real time (default: 1 with --watch or with a firasim team "
+              "without --lockstep, otherwise max)")
       .named("FACTOR");
   command
       .option_or_flag(
@@ -454,9 +455,9 @@ void add_match(system::Commands& commands) {
       .excludes(from);
   command
       .option("--conditions", o.conditions,
-              "Disturbances of the leg: none (exact), placing by hand, wheels and floor "
-              "(hall), also a camera and a radio (camera); default: those of the pitch, if it "
-              "has any, or " +
+              "Disturbances of the leg: exact (none), hall (placing by hand, wheels and floor) or "
+              "camera (those of hall, of a camera and of a radio); default: those of the pitch, if "
+              "it has any, otherwise " +
                   std::string(to_string(match::default_preset)))
       .one_of(system::names_of<match::ConditionsPreset>())
       .excludes(from);
@@ -498,11 +499,12 @@ void add_match(system::Commands& commands) {
       .shows_default();
   add_dds_domain(command, network.dds_domain);
   command
-      .option("--join-within", network.join_within, "Seconds that a DDS team has to join the match")
+      .option("--join-within", network.join_within,
+              "Seconds that a team on the network has to join the match")
       .shows_default();
   command.option("--away-limit", network.away_limit,
                  "Seconds that a DDS team may be absent in total, or a firasim team may be silent "
-                 "(default: 10, with --lockstep 30)");
+                 "(default: 10; 30 for a firasim team with --lockstep or --speed max)");
   command
       .option("--credentials", network.credentials,
               "Folder with the server's credentials; then only teams of the league can join")

@@ -124,15 +124,17 @@ Result<std::optional<web::Proof>> proof_of(system::Files& files, const ReplayOpt
 // Says on standard error what a proof needs or takes.
 void tell_of_proof(const web::ReplayPage& page, std::size_t beside) {
   if (beside > 0) {
-    std::cerr << "mirocup: the page has " << page.html.size() / 1000 << " kB, and " << beside / 1000
-              << " kB beside it let a browser prove the leg\n";
+    std::cerr << "mirocup: the page has " << page.html.size() / 1000
+              << " kB; a browser can simulate its leg again with a file of " << beside / 1000
+              << " kB beside the page\n";
   } else if (page.proof_size > 0) {
-    std::cerr << "mirocup: the page has " << page.html.size() / 1000 << " kB, of which "
+    std::cerr << "mirocup: the page has " << page.html.size() / 1000 << " kB; with "
               << page.proof_size / 1000
-              << " kB let a browser prove the leg; --no-proof leaves them out\n";
+              << " kB of these a browser can simulate the leg again (--no-proof: without them)\n";
   } else {
-    std::cerr << "mirocup: the page cannot be proved in a browser, because this mirocup was built "
-                 "without the module for it; docs/browser.md says what to install\n";
+    std::cerr << "mirocup: a browser cannot simulate the leg of this page again, because this "
+                 "mirocup was built without the module for browsers; docs/browser.md says what to "
+                 "install\n";
   }
 }
 
@@ -140,7 +142,8 @@ Result<int> run_replay(const ReplayOptions& options) {
   if (!options.clip.empty()) return run_clip(options);
   MIROCUP_TRY(const auto output, output_of(options));
   if (options.svg != options.at.has_value()) {
-    return fail(Errc::input, "--at T and --svg belong together: a still picture of a moment");
+    return fail(Errc::input,
+                "--at T and --svg need each other: they make a still picture of the moment T");
   }
   if (options.svg && !options.statistics.empty()) {
     return fail(Errc::input, "--statistics belongs to a page, not to a picture of a moment");
@@ -223,17 +226,18 @@ void add_replay(system::Commands& commands) {
   command.flag("--no-times", o.no_times,
                "Leave out times that a clock measured, so that the page is the same on "
                "every machine");
-  command.flag("--public", o.public_page,
-               "Leave out what only the teams may see: their thoughts and logs, and the commands "
-               "with which a browser can simulate the leg again");
+  command.flag(
+      "--public", o.public_page,
+      "Leave out the data that only the teams may see: their thoughts and logs, and the commands "
+      "with which a browser can simulate the leg again");
   command.flag("--no-proof", o.no_proof,
                "Leave out the module and the commands with which a visitor's browser can simulate "
                "the leg again");
   command
       .option("--proof-module", o.proof_module,
-              "Address, relative to the page, of a script file with the module of this mirocup, as "
-              "leagues have one; the commands then go into another script file beside the page, "
-              "even with --public")
+              "Address, relative to the page, of a script file with the browser module of this "
+              "mirocup; the commands of the leg then go into a second script file, beside the "
+              "page, even with --public")
       .named("ADDRESS");
   command
       .option("--statistics", o.statistics, "File to write the statistics of the leg to, as JSON")

@@ -25,7 +25,7 @@ namespace mirocup::league {
 // How a team that speaks FIRASim's protocol takes part (docs/firasim.md).
 struct FirasimProgram {
   // The shell command that starts the team's program for a leg. It runs in `folder`, a path from
-  // the league's folder or an absolute path. "": people start the program, with the addresses of
+  // the league's folder or an absolute path. "": a person starts the program, with the addresses of
   // the league's FirasimPlace.
   std::string run;
   std::string folder;

@@ -92,11 +92,11 @@ web::Reply FriendlyDesk::ask(const std::string& team, const std::string& opponen
   if (is_house(opponent)) {
     const std::string name = opponent.substr(opponent.find(':') + 1);
     if (std::find(options_.house.begin(), options_.house.end(), name) == options_.house.end())
-      return problem_reply(404, "there is no house team of this name");
+      return problem_reply(404, "no house team has this name");
   } else {
     const auto known = teams.find(opponent);
     if (known == teams.end() || opponent == team)
-      return problem_reply(404, "there is no other team of this name that has an accepted entry");
+      return problem_reply(404, "no other team with an accepted entry has this name");
     leg.opponent_entry = known->second;
   }
   const std::lock_guard lock(mutex_);

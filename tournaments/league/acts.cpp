@@ -61,7 +61,7 @@ Result<HomeAway> score_of(const std::string& text) {
       !read(colon + 1, text.size(), score.away))
     return fail(Errc::input, text + " is no score: HOME:AWAY is expected, as in 2:1");
   if (std::max(score.home, score.away) > max_ruled_goals) {
-    return fail(Errc::input, text + ": a person gives a team at most " +
+    return fail(Errc::input, text + ": a ruling gives each team at most " +
                                  std::to_string(max_ruled_goals) + " goals in a leg");
   }
   return score;

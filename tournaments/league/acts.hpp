@@ -35,7 +35,7 @@ struct Act {
   bool is_dry_run = false;    // true: perform() only returns its lines and writes nothing
 };
 
-// The most goals that a person can give a team in a leg.
+// The most goals that a ruling can give a team in a leg.
 inline constexpr int max_ruled_goals = 100;
 
 // Returns why a text cannot be the published reason of a decision; "" if it can. A reason is one
