@@ -3,10 +3,8 @@
 
 #include "core/replay/recorded.hpp"
 #include "plugins/abi/convert.hpp"
+#include "plugins/abi/drawing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <span>
 #include <utility>
 
 extern "C" {
@@ -59,40 +57,19 @@ Driver::Driver(const match::Briefing& briefing, const mirocup_strategy* strategy
   if (strategy_ != nullptr) state_ = strategy_->create(&setup_);
 }
 
-template <match::ThoughtKind kind>
-void Driver::draw(void* driver, const char* layer, std::uint32_t colour,
-                  std::span<const double> numbers, std::string_view text) {
+void Driver::draw(void* driver, const match::Thought& shape) {
   auto& self = *static_cast<Driver*>(driver);
-  if (!self.is_watched_ || !match::is_complete(kind, numbers.size()) || !match::is_finite(numbers))
+  if (!self.is_watched_ || !match::is_complete(shape.kind, shape.numbers.size()) ||
+      !match::is_finite(shape.numbers))
     return;
-  self.thoughts_ += self.line_.write(
-      self.now_.tick,
-      {.kind = kind, .colour = colour, .layer = layer, .numbers = numbers, .text = text});
+  self.thoughts_ += self.line_.write(self.now_.tick, shape);
 }
 
 void Driver::give_host() {
-  using match::ThoughtKind;
-  using Layer = const char*;
-  using Colour = std::uint32_t;
   setup_.host = this;
   setup_.log = [](void*, const char*) {};
   setup_.parameter = [](void*, const char*, double fallback) { return fallback; };
-  setup_.draw_line = [](void* to, Layer layer, Colour colour, double x1, double y1, double x2,
-                        double y2) {
-    draw<ThoughtKind::line>(to, layer, colour, std::array{x1, y1, x2, y2});
-  };
-  setup_.draw_circle = [](void* to, Layer layer, Colour colour, double x, double y, double r) {
-    draw<ThoughtKind::circle>(to, layer, colour, std::array{x, y, r});
-  };
-  setup_.draw_polygon = [](void* to, Layer layer, Colour colour, const double* points,
-                           std::int32_t corners) {
-    draw<ThoughtKind::polygon>(to, layer, colour,
-                               {points, 2 * static_cast<std::size_t>(std::max(corners, 0))});
-  };
-  setup_.draw_text = [](void* to, Layer layer, Colour colour, double x, double y,
-                        const char* text) {
-    draw<ThoughtKind::text>(to, layer, colour, std::array{x, y}, text);
-  };
+  abi::give_drawing<draw>(setup_);
 }
 
 Driver::~Driver() {

@@ -12,7 +12,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -44,9 +43,7 @@ class Driver final : public match::Controller {
   void watch() { is_watched_ = true; }
 
  private:
-  template <match::ThoughtKind kind>
-  static void draw(void* driver, const char* layer, std::uint32_t colour,
-                   std::span<const double> numbers, std::string_view text = {});
+  static void draw(void* driver, const match::Thought& shape);
   void give_host();
   match::Command own_command();
 

@@ -4,6 +4,7 @@
 // need an object file of core.
 #include "plugins/host/team_host.hpp"
 
+#include "plugins/abi/drawing.hpp"
 #include "plugins/host/plugin.hpp"
 
 #include <algorithm>
@@ -19,8 +20,6 @@
 namespace mirocup::plugins {
 
 namespace {
-
-using match::ThoughtKind;
 
 constexpr double full_turn = 6.2832;  // rad, rounded up
 constexpr double far_away = 5.0;      // m
@@ -102,10 +101,14 @@ void note_shape(void* host, std::uint32_t colour, std::span<const double> number
 }
 
 // Puts a shape on the page of the host, if there is one.
-void draw(void* host, ThoughtKind kind, const char* layer, std::uint32_t colour,
-          std::span<const double> numbers, std::string_view text = {}) {
-  note_shape(host, colour, numbers);
+void draw(void* host, const match::Thought& thought) {
+  const auto& [kind, colour, layer, numbers, text] = thought;
   ThoughtsPage* page = page_of(host);
+  if (numbers.empty()) {  // a polygon of too few or too many corners
+    if (page != nullptr) ++page->left_out;
+    return;
+  }
+  note_shape(host, colour, numbers);
   if (page == nullptr) return;
   const bool has_room = page->shapes < page->shape.size() &&
                         page->numbers + numbers.size() <= page->number.size() &&
@@ -119,9 +122,7 @@ void draw(void* host, ThoughtKind kind, const char* layer, std::uint32_t colour,
   shape.colour = colour;
   shape.numbers = static_cast<std::uint32_t>(numbers.size());
   shape.text = static_cast<std::uint32_t>(text.size());
-  const std::size_t name = layer == nullptr ? 0 : strnlen(layer, match::max_layer_name);
-  if (name > 0) std::memcpy(shape.layer, layer, name);
-  shape.layer[name] = '\0';
+  shape.layer[layer.copy(shape.layer, match::max_layer_name)] = '\0';
   std::copy(numbers.begin(), numbers.end(), page->number.data() + page->numbers);
   page->numbers += shape.numbers;
   std::copy(text.begin(), text.end(), page->texts.data() + page->text);
@@ -134,10 +135,7 @@ void give_host(mirocup_setup& setup, TeamHost& host) {
   setup.host = &host;
   setup.log = log_line;
   setup.parameter = parameter_of;
-  setup.draw_line = draw_line;
-  setup.draw_circle = draw_circle;
-  setup.draw_polygon = draw_polygon;
-  setup.draw_text = draw_text;
+  abi::give_drawing<draw>(setup);
 }
 
 void log_line(void* host, const char* text) {
@@ -207,34 +205,6 @@ void note_command(TeamHost& host, const mirocup_command& command, std::int32_t r
     return "decide() set wheels behind those of its " + std::to_string(robots) +
            " robots, which are 0 to " + std::to_string(robots - 1);
   });
-}
-
-void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,
-               double y2) {
-  const double numbers[] = {x1, y1, x2, y2};
-  draw(host, ThoughtKind::line, layer, colour, numbers);
-}
-
-void draw_circle(void* host, const char* layer, std::uint32_t colour, double x, double y,
-                 double radius) {
-  const double numbers[] = {x, y, radius};
-  draw(host, ThoughtKind::circle, layer, colour, numbers);
-}
-
-void draw_polygon(void* host, const char* layer, std::uint32_t colour, const double* points,
-                  std::int32_t corners) {
-  constexpr auto most = static_cast<std::int32_t>(match::max_polygon_corners);
-  if (points == nullptr || corners < 3 || corners > most) {
-    if (ThoughtsPage* page = page_of(host)) ++page->left_out;
-    return;
-  }
-  draw(host, ThoughtKind::polygon, layer, colour, {points, 2 * static_cast<std::size_t>(corners)});
-}
-
-void draw_text(void* host, const char* layer, std::uint32_t colour, double x, double y,
-               const char* text) {
-  const double numbers[] = {x, y};
-  draw(host, ThoughtKind::text, layer, colour, numbers, text == nullptr ? "" : text);
 }
 
 }  // namespace mirocup::plugins

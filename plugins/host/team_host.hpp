@@ -42,7 +42,11 @@ inline constexpr std::size_t max_own_name = 40;
 // The prefix of the host's lines in the team's log; `mirocup check` shows these lines as warnings.
 inline constexpr const char* line_of_host = "mirocup: ";
 
-// Sets the host and its functions in the setup.
+// Sets the host and its functions in the setup. Those that draw put a shape on the page of the
+// TeamHost at `host`. A shape is dropped and counted if there is no room for it, if a number is not
+// finite, or if a polygon has fewer than 3 or more than max_polygon_corners corners. Logs a line,
+// once, about too many shapes in a tick, and a line, once, about an invisible colour, even if no
+// shapes are kept.
 void give_host(mirocup_setup& setup, TeamHost& host);
 
 // The function `setup.log`: writes a line to standard error, which is the team's log, and keeps it
@@ -67,18 +71,5 @@ void note_own_name(TeamHost& host, const std::string& name);
 
 // Logs a line, once, about commands to robots that the team does not have.
 void note_command(TeamHost& host, const mirocup_command& command, std::int32_t robots);
-
-// The functions `setup.draw_line` and so on put a shape on the page of the TeamHost at `host`. A
-// shape is dropped and counted if there is no room for it, if a number is not finite, or if a
-// polygon has fewer than 3 or more than max_polygon_corners corners. Logs a line, once, about too
-// many shapes in a tick, and a line, once, about an invisible colour, even if no shapes are kept.
-void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,
-               double y2);
-void draw_circle(void* host, const char* layer, std::uint32_t colour, double x, double y,
-                 double radius);
-void draw_polygon(void* host, const char* layer, std::uint32_t colour, const double* points,
-                  std::int32_t corners);
-void draw_text(void* host, const char* layer, std::uint32_t colour, double x, double y,
-               const char* text);
 
 }  // namespace mirocup::plugins

@@ -3,13 +3,13 @@
 // Implements mirocup/team.h with dds::TeamClient.
 #include "mirocup/team.h"
 #include "plugins/abi/convert.hpp"
+#include "plugins/abi/drawing.hpp"
 #include "server/dds/team_client.hpp"
 
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
-#include <span>
 
 // The connection that a caller of the C interface holds.
 struct mirocup_connection {
@@ -39,41 +39,9 @@ double own_default(void*, const char*, double fallback) {
 }
 
 // Puts a shape into the sample of the present tick, if the match keeps what is drawn.
-void draw(void* host, match::ThoughtKind kind, const char* layer, std::uint32_t colour,
-          std::span<const double> numbers, const char* text = nullptr) {
+void draw(void* host, const match::Thought& shape) {
   auto& c = *static_cast<mirocup_connection*>(host);
-  if (!c.keeps_thoughts) return;
-  c.drawn.add({.kind = kind,
-               .colour = colour,
-               .layer = layer == nullptr ? "" : layer,
-               .numbers = numbers,
-               .text = text == nullptr ? "" : text});
-}
-
-void draw_line(void* host, const char* layer, std::uint32_t colour, double x1, double y1, double x2,
-               double y2) {
-  const double numbers[] = {x1, y1, x2, y2};
-  draw(host, match::ThoughtKind::line, layer, colour, numbers);
-}
-
-void draw_circle(void* host, const char* layer, std::uint32_t colour, double x, double y,
-                 double radius) {
-  const double numbers[] = {x, y, radius};
-  draw(host, match::ThoughtKind::circle, layer, colour, numbers);
-}
-
-void draw_polygon(void* host, const char* layer, std::uint32_t colour, const double* points,
-                  std::int32_t corners) {
-  const bool is_one = points != nullptr && corners >= 3 &&
-                      corners <= static_cast<std::int32_t>(match::max_polygon_corners);
-  const std::size_t numbers = is_one ? 2 * static_cast<std::size_t>(corners) : 0;
-  draw(host, match::ThoughtKind::polygon, layer, colour, {points, numbers});
-}
-
-void draw_text(void* host, const char* layer, std::uint32_t colour, double x, double y,
-               const char* text) {
-  const double numbers[] = {x, y};
-  draw(host, match::ThoughtKind::text, layer, colour, numbers, text);
+  if (c.keeps_thoughts) c.drawn.add(shape);
 }
 
 // Stores one kind of news in the connection and returns its number in team.h.
@@ -86,10 +54,7 @@ struct Receive {
     c.setup.log = write_line;
     c.setup.host = &c;
     c.setup.parameter = own_default;
-    c.setup.draw_line = draw_line;
-    c.setup.draw_circle = draw_circle;
-    c.setup.draw_polygon = draw_polygon;
-    c.setup.draw_text = draw_text;
+    abi::give_drawing<draw>(c.setup);
     return MIROCUP_TEAM_SEATED;
   }
   std::int32_t operator()(const match::Snapshot& scene) const {

@@ -15,14 +15,16 @@ using match::ThoughtKind;
 struct DrawingHost {
   std::unique_ptr<ThoughtsPage> page = std::make_unique<ThoughtsPage>();
   TeamHost host{nullptr, nullptr, page.get()};
+  mirocup_setup setup{};
+  DrawingHost() { give_host(setup, host); }
 };
 
 TEST(ThoughtsPage, HoldsWhatIsDrawn) {
   DrawingHost d;
-  draw_line(&d.host, "a layer whose name is longer than 31 bytes", 0x01020304, 1, 2, 3, 4);
-  draw_text(&d.host, nullptr, 5, 6, 7, "words");
+  d.setup.draw_line(&d.host, "a layer whose name is longer than 31 bytes", 0x01020304, 1, 2, 3, 4);
+  d.setup.draw_text(&d.host, nullptr, 5, 6, 7, "words");
   const double corners[] = {0, 0, 1, 0, 1, 1};
-  draw_polygon(&d.host, "p", 8, corners, 3);
+  d.setup.draw_polygon(&d.host, "p", 8, corners, 3);
   ThoughtReader reader(*d.page);
   const auto line = reader.next(), text = reader.next(), polygon = reader.next();
   ASSERT_TRUE(line && text && polygon);
@@ -40,17 +42,17 @@ TEST(ThoughtsPage, HoldsWhatIsDrawn) {
 
 TEST(ThoughtsPage, CountsWhatItDoesNotTake) {
   DrawingHost d;
-  draw_circle(&d.host, "c", 0, NAN, 0, 1);
-  draw_polygon(&d.host, "p", 0, nullptr, 3);
+  d.setup.draw_circle(&d.host, "c", 0, NAN, 0, 1);
+  d.setup.draw_polygon(&d.host, "p", 0, nullptr, 3);
   const double corners[6] = {};
-  draw_polygon(&d.host, "p", 0, corners, 2);
-  draw_polygon(&d.host, "p", 0, corners, -1);
-  draw_text(&d.host, "t", 0, 0, 0, std::string(match::max_thought_text + 1, 'x').c_str());
+  d.setup.draw_polygon(&d.host, "p", 0, corners, 2);
+  d.setup.draw_polygon(&d.host, "p", 0, corners, -1);
+  d.setup.draw_text(&d.host, "t", 0, 0, 0, std::string(match::max_thought_text + 1, 'x').c_str());
   EXPECT_EQ(d.page->shapes, 0u);
   EXPECT_EQ(d.page->left_out, 5u);
-  draw_line(nullptr, "l", 0, 0, 0, 1, 1);
+  d.setup.draw_line(nullptr, "l", 0, 0, 0, 1, 1);
   TeamHost silent;
-  draw_line(&silent, "l", 0, 0, 0, 1, 1);  // nothing is kept, and nothing happens
+  d.setup.draw_line(&silent, "l", 0, 0, 0, 1, 1);  // nothing is kept, and nothing happens
 }
 
 // Catches a note that comes in each tick, and one about what is meant: a heading of -pi, no wheels.
@@ -58,11 +60,13 @@ TEST(TeamHost, TellsOnceOfWhatIsHardlyMeant) {
   const auto told_of = [](const mirocup_placement& placement, const mirocup_command& command,
                           std::uint32_t colour, double x) {
     TeamHost host;
+    mirocup_setup setup{};
+    give_host(setup, host);
     testing::internal::CaptureStderr();
     for (int i = 0; i < 2; ++i) {
       note_units(host, placement, 3);
       note_command(host, command, 3);
-      draw_line(&host, "l", colour, x, 0, 1, 1);
+      setup.draw_line(&host, "l", colour, x, 0, 1, 1);
     }
     return testing::internal::GetCapturedStderr();
   };
@@ -91,7 +95,7 @@ TEST(TeamHost, TellsOnceOfWhatIsHardlyMeant) {
 // Catches a server that believes a page that the team's process wrote itself.
 TEST(ThoughtsPage, IsNotTrusted) {
   DrawingHost d;
-  draw_line(&d.host, "l", 0, 0, 0, 1, 1);
+  d.setup.draw_line(&d.host, "l", 0, 0, 0, 1, 1);
   ThoughtsPage& page = *d.page;
   const auto copy = std::make_unique<ThoughtsPage>();
   page.shapes = page.numbers = page.text = 4'000'000'000u;
