@@ -55,23 +55,21 @@ Observer::Observer(const Config& config, const field::Field& field) : kind_(conf
   metre_ = field.half_length + field.goal_depth;
   goal_x_ = field.half_length;
   gap_ = pushing_gap(p);
-  if (kind_ == ObservationKind::relative) {
-    turn_ = 2.0 * speed_ / p.wheel_distance;
-    bound_ = 2.5;
-    fast_ = 5.0;
-    add_relative(field.robots_per_team);
-  } else if (kind_ == ObservationKind::standard) {
-    turn_ = 2.0 * speed_ / p.wheel_distance;
-    bound_ = 1.2;
-    fast_ = 5.0;
-    add_standard(field.robots_per_team);
-  } else {
+  if (kind_ == ObservationKind::vss) {
     // rSoccer: half of the length and the depth of its penalty area, 0.15 m; a robot turns about
     // its centre by the speed of a wheel, 0.04 m away; everything within 1.2.
     metre_ = std::max(field.half_width, field.half_length + field.goal_area.depth);
     turn_ = speed_ / 0.04;
     bound_ = fast_ = 1.2;
-    add_vss(field.robots_per_team);
+  } else {
+    turn_ = 2.0 * speed_ / p.wheel_distance;
+    bound_ = kind_ == ObservationKind::relative ? 2.5 : 1.2;
+    fast_ = 5.0;
+  }
+  if (kind_ == ObservationKind::relative) {
+    add_relative(field.robots_per_team);
+  } else {
+    add_field(field.robots_per_team);
   }
 }
 
@@ -79,23 +77,30 @@ void Observer::add(const std::string& name, const char* unit, double scale, doub
   quantities_.push_back({.name = name, .unit = unit, .scale = scale, .low = -bound, .high = bound});
 }
 
-void Observer::add_standard(int robots) {
+void Observer::add_field(int robots) {
+  const bool is_standard = kind_ == ObservationKind::standard;
   add("ball_x", "m", metre_, bound_);
   add("ball_y", "m", metre_, bound_);
   add("ball_vx", "m/s", speed_, fast_);
   add("ball_vy", "m/s", speed_, fast_);
-  for (const char* team : {"own_", "opponent_"}) {
+  for (const std::string team : {"own_", "opponent_"}) {
     for (int i = 0; i < robots; ++i) {
       const std::string robot = team + std::to_string(i) + "_";
       add(robot + "x", "m", metre_, bound_);
       add(robot + "y", "m", metre_, bound_);
-      add(robot + "cos", "1", 1.0, 1.0);
-      add(robot + "sin", "1", 1.0, 1.0);
+      if (is_standard) {
+        add(robot + "cos", "1", 1.0, 1.0);
+        add(robot + "sin", "1", 1.0, 1.0);
+      } else if (team == "own_") {
+        add(robot + "sin", "1", 1.0, bound_);
+        add(robot + "cos", "1", 1.0, bound_);
+      }
       add(robot + "vx", "m/s", speed_, fast_);
       add(robot + "vy", "m/s", speed_, fast_);
       add(robot + "turn", "rad/s", turn_, fast_);
     }
   }
+  if (!is_standard) return;
   add("own_restart", "1", 1.0, 1.0);  // 1: the last restart was the own team's, -1: the opponents'
   add("stalemate", "s", max_stalemate, 1.0);
 }
@@ -197,27 +202,6 @@ void Observer::write_relative(const match::Leg& leg, const std::optional<match::
   }
   put(leg.taker() == team ? 1.0 : -1.0, 1.0);
   put(leg.referee().stalemate_s() / max_stalemate, 1.0);
-}
-
-void Observer::add_vss(int robots) {
-  add("ball_x", "m", metre_, bound_);
-  add("ball_y", "m", metre_, bound_);
-  add("ball_vx", "m/s", speed_, bound_);
-  add("ball_vy", "m/s", speed_, bound_);
-  for (const char* team : {"own_", "opponent_"}) {
-    for (int i = 0; i < robots; ++i) {
-      const std::string robot = team + std::to_string(i) + "_";
-      add(robot + "x", "m", metre_, bound_);
-      add(robot + "y", "m", metre_, bound_);
-      if (team[1] == 'w') {
-        add(robot + "sin", "1", 1.0, bound_);
-        add(robot + "cos", "1", 1.0, bound_);
-      }
-      add(robot + "vx", "m/s", speed_, bound_);
-      add(robot + "vy", "m/s", speed_, bound_);
-      add(robot + "turn", "rad/s", turn_, bound_);
-    }
-  }
 }
 
 void Observer::write(const match::Leg& leg, Team team, int first, std::span<float> to) const {

@@ -50,9 +50,8 @@ class Observer {
 
  private:
   void add(const std::string& name, const char* unit, double scale, double bound);
-  void add_standard(int robots);
+  void add_field(int robots);
   void add_relative(int robots);
-  void add_vss(int robots);
   void write_relative(const match::Leg& leg, const std::optional<match::Snapshot>& view, Team team,
                       int self, std::span<float> to) const;
 
