@@ -158,17 +158,13 @@ Rules read_rules(const JsonReader& json, League league) {
   return rules;
 }
 
-Result<Rules> rules_from_json(const Json& object, Errc code, League league) {
-  std::optional<JsonProblem> problem;
-  const Rules rules = read_rules(JsonReader(object, "/rules", problem), league);
-  if (problem) return fail(code, problem->pointer + ": " + problem->reason);
-  return rules;
-}
-
 Result<Rules> rules_with_changes(Json object, const std::vector<std::string>& changes,
                                  League league) {
   MIROCUP_TRY(const auto changed, with_changes(std::move(object), changes, "--rule"));
-  return rules_from_json(changed, Errc::input, league);
+  std::optional<JsonProblem> problem;
+  const Rules rules = read_rules(JsonReader(changed, "/rules", problem), league);
+  if (problem) return fail(Errc::input, problem->pointer + ": " + problem->reason);
+  return rules;
 }
 
 }  // namespace mirocup::record

@@ -29,13 +29,8 @@ referee::Rules read_rules(const JsonReader& json, League league);
 // Applies all keys of the object but "preset" to `rules`.
 void read_parameters(const JsonReader& json, referee::Rules& rules);
 
-// Like read_rules(), for the value of the key "rules". The error has `code` and begins with the
-// JSON pointer: "/rules/half_s: ...".
-Result<referee::Rules> rules_from_json(const nlohmann::ordered_json& object, Errc code,
-                                       League league);
-
-// Like rules_from_json(), with changes from a command line: each change is KEY=VALUE with a value
-// in JSON. Errors: Errc::input.
+// Like read_rules(), with changes from a command line: each change is KEY=VALUE with a value in
+// JSON. The error, Errc::input, begins with the JSON pointer: "/rules/half_s: ...".
 Result<referee::Rules> rules_with_changes(nlohmann::ordered_json object,
                                           const std::vector<std::string>& changes, League league);
 

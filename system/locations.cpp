@@ -26,7 +26,7 @@ std::array<fs::path, 3> house_folders(const fs::path& here) {
 
 }  // namespace
 
-std::string program_folder() {
+static std::string program_folder() {
   return fs::read_symlink("/proc/self/exe").parent_path().string();
 }
 

@@ -9,9 +9,6 @@
 
 namespace mirocup::system {
 
-// Returns the folder of the running program.
-std::string program_folder();
-
 // Returns the path of another program of the same build or installation.
 std::string sibling_program(const std::string& name);
 

@@ -66,10 +66,6 @@ TlsConnection::TlsConnection(TlsConnection&&) noexcept = default;
 TlsConnection& TlsConnection::operator=(TlsConnection&&) noexcept = default;
 TlsConnection::~TlsConnection() = default;
 
-bool TlsConnection::has_bytes() const {
-  return SSL_has_pending(session_->ssl) == 1;
-}
-
 ssize_t TlsConnection::read(char* bytes, std::size_t size, int ms) {
   const int most = static_cast<int>(std::min<std::size_t>(size, INT_MAX));
   return session_->repeat(ms, [&] { return SSL_read(session_->ssl, bytes, most); });

@@ -23,9 +23,6 @@ class TlsConnection {
   TlsConnection& operator=(TlsConnection&&) noexcept;
   ~TlsConnection();
 
-  // True if read() can return bytes without waiting, even if none wait in the socket.
-  bool has_bytes() const;
-
   // Reads up to `size` bytes. Returns the number of read bytes; 0 after the other end's last byte;
   // a negative number after an error or if nothing comes within `ms`.
   ssize_t read(char* bytes, std::size_t size, int ms);

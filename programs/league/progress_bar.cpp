@@ -16,6 +16,28 @@ namespace {
 // The bar of a league of thousands of legs then fits into a terminal of 80 columns.
 constexpr int bar_width = 24;
 
+// At least one second, as long as legs are left.
+std::string time_text(double seconds) {
+  const long rounded = std::max(1L, std::lround(seconds));
+  if (rounded < 90) return std::to_string(rounded) + " s";
+  const long minutes = std::lround(seconds / 60.0);
+  if (minutes < 90) return std::to_string(minutes) + " min";
+  return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
+}
+
+// "[######......]  37 of 100 legs, 2 playing, 4 min left" with a bar of `width` characters. The
+// remaining time follows from the `seconds` since `first` legs were decided.
+std::string bar_text(int first, int decided, int legs, int playing, double seconds, int width) {
+  const int full = legs > 0 ? width * decided / legs : width;
+  std::string text = "[" + std::string(full, '#') + std::string(width - full, '.') + "]  " +
+                     std::to_string(decided) + " of " + std::to_string(legs) + " legs, " +
+                     std::to_string(playing) + " playing";
+  if (decided > first && decided < legs) {
+    text += ", " + time_text(seconds * (legs - decided) / (decided - first)) + " left";
+  }
+  return text;
+}
+
 class LineReporter final : public ProgressReporter {
  public:
   void say(const std::string& line) override { std::cerr << system::printable(line) << '\n'; }
@@ -45,27 +67,7 @@ class BarReporter final : public ProgressReporter {
   std::string text_;
 };
 
-// At least one second, as long as legs are left.
-std::string time_text(double seconds) {
-  const long rounded = std::max(1L, std::lround(seconds));
-  if (rounded < 90) return std::to_string(rounded) + " s";
-  const long minutes = std::lround(seconds / 60.0);
-  if (minutes < 90) return std::to_string(minutes) + " min";
-  return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
-}
-
 }  // namespace
-
-std::string bar_text(int first, int decided, int legs, int playing, double seconds, int width) {
-  const int full = legs > 0 ? width * decided / legs : width;
-  std::string text = "[" + std::string(full, '#') + std::string(width - full, '.') + "]  " +
-                     std::to_string(decided) + " of " + std::to_string(legs) + " legs, " +
-                     std::to_string(playing) + " playing";
-  if (decided > first && decided < legs) {
-    text += ", " + time_text(seconds * (legs - decided) / (decided - first)) + " left";
-  }
-  return text;
-}
 
 std::unique_ptr<ProgressReporter> make_progress_reporter() {
   if (isatty(STDERR_FILENO) != 0) return std::make_unique<BarReporter>();

@@ -158,7 +158,7 @@ std::string percent(const std::optional<double>& share) {
   return share ? fixed(100.0 * *share, 0) + " %" : "-";
 }
 
-std::string numbers_text(const std::vector<LegReport>& legs) {
+static std::string numbers_text(const std::vector<LegReport>& legs) {
   double play = 0.0;
   double dead = 0.0;
   int stoppages = 0;

@@ -22,9 +22,6 @@ struct ReportOptions {
 // Errors: Errc::input if the team has no leg.
 Result<std::string> report(std::vector<LegReport> legs, const ReportOptions& options);
 
-// Returns the numbers of each team over all legs, as lines for a terminal.
-std::string numbers_text(const std::vector<LegReport>& legs);
-
 // Returns a line of comma-separated values for each team of each leg.
 std::string numbers_csv(const std::vector<LegReport>& legs);
 

@@ -23,10 +23,6 @@ struct KnockoutOptions {
 std::vector<Fixture> knockout(const std::vector<TeamSource>& seeds, const KnockoutOptions& options,
                               int first = 0);
 
-// Returns the seeds (from 0) in the order of their places in a bracket, from the top down. `size`,
-// the number of places, is a power of two.
-std::vector<int> bracket_order(int size);
-
 // The winner and the loser of a tie: no_team if both teams have left, unknown_team if the tie is
 // not over.
 struct TieOutcome {

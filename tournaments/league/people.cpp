@@ -18,6 +18,20 @@ constexpr std::string_view people_schema = "mirocup/teams/1";
 constexpr std::size_t max_display = 60;  // bytes
 constexpr std::size_t max_members = 20;
 
+std::string objection_to_display(const std::string& text) {
+  if (text.empty() || text.find_first_not_of(' ') == std::string::npos) return "a name is empty";
+  if (text.size() > max_display)
+    return "a name has at most " + std::to_string(max_display) + " bytes";
+  if (system::printable(text) != text) return "a name is one line of text in UTF-8";
+  return "";
+}
+
+std::string objection_to_colour(const std::string& text) {
+  const bool is_one = text.size() == 7 && text[0] == '#' &&
+                      text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  return is_one ? "" : "a colour is '#' and six hexadecimal digits, as in #c03a2b";
+}
+
 std::string read_name(const record::JsonReader& json) {
   const std::string text = json.text();
   if (const std::string why = objection_to_display(text); !why.empty()) json.complain(why);
@@ -67,27 +81,15 @@ std::string look(const std::string& name) {
 
 }  // namespace
 
-std::string objection_to_display(const std::string& text) {
-  if (text.empty() || text.find_first_not_of(' ') == std::string::npos) return "a name is empty";
-  if (text.size() > max_display)
-    return "a name has at most " + std::to_string(max_display) + " bytes";
-  if (system::printable(text) != text) return "a name is one line of text in UTF-8";
-  return "";
-}
-
-std::string objection_to_new_name(const std::string& text) {
-  const std::string hidden = system::hidden_character(text);
-  return hidden.empty() ? objection_to_display(text)
-                        : "a name has a character that nobody sees, " + hidden;
-}
-
 std::string objection_to(const People& one) {
   if (one.members.size() > max_members)
     return "a team has at most " + std::to_string(max_members) + " members";
   std::vector<std::string> names = one.members;
   if (!one.display.empty()) names.push_back(one.display);
   for (const std::string& name : names) {
-    if (std::string why = objection_to_new_name(name); !why.empty()) return why;
+    const std::string hidden = system::hidden_character(name);
+    if (!hidden.empty()) return "a name has a character that nobody sees, " + hidden;
+    if (std::string why = objection_to_display(name); !why.empty()) return why;
   }
   return "";
 }
@@ -115,12 +117,6 @@ std::string looks_like(const PeopleOfTeams& people, const LeagueState& state,
     if (other.name != team && look(other.name) == own) return other.name;
   }
   return "";
-}
-
-std::string objection_to_colour(const std::string& text) {
-  const bool is_one = text.size() == 7 && text[0] == '#' &&
-                      text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  return is_one ? "" : "a colour is '#' and six hexadecimal digits, as in #c03a2b";
 }
 
 Result<void> set_colour(People& one, const std::string& colour) {

@@ -24,15 +24,9 @@ struct People {
 };
 using PeopleOfTeams = std::map<std::string, People>;  // by the team's name
 
-// Returns why a text cannot be a display name; "" if the text is valid. A display name is UTF-8
-// that can be printed in a line, at most 60 bytes.
-std::string objection_to_display(const std::string& text);
-
-// Returns why a person may not give a name to a team or a member; "" if the person may. Besides the
-// rules of display names, a name may not have an invisible character. Existing names stay.
-std::string objection_to_new_name(const std::string& text);
-
-// Returns the first reason why a person may not give these names; "" if the person may give all.
+// Returns the first reason why a person may not give these names; "" if the person may give all. A
+// name is UTF-8 that can be printed in a line, at most 60 bytes, and new names have no invisible
+// character.
 std::string objection_to(const People& one);
 
 // Returns another team, of the league or of `people`, that readers could confuse with `team` if
@@ -44,9 +38,6 @@ std::string looks_like(const PeopleOfTeams& people, const LeagueState& state,
 
 // Returns the members that a text lists, separated by semicolons or line ends.
 std::vector<std::string> members_of(const std::string& text);
-
-// Returns why a text is not a colour ('#' and six hexadecimal digits); "" if the text is a colour.
-std::string objection_to_colour(const std::string& text);
 
 // Sets the colour of a team's mark; "" removes the mark. Errors: Errc::input.
 Result<void> set_colour(People& one, const std::string& colour);

@@ -21,7 +21,7 @@ std::string title_of(const LeagueState& state, const Fixture& f) {
 
 }  // namespace
 
-std::string round_key(const Fixture& fixture) {
+static std::string round_key(const Fixture& fixture) {
   return (fixture.part == Part::knockout ? "k" : "r") + std::to_string(fixture.round);
 }
 

@@ -32,9 +32,6 @@ struct RoundView {
 // must outlive them.
 std::vector<RoundView> rounds_of(const Overview& overview);
 
-// Returns the key of a fixture's round.
-std::string round_key(const Fixture& fixture);
-
 // Returns the link to a fixture on the page of its round, relative to the folder site/:
 // "rounds/r3.html#r3-f2".
 std::string fixture_link(const Fixture& fixture);
