@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/bracket_svg.hpp"
 
+#include "system/formatted.hpp"
 #include "system/markup.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/rounds.hpp"
@@ -11,6 +12,8 @@
 namespace mirocup::league {
 
 namespace {
+
+using system::formatted;
 
 // In pixels.
 constexpr int box_width = 230;
@@ -47,11 +50,11 @@ class BracketPicture {
     for (const FixtureState& f : state_.fixtures) {
       if (f.fixture.part == Part::knockout) tie(f);
     }
-    const std::string size = " width=\"" + std::to_string(width) + "\" height=\"" +
-                             std::to_string(height + margin) + "\" viewBox=\"0 0 " +
-                             std::to_string(width) + " " + std::to_string(height + margin) + "\"";
-    return "<svg class=\"bracket\" xmlns=\"http://www.w3.org/2000/svg\"" + size + ">\n" + lines_ +
-           boxes_ + "</svg>\n";
+    return formatted(
+               R"(<svg class="bracket" xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" )"
+               "viewBox=\"0 0 %d %d\">\n",
+               width, height + margin, width, height + margin) +
+           lines_ + boxes_ + "</svg>\n";
   }
 
  private:
@@ -73,9 +76,8 @@ class BracketPicture {
     const TieOutcome o = outcome(state_, f);
     boxes_ += "<a href=\"" + fixture_link(f.fixture) + "\" aria-label=\"" +
               system::html_escaped(name_of(f.fixture.home) + " – " + name_of(f.fixture.away)) +
-              "\"><rect x=\"" + std::to_string(at.x) + "\" y=\"" + std::to_string(at.y) +
-              "\" width=\"" + std::to_string(box_width) + "\" height=\"" +
-              std::to_string(box_height) + "\" rx=\"8\"/></a>\n";
+              formatted("\"><rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"8\"/></a>\n",
+                        at.x, at.y, box_width, box_height);
     team(f.fixture.home, o, {at.x, at.y + 21}, name_room(f));
     team(f.fixture.away, o, {at.x, at.y + 43}, name_room(f));
     if (f.fixture.has_both()) goals(f, o, at);
@@ -85,9 +87,8 @@ class BracketPicture {
       const Fixture& before = state_.fixtures[source.index].fixture;
       const Point from = place_of(before.round, before.number);
       const int x = (from.x + box_width + at.x) / 2;
-      lines_ += "<path d=\"M" + std::to_string(from.x + box_width) + " " +
-                std::to_string(from.y + box_height / 2) + "H" + std::to_string(x) + "V" +
-                std::to_string(at.y + box_height / 2) + "H" + std::to_string(at.x) + "\"/>\n";
+      lines_ += formatted("<path d=\"M%d %dH%dV%dH%d\"/>\n", from.x + box_width,
+                          from.y + box_height / 2, x, at.y + box_height / 2, at.x);
     }
   }
 
@@ -109,8 +110,8 @@ class BracketPicture {
       while (end < name.size() && (name[end] & 0xC0) == 0x80) ++end;  // whole characters of UTF-8
       --left;
     }
-    boxes_ += "<svg x=\"" + std::to_string(at.x + 10) + "\" y=\"" + std::to_string(at.y - 17) +
-              "\" width=\"" + std::to_string(room) + "\" height=\"22\">";
+    boxes_ +=
+        formatted(R"(<svg x="%d" y="%d" width="%d" height="22">)", at.x + 10, at.y - 17, room);
     text(style_of(team, o), {0, 17}, end < name.size() ? name.substr(0, end) + "…" : name);
     boxes_ += "</svg>\n";
   }
@@ -138,12 +139,11 @@ class BracketPicture {
       const auto& shoot_out = leg.facts == nullptr ? no_shoot_out_ : leg.facts->shoot_out;
       const bool has_page = !leg.page().empty();
       if (has_page) {
-        boxes_ += "<a class=\"leg\" href=\"" + leg.page() + "\" aria-label=\"Leg " +
-                  std::to_string(leg.leg) + ": " + std::to_string(leg.goals(leg.home)) + " to " +
-                  std::to_string(leg.goals(leg.away)) + "\"><rect class=\"hit\" x=\"" +
-                  std::to_string(x + 4 - leg_room(leg)) + "\" y=\"" + std::to_string(at.y + 2) +
-                  "\" width=\"" + std::to_string(leg_room(leg)) + "\" height=\"" +
-                  std::to_string(box_height - 4) + "\"/>";
+        boxes_ += formatted(
+            R"(<a class="leg" href="%s" aria-label="Leg %d: %d to %d"><rect class="hit" x="%d" )"
+            R"(y="%d" width="%d" height="%d"/>)",
+            leg.page().c_str(), leg.leg, leg.goals(leg.home), leg.goals(leg.away),
+            x + 4 - leg_room(leg), at.y + 2, leg_room(leg), box_height - 4);
       }
       for (const bool is_home : {true, false}) {
         const int team = is_home ? leg.home : leg.away;
@@ -159,8 +159,8 @@ class BracketPicture {
   }
 
   void text(const char* style, Point at, const std::string& words) {
-    boxes_ += std::string("<text class=\"") + style + "\" x=\"" + std::to_string(at.x) + "\" y=\"" +
-              std::to_string(at.y) + "\">" + system::html_escaped(words) + "</text>\n";
+    boxes_ += formatted(R"(<text class="%s" x="%d" y="%d">)", style, at.x, at.y) +
+              system::html_escaped(words) + "</text>\n";
   }
 
   const Overview& o_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/strength_history.hpp"
 
+#include "system/formatted.hpp"
 #include "system/markup.hpp"
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 namespace mirocup::league {
 
 namespace {
+
+using system::formatted;
 
 constexpr std::size_t max_rounds = 24;
 constexpr std::size_t max_curves = 64;  // teams
@@ -48,8 +51,9 @@ class Chart {
   }
 
   std::string draw() {
-    std::string svg = "<svg class=\"chart\" viewBox=\"0 0 " + std::to_string(width) + " " +
-                      std::to_string(height) + "\" role=\"img\" aria-label=\"" + label() + "\">\n";
+    std::string svg = formatted(R"(<svg class="chart" viewBox="0 0 %d %d" role="img" aria-label=")",
+                                width, height) +
+                      label() + "\">\n";
     svg += scale();
     if (highlighted_ >= 0) {
       for (const TableRow& row : o_.table) {
@@ -93,16 +97,15 @@ class Chart {
     std::string svg;
     const double step = high_ - low_ > 1000.0 ? 400.0 : high_ - low_ > 500.0 ? 200.0 : 100.0;
     for (double at = std::ceil(low_ / step) * step; at <= high_; at += step) {
-      const std::string row = std::to_string(y(at));
-      svg += "<path class=\"grid\" d=\"M" + std::to_string(left) + " " + row + "H" +
-             std::to_string(width - right) + "\"/><text class=\"scale\" x=\"" +
-             std::to_string(left - 6) + "\" y=\"" + std::to_string(y(at) + 4) + "\">" +
-             std::to_string(std::lround(at)) + "</text>\n";
+      svg += formatted(
+          "<path class=\"grid\" d=\"M%d %dH%d\"/><text class=\"scale\" x=\"%d\" "
+          "y=\"%d\">%ld</text>\n",
+          left, y(at), width - right, left - 6, y(at) + 4, std::lround(at));
     }
     const std::size_t last = history_.rounds.size() - 1;
     for (const std::size_t round : {std::size_t{0}, last}) {
-      svg += "<text class=\"round" + std::string(round == 0 ? "" : " end") + "\" x=\"" +
-             std::to_string(x(round)) + "\" y=\"" + std::to_string(height - 6) + "\">" +
+      svg += formatted(R"(<text class="round%s" x="%d" y="%d">)", round == 0 ? "" : " end",
+                       x(round), height - 6) +
              system::html_escaped(history_.rounds[round]) + "</text>\n";
     }
     return svg;
@@ -150,13 +153,11 @@ class Chart {
     }
     std::string svg;
     for (const Label& label : labels) {
-      const std::string css = "c" + std::to_string(label.rank);
       const int team = o_.table[label.rank].team;
       std::string name = o_.state.shown_name(team);
       if (name.size() > 16) name = name.substr(0, 15) + "…";
-      svg += "<circle class=\"" + css + "\" cx=\"" + std::to_string(width - right + 12) +
-             "\" cy=\"" + std::to_string(label.y) + "\" r=\"4\"/><text x=\"" +
-             std::to_string(width - right + 21) + "\" y=\"" + std::to_string(label.y + 4) + "\">" +
+      svg += formatted(R"(<circle class="c%zu" cx="%d" cy="%d" r="4"/><text x="%d" y="%d">)",
+                       label.rank, width - right + 12, label.y, width - right + 21, label.y + 4) +
              system::html_escaped(name) + "</text>\n";
     }
     return svg;
