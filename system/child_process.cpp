@@ -2,13 +2,13 @@
 #include "system/child_process.hpp"
 
 #include "system/descriptor.hpp"
+#include "system/process_set.hpp"
 
 #include <cassert>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
-#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -50,12 +50,7 @@ Result<Descriptor> open_log(const std::string& path) {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  if (cpu >= 0) {
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    CPU_SET(cpu, &one);
-    sched_setaffinity(0, sizeof one, &one);
-  }
+  if (cpu >= 0) stay_on(cpu);
   if (log >= 0) {
     setpgid(0, 0);
     const int nothing = open("/dev/null", O_RDONLY);

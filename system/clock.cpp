@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
@@ -17,18 +18,6 @@ namespace {
 
 constexpr std::int64_t day_s = 86'400;
 constexpr const char* zone_folder = "/usr/share/zoneinfo/";
-
-// Returns the number of days from 1970-01-01 to a day of the Gregorian calendar (H. Hinnant,
-// "chrono-compatible low-level date algorithms", days_from_civil).
-std::int64_t days_from_civil(std::int64_t year, int month, int day) {
-  year -= month <= 2 ? 1 : 0;
-  const std::int64_t era = (year >= 0 ? year : year - 399) / 400;
-  const std::int64_t year_of_era = year - era * 400;
-  const std::int64_t day_of_year = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
-  const std::int64_t day_of_era =
-      year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year;
-  return era * 146'097 + day_of_era - 719'468;
-}
 
 std::string formatted(std::int64_t at, const char* format) {
   const std::time_t time = at;
@@ -83,9 +72,12 @@ std::optional<ParsedTime> parse_time(std::string_view text) {
       text[13] != ':' || text[16] != ':' || year < 1970 || month < 1 || month > 12 || day < 1 ||
       hour < 0 || hour > 23 || minute < 0 || minute > 59 || second < 0 || second > 59)
     return std::nullopt;
-  const std::int64_t days = days_from_civil(year, month, day);
+  const std::chrono::year_month_day date{std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day))};
+  if (!date.ok()) return std::nullopt;
+  const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
   ParsedTime time{.at = days * day_s + hour * 3600 + minute * 60 + second, .is_local = false};
-  if (formatted(days * day_s, "%Y-%m-%d") != text.substr(0, 10)) return std::nullopt;
   const std::string_view rest = text.substr(length);
   if (rest == "Z") return time;
   if (rest.empty()) {
@@ -132,8 +124,7 @@ Result<TimeZone> TimeZone::find(const std::string& name) {
                                        " is missing; Debian's package is tzdata");
   }
   Disk disk;
-  const auto text = disk.read(zone_folder + name,
-                              {.max_size = size_limit::certificate, .links = Links::followed});
+  const auto text = disk.read_named(zone_folder + name, size_limit::certificate);
   if (!text) return unknown();
   constexpr std::size_t header = 44;
   const auto count = [&text](std::size_t at, int number) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "system/command_help.hpp"
 
+#include "system/text.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -26,13 +28,6 @@ std::string bounded(const std::string& type, std::string_view open, std::string_
   return type.substr(begin + open.size(), end - begin - open.size());
 }
 
-std::string replaced_all(std::string text, std::string_view word, std::string_view by) {
-  for (std::size_t at = text.find(word); at != std::string::npos;
-       at = text.find(word, at + by.size()))
-    text.replace(at, word.size(), by);
-  return text;
-}
-
 bool takes_value(const CLI::Option& option) {
   return option.get_items_expected_max() > 0;
 }
@@ -43,7 +38,7 @@ std::string value_text(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::string own = own_value_name(type);
   const std::string checks = type.substr(std::min(own.size() + 1, type.size()));
-  if (checks.compare(0, 1, "{") == 0) return replaced_all(bounded(checks, "{", "}"), ",", "|");
+  if (checks.compare(0, 1, "{") == 0) return replaced(bounded(checks, "{", "}"), ",", "|");
   return own;
 }
 
@@ -51,12 +46,10 @@ std::string option_text(const CLI::Option& option) {
   std::string text = option.get_description();
   std::vector<std::string> notes;
   if (const std::string range = bounded(option.get_type_name(), " in [", "]"); !range.empty())
-    notes.push_back(replaced_all(range, " - ", " to "));
+    notes.push_back(replaced(range, " - ", " to "));
   if (!option.get_default_str().empty()) notes.push_back("default: " + option.get_default_str());
   if (option.get_required()) notes.emplace_back("required");
-  std::string joined;
-  for (const std::string& note : notes) joined += (joined.empty() ? "" : "; ") + note;
-  return joined.empty() ? text : text + " (" + joined + ")";
+  return notes.empty() ? text : text + " (" + joined(notes, "; ") + ")";
 }
 
 // Breaks lines so that the help fits into 100 columns.
@@ -165,9 +158,9 @@ class Candidates {
 
 // In roff a backslash, a leading dot and a leading apostrophe have a meaning.
 std::string roff(const std::string& text) {
-  std::string escaped = replaced_all(replaced_all(text, "\\", "\\e"), "-", "\\-");
+  std::string escaped = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
   if (!escaped.empty() && (escaped[0] == '.' || escaped[0] == '\'')) escaped.insert(0, "\\&");
-  return replaced_all(replaced_all(escaped, "\n.", "\n\\&."), "\n'", "\n\\&'");
+  return replaced(replaced(escaped, "\n.", "\n\\&."), "\n'", "\n\\&'");
 }
 
 // The day of a page: that of SOURCE_DATE_EPOCH (s since 1970, UTC), with which the same build makes
@@ -183,7 +176,7 @@ std::string page_date() {
 
 std::string page_head(const std::string& name, const std::string& description,
                       const std::string& version) {
-  std::string title = replaced_all(name, " ", "-");
+  std::string title = replaced(name, " ", "-");
   std::string capitals = title;
   std::transform(capitals.begin(), capitals.end(), capitals.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -346,18 +339,18 @@ std::string completion_script(const std::string& shell, const std::string& progr
                        : shell == "zsh"  ? zsh_script
                        : shell == "fish" ? fish_script
                                          : "";
-  return replaced_all(script, "@P@", program);
+  return replaced(script, "@P@", program);
 }
 
 std::map<std::string, std::string> manual_pages(const CLI::App& app, const std::string& version) {
   std::map<std::string, std::string> pages;
   const std::string program = app.get_name();
-  const std::string title = replaced_all(program, " ", "-");
+  const std::string title = replaced(program, " ", "-");
   std::string list;
   std::string also;
   for (const CLI::App* command : visible_commands(app)) {
     const std::string name = program + " " + command->get_name();
-    const std::string file = replaced_all(name, " ", "-");
+    const std::string file = replaced(name, " ", "-");
     list += ".TP\n\\fB" + roff(name) + "\\fR\n" + roff(command->get_description()) + "\n";
     also += (also.empty() ? "" : ",\n") + std::string(".BR ") + roff(file) + " (1)";
     std::string usage;

@@ -98,6 +98,11 @@ class Files {
 
   virtual Result<std::string> read(const std::string& path, const ReadOptions& options) = 0;
 
+  // Reads a file that the host has named, for example on the command line: its name may be a link.
+  Result<std::string> read_named(const std::string& path, std::uint64_t max_size) {
+    return read(path, {.max_size = max_size, .links = Links::followed});
+  }
+
   // Returns the file's bytes from `offset` on.
   virtual Result<std::string> read_from(const std::string& path, std::size_t offset,
                                         const ReadOptions& options);

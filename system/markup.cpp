@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "system/markup.hpp"
 
+#include "system/text.hpp"
+
 namespace mirocup::system {
 
 std::string html_escaped(std::string_view text) {
@@ -32,14 +34,9 @@ std::string html_escaped(std::string_view text) {
 std::string percent_coded(std::string_view text) {
   constexpr char hex[] = "0123456789ABCDEF";
   std::string coded;
-  for (const unsigned char c : text) {
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                          (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-    if (is_plain) {
-      coded += static_cast<char>(c);
-    } else {
-      coded += {'%', hex[c >> 4], hex[c & 15]};
-    }
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    coded += is_plain(c) ? std::string{c} : std::string{'%', hex[byte >> 4], hex[byte & 15]};
   }
   return coded;
 }

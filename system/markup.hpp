@@ -12,8 +12,8 @@ namespace mirocup::system {
 // of HTML and SVG.
 std::string html_escaped(std::string_view text);
 
-// Returns `text` as a part of an address: bytes other than letters, digits, '-', '_' and '.' are
-// coded with a percent sign.
+// Returns `text` as a part of an address, or as the name of a partition or of a file: bytes other
+// than letters, digits, '-', '_' and '.' are coded with a percent sign.
 std::string percent_coded(std::string_view text);
 
 }  // namespace mirocup::system

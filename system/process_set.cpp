@@ -108,4 +108,11 @@ std::vector<int> processors() {
   return list;
 }
 
+void stay_on(int processor) {
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(processor, &one);
+  sched_setaffinity(0, sizeof one, &one);
+}
+
 }  // namespace mirocup::system

@@ -72,4 +72,7 @@ class ProcessSet {
 // Returns the processors that this process may use; {-1} if the system does not say.
 std::vector<int> processors();
 
+// Keeps the calling thread on one processor.
+void stay_on(int processor);
+
 }  // namespace mirocup::system
