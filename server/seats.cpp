@@ -9,6 +9,7 @@
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
+#include "system/process_set.hpp"
 
 #include <filesystem>
 #include <sched.h>
@@ -185,10 +186,7 @@ record::BudgetReport TeamSeat::budget_report() const {
 }
 
 void stay_on_this_core() {
-  cpu_set_t one;
-  CPU_ZERO(&one);
-  CPU_SET(sched_getcpu(), &one);
-  sched_setaffinity(0, sizeof one, &one);
+  system::stay_on(sched_getcpu());
 }
 
 namespace {

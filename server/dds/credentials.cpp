@@ -4,6 +4,7 @@
 #include "server/dds/domain.hpp"
 #include "system/certificate.hpp"
 #include "system/files.hpp"
+#include "system/markup.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -71,8 +72,7 @@ namespace {
 // Reads a certificate of a folder that the host or the team has named.
 Result<std::string> read_certificate(const std::string& path) {
   system::Disk disk;
-  return disk.read(path,
-                   {.max_size = system::size_limit::certificate, .links = system::Links::followed});
+  return disk.read_named(path, system::size_limit::certificate);
 }
 
 }  // namespace
@@ -90,7 +90,8 @@ std::optional<std::int64_t> credentials_end(const std::string& folder) {
 
 std::optional<std::int64_t> team_credentials_end(const std::string& server_folder,
                                                  std::string_view team) {
-  const auto text = read_certificate(server_folder + "/teams/" + encoded(team) + ".pem");
+  const auto text =
+      read_certificate(server_folder + "/teams/" + system::percent_coded(team) + ".pem");
   return text ? system::certificate_end(*text) : std::nullopt;
 }
 

@@ -3,8 +3,8 @@
 
 #include "server/dds/credentials.hpp"
 #include "server/dds/network_interface.hpp"
-#include "system/formatted.hpp"
 #include "system/host_address.hpp"
+#include "system/markup.hpp"
 
 namespace mirocup::dds {
 
@@ -60,8 +60,9 @@ Result<Domain> open_domain(const std::string& interface, const std::string& xml,
     return fail(Errc::input, "this process has a connection in DDS domain " +
                                  std::to_string(number) + " already: close it first");
   }
-  auto made = keep(opened.domain, created(domain, "the connection"));
+  auto made = created(domain, "the connection");
   if (!made) return fail(made.error().code, made.error().what + opened.log->last_error_suffix());
+  opened.domain = std::move(*made);
   if (!interface.empty()) bind_to_interface(before, interface);
   return opened;
 }
@@ -112,26 +113,13 @@ Result<Entity> make_participant(const Domain& domain) {
   return made;
 }
 
-std::string encoded(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                          (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-    if (is_plain) {
-      out += c;
-      continue;
-    }
-    out += system::formatted("%%%02X", static_cast<unsigned char>(c));
-  }
-  return out;
-}
-
 std::string match_partition(std::string_view match_id) {
-  return "match-" + encoded(match_id);
+  return "match-" + system::percent_coded(match_id);
 }
 
 std::string team_partition(std::string_view match_id, int colour, std::string_view name) {
-  return match_partition(match_id) + (colour == 0 ? "/blue/" : "/yellow/") + encoded(name);
+  return match_partition(match_id) + (colour == 0 ? "/blue/" : "/yellow/") +
+         system::percent_coded(name);
 }
 
 }  // namespace mirocup::dds

@@ -45,10 +45,6 @@ Result<Domain> open_team_domain(const std::string& server, const std::string& cr
 // Makes the DDS participant, which is the parent of all topics, readers and writers.
 Result<Entity> make_participant(const Domain& domain);
 
-// Converts a text to a name for a partition or a file: every byte but letters, digits, '-', '_' and
-// '.' becomes %XX.
-std::string encoded(std::string_view text);
-
 // Return the DDS partitions of a match and of one team in the match.
 std::string match_partition(std::string_view match_id);
 std::string team_partition(std::string_view match_id, int colour, std::string_view name);

@@ -89,10 +89,4 @@ std::optional<ParticipantKey> participant_of(const Entity& reader, dds_instance_
   return key;
 }
 
-Result<void> keep(Entity& into, Result<Entity> made) {
-  if (!made) return tl::unexpected(made.error());
-  into = std::move(*made);
-  return {};
-}
-
 }  // namespace mirocup::dds

@@ -85,7 +85,4 @@ bool take(const Entity& reader, Sample& sample, dds_instance_handle_t* writer = 
   }
 }
 
-// Moves a new entity into `into`, or passes its error on.
-Result<void> keep(Entity& into, Result<Entity> made);
-
 }  // namespace mirocup::dds

@@ -4,7 +4,7 @@
 #include "server/dds/credentials.hpp"
 #include "server/dds/network_interface.hpp"
 #include "server/dds/nonce.hpp"
-#include "system/certificate.hpp"
+#include "system/clock.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -49,33 +49,17 @@ Result<std::unique_ptr<MatchServer>> MatchServer::open(const std::string& match_
 }
 
 Result<void> MatchServer::open_topics() {
-  return keep(participant_, make_participant(domain_))
-      .and_then([&] {
-        return keep(publisher_, make_publisher(participant_, match_partition(match_id_)));
-      })
-      .and_then([&] {
-        return keep(state_topic_,
-                    make_topic(participant_, mirocup_v4_WorldState_desc, idl::world_state));
-      })
-      .and_then([&] {
-        return keep(event_topic_,
-                    make_topic(participant_, mirocup_v4_MatchEvent_desc, idl::match_event));
-      })
-      .and_then([&] {
-        return keep(info_topic_,
-                    make_topic(participant_, mirocup_v4_MatchInfo_desc, idl::match_info));
-      })
-      .and_then(
-          [&] { return keep(info_writer_, make_writer(publisher_, info_topic_, idl::match_info)); })
-      .and_then([&] {
-        return keep(state_writer_, make_writer(publisher_, state_topic_, idl::world_state));
-      })
-      .and_then([&] {
-        return keep(event_writer_, make_writer(publisher_, event_topic_, idl::match_event));
-      })
-      .and_then([&] {
-        return keep(waitset_, created(dds_create_waitset(participant_.get()), "a waitset"));
-      });
+  MIROCUP_TRY(participant_, make_participant(domain_));
+  const Entity& p = participant_;
+  MIROCUP_TRY(publisher_, make_publisher(p, match_partition(match_id_)));
+  MIROCUP_TRY(state_topic_, make_topic(p, mirocup_v4_WorldState_desc, idl::world_state));
+  MIROCUP_TRY(event_topic_, make_topic(p, mirocup_v4_MatchEvent_desc, idl::match_event));
+  MIROCUP_TRY(info_topic_, make_topic(p, mirocup_v4_MatchInfo_desc, idl::match_info));
+  MIROCUP_TRY(info_writer_, make_writer(publisher_, info_topic_, idl::match_info));
+  MIROCUP_TRY(state_writer_, make_writer(publisher_, state_topic_, idl::world_state));
+  MIROCUP_TRY(event_writer_, make_writer(publisher_, event_topic_, idl::match_event));
+  MIROCUP_TRY(waitset_, created(dds_create_waitset(p.get()), "a waitset"));
+  return {};
 }
 
 Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::string& name,
@@ -93,8 +77,9 @@ Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::
     const auto own_end = credentials_end(folder);
     if (own_end && *own_end < last_end) {
       return fail(Errc::input, "the credentials in " + folder + " are valid until " +
-                                   system::date_text(*own_end) + ", but the leg may last until " +
-                                   system::date_text(last_end) + ": make new ones");
+                                   system::TimeZone().text(*own_end) +
+                                   ", but the leg may last until " +
+                                   system::TimeZone().text(last_end) + ": make new ones");
     }
     link.credentials_end = team_credentials_end(folder, name);
   }

@@ -3,10 +3,11 @@
 
 #include "server/dds/domain.hpp"
 #include "server/dds/nonce.hpp"
-#include "system/certificate.hpp"
+#include "system/clock.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <utility>
 
 namespace mirocup::dds {
@@ -41,7 +42,7 @@ std::string seconds_text(double seconds) {
 }  // namespace
 
 std::int64_t latest_end(const JoinTerms& terms) {
-  return system::present_moment() +
+  return std::time(nullptr) +
          static_cast<std::int64_t>(std::ceil(std::min(terms.longest, longest_leg)));
 }
 
@@ -59,29 +60,18 @@ Seat::Seat(SeatLink link, const match::Briefing& briefing, std::string name, con
 Result<void> Seat::open(const Entity& participant, const std::string& match_id,
                         const Entity& waitset) {
   const std::string partition = team_partition(match_id, index_of(briefing_.team), name_);
-  return keep(publisher_, make_publisher(participant, partition))
-      .and_then([&] { return keep(subscriber_, make_subscriber(participant, partition)); })
-      .and_then([&] { return open_thoughts(participant); })
-      .and_then([&] {
-        return keep(hello_topic_, make_topic(participant, mirocup_v4_Hello_desc, idl::hello));
-      })
-      .and_then([&] {
-        return keep(welcome_topic_, make_topic(participant, mirocup_v4_Welcome_desc, idl::welcome));
-      })
-      .and_then([&] {
-        return keep(command_topic_,
-                    make_topic(participant, mirocup_v4_TeamCommand_desc, idl::team_command));
-      })
-      .and_then(
-          [&] { return keep(hello_reader_, make_reader(subscriber_, hello_topic_, idl::hello)); })
-      .and_then([&] {
-        return keep(welcome_writer_, make_writer(publisher_, welcome_topic_, idl::welcome));
-      })
-      .and_then([&] {
-        return keep(command_reader_, make_reader(subscriber_, command_topic_, idl::team_command));
-      })
-      .and_then([&] { return attach(waitset, hello_reader_); })
-      .and_then([&] { return attach(waitset, command_reader_); });
+  const Entity& p = participant;
+  MIROCUP_TRY(publisher_, make_publisher(p, partition));
+  MIROCUP_TRY(subscriber_, make_subscriber(p, partition));
+  MIROCUP_TRY_VOID(open_thoughts(p));
+  MIROCUP_TRY(hello_topic_, make_topic(p, mirocup_v4_Hello_desc, idl::hello));
+  MIROCUP_TRY(welcome_topic_, make_topic(p, mirocup_v4_Welcome_desc, idl::welcome));
+  MIROCUP_TRY(command_topic_, make_topic(p, mirocup_v4_TeamCommand_desc, idl::team_command));
+  MIROCUP_TRY(hello_reader_, make_reader(subscriber_, hello_topic_, idl::hello));
+  MIROCUP_TRY(welcome_writer_, make_writer(publisher_, welcome_topic_, idl::welcome));
+  MIROCUP_TRY(command_reader_, make_reader(subscriber_, command_topic_, idl::team_command));
+  MIROCUP_TRY_VOID(attach(waitset, hello_reader_));
+  return attach(waitset, command_reader_);
 }
 
 // Comes before the reader of the Hello, so that the team knows of it in its first tick. The waitset
@@ -158,8 +148,9 @@ mirocup_v4_Welcome Seat::answer_to(const mirocup_v4_Hello& hello, dds_instance_h
 // has gone. Returns the reason for the team; "" if they last.
 std::string Seat::why_too_short() const {
   if (!link_.credentials_end || *link_.credentials_end >= last_end_) return "";
-  return "the team's credentials are valid until " + system::date_text(*link_.credentials_end) +
-         ", but the leg may last until " + system::date_text(last_end_) + ": it needs new ones";
+  return "the team's credentials are valid until " +
+         system::TimeZone().text(*link_.credentials_end) + ", but the leg may last until " +
+         system::TimeZone().text(last_end_) + ": it needs new ones";
 }
 
 // A process that still loads its team is silent, so before the first tick the seat becomes free

@@ -61,61 +61,41 @@ Result<void> TeamClient::connect() {
   connected_at_ = last_heard_at_ = acknowledged_at_ = WallClock::now();
   unacknowledged_ = 0;
   hello_sent_at_ = {};
-  return keep(link.participant, make_participant(domain_))
-      .and_then([&] { return open_readers_and_writers(link); })
-      .map([&] { link_ = std::move(link); });
+  MIROCUP_TRY(link.participant, make_participant(domain_));
+  MIROCUP_TRY_VOID(open_readers_and_writers(link));
+  link_ = std::move(link);
+  return {};
 }
 
 // Comes before the Hello, so that the server knows this writer when the team plays its first tick.
-void TeamClient::open_thoughts(Link& l) {
-  std::ignore =
-      keep(l.thoughts_topic, make_topic(l.participant, mirocup_v4_Thoughts_desc, idl::thoughts))
-          .and_then([&] {
-            return keep(l.thoughts_writer,
-                        make_writer(l.team_publisher, l.thoughts_topic, idl::thoughts));
-          });
+Result<void> TeamClient::open_thoughts(Link& l) {
+  MIROCUP_TRY(l.thoughts_topic, make_topic(l.participant, mirocup_v4_Thoughts_desc, idl::thoughts));
+  MIROCUP_TRY(l.thoughts_writer, make_writer(l.team_publisher, l.thoughts_topic, idl::thoughts));
+  return {};
 }
 
 Result<void> TeamClient::open_readers_and_writers(Link& l) const {
   const Entity& p = l.participant;
   const std::string match = match_partition(request_.match_id);
   const std::string own = team_partition(request_.match_id, index_of(request_.team), request_.name);
-  const auto topic = [&p](Entity& into, const dds_topic_descriptor_t& type,
-                          const idl::TopicQos& row) {
-    return keep(into, make_topic(p, type, row));
-  };
-  const auto reader = [](Entity& into, const Entity& subscriber, const Entity& of,
-                         const idl::TopicQos& row) {
-    return keep(into, make_reader(subscriber, of, row));
-  };
-  const auto writer = [&l](Entity& into, const Entity& of, const idl::TopicQos& row) {
-    return keep(into, make_writer(l.team_publisher, of, row));
-  };
-  return keep(l.match_subscriber, make_subscriber(p, match))
-      .and_then([&] { return keep(l.team_publisher, make_publisher(p, own)); })
-      .and_then([&] { return keep(l.team_subscriber, make_subscriber(p, own)); })
-      .map([&] { open_thoughts(l); })
-      .and_then([&] { return topic(l.state_topic, mirocup_v4_WorldState_desc, idl::world_state); })
-      .and_then([&] { return topic(l.event_topic, mirocup_v4_MatchEvent_desc, idl::match_event); })
-      .and_then([&] { return topic(l.hello_topic, mirocup_v4_Hello_desc, idl::hello); })
-      .and_then([&] { return topic(l.welcome_topic, mirocup_v4_Welcome_desc, idl::welcome); })
-      .and_then(
-          [&] { return topic(l.command_topic, mirocup_v4_TeamCommand_desc, idl::team_command); })
-      .and_then([&] {
-        return reader(l.state_reader, l.match_subscriber, l.state_topic, idl::world_state);
-      })
-      .and_then([&] {
-        return reader(l.event_reader, l.match_subscriber, l.event_topic, idl::match_event);
-      })
-      .and_then([&] {
-        return reader(l.welcome_reader, l.team_subscriber, l.welcome_topic, idl::welcome);
-      })
-      .and_then([&] { return writer(l.hello_writer, l.hello_topic, idl::hello); })
-      .and_then([&] { return writer(l.command_writer, l.command_topic, idl::team_command); })
-      .and_then([&] { return keep(l.waitset, created(dds_create_waitset(p.get()), "a waitset")); })
-      .and_then([&] { return attach(l.waitset, l.state_reader); })
-      .and_then([&] { return attach(l.waitset, l.event_reader); })
-      .and_then([&] { return attach(l.waitset, l.welcome_reader); });
+  MIROCUP_TRY(l.match_subscriber, make_subscriber(p, match));
+  MIROCUP_TRY(l.team_publisher, make_publisher(p, own));
+  MIROCUP_TRY(l.team_subscriber, make_subscriber(p, own));
+  std::ignore = open_thoughts(l);
+  MIROCUP_TRY(l.state_topic, make_topic(p, mirocup_v4_WorldState_desc, idl::world_state));
+  MIROCUP_TRY(l.event_topic, make_topic(p, mirocup_v4_MatchEvent_desc, idl::match_event));
+  MIROCUP_TRY(l.hello_topic, make_topic(p, mirocup_v4_Hello_desc, idl::hello));
+  MIROCUP_TRY(l.welcome_topic, make_topic(p, mirocup_v4_Welcome_desc, idl::welcome));
+  MIROCUP_TRY(l.command_topic, make_topic(p, mirocup_v4_TeamCommand_desc, idl::team_command));
+  MIROCUP_TRY(l.state_reader, make_reader(l.match_subscriber, l.state_topic, idl::world_state));
+  MIROCUP_TRY(l.event_reader, make_reader(l.match_subscriber, l.event_topic, idl::match_event));
+  MIROCUP_TRY(l.welcome_reader, make_reader(l.team_subscriber, l.welcome_topic, idl::welcome));
+  MIROCUP_TRY(l.hello_writer, make_writer(l.team_publisher, l.hello_topic, idl::hello));
+  MIROCUP_TRY(l.command_writer, make_writer(l.team_publisher, l.command_topic, idl::team_command));
+  MIROCUP_TRY(l.waitset, created(dds_create_waitset(p.get()), "a waitset"));
+  MIROCUP_TRY_VOID(attach(l.waitset, l.state_reader));
+  MIROCUP_TRY_VOID(attach(l.waitset, l.event_reader));
+  return attach(l.waitset, l.welcome_reader);
 }
 
 News TeamClient::wait(double timeout) {

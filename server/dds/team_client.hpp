@@ -93,7 +93,7 @@ class TeamClient {
       : request_(std::move(request)), domain_(std::move(domain)) {}
   Result<void> connect();
   Result<void> open_readers_and_writers(Link& link) const;
-  static void open_thoughts(Link& link);
+  static Result<void> open_thoughts(Link& link);
   std::optional<News> poll();
   std::optional<News> take_welcome();
   std::optional<News> take_event();

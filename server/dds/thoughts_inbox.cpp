@@ -10,8 +10,9 @@ ThoughtsInbox::~ThoughtsInbox() {
 }
 
 Result<void> ThoughtsInbox::open(const Entity& participant, const Entity& subscriber) {
-  return keep(topic_, make_topic(participant, mirocup_v4_Thoughts_desc, idl::thoughts))
-      .and_then([&] { return keep(reader_, make_reader(subscriber, topic_, idl::thoughts)); });
+  MIROCUP_TRY(topic_, make_topic(participant, mirocup_v4_Thoughts_desc, idl::thoughts));
+  MIROCUP_TRY(reader_, make_reader(subscriber, topic_, idl::thoughts));
+  return {};
 }
 
 void ThoughtsInbox::admit(std::uint64_t nonce, const ParticipantKey& process) {
