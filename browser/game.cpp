@@ -90,8 +90,7 @@ Result<void> Game::seat(const Json& teams) {
   for (const Team team : both_teams) {
     const auto i = index_of(team);
     const std::string colour(to_string(team));
-    const auto given = teams.find(colour);
-    std::string name = given != teams.end() && given->is_string() ? given->get<std::string>() : "";
+    std::string name = record::text_in(teams, colour.c_str());
     if (drivers_[i] && name == seated_[i]) continue;
     const bool is_recorded = name == "recorded" && past_ != nullptr;
     const mirocup_strategy* strategy = house_team(name);

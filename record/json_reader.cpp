@@ -2,6 +2,7 @@
 #include "record/json_reader.hpp"
 
 #include "system/formatted.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,12 +64,6 @@ std::string reference_token(const std::string& key) {
   return text;
 }
 
-std::string list_of(std::initializer_list<std::string_view> keys) {
-  std::string text;
-  for (const std::string_view key : keys) text += (text.empty() ? "" : ", ") + std::string(key);
-  return text;
-}
-
 }  // namespace
 
 void JsonReader::complain(const std::string& reason) const {
@@ -99,7 +94,7 @@ bool JsonReader::expect_object(std::initializer_list<std::string_view> keys) con
   if (!expect_object()) return false;
   for (const auto& [key, member] : value_->items()) {
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    at(key).complain("there is no such key; known are " + list_of(keys));
+    at(key).complain("there is no such key; known are " + system::joined(keys, ", "));
     return false;
   }
   return true;
@@ -365,6 +360,11 @@ ParsedJson parse_json(std::string_view text, const JsonLimits& limits) {
 
 std::string json_text(const JsonReader::Json& value, int indent) {
   return value.dump(indent, ' ', false, JsonReader::Json::error_handler_t::replace);
+}
+
+std::string text_in(const JsonReader::Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
 Error error_of(const JsonProblem& problem, const std::string& path, Errc code) {

@@ -179,6 +179,9 @@ ParsedJson parse_json(std::string_view text, const JsonLimits& limits = {});
 // not UTF-8 become U+FFFD, so the text is always JSON.
 std::string json_text(const JsonReader::Json& value, int indent = -1);
 
+// Returns the text at a key of an object; "" if the object has no such text.
+std::string text_in(const JsonReader::Json& object, const char* key);
+
 // Returns the error that a person reads: "PATH: POINTER: REASON".
 Error error_of(const JsonProblem& problem, const std::string& path, Errc code);
 

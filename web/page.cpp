@@ -46,11 +46,6 @@ std::string minutes(double seconds) {
   return std::to_string(whole / 60) + (rest < 10 ? ":0" : ":") + std::to_string(rest);
 }
 
-std::string text_of(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 std::string score_text(const Json& score) {
   return std::to_string(score.at("blue").get<int>()) + " : " +
          std::to_string(score.at("yellow").get<int>());
@@ -62,7 +57,7 @@ Json calls_as_text(const Json& decisions, const match::ByTeam<std::string>& name
   Json score{{"blue", 0}, {"yellow", 0}};
   for (const Json& call : decisions) {
     const bool is_goal = call["decision"] == "GOAL";
-    std::string gainer = text_of(call, call.contains("gainer") ? "gainer" : "team");
+    std::string gainer = record::text_in(call, call.contains("gainer") ? "gainer" : "team");
     if (is_goal && !gainer.empty()) score[gainer] = score[gainer].get<int>() + 1;
     const std::string name = gainer.empty() ? "" : names[gainer == "blue" ? 0 : 1];
     std::string what = words(call["decision"].get<std::string>());
@@ -78,7 +73,7 @@ Json calls_as_text(const Json& decisions, const match::ByTeam<std::string>& name
          {"when", minutes(call["clock"].get<double>())},
          {"what", what},
          {"who", shows_scorer ? "robot " + call["scorer"]["robot"].dump() : std::string()},
-         {"why", text_of(call, "reason")}});
+         {"why", record::text_in(call, "reason")}});
   }
   return calls;
 }
@@ -206,10 +201,6 @@ std::string about(const record::MatchRecord& record) {
          ", " + std::to_string(record.recording.ticks.size()) + " ticks, mirocup " +
          record.software.version + ", state hash " + to_hex(record.recording.state_hash);
 }
-
-}  // namespace
-
-namespace {
 
 // Adds {thoughts, log} of the teams that have any.
 void add_own(Json& data, const record::OwnTexts& own) {

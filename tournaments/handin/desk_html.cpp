@@ -23,11 +23,6 @@ void next_card(Html& html, const std::string& heading, const std::string& id) {
   html.cell("h2", heading);
 }
 
-std::string text_in(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 std::string number_text(const Json& object, const char* key, const char* format) {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_number()) return "";

@@ -3,6 +3,7 @@
 // The common parts of the desk's pages: the page around the content, and words for values.
 #pragma once
 
+#include "record/json_reader.hpp"
 #include "tournaments/publish/html.hpp"
 
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 namespace mirocup::league {
 
 using Json = nlohmann::ordered_json;
+using record::text_in;
 
 // Returns a page with this content, in the design of all pages.
 std::string desk_page(const std::string& title, const Html& content);
@@ -21,9 +23,6 @@ void log_out_button(Html& html);
 
 // Ends a card and begins the next, with a heading.
 void next_card(Html& html, const std::string& heading, const std::string& id = "");
-
-// Returns the text at a key of an object; "" if the object has no such text.
-std::string text_in(const Json& object, const char* key);
 
 // Returns the number at a key of an object in a printf format; "" if the object has no such number.
 std::string number_text(const Json& object, const char* key, const char* format);

@@ -13,6 +13,8 @@ namespace mirocup::league {
 
 namespace {
 
+using record::text_in;
+
 constexpr std::string_view step_mark = "step ";
 constexpr std::size_t shown_lines = 50;      // of the beginning of a log, and of its end
 constexpr std::size_t shown_bytes = 16'384;  // of each
@@ -53,11 +55,6 @@ Result<Json> verdict_of(system::Files& files, const Folder& folder, const std::s
   });
 }
 
-std::string verdict_text(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 // Returns what follows the reason of a refusal in its message: "entry 10 plays on".
 std::string plays_on(const std::string& message, const std::string& reason) {
   const std::size_t at = message.find(reason);
@@ -71,16 +68,16 @@ Json told_by(const Json& verdict, const std::string& plays) {
   Json lines = Json::array();
   if (!verdict.is_object()) return lines;
   for (const Json& check : verdict.value("checks", Json::array())) {
-    if (verdict_text(check, "what").empty()) continue;
-    return {"What: " + verdict_text(check, "what"), "Where: " + verdict_text(check, "where"),
-            "Do: " + verdict_text(check, "cure"), "Plays: " + plays};
+    if (text_in(check, "what").empty()) continue;
+    return {"What: " + text_in(check, "what"), "Where: " + text_in(check, "where"),
+            "Do: " + text_in(check, "cure"), "Plays: " + plays};
   }
   for (const Json& leg : verdict.value("legs", Json::array())) {
     const Json score = leg.value("score", Json::array());
     if (score.size() != 2) continue;
     const int own_goals = leg.value("own_goals", 0);
     lines.push_back(score[0].dump() + " : " + score[1].dump() + " against " +
-                    verdict_text(leg, "opponent") + " as " + verdict_text(leg, "colour") +
+                    text_in(leg, "opponent") + " as " + text_in(leg, "colour") +
                     (own_goals > 0 ? ", own goals: " + std::to_string(own_goals) : ""));
   }
   return lines;
@@ -126,7 +123,7 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
                                 : is_stored && is_accepted ? HandInState::accepted
                                                            : HandInState::refused);
     const std::string message = waiting != nullptr ? waiting->message : "";
-    const std::string reason = verdict_text(verdict, "reason");
+    const std::string reason = text_in(verdict, "reason");
     const bool has_reason = report["state"] != to_string(HandInState::accepted);
     report["reason"] = has_reason ? text_or_null(reason.empty() ? message : reason) : Json();
     report["message"] = text_or_null(message);
@@ -136,7 +133,7 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
       for (const char* key : {"checks", "notes", "timing", "peak_memory_bytes", "isolation"}) {
         if (verdict.contains(key)) report[key] = verdict[key];
       }
-      report["log"] = shortened(verdict_text(verdict, "log"));
+      report["log"] = shortened(text_in(verdict, "log"));
     }
   }
   if (waiting == nullptr) return report;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/roster.hpp"
 
+#include "record/json_reader.hpp"
 #include "tournaments/league/hand_ins.hpp"
 
 #include <nlohmann/json.hpp>
@@ -80,8 +81,7 @@ std::string last_leg_at(const Journal& journal) {
   for (std::size_t i = journal.lines().size(); i-- > 0;) {
     const Json& line = journal.lines()[i];
     if (line.value("kind", Json()) != LegPlayed::kind) continue;
-    const auto at = line.find("at");
-    return at != line.end() && at->is_string() ? at->get<std::string>() : "";
+    return record::text_in(line, "at");
   }
   return "";
 }

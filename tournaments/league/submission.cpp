@@ -437,8 +437,7 @@ Result<Submission> Desk::conclude(const Found& found, Json verdict) {
   result.message = team() + ": entry " + std::to_string(result.entry) +
                    (result.is_accepted ? " was accepted" : " was not accepted");
   if (!result.is_accepted) {
-    const Json reason = result.verdict.value("reason", Json());
-    result.message += ": " + (reason.is_string() ? reason.get<std::string>() : "");
+    result.message += ": " + record::text_in(result.verdict, "reason");
     if (playing > 0) result.message += "; entry " + std::to_string(playing) + " plays on";
   } else if (known_.pinned > 0 && playing == known_.pinned) {
     result.message += "; entry " + std::to_string(known_.pinned) + " plays on, which is pinned";

@@ -11,19 +11,14 @@ namespace {
 
 const Json& member(const Json& object, const char* key) {
   static const Json none;
-  if (!object.is_object()) return none;
   const auto found = object.find(key);
   return found == object.end() ? none : *found;
 }
 
-std::string text(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : std::string();
-}
-
 // The team that gains from a goal. Records from before `gainer` name the scoring team `team`.
 std::string gainer(const Json& decision) {
-  const std::string known = text(member(decision, "gainer"));
-  return known.empty() ? text(member(decision, "team")) : known;
+  const std::string known = record::text_in(decision, "gainer");
+  return known.empty() ? record::text_in(decision, "team") : known;
 }
 
 GoalFact goal(const Json& decision, double period, const std::string& home) {
@@ -52,9 +47,9 @@ std::optional<LegFacts> facts_of(const std::string& bytes, bool is_home_blue) {
   LegFacts facts;
   facts.length = ticks.get<double>() * period.get<double>();
   for (const Json& decision : decisions) {
-    if (text(member(decision, "decision")) == "GOAL") {
+    if (record::text_in(decision, "decision") == "GOAL") {
       facts.goals.push_back(goal(decision, period.get<double>(), home));
-    } else if (const std::string by = text(member(decision, "offender")); !by.empty()) {
+    } else if (const std::string by = record::text_in(decision, "offender"); !by.empty()) {
       ++(by == home ? facts.fouls.home : facts.fouls.away);
     }
   }
