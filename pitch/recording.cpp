@@ -282,8 +282,7 @@ Result<Recording> parse_csv(std::string_view text, const std::string& path,
 }
 
 Result<Recording> read_recording(const std::string& path) {
-  MIROCUP_TRY(const auto text, system::Disk().read(path, {.max_size = std::uint64_t{256} << 20,
-                                                          .links = system::Links::followed}));
+  MIROCUP_TRY(const auto text, system::Disk().read_named(path, std::uint64_t{256} << 20));
   return path.ends_with(".csv") ? parse_csv(text, path) : parse_recording(text, path);
 }
 

@@ -433,8 +433,7 @@ Result<void> expect_whole(const std::string& text, const std::string& path) {
 }
 
 Result<MatchRecord> load(system::Files& files, const std::string& path, ChecksumPolicy policy) {
-  MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::record,
-                                                 .links = system::Links::followed}));
+  MIROCUP_TRY(const auto text, files.read_named(path, system::size_limit::record));
   if (text.find("\"mirocup/match/") == std::string::npos)
     return fail(Errc::damaged, path + ": it is no match record");
   if (policy == ChecksumPolicy::checked) {
@@ -447,8 +446,7 @@ Result<MatchRecord> load(system::Files& files, const std::string& path, Checksum
       !files.exists(replay_path) && files.exists(same_name)) {
     replay_path = same_name;
   }
-  MIROCUP_TRY(const auto replay, files.read(replay_path, {.max_size = system::size_limit::replay,
-                                                          .links = system::Links::followed}));
+  MIROCUP_TRY(const auto replay, files.read_named(replay_path, system::size_limit::replay));
   if (system::sha256(replay) != file.replay_sha256) {
     return fail(Errc::damaged,
                 replay_path + ": it is not the replay that the record was saved with");

@@ -109,8 +109,7 @@ Result<PitchSpec> pitch_of_option(const std::string& option) {
                                  "name: " +
                                  list_of_names<PitchPreset>());
   }
-  MIROCUP_TRY(const auto text, disk.read(option, {.max_size = system::size_limit::note,
-                                                  .links = system::Links::followed}));
+  MIROCUP_TRY(const auto text, disk.read_named(option, system::size_limit::note));
   return parse_pitch(text, option);
 }
 

@@ -51,8 +51,7 @@ record::TeamInfo team_info(const Side& side, system::Files& files) {
   info.kind = record::TeamKind::plugin;
   info.name = side.learns() ? "agent" : side.mates;
   if (side.learns() || side.library.empty()) return info;
-  const auto bytes = files.read(
-      side.library, {.max_size = system::size_limit::entry, .links = system::Links::followed});
+  const auto bytes = files.read_named(side.library, system::size_limit::entry);
   if (bytes) info.sha256 = system::sha256(*bytes);
   info.parameters = side.parameters;
   if (side.mates.find('/') == std::string::npos && side.mates.find(".so") == std::string::npos) {

@@ -46,8 +46,7 @@ StartRanges read_file(const JsonReader& json, const std::string& folder) {
     return start;
   }
   system::Disk disk;
-  const auto text =
-      disk.read(path, {.max_size = system::size_limit::note, .links = system::Links::followed});
+  const auto text = disk.read_named(path, system::size_limit::note);
   if (!text) {
     json.complain(text.error().what);
     return start;

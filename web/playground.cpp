@@ -26,9 +26,7 @@ Result<Json> drills_json(system::Files& files) {
   Json drills = Json::object();
   for (const std::string& name : names) {
     if (!name.ends_with(".json")) continue;
-    MIROCUP_TRY(const auto text,
-                files.read(folder + "/" + name, {.max_size = system::size_limit::note,
-                                                 .links = system::Links::followed}));
+    MIROCUP_TRY(const auto text, files.read_named(folder + "/" + name, system::size_limit::note));
     auto parsed = record::parse_json(text);
     if (!parsed.problem) drills[name.substr(0, name.size() - 5)] = std::move(parsed.value);
   }

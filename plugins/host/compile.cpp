@@ -90,9 +90,7 @@ Result<void> add_headers(const fs::path& folder, const std::string& below,
       if (auto added = add_headers(folder / name, below + "/" + name, files); !added) return added;
       continue;
     }
-    MIROCUP_TRY(auto bytes,
-                disk.read((folder / name).string(), {.max_size = system::size_limit::note,
-                                                     .links = system::Links::followed}));
+    MIROCUP_TRY(auto bytes, disk.read_named((folder / name).string(), system::size_limit::note));
     files.push_back({.path = below + "/" + name, .bytes = std::move(bytes)});
   }
   return {};
@@ -103,8 +101,7 @@ Result<void> add_predict(const std::string& path, std::vector<TreeFile>& files) 
   system::Disk disk;
   std::string bytes = "!<arch>\n";
   if (disk.exists(path)) {
-    MIROCUP_TRY(bytes, disk.read(path, {.max_size = system::size_limit::entry,
-                                        .links = system::Links::followed}));
+    MIROCUP_TRY(bytes, disk.read_named(path, system::size_limit::entry));
   }
   files.push_back({.path = "/mirocup/lib", .bytes = "", .is_folder = true});
   files.push_back({.path = "/mirocup/lib/libmirocup_predict.a", .bytes = std::move(bytes)});

@@ -19,9 +19,8 @@ tl::expected<Plugin, match::Fault> load_guest(const char*, const mirocup_setup& 
   while ((length = pread(entry_descriptor, buffer.data(), buffer.size(),
                          static_cast<off_t>(text.size()))) > 0)
     text.append(buffer.data(), static_cast<std::size_t>(length));
-  auto team = python::load_team(text, "team.py", setup, python::Surrounding::sandbox);
-  if (!team) return tl::unexpected(team.error());
-  return Plugin::adopt(*team->strategy, team->team);
+  MIROCUP_TRY(auto team, python::load_team(text, "team.py", setup, python::Surrounding::sandbox));
+  return Plugin::adopt(*team.strategy, team.team);
 }
 
 }  // namespace mirocup::plugins

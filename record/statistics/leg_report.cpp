@@ -32,13 +32,12 @@ tl::expected<LegReport, replay::Divergence> count_leg(const std::string& path,
 }
 
 Result<LegReport> count_record(system::Files& files, const std::string& path) {
-  const auto record = record::load(files, path);
-  if (!record) return tl::unexpected(record.error());
-  auto report = count_leg(path, *record);
+  MIROCUP_TRY(const auto record, record::load(files, path));
+  auto report = count_leg(path, record);
   if (report) return *std::move(report);
   const replay::Divergence& first = report.error();
-  if (record::has_other_behaviour(*record)) {
-    return tl::unexpected(record::behaviour_mismatch(path, *record, first.tick));
+  if (record::has_other_behaviour(record)) {
+    return tl::unexpected(record::behaviour_mismatch(path, record, first.tick));
   }
   return fail(Errc::damaged, path + ": has no statistics, since it is not reproduced from tick " +
                                  std::to_string(first.tick) + " on: " + first.what);

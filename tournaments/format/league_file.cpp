@@ -6,6 +6,7 @@
 #include "record/pitch_json.hpp"
 #include "record/rules_json.hpp"
 #include "record/team_parameters_json.hpp"
+#include "system/text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -254,12 +255,7 @@ std::string shown_time(const LeagueFile& file, const std::string& utc) {
 bool is_good_name(const std::string& name) {
   if (name.empty() || name.size() > max_name_length || name[0] == '.' || name[0] == '-')
     return false;
-  for (const char c : name) {
-    const bool good = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                      c == '-' || c == '_' || c == '.';
-    if (!good) return false;
-  }
-  return true;
+  return std::all_of(name.begin(), name.end(), system::is_plain);
 }
 
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path,

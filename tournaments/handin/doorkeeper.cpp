@@ -2,8 +2,7 @@
 #include "tournaments/handin/doorkeeper.hpp"
 
 #include "system/digest.hpp"
-
-#include <algorithm>
+#include "system/text.hpp"
 
 namespace mirocup::league {
 
@@ -15,17 +14,12 @@ constexpr std::string_view bearer = "Bearer ";
 constexpr const char* plain_cookie = "mirocup_session";
 constexpr const char* secure_cookie = "__Host-mirocup_session";
 
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
-
 }  // namespace
 
 Doorkeeper::Doorkeeper(system::Files& files, Folder folder, std::string team_header)
-    : files_(files), folder_(std::move(folder)), team_header_(lower_case(std::move(team_header))) {
+    : files_(files),
+      folder_(std::move(folder)),
+      team_header_(system::lower_case(std::move(team_header))) {
   // Browsers stay logged in when the server starts again.
   if (const auto text = files_.read(sessions_path(), {.max_size = system::size_limit::note}))
     sessions_ = Sessions::parse(*text);
@@ -56,8 +50,8 @@ std::string Doorkeeper::cookie_header(const web::Request& request, const std::st
 std::optional<Refusal> Doorkeeper::foreign(const web::Request& request,
                                            bool must_have_origin) const {
   if (!request.headers.contains("origin") && !must_have_origin) return std::nullopt;
-  const std::string origin = lower_case(request.header("origin"));
-  const std::string host = lower_case(request.header("host"));
+  const std::string origin = system::lower_case(request.header("origin"));
+  const std::string host = system::lower_case(request.header("host"));
   const bool is_own = !host.empty() && (origin == "https://" + host ||
                                         (!request.is_encrypted && origin == "http://" + host));
   if (is_own) return std::nullopt;
@@ -101,8 +95,8 @@ Result<std::variant<Visitor, Refusal>> Doorkeeper::admit(const web::Request& req
   const std::string utc = utc_text(now);
   if (by_token) {
     const std::string header = request.header("authorization");
-    if (header.size() <= bearer.size() ||
-        lower_case(header.substr(0, bearer.size())) != lower_case(std::string(bearer)))
+    if (header.size() <= bearer.size() || system::lower_case(header.substr(0, bearer.size())) !=
+                                              system::lower_case(std::string(bearer)))
       return Answer(Refusal{401, "a token is expected: Authorization: Bearer TOKEN"});
     const std::string_view text = std::string_view(header).substr(bearer.size());
     const Token* token = tokens_.find(text, utc);

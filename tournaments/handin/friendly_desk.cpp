@@ -62,9 +62,8 @@ Result<void> FriendlyDesk::entry_accepted(const std::string& team, int entry, st
   const std::lock_guard lock(mutex_);
   if (book_.friendlies().has_burst(team, entry)) return {};
   for (const int number : book_.friendlies().waiting_of_older(team, entry)) {
-    auto ended =
-        book_.finish(team, number, FriendlyState::void_, 0, 0, "a later entry was accepted", now);
-    if (!ended) return ended;
+    MIROCUP_TRY_VOID(
+        book_.finish(team, number, FriendlyState::void_, 0, 0, "a later entry was accepted", now));
   }
   Friendly leg{.team = team, .entry = entry, .is_burst = true, .at = now};
   for (const std::string& house : options_.house) {

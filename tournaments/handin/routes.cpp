@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/routes.hpp"
 
+#include "system/text.hpp"
 #include "tournaments/handin/replies.hpp"
 
 #include <algorithm>
 
 namespace mirocup::league {
-
-namespace {
-
-std::string joined(const std::vector<std::string_view>& words, std::string_view between) {
-  std::string text;
-  for (const std::string_view word : words) {
-    if (!text.empty()) text += between;
-    text += word;
-  }
-  return text;
-}
-
-}  // namespace
 
 std::optional<std::vector<std::string_view>> match_path(std::string_view pattern,
                                                         std::string_view path) {
@@ -55,8 +43,8 @@ web::Reply use_reply(const web::Request& request, const std::vector<std::string_
   for (const std::string_view method : methods)
     if (method != "GET") fitting.push_back(method);
   if (fitting.empty() || request.is_reading()) fitting = methods;
-  web::Reply reply = problem_reply(405, "use " + joined(fitting, " or "));
-  reply.headers.emplace_back("Allow", joined(methods, ", "));
+  web::Reply reply = problem_reply(405, "use " + system::joined(fitting, " or "));
+  reply.headers.emplace_back("Allow", system::joined(methods, ", "));
   return reply;
 }
 

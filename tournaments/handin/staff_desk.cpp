@@ -4,6 +4,7 @@
 #include "system/file_lock.hpp"
 #include "system/markup.hpp"
 #include "system/number_of.hpp"
+#include "system/text.hpp"
 #include "tournaments/handin/desk_html.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/league/health.hpp"
@@ -260,12 +261,6 @@ void schedule(Html& html, const LeagueState& state) {
   html.close("ul");
 }
 
-std::string joined_with(const std::vector<std::string>& words, const char* between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
-}
-
 std::string state_in_words(const RosterRow& row) {
   std::string words = row.state();
   if (row.status == TeamStatus::paused) words += ", paused: " + row.why;
@@ -299,7 +294,7 @@ void teams_table(Html& html, const LeagueState& state, const std::vector<RosterR
     std::string answer = row.was_accepted ? "" : row.message;
     if (!row.same_as.empty())
       answer += (answer.empty() ? "" : " ") + std::string("The same file as ") +
-                joined_with(row.same_as, ", ") + ".";
+                system::joined(row.same_as, ", ") + ".";
     html.cell_of("words", answer);
     html.close("tr");
   }
@@ -494,7 +489,7 @@ web::Reply StaffDesk::act(const Form& values) const {
   const auto lines = perform(files_, *store, *wanted, now_());
   if (!lines) return refused(lines.error().what);
   if (wanted->is_dry_run)
-    return page(Role::staff, {.said = joined_with(*lines, "; "), .given = values});
+    return page(Role::staff, {.said = system::joined(*lines, "; "), .given = values});
   return {.status = 303,
           .bytes = "",
           .headers = {

@@ -3,6 +3,7 @@
 
 #include "system/csv.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/league/submission.hpp"
 
@@ -21,17 +22,12 @@ constexpr std::size_t max_cell = 200;  // bytes of a cell in one of them
 constexpr std::string_view expected =
     "the first line names the columns, as in team,display,members: ";
 
-std::string in_lower_case(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
-}
-
 // Reads the names of the columns. Columns at the end that have none are left out.
 Result<ClassList> read_columns(std::vector<std::string>& names) {
   ClassList list;
   while (!names.empty() && names.back().empty()) names.pop_back();
   for (std::string& name : names) {
-    const std::string plain = in_lower_case(name);
+    const std::string plain = system::lower_case(name);
     if (plain == "member" || plain == "members") name = "members";
     if (plain == "color" || plain == "colour") name = "colour";
     if (plain == "team" || plain == "display") name = plain;
@@ -117,7 +113,7 @@ Result<ClassList> read_class_list(std::string_view bytes) {
     auto row = read_row(table.rows[0].cells, table.rows[i].cells);
     if (!row) return fail(Errc::input, at_line(line, row.error().what));
     row->line = line;
-    const auto [before, is_new] = lines.emplace(in_lower_case(row->team), line);
+    const auto [before, is_new] = lines.emplace(system::lower_case(row->team), line);
     if (!is_new) {
       return fail(Errc::input,
                   at_line(line, row->team + " is in line " + std::to_string(before->second) +

@@ -25,9 +25,7 @@ Result<LeagueStore> LeagueStore::open_unplanned(system::Files& files, Folder fol
 Result<LeagueStore> LeagueStore::load(system::Files& files, Folder folder, std::string* notice,
                                       Clock clock) {
   MIROCUP_TRY_VOID(expect_league(files, folder));
-  MIROCUP_TRY(const auto text,
-              files.read(folder.config(), {.max_size = system::size_limit::league_file,
-                                           .links = system::Links::followed}));
+  MIROCUP_TRY(const auto text, files.read_named(folder.config(), system::size_limit::league_file));
   MIROCUP_TRY(auto file, parse_league_file(text, folder.config()));
   MIROCUP_TRY(auto journal, Journal::open(files, folder.journal(), notice));
   // Checked first: teams of the journal may be missing in a changed file, which would look like

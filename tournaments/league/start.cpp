@@ -34,8 +34,7 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
     return fail(Errc::input,
                 "a league needs two teams with an accepted entry and has " + std::to_string(ready));
   MIROCUP_TRY(const auto config,
-              files.read(store.folder().config(), {.max_size = system::size_limit::league_file,
-                                                   .links = system::Links::followed}));
+              files.read_named(store.folder().config(), system::size_limit::league_file));
   const record::Software program = record::this_software();
   return store.write(Started{.config_sha256 = system::sha256(config),
                              .version = program.version,
@@ -60,10 +59,7 @@ Result<void> book_entries(system::Files& files, LeagueStore& store) {
     MIROCUP_TRY(const auto library, files.read(path, {.max_size = system::size_limit::entry}));
     const std::string sha256 = system::sha256(library);
     if (booked.entry == 0) {
-      if (auto written = store.write(EntryBooked{.team = team, .entry = number, .sha256 = sha256});
-          !written) {
-        return written;
-      }
+      MIROCUP_TRY_VOID(store.write(EntryBooked{.team = team, .entry = number, .sha256 = sha256}));
     } else if (booked.sha256 != sha256) {
       return fail(Errc::damaged, path + " is not the library that the league was started with");
     }

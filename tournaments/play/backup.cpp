@@ -85,11 +85,8 @@ class Backup {
     std::error_code failed;
     const bool is_closed = (fs::status(path, failed).permissions() &
                             (fs::perms::group_all | fs::perms::others_all)) == fs::perms::none;
-    if (auto made =
-            files_.make_folder(to_.path + "/" + inside,
-                               is_closed ? system::Readers::owner : system::Readers::everybody);
-        !made)
-      return made;
+    MIROCUP_TRY_VOID(files_.make_folder(
+        to_.path + "/" + inside, is_closed ? system::Readers::owner : system::Readers::everybody));
     for (const std::string& name : names) {
       if (is_left_out(name) || name == skipped || name == skipped_too) continue;
       const std::string one = inside + name;
@@ -131,9 +128,8 @@ class Backup {
     if (!text) return {};
     const bool is_closed =
         (permissions & (fs::perms::group_all | fs::perms::others_all)) == fs::perms::none;
-    auto written =
-        files_.write(to, *text, is_closed ? system::Readers::owner : system::Readers::everybody);
-    if (!written) return written;
+    MIROCUP_TRY_VOID(
+        files_.write(to, *text, is_closed ? system::Readers::owner : system::Readers::everybody));
     if ((permissions & fs::perms::owner_exec) != fs::perms::none) {
       std::error_code failed;
       fs::permissions(to, permissions, failed);

@@ -155,14 +155,9 @@ class Comparison {
   Result<void> start(const Leg& leg, int cpu) {
     const auto& teams = pairs_[leg.pair].teams;
     const std::uint64_t seed = comparison_seed(run_, teams, leg.number / legs_per_fixture);
-    std::vector<std::string> arguments{system::sibling_program("mirocup"),
-                                       "match",
-                                       "--league",
-                                       std::string(to_string(run_.league)),
-                                       "--seed",
-                                       std::to_string(seed),
-                                       "--record",
-                                       record_of(leg)};
+    std::vector<std::string> arguments{system::sibling_program("mirocup"), "match"};
+    arguments.insert(arguments.end(), {"--league", std::string(to_string(run_.league))});
+    arguments.insert(arguments.end(), {"--seed", std::to_string(seed), "--record", record_of(leg)});
     for (const bool is_blue : {true, false}) {
       const std::string colour = is_blue ? "--blue" : "--yellow";
       const ComparedTeam team =
@@ -263,8 +258,7 @@ Result<nlohmann::ordered_json> comparison_identity(system::Files& files, const C
     const std::string path = compared_team(team).team;
     const std::string house = system::house_team(path);
     MIROCUP_TRY(const auto library,
-                files.read(house.empty() ? path : house, {.max_size = system::size_limit::entry,
-                                                          .links = system::Links::followed}));
+                files.read_named(house.empty() ? path : house, system::size_limit::entry));
     teams.push_back({{"team", team}, {"sha256", system::sha256(library)}});
   }
   return Json{{"schema", "mirocup/comparison/1"},

@@ -87,6 +87,17 @@ std::vector<std::string> firasim_options(const LeagueFile& file, const TeamConfi
   return options;
 }
 
+// Returns the beginning of a command that plays a leg, in which each side has a library or a seat.
+std::vector<std::string> match_command(const LeagueFile& file, const FriendlyTerms::Side& blue,
+                                       const FriendlyTerms::Side& yellow, std::uint64_t seed) {
+  std::vector<std::string> words{system::sibling_program("mirocup"), "match"};
+  words.insert(words.end(), {"--blue", blue.library, "--blue-name", blue.name});
+  words.insert(words.end(), {"--yellow", yellow.library, "--yellow-name", yellow.name});
+  words.insert(words.end(), {"--league", std::string(to_string(file.league))});
+  words.insert(words.end(), {"--seed", std::to_string(seed)});
+  return words;
+}
+
 std::vector<std::string> pitch_option(const LeagueFile& file) {
   if (!file.pitch) return {};
   return {"--pitch", record::json_text(record::to_json(*file.pitch))};
@@ -112,24 +123,11 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
   const LeagueFile& file = state.file;
   const int blue = blue_team(fixture, id.leg);
   const int yellow = blue == fixture.home ? fixture.away : fixture.home;
-  std::vector<std::string> arguments{system::sibling_program("mirocup"),
-                                     "match",
-                                     "--blue",
-                                     seat_of(folder, state, blue),
-                                     "--blue-name",
-                                     file.teams[blue].name,
-                                     "--yellow",
-                                     seat_of(folder, state, yellow),
-                                     "--yellow-name",
-                                     file.teams[yellow].name,
-                                     "--league",
-                                     std::string(to_string(file.league)),
-                                     "--seed",
-                                     std::to_string(leg_seed(state, id)),
-                                     "--match",
-                                     match_id,
-                                     "--record",
-                                     folder.record(fixture, id.leg, id.version)};
+  std::vector<std::string> arguments =
+      match_command(file, {seat_of(folder, state, blue), file.teams[blue].name},
+                    {seat_of(folder, state, yellow), file.teams[yellow].name}, leg_seed(state, id));
+  arguments.insert(arguments.end(),
+                   {"--match", match_id, "--record", folder.record(fixture, id.leg, id.version)});
   if (file.keeps_thoughts) arguments.push_back("--thoughts");
   if (id.leg > fixture.legs) {
     // With golden goal and shoot-out one team wins.
@@ -149,22 +147,8 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
 
 std::vector<std::string> friendly_command(const LeagueState& state, const FriendlyTerms& terms) {
   const LeagueFile& file = state.file;
-  std::vector<std::string> arguments{system::sibling_program("mirocup"),
-                                     "match",
-                                     "--blue",
-                                     terms.blue.library,
-                                     "--blue-name",
-                                     terms.blue.name,
-                                     "--yellow",
-                                     terms.yellow.library,
-                                     "--yellow-name",
-                                     terms.yellow.name,
-                                     "--league",
-                                     std::string(to_string(file.league)),
-                                     "--seed",
-                                     std::to_string(terms.seed),
-                                     "--record",
-                                     terms.record};
+  std::vector<std::string> arguments = match_command(file, terms.blue, terms.yellow, terms.seed);
+  arguments.insert(arguments.end(), {"--record", terms.record});
   if (file.keeps_thoughts) arguments.push_back("--thoughts");
   const match::Conditions conditions =
       state.is_started ? state.conditions : file.conditions.value_or(default_conditions());

@@ -101,8 +101,7 @@ Result<std::string> game_of_last_leg(system::Files& files, const LeagueStore& st
 }
 
 Result<std::string> bytes_of_sibling(system::Files& files, const std::string& name) {
-  return files.read(system::sibling_program(name),
-                    {.max_size = max_program, .links = system::Links::followed});
+  return files.read_named(system::sibling_program(name), max_program);
 }
 
 Result<void> write_program(system::Files& files, const std::string& path,
@@ -120,8 +119,7 @@ Result<void> write_program(system::Files& files, const std::string& path,
 // also after an upgrade. Without it, they are made without a proof.
 Result<void> keep_module(system::Files& files, const Folder& folder, const std::string& game) {
   for (const char* file : kept_module_files) {
-    const auto bytes = files.read(system::browser_folder() + "/" + file,
-                                  {.max_size = max_program, .links = system::Links::followed});
+    const auto bytes = files.read_named(system::browser_folder() + "/" + file, max_program);
     if (!bytes || !trust_program(*bytes)) continue;
     const std::string kept = kept_module(folder, game, file);
     const auto there = files.read(kept, {.max_size = max_program});

@@ -120,10 +120,8 @@ Result<void> ResultRecorder::pause_after_strikes(const Fixture& fixture) {
     if (max == 0 || now.strikes < max || now.status != TeamStatus::playing) continue;
     const std::string why = std::to_string(now.strikes) + " legs in a row lost by its own faults";
     const std::string name = state().name(team);
-    if (auto paused = drop_if_outdated(store_.write(
-            Paused{.team = name, .why = why, .by = {}, .at = {}, .is_by_program = true}));
-        !paused)
-      return paused;
+    MIROCUP_TRY_VOID(drop_if_outdated(
+        store_.write(Paused{.team = name, .why = why, .by = {}, .at = {}, .is_by_program = true})));
     progress_.say(name + " is paused: " + why +
                   "; to end the pause: mirocup league resume or withdraw " + folder().path + " " +
                   name);

@@ -137,10 +137,9 @@ Result<void> SlurmRunner::book_after(const std::vector<SlurmTask>& before, bool 
     if (!is_gone && !task.is_running) continue;
     MIROCUP_TRY(const auto fixtures, fixtures_of(task));
     for (const std::string& fixture : fixtures) {
-      auto booked =
+      MIROCUP_TRY_VOID(
           is_gone ? book_lost(fixture, "task " + task.id + " has ended without the leg's record")
-                  : book_records(fixture);
-      if (!booked) return booked;
+                  : book_records(fixture));
     }
   }
   if (!is_known) return {};
@@ -171,8 +170,7 @@ Result<void> SlurmRunner::book_lost(const std::string& fixture, const std::strin
 Result<void> SlurmRunner::requeue(const SlurmTask& task) {
   MIROCUP_TRY(const auto fixtures, fixtures_of(task));
   for (const std::string& fixture : fixtures) {
-    if (auto lost = book_lost(fixture, "task " + task.id + " has lost its node"); !lost)
-      return lost;
+    MIROCUP_TRY_VOID(book_lost(fixture, "task " + task.id + " has lost its node"));
   }
   // If this fails, the task starts after its delay.
   (void)run_slurm(start_now_command(task.id));

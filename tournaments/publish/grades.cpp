@@ -3,6 +3,7 @@
 
 #include "system/csv.hpp"
 #include "system/formatted.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,12 +60,6 @@ std::string house_teams_beaten(const Overview& o, int team) {
     if (ahead > 0) names += (names.empty() ? "" : " ") + o.state.name(other);
   }
   return names;
-}
-
-std::string joined(const std::vector<std::string>& members) {
-  std::string text;
-  for (const std::string& member : members) text += (text.empty() ? "" : "; ") + member;
-  return text;
 }
 
 std::vector<std::string> parts_of(const std::string& cell) {
@@ -136,10 +131,8 @@ std::string column_of(const std::vector<std::string>& columns,
                       std::initializer_list<std::string_view> names) {
   for (const std::string& column : columns) {
     std::string plain;
-    for (const char c : column) {
-      if (c >= 'A' && c <= 'Z') plain += static_cast<char>(c - 'A' + 'a');
+    for (const char c : system::lower_case(column))
       if (c >= 'a' && c <= 'z') plain += c;
-    }
     if (std::find(names.begin(), names.end(), plain) != names.end()) return column;
   }
   return "";
@@ -248,7 +241,7 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
                strength(&Strength::high),
                one.team ? house_teams_beaten(o, *one.team) : "",
                one.who.display,
-               !by_member                ? joined(one.who.members)
+               !by_member                ? system::joined(one.who.members, "; ")
                : one.who.members.empty() ? ""
                                          : one.who.members[i],
                with_digits(a_leg, 3),

@@ -200,8 +200,7 @@ Result<void> remove_other_pages(system::Files& files, const Folder& folder,
     }
   }
   for (const std::string part : {"replays/", "statistics/"}) {
-    if (auto removed = remove_former_pages(files, folder.site(), part, shown); !removed)
-      return removed;
+    MIROCUP_TRY_VOID(remove_former_pages(files, folder.site(), part, shown));
   }
   return {};
 }

@@ -151,12 +151,11 @@ Result<void> copy_records(system::Files& files, const Folder& from, const League
       if (!leg.played || leg.played->record.empty()) continue;
       const std::string& record = leg.played->record;
       for (const std::string& name : {record, record::replay_path_of(record)}) {
-        const auto copied =
+        MIROCUP_TRY_VOID(
             files.read(from.path + "/" + name, {.max_size = system::size_limit::replay})
                 .and_then([&](const std::string& bytes) {
                   return files.write(to.path + "/" + name, bytes);
-                });
-        if (!copied) return copied;
+                }));
         copies.insert(name);
       }
     }

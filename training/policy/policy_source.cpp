@@ -2,6 +2,7 @@
 //
 // The source of a team that plays a policy.
 #include "core/field/field.hpp"
+#include "system/text.hpp"
 #include "training/policy/policy.hpp"
 
 #include <algorithm>
@@ -282,14 +283,6 @@ extern "C" const mirocup_strategy* mirocup_entry(void) {
 }
 )";
 
-std::string replaced(std::string text, std::string_view word, std::string_view by) {
-  for (std::size_t at = text.find(word); at != std::string::npos;
-       at = text.find(word, at + by.size())) {
-    text.replace(at, word.size(), by);
-  }
-  return text;
-}
-
 // The shortest of the usual forms that gives the same number back.
 std::string number_text(double number, int digits) {
   std::array<char, 40> text;
@@ -383,7 +376,8 @@ std::string network_of(const Policy& policy) {
              from + ", " + to + ");\n";
     std::swap(from, to);
   }
-  return replaced(replaced(std::string(network_code), "@LAYERS@", calls), "@LAST@", from);
+  return system::replaced(system::replaced(std::string(network_code), "@LAYERS@", calls), "@LAST@",
+                          from);
 }
 
 std::string_view sight_of(Sight sight) {
@@ -421,7 +415,7 @@ std::string source_of(const Policy& policy, const std::string& name) {
   code += "\n// ---- what it does\n";
   code += steering_of(policy.steering);
   code += team_code;
-  return replaced(std::move(code), "@NAME@", name);
+  return system::replaced(std::move(code), "@NAME@", name);
 }
 
 }  // namespace mirocup::policy

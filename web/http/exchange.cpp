@@ -2,6 +2,7 @@
 #include "web/http/exchange.hpp"
 
 #include "system/formatted.hpp"
+#include "system/text.hpp"
 #include "web/http/form.hpp"
 
 #include <algorithm>
@@ -25,14 +26,6 @@ constexpr auto request_time = 10s;
 constexpr auto patience = 5s;                              // for a viewer that sends nothing
 constexpr auto upload_time = std::chrono::seconds(10min);  // 32 MiB take that long at 0.5 Mbit/s
 constexpr auto upload_patience = 20s;                      // for a student's wireless network
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
-}
 
 // A line that begins with a space continues a header. Beast joins the two, some proxies do not.
 bool has_folded_line(std::string_view head) {
@@ -100,8 +93,9 @@ std::optional<Reply> Exchange::objection() {
   const auto& head = parser_->get();
   request_.method = std::string(head.method_string().data(), head.method_string().size());
   for (const auto& field : head) {
-    request_.headers.emplace(lower_case({field.name_string().data(), field.name_string().size()}),
-                             std::string(field.value().data(), field.value().size()));
+    request_.headers.emplace(
+        system::lower_case({field.name_string().data(), field.name_string().size()}),
+        std::string(field.value().data(), field.value().size()));
   }
   is_http_1_0_ = head.version() == 10;
   const auto& headers = request_.headers;
@@ -115,12 +109,12 @@ std::optional<Reply> Exchange::objection() {
     return plain_reply(400, "one number is expected as Content-Length");
   if (headers.contains("transfer-encoding")) {
     if (lengths > 0) return plain_reply(400, "two lengths are given");
-    if (is_http_1_0_ || lower_case(request_.header("transfer-encoding")) != "chunked")
+    if (is_http_1_0_ || system::lower_case(request_.header("transfer-encoding")) != "chunked")
       return plain_reply(400, "Transfer-Encoding can only be chunked");
   }
   if (headers.contains("content-encoding"))
     return plain_reply(415, "send the file as it is, without Content-Encoding");
-  if (headers.contains("expect") && lower_case(request_.header("expect")) != "100-continue")
+  if (headers.contains("expect") && system::lower_case(request_.header("expect")) != "100-continue")
     return plain_reply(417, "Expect can only be 100-continue");
   if (head.target().size() > max_target) return plain_reply(414, "the address is too long");
   return std::nullopt;
