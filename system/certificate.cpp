@@ -23,17 +23,4 @@ std::optional<std::int64_t> certificate_end(std::string_view pem) {
   return timegm(&end);
 }
 
-std::int64_t present_moment() {
-  return std::time(nullptr);
-}
-
-std::string date_text(std::int64_t moment) {
-  const std::time_t time = moment;
-  tm parts{};
-  gmtime_r(&time, &parts);
-  char text[40];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts);
-  return text;
-}
-
 }  // namespace mirocup::system

@@ -123,6 +123,11 @@ Option Command::flag(const std::string& names, bool& value, const std::string& h
   return Option(app_->add_flag(names, value, help));
 }
 
+Option Command::jobs(int& value, const std::string& what) const {
+  return option("--jobs", value, "Number of " + what + " at once (default: one for each processor)")
+      .between(1, 1024);
+}
+
 Commands::Commands(const std::string& name, const std::string& description,
                    const std::string& version, const std::string& footer)
     : app_(std::make_unique<CLI::App>(description, name)), version_(version) {

@@ -73,6 +73,8 @@ class Command {
   Option option_or_flag(const std::string& names, std::optional<std::string>& value,
                         const std::string& help) const;
   Option flag(const std::string& names, bool& value, const std::string& help) const;
+  // Adds the option --jobs, the number of `what` at once; 0, the default: one for each processor.
+  Option jobs(int& value, const std::string& what) const;
 
  private:
   CLI::App* app_;
@@ -97,11 +99,15 @@ class Commands {
     Options& options;
   };
 
-  // Adds a subcommand. Declare its options next: they fill `options`, which `run` gets.
+  // Adds a subcommand with its help (CommandHelp). Declare its options next: they fill `options`,
+  // which `run` gets.
   template <class Options>
-  Added<Options> add(const CommandHelp& help, Result<int> (*run)(const Options&)) {
+  Added<Options> add(Result<int> (*run)(const Options&), const char* name, const char* group,
+                     const char* description, std::vector<const char*> examples) {
     auto options = std::make_shared<Options>();
-    return {add_run(help, [options, run] { return run(*options); }), *options};
+    return {add_run({name, group, description, std::move(examples)},
+                    [options, run] { return run(*options); }),
+            *options};
   }
 
   // Adds the help of a command that another program runs, so that this command never comes to

@@ -46,10 +46,9 @@ struct ActCommand {
 
 ActCommand add_act(system::Commands& commands, ActKind kind, const char* description,
                    std::vector<const char*> examples) {
-  const auto [command, options] = commands.add<ActOptions>(
-      {to_string(kind).data(), kind == ActKind::release ? to_show : to_rule, description,
-       std::move(examples)},
-      run_act);
+  const auto [command, options] =
+      commands.add(run_act, to_string(kind).data(), kind == ActKind::release ? to_show : to_rule,
+                   description, std::move(examples));
   options.act.kind = kind;
   add_folder(command, options.folder);
   return {command, options.act};

@@ -31,11 +31,8 @@ Result<int> run_backup(const BackupOptions& options) {
 
 void add_backup(system::Commands& commands) {
   const auto [command, o] =
-      commands.add<BackupOptions>({"backup",
-                                   to_play,
-                                   "Copy the league; it may be played meanwhile",
-                                   {"mirocup league backup spring /backup/spring"}},
-                                  run_backup);
+      commands.add(run_backup, "backup", to_play, "Copy the league; it may be played meanwhile",
+                   {"mirocup league backup spring /backup/spring"});
   add_folder(command, o.folder);
   command.option("TO", o.to, "Folder to copy to: a new one, or one with an earlier copy")
       .required()

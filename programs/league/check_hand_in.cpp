@@ -26,9 +26,8 @@ Result<int> run_check_hand_in(const CheckHandInOptions& options) {
 }  // namespace
 
 void add_check_hand_in(system::Commands& commands) {
-  const auto [command, o] = commands.add<CheckHandInOptions>(
-      {"check-hand-in", "", "Check a hand-in, as a child of serve --hand-in", {}},
-      run_check_hand_in);
+  const auto [command, o] = commands.add(run_check_hand_in, "check-hand-in", "",
+                                         "Check a hand-in, as a child of serve --hand-in", {});
   add_folder(command, o.folder);
   command.option("TEAM", o.team).required();
   command.option("ENTRY", o.entry).required();

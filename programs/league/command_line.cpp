@@ -44,43 +44,16 @@ std::variant<system::Run, int> read_command_line(int argc, char** argv) {
   system::Commands commands(
       "mirocup league", "Leagues of MiroSot robot soccer: a league is a folder.",
       record::software_version(), "mirocup league help COMMAND explains a command, with examples.");
-  add_init(commands);
-  add_submit(commands);
-  add_owner(commands);
-  add_nightly(commands);
-  add_start(commands);
-  add_stop(commands);
-  add_status(commands);
-  add_health(commands);
-  add_stats(commands);
-  add_publish(commands);
-  add_prune(commands);
-  add_serve(commands);
-  add_show(commands);
-  add_export(commands);
-  add_token(commands);
-  add_check_hand_in(commands);
-  add_play_friendly(commands);
-  add_award(commands);
-  add_rule(commands);
-  add_void(commands);
-  add_withdraw(commands);
-  add_pause(commands);
-  add_resume(commands);
-  add_freeze(commands);
-  add_release(commands);
-  add_close(commands);
-  add_undo(commands);
-  add_decisions(commands);
-  add_verify(commands);
-  add_backup(commands);
-  add_grades(commands);
-  add_team(commands);
-  add_compare(commands);
-  add_tune(commands);
-  add_plan(commands);
-  add_run_shard(commands);
-  add_credentials(commands);
+  for (Add* const add :
+       {add_init,          add_submit,        add_owner,     add_nightly, add_start,
+        add_stop,          add_status,        add_health,    add_stats,   add_publish,
+        add_prune,         add_serve,         add_show,      add_export,  add_token,
+        add_check_hand_in, add_play_friendly, add_award,     add_rule,    add_void,
+        add_withdraw,      add_pause,         add_resume,    add_freeze,  add_release,
+        add_close,         add_undo,          add_decisions, add_verify,  add_backup,
+        add_grades,        add_team,          add_compare,   add_tune,    add_plan,
+        add_run_shard,     add_credentials})
+    add(commands);
   return commands.read(argc, argv, value_names, system::house_teams());
 }
 

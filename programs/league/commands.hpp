@@ -11,6 +11,8 @@
 
 namespace mirocup::league {
 
+struct ComparisonRun;
+
 // The headings of the help.
 inline constexpr const char* to_make = "Make";
 inline constexpr const char* to_take = "Entries";
@@ -19,46 +21,19 @@ inline constexpr const char* to_show = "Show";
 inline constexpr const char* to_rule = "Decide";
 inline constexpr const char* on_clusters = "Many computers";
 
-void add_init(system::Commands& commands);
-void add_submit(system::Commands& commands);
-void add_owner(system::Commands& commands);
-void add_nightly(system::Commands& commands);
-void add_start(system::Commands& commands);
-void add_stop(system::Commands& commands);
-void add_status(system::Commands& commands);
-void add_health(system::Commands& commands);
-void add_stats(system::Commands& commands);
-void add_publish(system::Commands& commands);
-void add_prune(system::Commands& commands);
-void add_serve(system::Commands& commands);
-void add_show(system::Commands& commands);
-void add_export(system::Commands& commands);
-void add_token(system::Commands& commands);
-void add_check_hand_in(system::Commands& commands);
-void add_play_friendly(system::Commands& commands);
-void add_award(system::Commands& commands);
-void add_rule(system::Commands& commands);
-void add_void(system::Commands& commands);
-void add_withdraw(system::Commands& commands);
-void add_pause(system::Commands& commands);
-void add_resume(system::Commands& commands);
-void add_freeze(system::Commands& commands);
-void add_release(system::Commands& commands);
-void add_close(system::Commands& commands);
-void add_undo(system::Commands& commands);
-void add_decisions(system::Commands& commands);
-void add_verify(system::Commands& commands);
-void add_backup(system::Commands& commands);
-void add_grades(system::Commands& commands);
-void add_team(system::Commands& commands);
-void add_compare(system::Commands& commands);
-void add_tune(system::Commands& commands);
-void add_plan(system::Commands& commands);
-void add_run_shard(system::Commands& commands);
-void add_credentials(system::Commands& commands);
+// Each declares its subcommand.
+using Add = void(system::Commands& commands);
+Add add_init, add_submit, add_owner, add_nightly, add_start, add_stop, add_status, add_health,
+    add_stats, add_publish, add_prune, add_serve, add_show, add_export, add_token,
+    add_check_hand_in, add_play_friendly, add_award, add_rule, add_void, add_withdraw, add_pause,
+    add_resume, add_freeze, add_release, add_close, add_undo, add_decisions, add_verify, add_backup,
+    add_grades, add_team, add_compare, add_tune, add_plan, add_run_shard, add_credentials;
 
 // The argument DIR, the league's folder.
 void add_folder(const system::Command& command, std::string& folder);
+
+// The options --league, --half and --conditions of a comparison.
+void add_terms(const system::Command& command, std::string& league, ComparisonRun& run);
 
 // Returns why a text cannot be the name of a folder; "" if it can.
 std::string problem_with_folder(const std::string& text);

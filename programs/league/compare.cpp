@@ -344,15 +344,26 @@ Result<int> run_compare(const CompareOptions& options) {
 
 }  // namespace
 
+void add_terms(const system::Command& command, std::string& league, ComparisonRun& run) {
+  command
+      .option("--league", league,
+              "Field and number of robots: small (3 a side), middle (5), large (11)")
+      .one_of({"small", "middle", "large"})
+      .shows_default();
+  command.option("--half", run.half_s, "Length of a half in seconds")
+      .between(record::min_half_s, record::max_half_s);
+  command
+      .option("--conditions", run.conditions,
+              "Conditions: exact, hall or camera (default: as in a match)")
+      .one_of({"exact", "hall", "camera"});
+}
+
 void add_compare(system::Commands& commands) {
-  const auto [command, o] =
-      commands.add<CompareOptions>({"compare",
-                                    to_make,
-                                    "Play teams against each other until one is found to be "
-                                    "better, or they are found to be equal",
-                                    {"mirocup league compare new.so old.so",
-                                     "mirocup league compare a.so b.so c.so --against all"}},
-                                   run_compare);
+  const auto [command, o] = commands.add(run_compare, "compare", to_make,
+                                         "Play teams against each other until one is found to be "
+                                         "better, or they are found to be equal",
+                                         {"mirocup league compare new.so old.so",
+                                          "mirocup league compare a.so b.so c.so --against all"});
   ComparisonRun& r = o.run;
   command
       .option("TEAM", r.teams,
@@ -365,21 +376,9 @@ void add_compare(system::Commands& commands) {
               "all: play --most fixtures of each pair of teams, and print a rated table")
       .one_of({"first", "all"})
       .shows_default();
-  command
-      .option("--league", o.league,
-              "Field and number of robots: small (3 a side), middle (5), large (11)")
-      .one_of({"small", "middle", "large"})
-      .shows_default();
-  command.option("--half", r.half_s, "Length of a half in seconds")
-      .between(record::min_half_s, record::max_half_s);
-  command
-      .option("--conditions", r.conditions,
-              "Conditions: exact, hall or camera (default: as in a match)")
-      .one_of({"exact", "hall", "camera"});
+  add_terms(command, o.league, r);
   command.option("--seed", r.seed, "Seed of the fixtures").is_a_seed().shows_default();
-  command
-      .option("--jobs", r.jobs, "Number of legs played at once (default: one for each processor)")
-      .between(1, 1024);
+  command.jobs(r.jobs, "legs played");
   command
       .option("--most", o.most,
               "Most fixtures of a pair, two legs each; a pair that is not decided by then stays "

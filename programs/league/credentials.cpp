@@ -31,8 +31,7 @@ Result<std::vector<std::string>> teams_of(const CredentialsOptions& options) {
     return fail(Errc::input,
                 options.folder + " is not a league's folder, so name the teams by --team");
   }
-  MIROCUP_TRY(const auto text, disk.read(config, {.max_size = system::size_limit::league_file,
-                                                  .links = system::Links::followed}));
+  MIROCUP_TRY(const auto text, disk.read_named(config, system::size_limit::league_file));
   MIROCUP_TRY(const auto league, parse_league_file(text, config));
   for (const TeamConfig& team : league.teams) names.push_back(team.name);
   return names;
@@ -100,12 +99,10 @@ Result<int> run_credentials(const CredentialsOptions& options) {
 }  // namespace
 
 void add_credentials(system::Commands& commands) {
-  const auto [command, o] = commands.add<CredentialsOptions>(
-      {"credentials",
-       to_make,
-       "Make the certificates of teams, match server and spectators for DDS Security",
-       {"mirocup league credentials spring"}},
-      run_credentials);
+  const auto [command, o] =
+      commands.add(run_credentials, "credentials", to_make,
+                   "Make the certificates of teams, match server and spectators for DDS Security",
+                   {"mirocup league credentials spring"});
   add_folder(command, o.folder);
   command.option("--team", o.teams, "Further team, which league.json does not have");
   command.option("--revoke", o.revoked, "Team whose credentials become invalid");

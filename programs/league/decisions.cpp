@@ -39,12 +39,9 @@ Result<int> run_decisions(const DecisionsOptions& options) {
 }  // namespace
 
 void add_decisions(system::Commands& commands) {
-  const auto [command, o] =
-      commands.add<DecisionsOptions>({"decisions",
-                                      to_rule,
-                                      "List the decisions: number, time, person, what and why",
-                                      {"mirocup league decisions spring"}},
-                                     run_decisions);
+  const auto [command, o] = commands.add(run_decisions, "decisions", to_rule,
+                                         "List the decisions: number, time, person, what and why",
+                                         {"mirocup league decisions spring"});
   add_folder(command, o.folder);
   command.flag("--json", o.json, "Print one JSON object");
 }

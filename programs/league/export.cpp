@@ -28,8 +28,7 @@ Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const ExportO
   std::vector<SiteFile> files;
   for (const auto& [name, make] : exports(overview)) files.push_back({name, make()});
   if (options.drills.empty()) return files;
-  MIROCUP_TRY(const auto drills, disk.read(options.drills, {.max_size = system::size_limit::note,
-                                                            .links = system::Links::followed}));
+  MIROCUP_TRY(const auto drills, disk.read_named(options.drills, system::size_limit::note));
   MIROCUP_TRY(const auto people, everybody(disk, store));
   MIROCUP_TRY(auto joined, grades(overview, people, drills, options.drills));
   files.push_back(std::move(joined));
@@ -57,12 +56,9 @@ Result<int> run_export(const ExportOptions& options) {
 
 void add_export(system::Commands& commands) {
   const auto [command, o] =
-      commands.add<ExportOptions>({"export",
-                                   to_show,
-                                   "Write table, legs and bracket as files",
-                                   {"mirocup league export spring -o tables",
-                                    "mirocup league export spring --sources -o sources"}},
-                                  run_export);
+      commands.add(run_export, "export", to_show, "Write table, legs and bracket as files",
+                   {"mirocup league export spring -o tables",
+                    "mirocup league export spring --sources -o sources"});
   add_folder(command, o.folder);
   command.option("-o,--output", o.output, "Folder for the files")
       .shows_default()

@@ -36,8 +36,7 @@ Result<int> run_grades(const GradesOptions& options) {
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
   std::string drills;
   if (!options.drills.empty()) {
-    MIROCUP_TRY(drills, disk.read(options.drills, {.max_size = system::size_limit::note,
-                                                   .links = system::Links::followed}));
+    MIROCUP_TRY(drills, disk.read_named(options.drills, system::size_limit::note));
   }
   MIROCUP_TRY_VOID(
       spare_class_list(disk, folder, options.output.empty() ? "/proc/self/fd/1" : options.output));
@@ -56,13 +55,10 @@ Result<int> run_grades(const GradesOptions& options) {
 }  // namespace
 
 void add_grades(system::Commands& commands) {
-  const auto [command, o] = commands.add<GradesOptions>(
-      {"grades",
-       to_show,
-       "Print the figures for a lecturer's grades, as CSV",
-       {"mirocup league grades spring --drills drills.csv -o grades.csv",
-        "mirocup league grades spring --moodle -o moodle.csv"}},
-      run_grades);
+  const auto [command, o] = commands.add(
+      run_grades, "grades", to_show, "Print the figures for a lecturer's grades, as CSV",
+      {"mirocup league grades spring --drills drills.csv -o grades.csv",
+       "mirocup league grades spring --moodle -o moodle.csv"});
   add_folder(command, o.folder);
   command.option("--drills", o.drills, "Marks of the teams, as mirocup drill --csv prints them")
       .named("FILE");

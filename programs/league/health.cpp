@@ -57,12 +57,10 @@ Result<int> run_health(const HealthOptions& options) {
 }  // namespace
 
 void add_health(system::Commands& commands) {
-  const auto [command, o] = commands.add<HealthOptions>(
-      {"health",
-       to_play,
-       "Print the state of nights, hand-ins and disk (exit code 1: the league needs a person)",
-       {"mirocup league health spring || mail -s spring lecturer@example.org"}},
-      run_health);
+  const auto [command, o] = commands.add(
+      run_health, "health", to_play,
+      "Print the state of nights, hand-ins and disk (exit code 1: the league needs a person)",
+      {"mirocup league health spring || mail -s spring lecturer@example.org"});
   add_folder(command, o.folder);
   command.flag("--json", o.json, "Print one JSON object");
 }

@@ -79,9 +79,7 @@ Result<LeagueFile> finals(system::Files& files, const LeagueStore& store,
 Result<LeagueFile> file_from(system::Files& files, const InitOptions& options,
                              const LeagueStore* season) {
   if (!options.config.empty()) {
-    MIROCUP_TRY(const auto text,
-                files.read(options.config, {.max_size = system::size_limit::league_file,
-                                            .links = system::Links::followed}));
+    MIROCUP_TRY(const auto text, files.read_named(options.config, system::size_limit::league_file));
     auto file = parse_league_file(text, options.config, current_rules);
     if (!file) return file;
     // Paths of libraries are relative to the folder of the file.
@@ -157,14 +155,11 @@ Result<int> run_init(const InitOptions& options) {
 }  // namespace
 
 void add_init(system::Commands& commands) {
-  const auto [command, o] = commands.add<InitOptions>(
-      {"init",
-       to_make,
-       "Make a league",
-       {"mirocup league init spring --team alpha=alpha.so --team house=house:striker --half 120",
-        "mirocup league init finals --from spring --top 8",
-        "mirocup league init spring --config league.json"}},
-      run_init);
+  const auto [command, o] = commands.add(
+      run_init, "init", to_make, "Make a league",
+      {"mirocup league init spring --team alpha=alpha.so --team house=house:striker --half 120",
+       "mirocup league init finals --from spring --top 8",
+       "mirocup league init spring --config league.json"});
   add_folder(command, o.folder);
   const system::Option config =
       command.option("--config", o.config, "Make the league from this league.json");

@@ -113,21 +113,18 @@ Result<void> begin_night(system::Files& files, LeagueStore& store, const Nightly
 Result<void> write_digests(system::Files& files, const Folder& folder, const Overview& o,
                            const Night& night, const std::string& address) {
   const std::string home = folder.nights() + "/" + std::to_string(night.number);
-  if (auto made = files.make_folder(folder.nights(), system::Readers::owner).and_then([&] {
-        return files.make_folder(home, system::Readers::owner);
-      });
-      !made)
-    return made;
+  MIROCUP_TRY_VOID(files.make_folder(folder.nights(), system::Readers::owner).and_then([&] {
+    return files.make_folder(home, system::Readers::owner);
+  }));
   for (const TeamDigest& digest : digests(night, o)) {
     const std::string path = home + "/" + o.state.name(digest.team);
-    auto written =
+    MIROCUP_TRY_VOID(
         files.write(path + ".txt", digest_text(o, night, digest, address), system::Readers::owner)
             .and_then([&] {
               return files.write(path + ".json",
                                  record::json_text(digest_json(o, digest), 1) + "\n",
                                  system::Readers::owner);
-            });
-    if (!written) return written;
+            }));
   }
   return {};
 }
@@ -237,18 +234,13 @@ Result<int> run_nightly(const NightlyOptions& options) {
 }  // namespace
 
 void add_nightly(system::Commands& commands) {
-  const auto [command, o] = commands.add<NightlyOptions>(
-      {"nightly",
-       to_play,
-       "Play a night with the accepted entries, publish it, and write a digest for each team",
-       {"mirocup league nightly spring",
-        "mirocup league nightly spring --on-night ./mail --address https://league.example/"}},
-      run_nightly);
+  const auto [command, o] = commands.add(
+      run_nightly, "nightly", to_play,
+      "Play a night with the accepted entries, publish it, and write a digest for each team",
+      {"mirocup league nightly spring",
+       "mirocup league nightly spring --on-night ./mail --address https://league.example/"});
   add_folder(command, o.folder);
-  command
-      .option("--jobs", o.play.jobs,
-              "Number of legs played at once (default: one for each processor)")
-      .between(1, 1024);
+  command.jobs(o.play.jobs, "legs played");
   command.flag("--another", o.another, "Play a further night on the same day");
   command
       .option("--on-night", o.on_night,

@@ -52,12 +52,10 @@ Result<int> run_owner(const OwnerOptions& options) {
 }  // namespace
 
 void add_owner(system::Commands& commands) {
-  const auto [command, o] = commands.add<OwnerOptions>(
-      {"owner",
-       to_take,
-       "Print or change the user who hands in for a team by a shared inbox",
-       {"mirocup league owner spring alpha student7"}},
-      run_owner);
+  const auto [command, o] =
+      commands.add(run_owner, "owner", to_take,
+                   "Print or change the user who hands in for a team by a shared inbox",
+                   {"mirocup league owner spring alpha student7"});
   add_folder(command, o.folder);
   command.option("TEAM", o.team, "Name of the team").required();
   const system::Option user =

@@ -43,12 +43,10 @@ Result<int> run_plan(const PlanOptions& options) {
 }  // namespace
 
 void add_plan(system::Commands& commands) {
-  const auto [command, o] = commands.add<PlanOptions>(
-      {"plan",
-       on_clusters,
-       "Start the league, book the records of shards, and list the fixtures to play",
-       {"mirocup league plan spring"}},
-      run_plan);
+  const auto [command, o] =
+      commands.add(run_plan, "plan", on_clusters,
+                   "Start the league, book the records of shards, and list the fixtures to play",
+                   {"mirocup league plan spring"});
   add_folder(command, o.folder);
 }
 

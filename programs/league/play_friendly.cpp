@@ -55,9 +55,8 @@ Result<int> run_play_friendly(const PlayFriendlyOptions& options) {
 }  // namespace
 
 void add_play_friendly(system::Commands& commands) {
-  const auto [command, o] = commands.add<PlayFriendlyOptions>(
-      {"play-friendly", "", "Play a friendly, as a child of serve --hand-in", {}},
-      run_play_friendly);
+  const auto [command, o] = commands.add(run_play_friendly, "play-friendly", "",
+                                         "Play a friendly, as a child of serve --hand-in", {});
   add_folder(command, o.folder);
   command.option("TEAM", o.team).required();
   command.option("NUMBER", o.number).required();

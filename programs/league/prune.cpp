@@ -50,12 +50,9 @@ Result<int> run_prune(const PruneOptions& options) {
 }  // namespace
 
 void add_prune(system::Commands& commands) {
-  const auto [command, o] =
-      commands.add<PruneOptions>({"prune",
-                                  to_show,
-                                  "Remove the replay pages of former nights, to make room",
-                                  {"mirocup league prune spring --before 12"}},
-                                 run_prune);
+  const auto [command, o] = commands.add(run_prune, "prune", to_show,
+                                         "Remove the replay pages of former nights, to make room",
+                                         {"mirocup league prune spring --before 12"});
   add_folder(command, o.folder);
   command
       .option("--before", o.before,

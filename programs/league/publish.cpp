@@ -59,8 +59,8 @@ Result<int> run_publish(const PublishOptions& options) {
 }  // namespace
 
 void add_publish(system::Commands& commands) {
-  const auto [command, o] = commands.add<PublishOptions>(
-      {"publish", to_show, "Make the pages", {"mirocup league publish spring"}}, run_publish);
+  const auto [command, o] = commands.add(run_publish, "publish", to_show, "Make the pages",
+                                         {"mirocup league publish spring"});
   add_folder(command, o.folder);
   const system::Option output =
       command.option("-o,--output", o.output, "Folder for the pages that --through makes")

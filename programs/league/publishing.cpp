@@ -91,14 +91,12 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
                    .playground = playground_maker(files)});
   const std::vector<std::string> names = site.names();
   for (const std::string& name : names) {
-    if (auto written = files.write(folder.site() + "/" + name, *site.file(name)); !written)
-      return written;
+    MIROCUP_TRY_VOID(files.write(folder.site() + "/" + name, *site.file(name)));
   }
   // Rounds that are not shown any more, and teams that joined after those that are.
   const std::set<std::string> made(names.begin(), names.end());
   for (const std::string part : {"rounds/", "teams/"}) {
-    if (auto removed = remove_former_pages(files, folder.site(), part, made); !removed)
-      return removed;
+    MIROCUP_TRY_VOID(remove_former_pages(files, folder.site(), part, made));
   }
   if (failed.count > 0) {
     std::cerr << "mirocup: " << failed.count

@@ -26,12 +26,10 @@ Result<int> run_shards(const ShardOptions& options) {
 }  // namespace
 
 void add_run_shard(system::Commands& commands) {
-  const auto [command, o] = commands.add<ShardOptions>(
-      {"run-shard",
-       on_clusters,
-       "Play fixtures on any machine and write only their records, which league start books",
-       {"mirocup league run-shard spring r1-f1 r1-f2"}},
-      run_shards);
+  const auto [command, o] = commands.add(
+      run_shards, "run-shard", on_clusters,
+      "Play fixtures on any machine and write only their records, which league start books",
+      {"mirocup league run-shard spring r1-f1 r1-f2"});
   add_folder(command, o.folder);
   command.option("FIXTURE", o.fixtures, "Ids of fixtures, as league plan lists them").required();
 }

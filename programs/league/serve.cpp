@@ -154,22 +154,17 @@ Result<int> run_serve(const ServeOptions& options) {
 }  // namespace
 
 void add_serve(system::Commands& commands) {
-  const auto [command, o] = commands.add<ServeOptions>(
-      {"serve",
-       to_show,
-       "Show the league in browsers, as it is now",
-       {"mirocup league serve spring --at 8080",
-        "mirocup league serve spring --hand-in --at 0.0.0.0:8443 --tls cert.pem key.pem"}},
-      run_serve);
+  const auto [command, o] = commands.add(
+      run_serve, "serve", to_show, "Show the league in browsers, as it is now",
+      {"mirocup league serve spring --at 8080",
+       "mirocup league serve spring --hand-in --at 0.0.0.0:8443 --tls cert.pem key.pem"});
   add_folder(command, o.folder);
   command.option("--at", o.at,
                  "Where to listen: [HOST:]PORT, or unix:PATH for a proxy (default: this host only, "
                  "any free port)");
   const system::Option hand_in = command.flag(
       "--hand-in", o.hand_in, "Also take entries from teams that have a token (league token)");
-  command.option("--jobs", o.jobs, "Number of checks at once (default: one for each processor)")
-      .between(1, 1024)
-      .needs(hand_in);
+  command.jobs(o.jobs, "checks").needs(hand_in);
   command.option("--tls", o.tls, "Encrypt connections: files of the certificate and of its key")
       .named("CERT KEY")
       .takes(2, 2);

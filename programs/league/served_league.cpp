@@ -88,9 +88,7 @@ void ServedLeague::notice_edits() {
       read_notice(files_, store_.folder()).value_or("");
   const bool has_new_names = said != said_;
   if (store_.state().is_started && !has_new_names) return;
-  const auto config =
-      files_.read(store_.folder().config(),
-                  {.max_size = system::size_limit::league_file, .links = system::Links::followed});
+  const auto config = files_.read_named(store_.folder().config(), system::size_limit::league_file);
   if (!config || (*config == config_ && !has_new_names)) return;
   if (!open_again()) return;
   config_ = *config;

@@ -57,12 +57,10 @@ Result<int> run_show(const ShowOptions& options) {
 }  // namespace
 
 void add_show(system::Commands& commands) {
-  const auto [command, o] = commands.add<ShowOptions>(
-      {"show",
-       to_show,
-       "Play the recorded legs of a round on a projector, one after the other",
-       {"mirocup league show spring --round r3 --at-once 2"}},
-      run_show);
+  const auto [command, o] =
+      commands.add(run_show, "show", to_show,
+                   "Play the recorded legs of a round on a projector, one after the other",
+                   {"mirocup league show spring --round r3 --at-once 2"});
   add_folder(command, o.folder);
   command.option("--round", o.round,
                  "Round: r3, or k1 of a knockout (default: the last round that was played)");

@@ -71,8 +71,7 @@ Result<void> write_base(system::Files& files, const std::string& to) {
     MIROCUP_TRY_VOID(files.make_folder(folder, Readers::owner));
     for (const auto& file : fs::directory_iterator(language.path(), missing)) {
       MIROCUP_TRY(const auto text,
-                  files.read(file.path().string(), {.max_size = system::size_limit::system_file,
-                                                    .links = system::Links::followed}));
+                  files.read_named(file.path().string(), system::size_limit::system_file));
       MIROCUP_TRY_VOID(files.write(folder + "/" + file.path().filename().string(), text));
     }
   }

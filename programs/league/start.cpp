@@ -42,9 +42,9 @@ Result<int> run_start(const StartOptions& options) {
 }  // namespace
 
 void add_start(system::Commands& commands) {
-  const auto [command, o] = commands.add<StartOptions>(
-      {"start", to_play, "Play the league, or resume it", {"mirocup league start spring --jobs 4"}},
-      run_start);
+  const auto [command, o] =
+      commands.add(run_start, "start", to_play, "Play the league, or resume it",
+                   {"mirocup league start spring --jobs 4"});
   add_folder(command, o.folder);
   add_other_program(command, o.play.accepts_other_program);
   command

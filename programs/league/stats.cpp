@@ -28,12 +28,9 @@ Result<int> run_stats(const StatsOptions& options) {
 }  // namespace
 
 void add_stats(system::Commands& commands) {
-  const auto [command, o] =
-      commands.add<StatsOptions>({"stats",
-                                  to_show,
-                                  "Print the football statistics of all legs that count",
-                                  {"mirocup league stats spring --csv"}},
-                                 run_stats);
+  const auto [command, o] = commands.add(run_stats, "stats", to_show,
+                                         "Print the football statistics of all legs that count",
+                                         {"mirocup league stats spring --csv"});
   add_folder(command, o.folder);
   command.flag(
       "--goals", o.goals,

@@ -56,12 +56,10 @@ Result<int> run_status(const StatusOptions& options) {
 }  // namespace
 
 void add_status(system::Commands& commands) {
-  const auto [command, o] = commands.add<StatusOptions>(
-      {"status",
-       to_play,
-       "Print the table and the state of the league (exit code 1: legs are left)",
-       {"mirocup league status spring", "mirocup league status spring --entries"}},
-      run_status);
+  const auto [command, o] =
+      commands.add(run_status, "status", to_play,
+                   "Print the table and the state of the league (exit code 1: legs are left)",
+                   {"mirocup league status spring", "mirocup league status spring --entries"});
   add_folder(command, o.folder);
   command.flag("--entries", o.entries,
                "Print each team's hand-ins and their answers; this does not change the exit code");

@@ -40,9 +40,9 @@ Result<int> run_stop(const StopOptions& options) {
 }  // namespace
 
 void add_stop(system::Commands& commands) {
-  const auto [command, o] = commands.add<StopOptions>(
-      {"stop", to_play, "Stop a league that is being played", {"mirocup league stop spring"}},
-      run_stop);
+  const auto [command, o] =
+      commands.add(run_stop, "stop", to_play, "Stop a league that is being played",
+                   {"mirocup league stop spring"});
   add_folder(command, o.folder);
   command.flag("--now", o.now, "Also stop the present legs, instead of playing them to their end");
 }

@@ -128,13 +128,11 @@ Result<int> run_submit(const SubmitOptions& options) {
 }  // namespace
 
 void add_submit(system::Commands& commands) {
-  const auto [command, o] = commands.add<SubmitOptions>(
-      {"submit",
-       to_take,
-       "Hand in an entry: store it, check it, and play with it if it passes",
-       {"mirocup league submit spring alpha alpha.so",
-        "mirocup league submit spring --inbox inbox"}},
-      run_submit);
+  const auto [command, o] =
+      commands.add(run_submit, "submit", to_take,
+                   "Hand in an entry: store it, check it, and play with it if it passes",
+                   {"mirocup league submit spring alpha alpha.so",
+                    "mirocup league submit spring --inbox inbox"});
   add_folder(command, o.folder);
   const system::Option team = command.option("TEAM", o.team, "Name of the team");
   const system::Option file =

@@ -5,6 +5,7 @@
 #include "system/clock.hpp"
 #include "system/file_lock.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/class_list.hpp"
 #include "tournaments/league/league_store.hpp"
@@ -32,23 +33,14 @@ struct TeamOptions {
 
 void print(const std::string& team, const People& one) {
   std::cout << team << ": " << (one.display.empty() ? team : one.display);
-  for (std::size_t i = 0; i < one.members.size(); ++i)
-    std::cout << (i == 0 ? " (" : "; ") << one.members[i];
-  std::cout << (one.members.empty() ? "" : ")") << (one.colour.empty() ? "" : " ") << one.colour
-            << '\n';
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
+  if (!one.members.empty()) std::cout << " (" << system::joined(one.members, "; ") << ")";
+  std::cout << (one.colour.empty() ? "" : " ") << one.colour << '\n';
 }
 
 // Takes a class list: its teams, and who is in them.
 Result<int> take_class_list(system::Files& files, LeagueStore& store, const std::string& path) {
   const Folder& folder = store.folder();
-  MIROCUP_TRY(const auto bytes, files.read(path, {.max_size = system::size_limit::league_file,
-                                                  .links = system::Links::followed}));
+  MIROCUP_TRY(const auto bytes, files.read_named(path, system::size_limit::league_file));
   const auto in_file = [&path](const Error& error) {
     return Error{error.code, system::printable(path) + ": " + error.what};
   };
@@ -71,9 +63,10 @@ Result<int> take_class_list(system::Files& files, LeagueStore& store, const std:
   std::cout << system::printable(path) << ": " << list.rows.size()
             << (list.rows.size() == 1 ? " team" : " teams") << ", " << joining.size()
             << " new to the league\n";
-  if (!list.kept.empty()) std::cout << "columns kept for the grades: " << joined(list.kept) << '\n';
+  if (!list.kept.empty())
+    std::cout << "columns kept for the grades: " << system::joined(list.kept, ", ") << '\n';
   if (!missing.empty())
-    std::cout << "in the league, but not in this list: " << joined(missing) << '\n';
+    std::cout << "in the league, but not in this list: " << system::joined(missing, ", ") << '\n';
   if (list.was_windows_1252) {
     std::cerr << "mirocup: " << system::printable(path)
               << " is not in UTF-8. It was read as Excel writes it in western Europe "
@@ -143,13 +136,10 @@ Result<int> run_team(const TeamOptions& options) {
 }  // namespace
 
 void add_team(system::Commands& commands) {
-  const auto [command, o] = commands.add<TeamOptions>(
-      {"team",
-       to_take,
-       "Make teams from a class list, and set their display names",
-       {"mirocup league team spring --csv class.csv",
-        "mirocup league team spring alpha --display \"Zoë & Co\" --member Zoë"}},
-      run_team);
+  const auto [command, o] = commands.add(
+      run_team, "team", to_take, "Make teams from a class list, and set their display names",
+      {"mirocup league team spring --csv class.csv",
+       "mirocup league team spring alpha --display \"Zoë & Co\" --member Zoë"});
   add_folder(command, o.folder);
   command.option("TEAM", o.team, "Name of the team in the league");
   command.option("--display", o.display, "Display name, of any letters; \"\": none");

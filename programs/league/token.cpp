@@ -138,13 +138,9 @@ Result<int> run_token(const TokenOptions& options) {
 }  // namespace
 
 void add_token(system::Commands& commands) {
-  const auto [command, o] =
-      commands.add<TokenOptions>({"token",
-                                  to_take,
-                                  "Make a token by which a team hands in, and print it once",
-                                  {"mirocup league token spring alpha",
-                                   "mirocup league token spring --all --csv >tokens.csv"}},
-                                 run_token);
+  const auto [command, o] = commands.add(
+      run_token, "token", to_take, "Make a token by which a team hands in, and print it once",
+      {"mirocup league token spring alpha", "mirocup league token spring --all --csv >tokens.csv"});
   add_folder(command, o.folder);
   command.option("TEAM", o.team, "Name of the team; it may be new to the league");
   command.flag("--all", o.all, "Make a token for each team of the league that has none");

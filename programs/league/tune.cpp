@@ -6,7 +6,6 @@
 #include "programs/league/progress_bar.hpp"
 #include "programs/league/scratch_folder.hpp"
 #include "record/json_reader.hpp"
-#include "record/rules_json.hpp"
 #include "system/formatted.hpp"
 #include "system/printable.hpp"
 #include "tournaments/play/comparison_run.hpp"
@@ -282,36 +281,20 @@ Result<int> run_tune(const TuneOptions& options) {
 }  // namespace
 
 void add_tune(system::Commands& commands) {
-  const auto [command, o] = commands.add<TuneOptions>(
-      {"tune",
-       to_make,
-       "Find better values for a team's parameters",
-       {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker"}},
-      run_tune);
+  const auto [command, o] =
+      commands.add(run_tune, "tune", to_make, "Find better values for a team's parameters",
+                   {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker"});
   TuningOptions& t = o.tuning;
   command.option("TEAM", o.team, "Library, or name of a house team").required();
   command.option("--param", o.parameters, "Parameter of the team, and its range").required();
   command.option("--against", o.against, "Opponents, with commas between them")
       .split_at(',')
       .required();
-  command
-      .option("--league", o.league,
-              "Field and number of robots: small (3 a side), middle (5), large (11)")
-      .one_of({"small", "middle", "large"})
-      .shows_default();
-  command.option("--half", o.run.half_s, "Length of a half in seconds")
-      .between(record::min_half_s, record::max_half_s);
-  command
-      .option("--conditions", o.run.conditions,
-              "Conditions: exact, hall or camera (default: as in a match)")
-      .one_of({"exact", "hall", "camera"});
+  add_terms(command, o.league, o.run);
   command.option("--seed", t.seed, "Seed of the search and of its fixtures")
       .is_a_seed()
       .shows_default();
-  command
-      .option("--jobs", o.run.jobs,
-              "Number of legs played at once (default: one for each processor)")
-      .between(1, 1024);
+  command.jobs(o.run.jobs, "legs played");
   command.option("--generations", t.generations, "Generations of the search")
       .between(1, 10'000)
       .shows_default();

@@ -58,17 +58,12 @@ Result<int> run_verify_league(const VerifyOptions& options) {
 }  // namespace
 
 void add_verify(system::Commands& commands) {
-  const auto [command, o] = commands.add<VerifyOptions>(
-      {"verify",
-       to_play,
-       "Simulate all records again, each record with the program that made it",
-       {"mirocup league verify spring", "mirocup league verify copied --trust-programs"}},
-      run_verify_league);
+  const auto [command, o] = commands.add(
+      run_verify_league, "verify", to_play,
+      "Simulate all records again, each record with the program that made it",
+      {"mirocup league verify spring", "mirocup league verify copied --trust-programs"});
   add_folder(command, o.folder);
-  command
-      .option("--jobs", o.jobs,
-              "Number of records simulated at once (default: one for each processor)")
-      .between(1, 1024);
+  command.jobs(o.jobs, "records simulated");
   command.flag("--trust-programs", o.trusts_programs,
                "Trust the programs in the league's folder from now on, and run them. They are not "
                "from this host, so give this option only if you know where they come from");

@@ -181,12 +181,9 @@ Result<int> run_check(const CheckOptions& options) {
 }  // namespace
 
 void add_check(system::Commands& commands) {
-  const auto [command, o] = commands.add<CheckOptions>(
-      {"check",
-       for_teams,
-       "Check whether a library would be accepted as an entry",
-       {"mirocup check mine.so", "mirocup check mine.py --league large"}},
-      run_check);
+  const auto [command, o] = commands.add(
+      run_check, "check", for_teams, "Check whether a library would be accepted as an entry",
+      {"mirocup check mine.so", "mirocup check mine.py --league large"});
   command.option("FILE", o.path, "Library of the team (.so), or its file of Python (.py)")
       .required();
   command

@@ -42,30 +42,18 @@ std::variant<system::Run, int> read_command_line(int argc, char** argv) {
   system::Commands commands("mirocup", "A tournament platform for MiroSot robot soccer.",
                             record::software_version(),
                             "mirocup help COMMAND explains a command, with examples.");
-  add_match(commands);
-  add_drill(commands);
-  add_check(commands);
-  add_compile(commands);
-  add_hand_in(commands);
-  add_join(commands);
-  add_new(commands);
-  add_export(commands);
-  add_verify(commands);
-  add_rerun(commands);
-  add_replay(commands);
-  add_playground(commands);
-  add_stats(commands);
+  for (Add* const add :
+       {add_match, add_drill, add_check, add_compile, add_hand_in, add_join, add_new, add_export,
+        add_verify, add_rerun, add_replay, add_playground, add_stats})
+    add(commands);
   commands.add_other(
       {"league",
        for_leagues,
        "Make, play and show leagues: mirocup help league",
        {"mirocup league init spring --team alpha=alpha.so --team house=house:striker",
         "mirocup league start spring"}});
-  add_record_as_seen(commands);
-  add_identify(commands);
-  add_validate(commands);
-  add_scene(commands);
-  add_referee(commands);
+  for (Add* const add : {add_record_as_seen, add_identify, add_validate, add_scene, add_referee})
+    add(commands);
   commands.add_other(
       {"tune",
        for_teams,

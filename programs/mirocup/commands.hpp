@@ -18,25 +18,11 @@ inline constexpr const char* for_leagues = "Leagues";
 inline constexpr const char* for_engineers = "Referee, pitches and physics";
 inline constexpr const char* for_shells = "Shells";
 
-void add_match(system::Commands& commands);
-void add_drill(system::Commands& commands);
-void add_check(system::Commands& commands);
-void add_compile(system::Commands& commands);
-void add_hand_in(system::Commands& commands);
-void add_join(system::Commands& commands);
-void add_new(system::Commands& commands);
-void add_export(system::Commands& commands);
-void add_verify(system::Commands& commands);
-void add_rerun(system::Commands& commands);
-void add_replay(system::Commands& commands);
-void add_stats(system::Commands& commands);
-void add_playground(system::Commands& commands);
-void add_record_as_seen(system::Commands& commands);
-void add_identify(system::Commands& commands);
-void add_validate(system::Commands& commands);
-void add_scene(system::Commands& commands);
-void add_referee(system::Commands& commands);
-void add_completion(system::Commands& commands);
+// Each declares its subcommand.
+using Add = void(system::Commands& commands);
+Add add_match, add_drill, add_check, add_compile, add_hand_in, add_join, add_new, add_export,
+    add_verify, add_rerun, add_replay, add_stats, add_playground, add_record_as_seen, add_identify,
+    add_validate, add_scene, add_referee, add_completion;
 
 // Options of several subcommands.
 void add_dds_domain(const system::Command& command, int& domain);

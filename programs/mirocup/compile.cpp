@@ -76,12 +76,10 @@ Result<int> run_compile(const CompileOptions& options) {
 }  // namespace
 
 void add_compile(system::Commands& commands) {
-  const auto [command, o] = commands.add<CompileOptions>(
-      {"compile",
-       for_teams,
-       "Compile a team's source as a league does: in a sandbox and with fixed options",
-       {"mirocup compile mine.cpp -o mine.so"}},
-      run_compile);
+  const auto [command, o] =
+      commands.add(run_compile, "compile", for_teams,
+                   "Compile a team's source as a league does: in a sandbox and with fixed options",
+                   {"mirocup compile mine.cpp -o mine.so"});
   command
       .option("SOURCE", o.path,
               "One file of C++20, or of C17 if its name ends in .c, or an archive of a project "

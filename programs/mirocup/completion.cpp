@@ -22,13 +22,11 @@ Result<int> run_completion(const CompletionOptions& options) {
 }  // namespace
 
 void add_completion(system::Commands& commands) {
-  const auto [command, o] = commands.add<CompletionOptions>(
-      {"completion",
-       for_shells,
-       "Print the script with which a shell completes commands",
-       {"mirocup completion bash >~/.local/share/bash-completion/completions/mirocup",
-        "mirocup completion fish >~/.config/fish/completions/mirocup.fish"}},
-      run_completion);
+  const auto [command, o] =
+      commands.add(run_completion, "completion", for_shells,
+                   "Print the script with which a shell completes commands",
+                   {"mirocup completion bash >~/.local/share/bash-completion/completions/mirocup",
+                    "mirocup completion fish >~/.config/fish/completions/mirocup.fish"});
   command.option("SHELL", o.shell, "Shell that reads the script")
       .required()
       .one_of({"bash", "zsh", "fish"});

@@ -79,8 +79,7 @@ Result<std::vector<drills::Drill>> read_drills(const std::string& word) {
   std::vector<drills::Drill> drills;
   system::Disk disk;
   for (const std::string& path : paths) {
-    MIROCUP_TRY(const auto text, disk.read(path, {.max_size = system::size_limit::note,
-                                                  .links = system::Links::followed}));
+    MIROCUP_TRY(const auto text, disk.read_named(path, system::size_limit::note));
     MIROCUP_TRY(auto drill, drills::parse_drill(text, path));
     drills.push_back(std::move(drill));
   }
@@ -227,10 +226,9 @@ Result<std::vector<std::string>> names_of_teams(const DrillOptions& options) {
 }
 
 Result<int> run_drill(const DrillOptions& options) {
-  const auto drills = read_drills(options.drill);
-  if (!drills) return tl::unexpected(drills.error());
+  MIROCUP_TRY(const auto drills, read_drills(options.drill));
   if (options.drill == "list") {
-    print_list(*drills, options.json);
+    print_list(drills, options.json);
     return exit_yes;
   }
   if (options.teams.empty()) return fail(Errc::input, "a team is needed: mirocup drill DRILL TEAM");
@@ -240,13 +238,13 @@ Result<int> run_drill(const DrillOptions& options) {
   MIROCUP_TRY_VOID(make_folder(options.replay_folder));
 
   int all_tries = 0;
-  for (const drills::Drill& drill : *drills) all_tries += options.tries.value_or(drill.tries);
+  for (const drills::Drill& drill : drills) all_tries += options.tries.value_or(drill.tries);
   Progress progress(all_tries * static_cast<int>(options.teams.size()));
   std::vector<DrillReport> reports;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto show = [&](int done) { progress.show(static_cast<int>(i) * all_tries + done); };
     MIROCUP_TRY(auto report,
-                test_team(options.teams[i], names[i], *drills, options, parameters, show));
+                test_team(options.teams[i], names[i], drills, options, parameters, show));
     reports.push_back(std::move(report));
   }
   progress.clear();
@@ -273,13 +271,11 @@ Result<int> run_drill(const DrillOptions& options) {
 }  // namespace
 
 void add_drill(system::Commands& commands) {
-  const auto [command, o] = commands.add<DrillOptions>(
-      {"drill",
-       for_teams,
-       "Try a team many times in situations and give it marks, or list the drills",
-       {"mirocup drill list", "mirocup drill shoot-open-goal mine.so --replay failed",
-        "mirocup drill all mine.so striker --csv"}},
-      run_drill);
+  const auto [command, o] =
+      commands.add(run_drill, "drill", for_teams,
+                   "Try a team many times in situations and give it marks, or list the drills",
+                   {"mirocup drill list", "mirocup drill shoot-open-goal mine.so --replay failed",
+                    "mirocup drill all mine.so striker --csv"});
   command
       .option("DRILL", o.drill,
               "list, all, the name of a drill, or the path of a drill or of a folder of drills")
@@ -295,8 +291,7 @@ void add_drill(system::Commands& commands) {
       .between(1, 10000);
   command.option("--seed", o.seed, "Seed of the first try; each further try has the next seed")
       .shows_default();
-  command.option("--jobs", o.jobs, "Number of tries at once (default: one for each processor)")
-      .between(1, 1024);
+  command.jobs(o.jobs, "tries");
   add_parameters(command, "--param", o.parameters, "the teams");
   command
       .option("--replay", o.replay_folder,

@@ -3,6 +3,7 @@
 
 #include "plugins/host/sandbox/probe.hpp"
 #include "system/interrupt.hpp"
+#include "system/process_set.hpp"
 #include "web/page.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 #include <chrono>
 #include <filesystem>
 #include <mutex>
-#include <sched.h>
 #include <thread>
 
 namespace mirocup::app {
@@ -211,25 +211,6 @@ class Crew {
   std::optional<Error> error_;  // the first one; guarded by mutex_
 };
 
-std::vector<int> own_processors() {
-  cpu_set_t allowed;
-  CPU_ZERO(&allowed);
-  std::vector<int> processors;
-  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return processors;
-  for (int i = 0; i < CPU_SETSIZE; ++i) {
-    if (CPU_ISSET(i, &allowed)) processors.push_back(i);
-  }
-  return processors;
-}
-
-// A leg and its teams take turns, so they share a processor (server::stay_on_this_core()).
-void stay_on(int processor) {
-  cpu_set_t one;
-  CPU_ZERO(&one);
-  CPU_SET(processor, &one);
-  sched_setaffinity(0, sizeof one, &one);
-}
-
 Result<PlayedTry> Crew::play_one(const DrillTask& task, std::uint64_t seed) const {
   MIROCUP_TRY(const auto setup, drills::setup_of(*task.drill, seed));
   std::string why_void;
@@ -261,9 +242,10 @@ void Crew::stop(Error error) {
 }
 
 void Crew::work(int worker) {
-  const std::vector<int> processors = own_processors();
-  if (!processors.empty())
-    stay_on(processors[static_cast<std::size_t>(worker) % processors.size()]);
+  // A leg and its teams take turns, so they share a processor (server::stay_on_this_core()).
+  const std::vector<int> processors = system::processors();
+  const int own = processors[static_cast<std::size_t>(worker) % processors.size()];
+  if (own >= 0) system::stay_on(own);
   while (!is_stopped_) {
     const std::size_t at = next_++;
     if (at >= order_.size()) break;
@@ -282,7 +264,7 @@ void Crew::work(int worker) {
 
 Result<std::vector<std::vector<PlayedTry>>> Crew::play(const std::function<void(int)>& progress) {
   system::Interrupt interrupt;  // before the threads, which then leave the signals to this one
-  const int processors = std::max<int>(1, static_cast<int>(own_processors().size()));
+  const int processors = static_cast<int>(system::processors().size());
   const int jobs =
       std::min<int>(terms_.jobs > 0 ? terms_.jobs : processors, static_cast<int>(order_.size()));
   std::vector<std::thread> crew;

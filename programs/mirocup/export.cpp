@@ -5,6 +5,7 @@
 #include "system/files.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 #include "training/policy/policy.hpp"
 
 #include <filesystem>
@@ -23,20 +24,16 @@ struct ExportOptions {
 std::string team_name(const std::string& path) {
   std::string name = std::filesystem::path(path).stem().string();
   for (char& c : name) {
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                          (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-    if (!is_plain) c = '_';
+    if (!system::is_plain(c)) c = '_';
   }
   return name.empty() ? "learned" : name.substr(0, 31);
 }
 
 Result<int> run_export(const ExportOptions& options) {
   system::Disk disk;
-  MIROCUP_TRY(const auto bytes, disk.read(options.policy, {.max_size = system::size_limit::scene,
-                                                           .links = system::Links::followed}));
-  const auto policy = policy::parse_policy(bytes, options.policy);
-  if (!policy) return tl::unexpected(policy.error());
-  const std::string source = policy::source_of(*policy, team_name(options.output));
+  MIROCUP_TRY(const auto bytes, disk.read_named(options.policy, system::size_limit::scene));
+  MIROCUP_TRY(const auto policy, policy::parse_policy(bytes, options.policy));
+  const std::string source = policy::source_of(policy, team_name(options.output));
   MIROCUP_TRY_VOID(disk.write(options.output, source));
   std::cout << system::printable(options.output) << ": the source of a team. "
             << "Compile it: c++ -std=c++17 -O2 -fPIC -shared -I "
@@ -48,12 +45,9 @@ Result<int> run_export(const ExportOptions& options) {
 }  // namespace
 
 void add_export(system::Commands& commands) {
-  const auto [command, o] =
-      commands.add<ExportOptions>({"export",
-                                   for_teams,
-                                   "Write a learned network as the source of a team",
-                                   {"mirocup export policy.npz -o learned.cpp"}},
-                                  run_export);
+  const auto [command, o] = commands.add(run_export, "export", for_teams,
+                                         "Write a learned network as the source of a team",
+                                         {"mirocup export policy.npz -o learned.cpp"});
   command.option("POLICY", o.policy, "The network, an .npz of schema mirocup/policy/1").required();
   command.option("-o,--output", o.output, "File to write the source to")
       .named("FILE.cpp")

@@ -25,9 +25,7 @@ namespace fs = std::filesystem;
 bool is_on_this_system(const std::string& name) {
   if (name.find('/') != std::string::npos) return false;
   system::Disk disk;
-  if (const auto cache = disk.read(
-          plugins::loader_cache,
-          {.max_size = system::size_limit::system_file, .links = system::Links::followed})) {
+  if (const auto cache = disk.read_named(plugins::loader_cache, system::size_limit::system_file)) {
     // The cache holds paths that end with a zero.
     if (cache->find('/' + name + '\0') != std::string::npos) return true;
   }

@@ -30,6 +30,7 @@ struct HandInOptions {
 };
 
 using namespace std::chrono_literals;
+using record::text_in;
 using web::DeskReply;
 using web::Json;
 
@@ -39,17 +40,9 @@ constexpr auto longest_pause = 10'000ms;
 constexpr auto patience = 120s;                 // with a server that does not answer
 constexpr std::uint64_t max_token_file = 4096;  // bytes
 
-std::string text_in(const Json& object, const char* key) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return object.is_object() && found != object.end() && found->is_string()
-             ? found->get<std::string>()
-             : "";
-}
-
 int number_in(const Json& object, const char* key) {
-  return object.is_object() && object.contains(key) && object[key].is_number_integer()
-             ? object[key].get<int>()
-             : 0;
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number_integer() ? found->get<int>() : 0;
 }
 
 std::string state_in_words(const Json& report) {
@@ -85,7 +78,7 @@ Result<std::string> read_token(const std::string& path) {
   if (stat(path.c_str(), &about) == 0 && (about.st_mode & (S_IRGRP | S_IROTH)) != 0)
     std::cerr << "others on this computer can read the token: chmod 600 " << system::printable(path)
               << '\n';
-  auto text = disk.read(path, {.max_size = max_token_file, .links = system::Links::followed});
+  auto text = disk.read_named(path, max_token_file);
   if (!text) return text;
   std::erase_if(*text, [](char c) { return c == '\n' || c == '\r' || c == ' ' || c == '\t'; });
   for (const char c : *text) {
@@ -193,8 +186,7 @@ Result<int> run_hand_in(const HandInOptions& options) {
   if (!options.pin.empty()) return pin_entry(options, token);
   if (options.path.empty()) return fail(Errc::input, "name the file to hand in, or --pin N");
   system::Disk disk;
-  MIROCUP_TRY(const auto bytes, disk.read(options.path, {.max_size = system::size_limit::entry,
-                                                         .links = system::Links::followed}));
+  MIROCUP_TRY(const auto bytes, disk.read_named(options.path, system::size_limit::entry));
   MIROCUP_TRY(auto client, web::HandInClient::open(options.url, token, options.authority));
   // Asked first, so that nothing is sent in vain.
   MIROCUP_TRY(const auto about, checked(client->about(), 200));
@@ -220,12 +212,10 @@ Result<int> run_hand_in(const HandInOptions& options) {
 }  // namespace
 
 void add_hand_in(system::Commands& commands) {
-  const auto [command, o] = commands.add<HandInOptions>(
-      {"hand-in",
-       for_teams,
-       "Hand a library in to a league on the network, and wait for the answer",
-       {"mirocup hand-in https://league.example:8443 mine.so --token-file token"}},
-      run_hand_in);
+  const auto [command, o] =
+      commands.add(run_hand_in, "hand-in", for_teams,
+                   "Hand a library in to a league on the network, and wait for the answer",
+                   {"mirocup hand-in https://league.example:8443 mine.so --token-file token"});
   command.option("URL", o.url, "Address of the league, as https://league.example:8443").required();
   const system::Option file = command.option(
       "FILE", o.path,

@@ -52,12 +52,10 @@ Result<int> run_identify(const IdentifyOptions& options) {
 }  // namespace
 
 void add_identify(system::Commands& commands) {
-  const auto [command, o] = commands.add<IdentifyOptions>(
-      {"identify",
-       for_engineers,
-       "Find the numbers of a pitch from recordings: floor, walls, motors, camera",
-       {"mirocup identify seen.jsonl -o ours.json --page ours.html"}},
-      run_identify);
+  const auto [command, o] =
+      commands.add(run_identify, "identify", for_engineers,
+                   "Find the numbers of a pitch from recordings: floor, walls, motors, camera",
+                   {"mirocup identify seen.jsonl -o ours.json --page ours.html"});
   command
       .option("RECORDING", o.recordings, "Recordings (mirocup/recording/1, or .csv) of one pitch")
       .required();

@@ -12,12 +12,13 @@
 #include "programs/mirocup/commands.hpp"
 #include "record/team_parameters_json.hpp"
 #include "server/dds/credentials.hpp"
-#include "system/certificate.hpp"
+#include "system/clock.hpp"
 #include "system/host_address.hpp"
 #include "system/interrupt.hpp"
 
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -73,10 +74,10 @@ Result<std::string> python_for(const JoinOptions& options) {
 void warn_of_expiry(const std::string& credentials) {
   if (credentials.empty()) return;
   const auto end = dds::credentials_end(credentials);
-  const std::int64_t now = system::present_moment();
+  const std::int64_t now = std::time(nullptr);
   if (!end || *end < now || *end - now >= short_validity) return;
   std::cerr << "mirocup: warning: the credentials in " << credentials << " are valid until "
-            << system::date_text(*end) << " only\n";
+            << system::TimeZone().text(*end) << " only\n";
 }
 
 // The host of a library that plays over the network: its parameters are those of the command line,
@@ -243,13 +244,10 @@ Result<int> run_join(const JoinOptions& options) {
 }  // namespace
 
 void add_join(system::Commands& commands) {
-  const auto [command, o] = commands.add<JoinOptions>(
-      {"join",
-       for_teams,
-       "Let a team play in a match on the network",
-       {"mirocup join --match 7 --team blue --name ours mine.so",
-        "mirocup join --match 7 --team yellow --name theirs their.so --server 10.0.0.5"}},
-      run_join);
+  const auto [command, o] = commands.add(
+      run_join, "join", for_teams, "Let a team play in a match on the network",
+      {"mirocup join --match 7 --team blue --name ours mine.so",
+       "mirocup join --match 7 --team yellow --name theirs their.so --server 10.0.0.5"});
   command.option("--match", o.match_id, "ID of the match").required();
   command.option("--team", o.team, "Colour of the team").required().one_of({"blue", "yellow"});
   command.option("--name", o.name, "Name of the team, as the match expects it (dds:NAME)")

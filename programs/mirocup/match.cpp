@@ -59,8 +59,7 @@ struct MatchOptions {
 Result<void> read_start(const MatchOptions& options, match::Setup& setup) {
   if (options.start_path.empty()) return {};
   MIROCUP_TRY(const auto text,
-              system::Disk().read(options.start_path, {.max_size = system::size_limit::note,
-                                                       .links = system::Links::followed}));
+              system::Disk().read_named(options.start_path, system::size_limit::note));
   MIROCUP_TRY(const auto situation, record::parse_situation(text, options.start_path));
   const std::string league(to_string(situation.league));
   if (!options.league.empty() && options.league != league) {
@@ -379,14 +378,11 @@ void add_firasim(const system::Command& command, server::NetworkTerms& o) {
 }  // namespace
 
 void add_match(system::Commands& commands) {
-  const auto [command, o] = commands.add<MatchOptions>(
-      {"match",
-       for_teams,
-       "Play one leg",
-       {"mirocup match --blue mine.so --yellow striker --seed 7 --record leg.json",
-        "mirocup match --blue mine.py --yellow chaser --watch",
-        "mirocup match --blue mine.so --yellow mine.so --blue-param wait=0.5"}},
-      run_match);
+  const auto [command, o] =
+      commands.add(run_match, "match", for_teams, "Play one leg",
+                   {"mirocup match --blue mine.so --yellow striker --seed 7 --record leg.json",
+                    "mirocup match --blue mine.py --yellow chaser --watch",
+                    "mirocup match --blue mine.so --yellow mine.so --blue-param wait=0.5"});
   server::NetworkTerms& network = o.session.network;
   command
       .option("--blue", o.teams[0],

@@ -10,6 +10,7 @@
 #include "system/locations.hpp"
 #include "system/printable.hpp"
 #include "system/shell_word.hpp"
+#include "system/text.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -27,14 +28,6 @@ struct NewOptions {
 };
 
 namespace fs = std::filesystem;
-
-std::string replaced(std::string text, const std::string& word, const std::string& by) {
-  for (std::size_t at = text.find(word); at != std::string::npos;
-       at = text.find(word, at + by.size())) {
-    text.replace(at, word.size(), by);
-  }
-  return text;
-}
 
 // A program that every shell finds is called by its name, so that the files outlive a move.
 std::string called_as(const std::string& program) {
@@ -64,10 +57,9 @@ using Words = std::vector<std::pair<std::string, std::string>>;
 // Copies a file of the installation into the folder, with other words in place of some.
 Result<void> write_filled(system::Disk& disk, const fs::path& file, const std::string& folder,
                           const Words& words) {
-  MIROCUP_TRY(auto text, disk.read(file.string(), {.max_size = system::size_limit::system_file,
-                                                   .links = system::Links::followed}));
+  MIROCUP_TRY(auto text, disk.read_named(file.string(), system::size_limit::system_file));
   std::string filled = std::move(text);
-  for (const auto& [word, by] : words) filled = replaced(std::move(filled), word, by);
+  for (const auto& [word, by] : words) filled = system::replaced(std::move(filled), word, by);
   const std::string path = (fs::path(folder) / file.filename()).string();
   if (auto written = disk.write(path, filled); !written) return written;
   // Scripts can be run.
@@ -162,13 +154,10 @@ Result<int> run_new(const NewOptions& options) {
 }  // namespace
 
 void add_new(system::Commands& commands) {
-  const auto [command, o] =
-      commands.add<NewOptions>({"new",
-                                for_teams,
-                                "Make a folder with a team that builds without changes",
-                                {"mirocup new mine && cd mine && cmake --workflow --preset team",
-                                 "mirocup new mine --language python"}},
-                               run_new);
+  const auto [command, o] = commands.add(
+      run_new, "new", for_teams, "Make a folder with a team that builds without changes",
+      {"mirocup new mine && cd mine && cmake --workflow --preset team",
+       "mirocup new mine --language python"});
   command.option("DIR", o.folder, "Folder to make; must be new or empty").required();
   command.option("--language", o.language, "Language of the team")
       .one_of({"c++", "c", "python"})

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/old_project.hpp"
 
+#include "system/text.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <regex>
@@ -8,9 +10,7 @@
 namespace mirocup::app {
 
 bool is_old_project(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
+  const std::string ending = system::lower_case(std::filesystem::path(path).extension().string());
   return ending == ".dsp" || ending == ".vcproj" || ending == ".vcxproj";
 }
 

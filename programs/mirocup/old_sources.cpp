@@ -4,6 +4,7 @@
 #include "programs/mirocup/old_project.hpp"
 #include "programs/mirocup/old_text.hpp"
 #include "system/files.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,15 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t max_files = 2000;
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : static_cast<char>(c);
-  });
-  return text;
-}
-
 bool ends_with_any(const std::string& path, std::initializer_list<const char*> endings) {
-  const std::string ending = lower(fs::path(path).extension().string());
+  const std::string ending = system::lower_case(fs::path(path).extension().string());
   return std::any_of(endings.begin(), endings.end(), [&](const char* e) { return ending == e; });
 }
 
@@ -76,7 +70,7 @@ std::vector<std::string> included_by(const std::string& code) {
   for (std::sregex_iterator at(code.begin(), code.end(), line), end; at != end; ++at) {
     std::string name = (*at)[1];
     std::replace(name.begin(), name.end(), '\\', '/');
-    names.push_back(lower(fs::path(name).filename().string()));
+    names.push_back(system::lower_case(fs::path(name).filename().string()));
   }
   return names;
 }
@@ -96,7 +90,8 @@ Result<Folder> read_all(const std::string& folder) {
   if (error) return fail(Errc::input, folder + ": " + error.message());
   for (; !error && at != end; at.increment(error)) {
     const std::string name = at->path().filename().string();
-    const bool is_built = lower(name) == "debug" || lower(name) == "release" || name == "x64";
+    const bool is_built = system::lower_case(name) == "debug" ||
+                          system::lower_case(name) == "release" || name == "x64";
     if (at->is_directory(error) && (name.front() == '.' || is_built)) {
       at.disable_recursion_pending();
       continue;
@@ -154,15 +149,16 @@ std::string standard_of(const std::map<std::string, std::string>& all) {
 
 // The case of a name does not count, as on Windows.
 bool is_named(const std::vector<std::string>& names, const std::string& path) {
-  return std::any_of(names.begin(), names.end(),
-                     [&](const std::string& name) { return lower(name) == lower(path); });
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return system::lower_case(name) == system::lower_case(path);
+  });
 }
 
 // The project that counts: of several the one nearest to the top, and of those the one for the
 // newest Visual C++, since older ones are left over. Empty if there is none, or two are alike.
 std::string project_of(const Folder& folder) {
   const auto rank = [](const std::string& path) {
-    const std::string kind = lower(fs::path(path).extension().string());
+    const std::string kind = system::lower_case(fs::path(path).extension().string());
     const int age = kind == ".vcxproj" ? 0 : kind == ".vcproj" ? 1 : 2;
     return std::pair(std::count(path.begin(), path.end(), '/'), age);
   };
@@ -261,7 +257,7 @@ Result<OldSources> find_old_sources(const std::string& folder) {
     for (const std::string& name : included_by(code)) ++included[name];
   }
   const auto uses = [&](const std::string& path) {
-    return included[lower(fs::path(path).filename().string())];
+    return included[system::lower_case(fs::path(path).filename().string())];
   };
   const auto defines = [](const std::string& path, const std::string& code) {
     const bool has_field = has_word(code, "selfRobots") || has_word(code, "ourRobots");

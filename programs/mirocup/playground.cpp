@@ -36,12 +36,10 @@ Result<int> run_playground(const PlaygroundOptions& options) {
 }  // namespace
 
 void add_playground(system::Commands& commands) {
-  const auto [command, o] = commands.add<PlaygroundOptions>(
-      {"playground",
-       for_teams,
-       "Make a page in which anyone can play by hand, against house teams, in a browser",
-       {"mirocup playground -o playground"}},
-      run_playground);
+  const auto [command, o] = commands.add(
+      run_playground, "playground", for_teams,
+      "Make a page in which anyone can play by hand, against house teams, in a browser",
+      {"mirocup playground -o playground"});
   command
       .option("-o,--output", o.folder, "Folder to write index.html to; this page opens from disk")
       .named("FOLDER")

@@ -44,12 +44,10 @@ Result<int> run_record_as_seen(const RecordAsSeenOptions& options) {
 }  // namespace
 
 void add_record_as_seen(system::Commands& commands) {
-  const auto [command, o] = commands.add<RecordAsSeenOptions>(
-      {"record-as-seen",
-       for_engineers,
-       "Write what a camera would have seen of a played match, as a recording",
-       {"mirocup record-as-seen leg.json -o seen.jsonl"}},
-      run_record_as_seen);
+  const auto [command, o] =
+      commands.add(run_record_as_seen, "record-as-seen", for_engineers,
+                   "Write what a camera would have seen of a played match, as a recording",
+                   {"mirocup record-as-seen leg.json -o seen.jsonl"});
   command.option("RECORD", o.record, "Match record, written by --record").required();
   command.option("-o", o.output, "File to write the recording to (mirocup/recording/1)")
       .named("FILE")

@@ -42,8 +42,7 @@ void print(const Json& json) {
 
 Result<int> judge_traces(const std::string& path) {
   system::Disk disk;
-  MIROCUP_TRY(const auto text, disk.read(path, {.max_size = system::size_limit::trace,
-                                                .links = system::Links::followed}));
+  MIROCUP_TRY(const auto text, disk.read_named(path, system::size_limit::trace));
   std::istringstream lines(text);
   std::string line;
   bool all_judged = true;
@@ -88,12 +87,11 @@ std::string decision_text(const std::optional<match::LoggedDecision>& logged) {
 
 Result<int> judge_record(const RefereeOptions& options) {
   system::Disk disk;
-  const auto record = record::load(disk, options.record_path);
-  if (!record) return tl::unexpected(record.error());
-  const match::Setup& setup = record->recording.setup;
+  MIROCUP_TRY(const auto record, record::load(disk, options.record_path));
+  const match::Setup& setup = record.recording.setup;
   MIROCUP_TRY(const auto rules, record::rules_with_changes(record::to_json(setup.rules),
                                                            options.rule_changes, setup.league));
-  const std::vector<replay::Difference> differences = replay::rejudge(record->recording, rules);
+  const std::vector<replay::Difference> differences = replay::rejudge(record.recording, rules);
 
   Json list = Json::array();
   for (const replay::Difference& d : differences) {
@@ -129,12 +127,10 @@ Result<int> run_referee(const RefereeOptions& options) {
 }  // namespace
 
 void add_referee(system::Commands& commands) {
-  const auto [command, o] = commands.add<RefereeOptions>(
-      {"referee",
-       for_engineers,
-       "Judge recorded situations, or judge a played match with other parameters",
-       {"mirocup referee trace.jsonl", "mirocup referee --record leg.json --rule stalemate_s=5"}},
-      run_referee);
+  const auto [command, o] = commands.add(
+      run_referee, "referee", for_engineers,
+      "Judge recorded situations, or judge a played match with other parameters",
+      {"mirocup referee trace.jsonl", "mirocup referee --record leg.json --rule stalemate_s=5"});
   const system::Option trace =
       command.option("TRACE", o.trace_path, "File of situations, one JSON object on each line");
   const system::Option record =

@@ -149,8 +149,7 @@ Result<int> run_replay(const ReplayOptions& options) {
     return fail(Errc::input, "--statistics belongs to a page, not to a picture of a moment");
   }
   system::Disk disk;
-  const auto record = record::load(disk, options.record);
-  if (!record) return tl::unexpected(record.error());
+  MIROCUP_TRY(const auto record, record::load(disk, options.record));
   const bool shows_own = !options.svg && !options.public_page;
   MIROCUP_TRY(
       const auto own,
@@ -160,15 +159,15 @@ Result<int> run_replay(const ReplayOptions& options) {
   MIROCUP_TRY(const auto proof, proof_of(disk, options, output));
   web::ReplayPage shown;
   const auto made = options.svg
-                        ? picture_at(record->recording, *options.at)
-                        : web::replay_page(*record, times, own, proof,
+                        ? picture_at(record.recording, *options.at)
+                        : web::replay_page(record, times, own, proof,
                                            shows_own ? web::Wheels::shown : web::Wheels::left_out)
                               .map([&shown](web::ReplayPage page) {
                                 shown = std::move(page);
                                 return shown.html;
                               });
-  if (!made && record::has_other_behaviour(*record)) {
-    return tl::unexpected(record::behaviour_mismatch(options.record, *record, made.error().tick));
+  if (!made && record::has_other_behaviour(record)) {
+    return tl::unexpected(record::behaviour_mismatch(options.record, record, made.error().tick));
   }
   if (!made) {
     std::cerr << "mirocup: " << system::printable(options.record)
@@ -179,7 +178,7 @@ Result<int> run_replay(const ReplayOptions& options) {
   MIROCUP_TRY_VOID(disk.write(output, *made));
   std::string beside;
   if (proof && !proof->commands_file.empty()) {
-    beside = web::commands_script(*record);
+    beside = web::commands_script(record);
     MIROCUP_TRY_VOID(disk.write(commands_file_of(output), beside));
   }
   if (proof) tell_of_proof(shown, beside.size());
@@ -187,7 +186,7 @@ Result<int> run_replay(const ReplayOptions& options) {
     // The name alone, so that the file has the same bytes wherever the record is.
     const std::string name = std::filesystem::path(options.record).filename();
     const std::string text =
-        statistics::leg_report_text(statistics::report_of(name, *record, shown.statistics));
+        statistics::leg_report_text(statistics::report_of(name, record, shown.statistics));
     MIROCUP_TRY_VOID(disk.write(options.statistics, text));
   }
   std::cout << system::printable(output) << '\n';
@@ -199,13 +198,11 @@ Result<int> run_replay(const ReplayOptions& options) {
 }  // namespace
 
 void add_replay(system::Commands& commands) {
-  const auto [command, o] = commands.add<ReplayOptions>(
-      {"replay",
-       after_a_leg,
-       "Make a page that shows a record in a browser, a picture of one moment, or a video",
-       {"mirocup replay leg.json --open", "mirocup replay leg.json --clip 12:18 -o goal.gif",
-        "mirocup replay leg.json --at 12.5 --svg -o moment.svg"}},
-      run_replay);
+  const auto [command, o] = commands.add(
+      run_replay, "replay", after_a_leg,
+      "Make a page that shows a record in a browser, a picture of one moment, or a video",
+      {"mirocup replay leg.json --open", "mirocup replay leg.json --clip 12:18 -o goal.gif",
+       "mirocup replay leg.json --at 12.5 --svg -o moment.svg"});
   command.option("RECORD", o.record, "Match record").required();
   command
       .option("-o,--output", o.output,

@@ -199,20 +199,19 @@ void report(const RerunOptions& options, const std::optional<CommandDifference>&
 
 Result<int> run_rerun(const RerunOptions& options) {
   system::Disk disk;
-  const auto record = record::load(disk, options.record);
-  if (!record) return tl::unexpected(record.error());
-  if (record->recording.outcome.kind == match::OutcomeKind::void_) {
+  MIROCUP_TRY(const auto record, record::load(disk, options.record));
+  if (record.recording.outcome.kind == match::OutcomeKind::void_) {
     return fail(Errc::input, options.record + ": the leg is void, there is nothing to run again");
   }
   std::vector<server::TeamChoice> choices;
-  for (const record::TeamInfo& team : record->teams) {
+  for (const record::TeamInfo& team : record.teams) {
     MIROCUP_TRY(auto choice, choose_again(disk, team, options));
     choices.push_back(std::move(choice));
   }
   MIROCUP_TRY(const auto difference,
-              play_again(record->recording, record->from ? record->from->tick : 0, choices));
-  if (difference && record::has_other_behaviour(*record)) {
-    return tl::unexpected(record::behaviour_mismatch(options.record, *record, difference->tick));
+              play_again(record.recording, record.from ? record.from->tick : 0, choices));
+  if (difference && record::has_other_behaviour(record)) {
+    return tl::unexpected(record::behaviour_mismatch(options.record, record, difference->tick));
   }
   report(options, difference);
   return difference ? exit_no : exit_yes;
@@ -222,11 +221,9 @@ Result<int> run_rerun(const RerunOptions& options) {
 
 void add_rerun(system::Commands& commands) {
   const auto [command, o] =
-      commands.add<RerunOptions>({"rerun",
-                                  after_a_leg,
-                                  "Let the teams of a record play again and compare their commands",
-                                  {"mirocup rerun leg.json --entries teams"}},
-                                 run_rerun);
+      commands.add(run_rerun, "rerun", after_a_leg,
+                   "Let the teams of a record play again and compare their commands",
+                   {"mirocup rerun leg.json --entries teams"});
   command.option("RECORD", o.record, "Match record").required();
   command.option("--entries", o.entries,
                  "Folder with the teams' libraries, which are found by their sha256 (default: "

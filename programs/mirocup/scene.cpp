@@ -23,8 +23,7 @@ struct SceneOptions {
 
 Result<int> run_scene(const SceneOptions& options) {
   system::Disk disk;
-  MIROCUP_TRY(const auto text, disk.read(options.path, {.max_size = system::size_limit::scene,
-                                                        .links = system::Links::followed}));
+  MIROCUP_TRY(const auto text, disk.read_named(options.path, system::size_limit::scene));
   MIROCUP_TRY(const auto scene, record::parse_scene(text, options.path));
 
   const auto accuracy = *from_string<simulator::Accuracy>(options.accuracy);
@@ -50,12 +49,10 @@ Result<int> run_scene(const SceneOptions& options) {
 }  // namespace
 
 void add_scene(system::Commands& commands) {
-  const auto [command, o] = commands.add<SceneOptions>(
-      {"scene",
-       for_engineers,
-       "Simulate a scene: bodies and wheel commands, without teams and laws",
-       {"mirocup scene scene.json --accuracy reference -o result.json"}},
-      run_scene);
+  const auto [command, o] =
+      commands.add(run_scene, "scene", for_engineers,
+                   "Simulate a scene: bodies and wheel commands, without teams and laws",
+                   {"mirocup scene scene.json --accuracy reference -o result.json"});
   command.option("FILE", o.path, "Scene, a file of schema mirocup/scene/1").required();
   command.option("--accuracy", o.accuracy, "Accuracy of lasting contacts (default: standard)")
       .one_of({"coarse", "standard", "reference"});

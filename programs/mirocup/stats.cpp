@@ -53,12 +53,10 @@ Result<int> run_stats(const StatsOptions& options) {
 }  // namespace
 
 void add_stats(system::Commands& commands) {
-  const auto [command, o] = commands.add<StatsOptions>(
-      {"stats",
-       after_a_leg,
-       "Print the football statistics of legs: shots, passes, possession, fouls, goals by kind",
-       {"mirocup stats leg.json --goals", "mirocup stats spring --csv"}},
-      run_stats);
+  const auto [command, o] = commands.add(
+      run_stats, "stats", after_a_leg,
+      "Print the football statistics of legs: shots, passes, possession, fouls, goals by kind",
+      {"mirocup stats leg.json --goals", "mirocup stats spring --csv"});
   command.option("RECORD", o.paths, "Match records, or the folder of one league").required();
   command.flag(
       "--goals", o.goals,

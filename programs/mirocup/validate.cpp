@@ -43,13 +43,11 @@ Result<int> run_validate(const ValidateOptions& options) {
 }  // namespace
 
 void add_validate(system::Commands& commands) {
-  const auto [command, o] = commands.add<ValidateOptions>(
-      {"validate",
-       for_engineers,
-       "Print how well the simulator predicts recordings 1 to 30 pictures ahead, and how well "
-       "simple yardsticks do (exit code 1: a yardstick is better)",
-       {"mirocup validate seen.jsonl --pitch ours.json -o validation.html"}},
-      run_validate);
+  const auto [command, o] = commands.add(
+      run_validate, "validate", for_engineers,
+      "Print how well the simulator predicts recordings 1 to 30 pictures ahead, and how well "
+      "simple yardsticks do (exit code 1: a yardstick is better)",
+      {"mirocup validate seen.jsonl --pitch ours.json -o validation.html"});
   command.option("RECORDING", o.recordings, "Recordings (mirocup/recording/1, or .csv)").required();
   command.option("--pitch", o.pitch, "Pitch to simulate with").named("NAME|FILE").shows_default();
   command.option("-o,--page", o.page, "File to write a page with pictures to").named("FILE");

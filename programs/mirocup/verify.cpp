@@ -26,14 +26,13 @@ Result<int> run_verify(const VerifyOptions& options) {
   system::Disk disk;
   const auto whole = record::load(disk, options.path);
   // For a record that was changed, its first wrong statement is a better answer than the checksum.
-  const auto record =
-      whole ? whole : record::load(disk, options.path, record::ChecksumPolicy::ignored);
-  if (!record) return tl::unexpected(record.error());
-  const auto divergence = replay::verify(record->recording);
-  const bool has_other_behaviour = record::has_other_behaviour(*record);
+  MIROCUP_TRY(const auto record,
+              whole ? whole : record::load(disk, options.path, record::ChecksumPolicy::ignored));
+  const auto divergence = replay::verify(record.recording);
+  const bool has_other_behaviour = record::has_other_behaviour(record);
   if (!whole && (!divergence || has_other_behaviour)) return tl::unexpected(whole.error());
   if (divergence && has_other_behaviour) {
-    const std::string program = version_that_reproduces(options.path, *record);
+    const std::string program = version_that_reproduces(options.path, record);
     if (!program.empty()) {
       std::cerr << "mirocup: the leg was played by another version; " << system::printable(program)
                 << " verifies it\n";
@@ -41,7 +40,7 @@ Result<int> run_verify(const VerifyOptions& options) {
       if (options.json) words.emplace_back("--json");
       return tl::unexpected(system::become_program(std::move(words)));
     }
-    return tl::unexpected(record::behaviour_mismatch(options.path, *record, divergence->tick));
+    return tl::unexpected(record::behaviour_mismatch(options.path, record, divergence->tick));
   }
 
   if (options.json) {
@@ -54,8 +53,8 @@ Result<int> run_verify(const VerifyOptions& options) {
               << " on: " << divergence->what << '\n';
   } else {
     std::cout << system::printable(options.path) << ": reproduced, "
-              << record->recording.ticks.size() << " ticks, state hash "
-              << to_hex(record->recording.state_hash) << '\n';
+              << record.recording.ticks.size() << " ticks, state hash "
+              << to_hex(record.recording.state_hash) << '\n';
   }
   return divergence ? exit_no : exit_yes;
 }
@@ -63,12 +62,10 @@ Result<int> run_verify(const VerifyOptions& options) {
 }  // namespace
 
 void add_verify(system::Commands& commands) {
-  const auto [command, o] = commands.add<VerifyOptions>(
-      {"verify",
-       after_a_leg,
-       "Simulate a record again from its commands and compare everything",
-       {"mirocup verify leg.json"}},
-      run_verify);
+  const auto [command, o] =
+      commands.add(run_verify, "verify", after_a_leg,
+                   "Simulate a record again from its commands and compare everything",
+                   {"mirocup verify leg.json"});
   command.option("RECORD", o.path, "Match record").required();
   command.flag("--json", o.json, "Print the answer as one JSON object");
 }
