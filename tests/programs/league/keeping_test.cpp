@@ -217,9 +217,9 @@ TEST(Teams, AreThoseOfTheClassListEverywhere) {
       "b;\"=cmd|' /C calc'!A0\";Cy;cy@x\r\nc;;Di;di@x\r\nd;;;\r\n";
   write_file(list, text);
   const Outcome made = run(league("team", folder, {"--csv", list}));
-  EXPECT_EQ(made.out, list + ": 4 teams, 4 new to the league\nkept for the grades: mail\n");
+  EXPECT_EQ(made.out, list + ": 4 teams, 4 new to the league\ncolumns kept for the grades: mail\n");
   EXPECT_EQ(run(league("team", folder, {"--csv", list})).out,
-            list + ": 4 teams, 0 new to the league\nkept for the grades: mail\n");
+            list + ": 4 teams, 0 new to the league\ncolumns kept for the grades: mail\n");
   EXPECT_EQ(read_json(folder + "/league.json")["teams"].size(), 4u);
 
   // What docs/hosting.md once said to do: the shell empties the list before the program begins.

@@ -532,7 +532,7 @@ TEST(Training, RefusesWhatItDoesNotUnderstand) {
       {{{"observation", "relative"}}, "relative"},
       {{{"start", "no-such-drill"}}, "/start"},
       {{{"start", {{"bal", 1}}}}, "/bal"},
-      {{{"start", {{"score", {1, 0}}}}}, "even"},
+      {{{"start", {{"score", {1, 0}}}}}, "level"},
       {{{"start", {{"ball", {{"position", {9, 9}}}}}}}, "outside"},
       {{{"pitch", {{"ball_mas", 1}}}}, "/ball_mas"},
       {{{"pitch", {{"ball_mass", range(-1.0, 1.0)}}}}, "/ball_mass"}};
