@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells whether only root and this (effective) user can have put a file at its path. mirocup
-// replaces itself only with such a program, and reads its list of programs only from such a file.
+// Checks that nobody but root and this (effective) user can have put the file at a path there. Only
+// a program that passes may replace mirocup, and mirocup reads its list of programs only from a
+// file that passes.
 #pragma once
 
 #include "core/base/error.hpp"

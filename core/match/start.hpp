@@ -43,7 +43,8 @@ struct Start {
   ByTeam<int> score{};
 };
 
-// Returns the decision that gives the restart; if there is none, a decision without effect.
+// Returns the decision that gives the restart; a decision without effect if the start has no
+// restart.
 referee::Decision restart_of(const Start& start);
 
 // Returns where all bodies stand at the start. Those that the start does not give stand in the

@@ -67,7 +67,8 @@ struct LawBook {
 Judgement judge_play(const Pitch& pitch, const Situation& situation,
                      const std::optional<Decision>& goal, LawBook& book);
 
-// Judges only the fouls of the attackers that cancel a goal. The first one is the decision.
+// Judges only the fouls of the attackers, which cancel their goal of the same tick. The first foul
+// is the decision.
 Judgement judge_attackers(const Pitch& pitch, const Situation& situation,
                           const std::optional<Decision>& goal, LawBook& book);
 

@@ -17,9 +17,9 @@ std::array<End, 2> ends_from_ball(const Situation& situation);
 // True if the ball is in that end's half; false for both ends when it is on the half line.
 bool ball_in_half(const Situation& situation, End end);
 
-// True if the ball is in the zone of that end's goal: the zone that Rules::zone_depth_m gives or,
-// if this is 0, the penalty area; on a field without penalty areas, the goal area and
-// `zone_margin_m` around it.
+// True if the ball is in the zone of that end's goal. If Rules::zone_depth_m is above 0, that depth
+// and zone_half_width_m bound the zone. If it is 0, the zone is the penalty area or, on a field
+// without penalty areas, the goal area and zone_margin_m around it.
 bool ball_in_zone(const Pitch& pitch, const Situation& situation, End end);
 
 // True if the centre of an opponent of `owner` is within `contested_m` of the ball's centre.

@@ -54,9 +54,9 @@ struct Rules {
   double contested_m = 0.1125;  // an opponent's centre this near to the ball contests it
   double zone_margin_m = 0.05;  // small league: a goal's zone reaches this far beyond its goal area
   // The zone of a goal where crowds and charges count: the ball is at most zone_depth_m from the
-  // goal line and zone_half_width_m from the long axis. If the depth is 0, the zone is the penalty
-  // area, or in the small league the goal area and zone_margin_m around it; charges then count in
-  // the whole half.
+  // goal line and zone_half_width_m from the long axis. If the depth is 0, charges count in the
+  // whole half, and the zone of crowds is the penalty area or, in the small league, the goal area
+  // and zone_margin_m around it.
   double zone_depth_m = 0.0;
   double zone_half_width_m = off;
   double shoved_s = 1.0;     // how long a robot is excused after it was pushed
@@ -77,7 +77,7 @@ struct Rules {
   int pa_att_max = 0;             // robots of the attackers allowed in the defenders' penalty area
   double att_dwell_s = 0.33;      // how long more attackers than allowed are forgiven
   bool att_at_once = true;        // two too many in the goal area are not forgiven at all
-  bool att_cancels_goal = false;  // no goal counts with too many in the goal area, however briefly
+  bool att_cancels_goal = false;  // too many in the goal area, however briefly, cancel a goal
 
   // The keeper.
   double keeper_hold_s = 10.0;    // the ball stays uncontested in a goal area for this time
@@ -90,7 +90,7 @@ struct Rules {
   double block_ball_m = 0.25;     // the ball is farther than this from attacker and keeper
 
   // Play that gets nowhere.
-  double stalemate_s = 10.0;          // the ball stays within the radius for this time
+  double stalemate_s = 10.0;          // the ball stays within stalemate_radius_m for this time
   double stalemate_radius_m = 0.075;  // one robot side
   // If above 0, the ball gets nowhere while it is not faster than this, whatever the radius.
   double stalemate_speed_mps = 0.0;

@@ -5,10 +5,10 @@
 // The simulator is event-driven: between two events every body moves on a smooth trajectory of its
 // own. An event is the first contact of two bodies, wheels that begin or cease to slide, a ball
 // that stops, or a contact that opens. Only the bodies of an event, and all that touch them, get
-// new trajectories. Once the events of a tick have cost its budget, the bodies of further events
-// are time-stepped with everything that they touch, so no scene can stall the world. Large islands
-// that went over budget are stepped from the start of the next tick. Contacts with friction (an
-// option) are stepped unless they slide. docs/algorithm.md describes the method room by room.
+// new trajectories. Once the events of a tick have used up its event budget, the bodies of further
+// events are time-stepped with everything that they touch, so no scene can stall the world. Large
+// islands that went over budget are stepped from the start of the next tick. Contacts with friction
+// (an option) are stepped unless they slide. docs/algorithm.md describes the method room by room.
 //
 // Uses all rooms of core/simulator. Units: m, s, rad, N; times are seconds since the start of the
 // tick. Threads: none; a world belongs to one thread. Nothing is allocated after construction.

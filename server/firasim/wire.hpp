@@ -29,8 +29,8 @@ inline constexpr std::size_t max_entries = 64;
 // Robot of a Frame.
 struct SeenRobot {
   double x = 0.0, y = 0.0;                // 2, 3
-  double orientation = 0.0;               // 4, rad in (-pi, pi]
-  double vx = 0.0, vy = 0.0, turn = 0.0;  // 5, 6, 7: m/s, rad/s
+  double orientation = 0.0;               // field 4; rad in (-pi, pi]
+  double vx = 0.0, vy = 0.0, turn = 0.0;  // fields 5, 6, 7; m/s, rad/s
 };
 
 // Field: the sizes, m, with which a client draws the field and plans.
@@ -44,9 +44,9 @@ struct FieldSizes {
 
 // Environment: the vision of one tick.
 struct Vision {
-  std::uint32_t step = 0;                                            // 1, ms of simulated time
-  double ball_x = 0.0, ball_y = 0.0, ball_z = 0.0;                   // Frame 1: Ball 1, 2, 3
-  double ball_vx = 0.0, ball_vy = 0.0;                               // Ball 4, 5
+  std::uint32_t step = 0;                           // field 1; ms of simulated time
+  double ball_x = 0.0, ball_y = 0.0, ball_z = 0.0;  // Frame 1: Ball 1, 2, 3
+  double ball_vx = 0.0, ball_vy = 0.0;              // Ball 4, 5
   std::array<std::array<SeenRobot, max_robots_per_team>, 2> robots;  // [team]: blue 3, yellow 2
   int robots_per_team = 0;
   FieldSizes field;                      // 3
@@ -57,7 +57,7 @@ std::string encode(const Vision& vision);
 // Command of one robot.
 struct WheelCommand {
   std::uint32_t id = 0;            // 1
-  Team team = Team::blue;          // 2, bool yellowteam
+  Team team = Team::blue;          // field 2, bool yellowteam
   double left = 0.0, right = 0.0;  // 6, 7
 };
 
@@ -88,16 +88,16 @@ enum class Colour { BLUE, YELLOW, NONE };
 struct RefereeCommand {
   Foul foul = Foul::FREE_KICK;   // 1
   Colour colour = Colour::NONE;  // 2
-  int quadrant = 0;              // 3; quadrant 1 has x, y > 0, then counter-clockwise; 0: none
-  double timestamp = 0.0;        // 4, time of the half, s
-  int half = 0;                  // 5: first 1, second 2, extra time 3 and 4, shoot-out 5
+  int quadrant = 0;              // field 3; quadrant 1: x, y > 0, then counter-clockwise; 0: none
+  double timestamp = 0.0;        // field 4; time of the half, s
+  int half = 0;                  // field 5; halves: 1 and 2, extra time: 3 and 4, shoot-out: 5
 };
 std::string encode(const RefereeCommand& command);
 
 struct PlacedRobot {
   std::uint32_t id = 0;      // 1
   double x = 0.0, y = 0.0;   // 2, 3
-  double orientation = 0.0;  // 4, degrees
+  double orientation = 0.0;  // field 4; degrees
 };
 
 // VSSRef_Placement.

@@ -63,12 +63,12 @@ struct FirasimPlace {
   double join_within = 60.0;                        // s
 };
 
-// Numbers of the rules by which results become tables and pairings. A league keeps the rules with
-// which it was made, so that an upgrade does not change played and published results. A league.json
-// without a number has the former rules, under which tables compare sums.
+// Versions of the rules by which results become tables and pairings. A league keeps the version
+// with which it was made, so that an upgrade does not change played and published results. A
+// league.json without a version has the former rules, under which tables compare sums.
 inline constexpr int former_rules = 1;
-inline constexpr int bye_goals_rules = 3;  // from these rules on, tie-breaks of goals count a bye
-inline constexpr int fair_bye_rules = 4;   // from these rules on, SwissBye::best_of_lowest
+inline constexpr int bye_goals_rules = 3;  // from this version on, tie-breaks of goals count a bye
+inline constexpr int fair_bye_rules = 4;   // from this version on, SwissBye::best_of_lowest
 inline constexpr int current_rules = 4;
 
 struct LeagueFile {

@@ -10,8 +10,8 @@ namespace mirocup::referee {
 
 // Returns a goal for the end at which the ball crosses in this tick. The decision's clock is the
 // moment of the crossing, interpolated within the tick. A ball that ends the tick behind that line
-// and between the posts is also a goal, wherever its straight path would cross. The law has no
-// memory.
+// and between the posts is also a goal, wherever its straight path crosses that line. The law has
+// no memory.
 std::optional<Decision> judge_goal(const Pitch& pitch, const Situation& situation);
 
 }  // namespace mirocup::referee

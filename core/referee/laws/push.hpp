@@ -26,7 +26,8 @@ struct Push {
 struct PushMemory {
   // By pusher and pushed: [index_of(pusher's end)][pusher][pushed].
   ByEnd<std::array<std::array<Push, max_robots_per_team>, max_robots_per_team>> pairs{};
-  ByRobot<RobotSet> on{};  // by pusher: the robots that it pushes, or for which it is muted
+  // By pusher: the opponents that it pushes, and those of a muted pair (Push::muted_s).
+  ByRobot<RobotSet> on{};
 };
 
 // Returns the decision about a push. The pusher's team defends if the ball is in its half or was
@@ -35,7 +36,8 @@ struct PushMemory {
 Decision call_push(const Pitch& pitch, const Situation& situation, const RobotId& pusher,
                    const RobotId& pushed, std::string reason);
 
-// A push of the defending side is called at once; judge_play() applies the advantage to it.
+// Returns the call of at most one push. It ignores the advantage: judge_play() decides whether the
+// call of a push by the defending side waits.
 std::optional<Decision> judge_push(const Pitch& pitch, const Situation& situation,
                                    const Occupancy& occupancy, PushMemory& memory);
 

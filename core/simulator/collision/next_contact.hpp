@@ -18,8 +18,8 @@ namespace mirocup::simulator::collision {
 // True if the contact's edge is guaranteed to separate the pair until another corner reaches it.
 // Only a persistent contact of one of two kinds gives this guarantee: the ball on an edge or
 // corner, or a robot's corner on an edge of a half-plane wall or of another robot. In the second
-// kind no other corner of the robot may be behind the edge's line. (Where two corners meet, one can
-// be.)
+// kind no other corner of the robot may be behind the edge's line. (Where two corners meet, another
+// corner can be behind that line.)
 bool is_separating_edge(const StaticWorld& world, const Contact& contact);
 
 // Returns the first time, s of the tick, at which another corner of the point's side reaches the

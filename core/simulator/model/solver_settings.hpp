@@ -21,8 +21,8 @@ inline constexpr struct TaylorSeriesSettings {
   int steps_per_window = 8;
   // [1] Windows of one search. Only a series that stays within rounding of its level needs so many.
   int max_windows = 256;
-  // [1] Factor of the window's length after a window in which the level was not reached, and after
-  // one that the steps did not get through, because the curvature bound was too loose.
+  // [1] Factors of the window's length: window_growth after a window without a root, window_shrink
+  // after a window that its steps did not get through, because the curvature bound was too loose.
   double window_growth = 2.0;
   double window_shrink = 0.25;
   // [1] Length of a segment times its fastest rate. 14 terms of an exponential or of a steady turn
@@ -84,6 +84,7 @@ inline constexpr struct MotionBoundSettings {
 
 // ---- solver/
 
+// A and b are those of the problem in box_qp.hpp.
 inline constexpr struct BoxQpSettings {
   // [1] Smallest pivot, as a share of its diagonal entry. A smaller pivot says that the unknown
   // depends on others, for example where two contacts push the same bodies in the same direction.
@@ -104,8 +105,9 @@ inline constexpr struct BoxQpSettings {
   int warm_start_size = 32;
 } box_qp;
 
+// A and D are those of the problem in regularized_qp.hpp.
 inline constexpr struct RegularizedQpSettings {
-  // [1] D as a share of A's diagonal: the compliance of a contact.
+  // [1] Compliance of a contact: D is this share of A's diagonal.
   double regularization = 1e-5;
   // [1] Limit of the rounds of Newton's method; few are needed.
   int max_newton_rounds = 40;
@@ -125,8 +127,9 @@ inline constexpr struct RegularizedQpSettings {
 
 inline constexpr struct PivotedCholeskySettings {
   // [1] An equation whose pivot is at most this share of its diagonal entry follows from the others
-  // and is dropped. This share is lower than BoxQpSettings::min_pivot, which only makes an unknown
-  // compliant; but an equation that is dropped by mistake leaves a contact without its force.
+  // and is dropped. BoxQpSettings::min_pivot is higher, because a pivot below it only makes an
+  // unknown compliant, but an equation that is dropped by mistake leaves a contact without its
+  // force.
   double redundant_pivot = 1e-11;
   // [1] An equation whose pivot is above this share of its diagonal entry is clearly independent
   // and keeps its place in the order.
@@ -150,7 +153,7 @@ inline constexpr struct TimeOfImpactSettings {
 inline constexpr struct ImpactSettings {
   double min_approach = 1e-13;  // [m/s] slower approaches are rounding
   // [m/s] Rounding of the rate of a contact that presses. A contact that approaches no faster is
-  // left out when others are thrown back; else rounding would decide its share of the impulses.
+  // left out when the others bounce; else rounding would decide its share of the impulses.
   double resting_approach = 1e-9;
   int max_rounds = 64;  // [1] after them, contacts that still approach are stopped without bounce
   double energy_round_off = 1e-14;  // [1] of the energy: a smaller gain of a round counts as none
@@ -161,7 +164,8 @@ inline constexpr struct RestThresholdsSettings {
   // of the tick, or of the time since the last impact, whichever is longer.
   double times_between_impacts = 2.0;
   int bodies_of_least_budget = 7;  // a world of fewer bodies has the budget of this many
-  int budget_divisor = 8;          // [1] of the budget of bodies that were over it in the last tick
+  // [1] Bodies that were over budget in the last tick have the budget divided by this.
+  int budget_divisor = 8;
   // [bodies] From this size on, an island is stepped from the start of a tick if one of its bodies
   // was over budget in the last tick.
   int large_island = 5;
@@ -169,10 +173,12 @@ inline constexpr struct RestThresholdsSettings {
   double forced_growth = 8.0;
   double max_min_duration = 2e-3;  // [s]
   double contact_memory = 0.02;    // [s] a contact that has been open for longer is forgotten
-  // [1] An approach of at most e + this * (1 - e) times the approach before may belong to a series.
+  // [1] An approach of at most e + this * (1 - e) times its contact's last one may belong to a
+  // series.
   double series_margin = 0.5;
-  // [m/s^2] A contact that an impact has opened closes again with a smaller acceleration, unless
-  // another body has hit one of its bodies. Its approach then does not belong to a series.
+  // [m/s^2] Largest acceleration with which a contact that an impact has opened closes again by
+  // itself. An approach that needed a larger one comes from a hit by another body and belongs to no
+  // series.
   double max_acceleration = 5e3;
 } rest_thresholds;
 
@@ -183,7 +189,7 @@ inline constexpr struct ContactForcesSettings {
   double min_slip_acceleration = 1e-10;  // [m/s^2] a smaller one is rounding: the wheels hold
   double min_rate = 1e-12;               // [m/s] a slower change of a gap counts as none
   double weak_share = 1e-3;              // [1] of the largest force: a smaller force is weak
-  double min_closing = 1e-9;  // [m/s^2] no gap may close faster after weak forces are dropped
+  double min_closing = 1e-9;  // [m/s^2] weak forces stay if without them a gap would close faster
   // [1] Friction agrees with the normal forces if these change by at most this share of the largest
   // one in a round. If they still change more after friction_rounds, the bodies are jammed:
   // friction holds itself up.
@@ -230,10 +236,11 @@ inline constexpr struct TimeStepperSettings {
   // [1] of the ball's radius: no body moves further against the others in a step, or it could end
   // up behind what it hit.
   double max_travel_in_radii = 0.5;
-  // [1] The twists that a step finds may move a body by up to this multiple of that limit.
+  // [1] The twists that a step finds may move a body by up to this multiple of the travel above.
   double travel_overrun = 1.5;
   int max_refinements = 10;  // fixed-point iterations for the gaps at the end of a step
-  // The first iterations must meet Tolerances::step_gap, later ones only step_gap_in_conflict.
+  // The first `strict_refinements` of these iterations must meet Tolerances::step_gap, later ones
+  // only step_gap_in_conflict.
   int strict_refinements = 4;
   double impulse_tolerance = 1e-9;  // [1] of the largest relative velocity: precision of impulses
   int max_halvings = 6;             // of the step's length; then the last attempt is accepted

@@ -51,7 +51,7 @@ struct Tolerances {
   double max_step = 3e-3;              // s: longest step
   double step_gap = 1e-10;             // m: gaps and overlaps that may remain at the end of a step
   double step_gap_in_conflict = 1e-7;  // m: the same if contacts nearly contradict each other
-  double intermediate_penetration = 8e-7;  // m: overlap that is allowed between the ends of a step
+  double intermediate_penetration = 8e-7;  // m: overlap that is allowed inside a step
 };
 
 // Returns the thresholds of a level.

@@ -26,7 +26,7 @@ struct SegmentRequest {
   double begin;               // s of the tick
   double horizon;             // s of the tick: the segment ends there at the latest
   double preferred_duration;  // s: a series that holds for this time needs no more terms
-  double min_duration;  // s: first time after `begin` for a contact to open or wheels to slide
+  double min_duration;        // s after `begin`: no contact opens and no wheels slide earlier
 };
 
 // Computes the segments of clusters. Kept and reused: construction allocates, move() does not.

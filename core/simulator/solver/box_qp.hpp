@@ -80,7 +80,7 @@ class BoxQp {
   std::array<bool, max_unknowns> banned_;  // bounds that are no longer released
   std::array<int, max_unknowns> order_;    // the free unknowns, in the order of the factorisation
   int order_count_ = 0;
-  int factorised_ = 0;  // the first unknowns of order_, whose rows of the factor are valid
+  int factorised_ = 0;  // for how many first unknowns of order_ the rows of the factor are valid
 
   RegularizedQp warm_start_qp_;  // used if it has all rows of the problem
 };

@@ -25,7 +25,7 @@ static_assert(max_unknowns >= 2 * 3 * max_bodies + max_robots);
 using Unknowns = std::array<double, max_unknowns>;
 
 // The diagonal of a body's inverse mass matrix M^-1: 1/M, 1/M (1/kg) and 1/I (1/(kg m^2)). An entry
-// is zero if its velocity cannot change, as the lateral velocity of wheels of infinite grip.
+// is zero if its velocity cannot change, like the lateral velocity of wheels of infinite grip.
 struct InverseMass {
   double forward = 0.0;
   double left = 0.0;

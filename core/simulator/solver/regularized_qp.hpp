@@ -4,11 +4,11 @@
 // impulses of many contacts at once.
 //
 // The problem: minimise 1/2 x.Ax + b.x + 1/2 (x - c).D(x - c) with low <= x <= high, where A = J
-// M^-1 J^T of the rows, D is a small share of A's diagonal and c, the prox centre, is the x at
-// which solve() starts (Parikh and Boyd 2014, "Proximal Algorithms"). D acts as a compliance of
-// each contact: it makes the solution unique, however redundant the contacts are. It also pulls
-// the solution towards c. A problem that is solved repeatedly starts from its last solution, so
-// this pull vanishes.
+// M^-1 J^T of the rows, D is a small share of A's diagonal, and the prox centre c is the x at which
+// solve() starts (Parikh and Boyd 2014, "Proximal Algorithms"). D acts as a compliance of each
+// contact: it makes the solution unique, however redundant the contacts are. It also pulls the
+// solution towards c. A problem that is solved repeatedly starts from its last solution, so this
+// pull vanishes.
 //
 // The method: a projected Newton method (Bertsekas 1982) with a line search. A round has three
 // phases.

@@ -3,8 +3,9 @@
 // Which bodies are being time-stepped, and which of them share a step.
 //
 // A step island is a set of bodies that take one step together: the impulses of the step keep its
-// members apart until the step ends or a body from outside collides with one of them. Each island
-// has a start of its own. Plain bookkeeping for one tick; uses model/ only. Threads: none.
+// members apart until the step ends or a body from outside collides with one of them. The steps of
+// two islands may start at different times. Plain bookkeeping for one tick; uses model/ only.
+// Threads: none.
 #pragma once
 
 #include "core/base/assert.hpp"

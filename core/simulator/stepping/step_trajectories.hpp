@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// How the members of a step move between its ends: each on the arc of its constant twist, plus a
-// mid-step correction.
+// How the members of a step move inside it, that is between its start and its end: each on the arc
+// of its constant twist, plus a mid-step correction.
 //
-// The impulses of a step leave no overlap at its end (time_stepper.hpp). A body that turns while it
-// touches another would still penetrate it between the ends, by an amount of second order in the
-// step. That amount is measured in the middle and taken away there by a displacement, which fades
-// to both ends as a parabola. The overlap that remains is of third order. The correction matters
-// because bodies from outside the step may collide with a member at any time of the step.
+// The impulses of a step leave no overlap at its end (time_stepper.hpp). Inside the step, a body
+// that turns while it touches another would still penetrate that body, by an amount of second order
+// in the step's length. That amount is measured in the middle of the step and taken away there by a
+// displacement, which fades to start and end as a parabola. The overlap that remains is of third
+// order. The correction matters because bodies from outside the step may collide with a member at
+// any time of the step.
 //
 // Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad. Threads: none.
 #pragma once
@@ -67,13 +68,13 @@ class StepTrajectories {
   // Sets the corrections of the members so that no pair that presses, or nearly touched at the
   // start, overlaps in the middle of the step. All of them stay zero if the deepest overlap is
   // negligible or would take too large a correction. Returns the deepest overlap that remains
-  // between the ends of the step, m. Call after is_clear().
+  // inside the step, m. Call after is_clear().
   double correct_middle(const Step& step);
 
   // Returns the deepest overlap at the start of the step, m. Call after correct_middle().
   double overlap_at_start(const Step& step) { return overlap_at(step, 0.0); }
 
-  // Returns a length (s) for the next step of these bodies at which the overlap between the ends
+  // Returns a length (s) for the next step of these bodies with which the overlap inside that step
   // should stay below Tolerances::intermediate_penetration. `overlap` is what correct_middle()
   // returned for this step.
   double next_length(const Step& step, double overlap) const;

@@ -8,13 +8,13 @@
 // wheels, are one convex problem in velocities: contacts only push, wheels hold laterally up to
 // their grip, and no gap may be below zero at the end of the step. The contacts and their normals
 // are found where the bodies would be if they kept their twists. A fixed-point iteration then
-// replaces the predicted gaps by those that are measured at the end, until every pressing contact
-// touches and none overlaps (Tolerances::step_gap). So overlaps cannot accumulate, and no later
-// correction is needed. The method is of first order in the step, and contacts within a step do
-// not bounce.
+// replaces the predicted gaps by those that are measured at the end of the step, until every
+// pressing contact touches and none overlaps (Tolerances::step_gap). So overlaps cannot accumulate,
+// and no later correction is needed. The method is of first order in the step's length, and
+// contacts within a step do not bounce.
 //
-// The motion between the ends of a step is the subject of step_trajectories.hpp, which may demand a
-// shorter step. The regularised QP starts from the forces of the last step (warm start).
+// step_trajectories.hpp treats the motion inside a step and may demand a shorter step. The
+// regularised QP starts from the forces of the last step (warm start).
 //
 // Uses impact/, collision/, solver/, trajectory/ and model/. Units: m, s, rad, N. Threads: none;
 // the object belongs to one world.

@@ -76,8 +76,8 @@ inline Box closed_form_box(const BodyState& robot, const BodyState& end,
   return {middle.x() - reach, middle.x() + reach, middle.y() - reach, middle.y() + reach};
 }
 
-// Returns the motion bound of the same motion, which starts at `begin`, s of the tick. `decay` is
-// that of the forward speed.
+// Returns the bound of the motion from `robot` to `end`, which starts at `begin`, s of the tick.
+// `decay` is that of the forward speed.
 inline MotionBound closed_form_bound(const BodyState& robot, const BodyState& end,
                                      const DriveReference& drive, const MotorDecay& decay,
                                      double begin) {

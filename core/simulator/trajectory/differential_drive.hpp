@@ -6,8 +6,8 @@
 //   dv_l/dt   = f_g/M             - omega v_f
 //   domega/dt = (omega_ref - omega)/T_w           (1) to (3), errata in docs/model.md
 //
-// T_f and T_w are one constant, as in the paper, unless the pitch has motors with two lags or a
-// brake. DriveReference holds both for one command; they are constant until the next command.
+// T_f and T_w are one constant, as in the paper, unless the pitch gives turning or braking a lag of
+// its own. DriveReference holds both for one command; they are constant until the next command.
 //
 // f_g is the ground's lateral force on the wheels, |f_g| <= grip M g. While the wheels roll, v_l
 // = 0 and f_g is the force that keeps it zero. While they slide, f_g is -grip M g sign(v_l). A

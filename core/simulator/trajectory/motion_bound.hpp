@@ -26,7 +26,7 @@ MotionBound bound_of_segment(const Segment& segment);
 
 // Returns the bound of a point that goes from one place to another within `span` seconds and whose
 // acceleration is never more than `acceleration`, m/s^2. Such a curve leaves its chord by at most
-// a span^2 / 8.
+// acceleration * span^2 / 8.
 inline MotionBound bound_between(const Vec2& from, const Vec2& to, double begin, double span,
                                  double acceleration, double max_omega) {
   return {

@@ -33,7 +33,7 @@ enum class LoadingStep {
 };
 LoadingStep allow_loading_step(int supervisor, std::chrono::milliseconds patience);
 
-// Returns the name of a system call, "kill", or "number 999" if the call has no name.
+// Returns the name of a system call, for example "kill"; if call 999 has no name, "number 999".
 std::string system_call_name(int number);
 
 }  // namespace mirocup::plugins
