@@ -97,7 +97,8 @@ std::string picture_of(const Track& track) {
       300.0 * 0.05 / size);
   return "<figure>" + svg + "<figcaption class=\"small\">" + kind_text(track.kind) + ": " +
          track.body +
-         formatted(" from %.2f s, off by %.1f mm in the end", track.t, 1e3 * track.error) +
+         formatted(" simulated from %.2f s on; off by %.1f mm at the end", track.t,
+                   1e3 * track.error) +
          "</figcaption></figure>\n";
 }
 
@@ -201,8 +202,8 @@ std::string page_of(const Validation& v, const std::string& title) {
 
 std::string text_of_result(const Validation& v) {
   std::string text = formatted(
-      "errors in mm, without the camera's noise of %.2f mm; number of pictures ahead, one each "
-      "%.4g s: ",
+      "errors in mm, without the camera's noise of %.2f mm, by the number of pictures ahead (one "
+      "picture each %.4g s): ",
       1e3 * v.noise, v.period);
   for (const int h : horizons) text += formatted("%d ", h);
   text += "\n";

@@ -251,7 +251,7 @@ Result<Recording> parse_csv(std::string_view text, const std::string& path,
       }
       if (columns.size() > max_columns) {
         error = Error{Errc::input, where + "at most " + std::to_string(max_columns) +
-                                       " columns are expected: each name once"};
+                                       " columns are expected, one for each name"};
         return false;
       }
       return true;

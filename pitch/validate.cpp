@@ -234,7 +234,8 @@ ErrorCell cell_of(const Sums& sums) {
 std::string objection(EventKind kind, int horizon, const std::string& yardstick, double error,
                       const ErrorCell& cell) {
   return system::formatted(
-      "%s, %d pictures ahead: worse than %s: %.1f mm against %.1f mm in %d predictions",
+      "%s, %d pictures ahead: the simulator is worse than %s: %.1f mm against %.1f mm in %d "
+      "predictions",
       to_string(kind).data(), horizon, yardstick.c_str(), 1e3 * cell.rms[0], 1e3 * error,
       cell.count);
 }

@@ -30,10 +30,10 @@ constexpr std::array other_files{
     Kind{"!<arch>"sv, "it is a static library (.a): link its objects with -shared"},
     Kind{"MZ"sv, "it is a library or program of Windows (DLL): build it on Linux, as a .so"},
     Kind{"PK\x03\x04"sv,
-         "it is a zip archive: hand in the library that is in it, or make one of a project's "
-         "sources with mirocup compile"},
+         "it is a zip archive: hand in the library that is in it, or make one from a "
+         "project's sources with mirocup compile"},
     Kind{"\x1f\x8b"sv,
-         "it is a compressed archive: hand in the library that is in it, or make one of a "
+         "it is a compressed archive: hand in the library that is in it, or make one from a "
          "project's sources with mirocup compile"},
     Kind{"\xcf\xfa\xed\xfe"sv, "it is a library of macOS: build it on Linux, as a .so"},
     Kind{"\xca\xfe\xba\xbe"sv,
@@ -119,7 +119,7 @@ std::string advice_on_file(std::string_view bytes) {
   }
   constexpr std::size_t tar_mark = 257;
   if (bytes.size() > tar_mark && bytes.substr(tar_mark).starts_with("ustar"))
-    return "it is a tar archive: make a library of a project's sources with mirocup compile";
+    return "it is a tar archive: make a library from a project's sources with mirocup compile";
   if (bytes.find('\0') != std::string_view::npos) return "";
   constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
   if (bytes.starts_with(utf8_mark)) bytes.remove_prefix(utf8_mark.size());

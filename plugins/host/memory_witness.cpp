@@ -33,12 +33,13 @@ match::Answer judge_kill(Team team, const MemoryEvidence& e) {
       " were free when the leg began, and a leg may take " + mebibytes(system::memory_of_a_leg);
   if (is_teams_fault(e)) {
     return match::Fault{match::FaultCode::crash, name + " was ended for want of memory" + size +
-                                                     ", the other team " + mebibytes(e.other_peak) +
-                                                     "; " + room};
+                                                     " and the other team's process " +
+                                                     mebibytes(e.other_peak) + "; " + room};
   }
   if (e.was_out_of_memory == true) {
-    return match::HostFailure{name + " was ended for want of memory" + size + ", the other team " +
-                              mebibytes(e.other_peak) + "; " + room};
+    return match::HostFailure{name + " was ended for want of memory" + size +
+                              " and the other team's process " + mebibytes(e.other_peak) + "; " +
+                              room};
   }
   return match::HostFailure{name + " was killed from outside" + size +
                             (e.was_out_of_memory == false

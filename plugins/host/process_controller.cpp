@@ -359,7 +359,7 @@ std::optional<Fault> ProcessController::find_overdraft() const {
   return Fault{FaultCode::budget,
                "the team used up its processor time: " + seconds_text(budget_.bank) + ", " +
                    std::to_string(1e3 * budget_.bank_per_tick).substr(0, 4) + " ms for each of " +
-                   std::to_string(ticks_) + " ticks, and a share for each place()"};
+                   std::to_string(ticks_) + " ticks, and further time for each place()"};
 }
 
 // Returns the fault of a team that has used up its bank or slept too long by the end of a tick.

@@ -202,8 +202,8 @@ void note_command(TeamHost& host, const mirocup_command& command, std::int32_t r
   });
   if (!is_told) return;
   tell_once(host.has_told_robot, [&] {
-    return "decide() set wheels behind those of its " + std::to_string(robots) +
-           " robots, which are 0 to " + std::to_string(robots - 1);
+    return "decide() set wheels of a robot that the team does not have: its robots are 0 to " +
+           std::to_string(robots - 1);
   });
 }
 

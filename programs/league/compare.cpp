@@ -245,12 +245,12 @@ std::vector<RatedTeam> rated_table(const std::vector<PairComparison>& pairs,
 
 std::string table_text(const std::vector<RatedTeam>& table, const ComparisonRun& run) {
   std::string text =
-      "     strength  95 % interval    won  level   lost        goals  legs to tell  team\n";
+      "     strength  95 % interval    won  level   lost        goals  legs to tell apart  team\n";
   for (std::size_t i = 0; i < table.size(); ++i) {
     const RatedTeam& row = table[i];
     const std::string goals = std::to_string(row.goals) + " : " + std::to_string(row.goals_against);
     const std::string legs = row.legs_to_tell ? std::to_string(*row.legs_to_tell) : "-";
-    text += system::formatted("%3zu %9ld  %5ld .. %5ld %6d %6d %6d %12s %13s  %s\n", i + 1,
+    text += system::formatted("%3zu %9ld  %5ld .. %5ld %6d %6d %6d %12s %19s  %s\n", i + 1,
                               std::lround(row.strength.value), std::lround(row.strength.low),
                               std::lround(row.strength.high), row.won, row.level, row.lost,
                               goals.c_str(), legs.c_str(),
@@ -366,14 +366,15 @@ void add_compare(system::Commands& commands) {
                                           "mirocup league compare a.so b.so c.so --against all"});
   ComparisonRun& r = o.run;
   command
-      .option("TEAM", r.teams,
-              "Libraries, or names of house teams, each with :KEY=VALUE for its parameters; the "
-              "first team is compared with each of the others")
+      .option(
+          "TEAM", r.teams,
+          "Libraries, or names of house teams; :KEY=VALUE after one sets a parameter of that team")
       .required()
       .takes(2, 100);
   command
       .option("--against", o.against,
-              "all: play --most fixtures of each pair of teams, and print a rated table")
+              "first: compare the first team with each other team; all: let each pair of teams "
+              "play as many fixtures as --most says, and print a rated table")
       .one_of({"first", "all"})
       .shows_default();
   add_terms(command, o.league, r);
@@ -381,8 +382,8 @@ void add_compare(system::Commands& commands) {
   command.jobs(r.jobs, "legs played");
   command
       .option("--most", o.most,
-              "Most fixtures of a pair, two legs each; a pair that is not decided by then stays "
-              "undecided (default: " +
+              "Largest number of fixtures (two legs each) that a pair of teams plays; a pair that "
+              "is not decided after them stays undecided (default: " +
                   std::to_string(r.max_fixtures) +
                   "; with --against all: " + std::to_string(fixtures_of_a_table) + ")")
       .between(1, 1'000'000);
@@ -394,8 +395,9 @@ void add_compare(system::Commands& commands) {
                  "Folder for the records; the same command, called again, continues from them");
   const system::Option json = command.flag("--json", o.json, "Print one JSON object");
   command
-      .flag("--csv", o.csv,
-            "Print comma-separated values: the pairs, or the rated table of --against all")
+      .flag(
+          "--csv", o.csv,
+          "Print comma-separated values: a row for each pair, or the rated table of --against all")
       .excludes(json);
 }
 

@@ -67,9 +67,9 @@ void add_export(system::Commands& commands) {
       "--sources", o.sources,
       "Write the sources of the teams, and the code that all teams were given, for JPlag");
   command
-      .option(
-          "--drills", o.drills,
-          "Marks of the teams, as mirocup drill --csv prints them; adds grades.csv to the files")
+      .option("--drills", o.drills,
+              "File with the marks of the teams, as mirocup drill --csv prints them; adds "
+              "grades.csv to the files")
       .named("FILE")
       .excludes(sources);
 }

@@ -60,7 +60,9 @@ void add_grades(system::Commands& commands) {
       {"mirocup league grades spring --drills drills.csv -o grades.csv",
        "mirocup league grades spring --moodle -o moodle.csv"});
   add_folder(command, o.folder);
-  command.option("--drills", o.drills, "Marks of the teams, as mirocup drill --csv prints them")
+  command
+      .option("--drills", o.drills,
+              "File with the marks of the teams, as mirocup drill --csv prints them")
       .named("FILE");
   const system::Option per_member =
       command.flag("--per-member", o.per_member, "Write a row for each member of a team");

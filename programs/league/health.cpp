@@ -46,9 +46,10 @@ Result<int> run_health(const HealthOptions& options) {
   std::cout << system::printable(file.title) << ": ";
   if (h.night == 0) std::cout << "no night yet";
   if (h.night > 0) std::cout << "night " << h.night << " began at " << shown_time(file, h.night_at);
-  std::cout << (h.is_playing ? ", the league is being played" : "") << "; " << h.open_legs
-            << " legs are not decided\nwaiting hand-ins: " << h.waiting
-            << "\ndisk: " << in_words(use) << '\n';
+  std::cout << (h.is_playing ? ", the league is being played" : "")
+            << "; legs that are not decided: " << h.open_legs
+            << "\nhand-ins that wait for their checks: " << h.waiting << "\ndisk: " << in_words(use)
+            << '\n';
   for (const std::string& problem : h.problems)
     std::cout << "for you: " << system::printable(problem) << '\n';
   return h.problems.empty() ? exit_yes : exit_no;

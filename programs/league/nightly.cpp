@@ -135,8 +135,8 @@ Result<std::string> report(system::Files& files, const LeagueStore& store, const
   std::ostringstream text;
   text << system::printable(state.file.title) << ", night " << night.number << ", "
        << shown_time(state.file, night.at) << '\n';
-  text << night.records.size() << " legs played in this night; in the league, "
-       << state.legs() - state.played() << " legs are not decided\n\n"
+  text << night.records.size() << " legs were played in this night; "
+       << state.legs() - state.played() << " legs of the league are not decided\n\n"
        << table_text(state) << '\n';
   MIROCUP_TRY(const auto rows, roster(files, store));
   for (const RosterRow& row : rows) {
@@ -249,7 +249,7 @@ void add_nightly(system::Commands& commands) {
       .named("PROGRAM");
   command
       .option("--on-night-within", o.on_night_within_s,
-              "Seconds after which that program is stopped and counts as failed")
+              "Seconds after which the program of --on-night is stopped and counts as failed")
       .between(1, 86'400);
   command
       .option("--address", o.address,

@@ -53,15 +53,15 @@ void say_what_is_left(const LeagueState& state) {
     if (state.teams[i].status != TeamStatus::paused) continue;
     std::cerr << "mirocup: " << state.file.teams[i].name
               << " is paused: " << system::printable(state.teams[i].why)
-              << "; league resume lets it play again, league withdraw takes it out\n";
+              << "; league resume lets it play again, league withdraw takes it out of the league\n";
   }
   for (const FixtureState& f : state.fixtures) {
     for (int leg = 0; leg < f.needed(); ++leg) {
       if (f.legs[leg].played || f.legs[leg].host_faults < max_attempts) continue;
       std::cerr << "mirocup: " << f.fixture.id() << " leg " << leg + 1 << ": failed "
                 << f.legs[leg].host_faults
-                << " times by the host's fault; the journal has the reasons, and the next start "
-                   "tries this leg again\n";
+                << " times by the host's fault; the journal has the reasons, and the league's next "
+                   "start tries this leg again\n";
     }
   }
 }

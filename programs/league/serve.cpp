@@ -170,7 +170,7 @@ void add_serve(system::Commands& commands) {
       .takes(2, 2);
   command
       .option("--trust-proxy", o.proxies,
-              "Address of a proxy that may name the viewers of its requests (X-Forwarded-For, "
+              "Address of a proxy whose requests may name the viewer (X-Forwarded-For, "
               "X-Forwarded-Proto); needs --proxy-secret; may be given several times")
       .named("ADDR")
       .takes(1, 1)
@@ -183,7 +183,7 @@ void add_serve(system::Commands& commands) {
       .needs(hand_in);
   command
       .option("--team-header", o.team_header,
-              "Header in which the proxy names the team of a visitor who signed on there")
+              "Header in which the proxy names the team of a visitor who signed on at the proxy")
       .named("NAME")
       .needs(hand_in);
 }

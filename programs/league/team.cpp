@@ -81,8 +81,9 @@ Result<int> remove_team(system::Files& files, LeagueStore& store, const std::str
   const bool is_in = store.state().find_team(team).has_value();
   MIROCUP_TRY(const auto entry, last_entry(files, folder, team));
   if (entry > 0 || (is_in && store.state().is_started)) {
-    return fail(Errc::input, team + (entry > 0 ? " has handed in" : " is in the journal") +
-                                 ": league withdraw takes it out");
+    return fail(Errc::input,
+                team + (entry > 0 ? " has handed in" : " is in a league that has started") +
+                    ": league withdraw takes the team out of the league");
   }
   MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
   MIROCUP_TRY(auto people, read_people(files, folder));
@@ -147,7 +148,7 @@ void add_team(system::Commands& commands) {
                  "Member of the team; may be given once for each member; \"\": no members");
   command
       .option("--colour", o.colour,
-              "Colour of the mark beside its name on pages, as #c03a2b; \"\": none")
+              "Colour of the mark beside the team's name on pages, as #c03a2b; \"\": none")
       .named("COLOUR");
   command
       .option("--csv", o.csv,

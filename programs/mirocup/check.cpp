@@ -202,7 +202,7 @@ void add_check(system::Commands& commands) {
   add_parameters(command, "--param", o.parameters, "the team");
   command
       .option("--record", o.record_path,
-              "File to write the record of its leg against striker to, for mirocup replay")
+              "File to write the record of the team's leg against striker to, for mirocup replay")
       .named("FILE.json");
   command.flag("--json", o.json, "Print the report as one JSON object");
   command.flag("--steps", o.steps,

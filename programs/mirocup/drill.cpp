@@ -295,8 +295,8 @@ void add_drill(system::Commands& commands) {
   add_parameters(command, "--param", o.parameters, "the teams");
   command
       .option("--replay", o.replay_folder,
-              "Folder to write a record and a page of each failed try to, and index.html, which "
-              "lists them")
+              "Folder to write files to: a record and a page of each failed try, and index.html, "
+              "which lists the failed tries")
       .named("DIR");
   command
       .option("--at-least", o.at_least,

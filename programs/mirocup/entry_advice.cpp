@@ -157,7 +157,7 @@ constexpr ErrorAdvice python_errors[] = {
      "write self.parameter(\"name\", 0.5): 0.5 is the parameter's value in a leg that gives none"},
     {"string to float", "a text that is no number was read as one; parameters are numbers"},
     {".draw_", "a point is a pair: self.draw_line(\"layer\", 0xff0000ff, (0.0, 0.0), (0.1, 0.2))"},
-    {"returned None", "end each way through decide() with return and the list"},
+    {"returned None", "each way through decide() has to end with return and the list"},
     {"decide() returned",
      "return a list with (left, right) in rad/s for each robot, as [(10.0, 10.0)] * now.robots"},
     {"defines decide(self, now)", "name the method decide, in small letters"},
@@ -171,7 +171,8 @@ constexpr ErrorAdvice python_errors[] = {
     {"UnboundLocalError",
      "a name that a function assigns to is local in it: use another name, or keep the value in "
      "self"},
-    {"IndexError", "an index goes from 0 to the length less 1, of robots to now.robots - 1"},
+    {"IndexError",
+     "an index goes from 0 to the length of the list less 1; the last robot is now.robots - 1"},
     {"module 'mirocup' has no attribute", "write \"from mirocup.team import Team\""},
     {"cannot import name", "team.py has the names of all functions (docs/python.md)"},
     {"object is not callable", "data has no brackets ( ) after it, and an index stands in [ ]"},

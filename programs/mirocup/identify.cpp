@@ -67,7 +67,10 @@ void add_identify(system::Commands& commands) {
               "Pitch with the known numbers: sizes, masses, and others that recordings do not tell")
       .named("NAME|FILE")
       .shows_default();
-  command.option("--page", o.page, "File to write a page with the intervals to").named("FILE");
+  command
+      .option("--page", o.page,
+              "File to write a page to, with the found numbers and their 95 % intervals")
+      .named("FILE");
   command.flag("--json", o.json, "Print the pitch as one JSON object");
 }
 

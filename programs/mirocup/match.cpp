@@ -432,7 +432,8 @@ void add_match(system::Commands& commands) {
       .excludes(from);
   command
       .option("--speed", o.speed,
-              "max, or a factor of real time (default: 1 with --watch or with a firasim team "
+              "Speed of the match: max, or a factor of real time (default: 1 with --watch or with "
+              "a firasim team "
               "without --lockstep, otherwise max)")
       .named("FACTOR");
   command

@@ -122,7 +122,7 @@ Result<bool> repeat_leg(Examination& e, const TrialTerms& terms_of_first, const 
     note_use(e, again, terms);
     return fail_with(e, {.what = again.fault->fault.text + " (" +
                                  std::string(to_string(again.fault->fault.code)) +
-                                 "), and not when the leg was played before",
+                                 "), but not when the same leg was played before",
                          .where = "tick " + std::to_string(again.ticks()),
                          .cure = cause});
   }

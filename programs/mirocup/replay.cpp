@@ -45,7 +45,7 @@ tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording
   while (playback.leg().tick() * period < time) {
     if (playback.leg().is_over()) {
       std::cerr << "mirocup: the leg is over after " << playback.leg().tick() * period
-                << " s; this is its last moment\n";
+                << " s; the picture shows the last moment of the leg\n";
       break;
     }
     balls.push_back(playback.leg().snapshot().ball.position);
@@ -128,9 +128,9 @@ void tell_of_proof(const web::ReplayPage& page, std::size_t beside) {
               << " kB; a browser can simulate its leg again with a file of " << beside / 1000
               << " kB beside the page\n";
   } else if (page.proof_size > 0) {
-    std::cerr << "mirocup: the page has " << page.html.size() / 1000 << " kB; with "
+    std::cerr << "mirocup: the page has " << page.html.size() / 1000 << " kB; "
               << page.proof_size / 1000
-              << " kB of these a browser can simulate the leg again (--no-proof: without them)\n";
+              << " kB of them let a browser simulate the leg again (--no-proof leaves them out)\n";
   } else {
     std::cerr << "mirocup: a browser cannot simulate the leg of this page again, because this "
                  "mirocup was built without the module for browsers; docs/browser.md says what to "

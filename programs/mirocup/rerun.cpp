@@ -136,9 +136,9 @@ std::optional<CommandDifference> compare_ends(const replay::Recording& recording
   const std::string now = end_text(again.outcome());
   if (recorded == now && again.log().size() == recording.ticks.size()) return std::nullopt;
   CommandDifference difference{again.tick(), std::nullopt,
-                               "the record ends " + recorded + " after " +
-                                   std::to_string(recording.ticks.size()) + " ticks, now it ends " +
-                                   now};
+                               "the recorded leg ends " + recorded + " after " +
+                                   std::to_string(recording.ticks.size()) +
+                                   " ticks, and this leg ends " + now};
   const auto& faults =
       again.outcome().faults.empty() ? recording.outcome.faults : again.outcome().faults;
   if (!faults.empty()) difference.team = faults.front().team;

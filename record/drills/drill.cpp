@@ -139,7 +139,8 @@ Drill read_drill(const JsonReader& json) {
       drill.robots.set(static_cast<std::size_t>(robot.integer<int>(0, robots - 1)));
     }
   } else if (json.has("robots")) {
-    json.at("robots").complain("with \"mates\": \"own\" the tested team steers all robots");
+    json.at("robots").complain(
+        "with \"mates\": \"own\" the tested team steers all robots: leave this key out");
   }
   if (json.has("parameters")) {
     drill.parameters = record::read_team_parameters(json.at("parameters"));

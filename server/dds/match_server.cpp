@@ -144,9 +144,10 @@ void MatchServer::look_after_host() {
   const bool is_up = has_carrier || !was_up_;
   excused_->look(seconds_since(began_), is_up, any_heard);
   if (is_up != std::exchange(is_up_, is_up)) {
-    of_host_.say(seats_.front()->terms().tell,
-                 "this host's network interface " + interface_ +
-                     (is_up ? " is up again" : " is down; this time counts as no team's absence"));
+    of_host_.say(
+        seats_.front()->terms().tell,
+        "this host's network interface " + interface_ +
+            (is_up ? " is up again" : " is down; this time does not count as absence of a team"));
   }
 }
 
@@ -238,9 +239,9 @@ std::string MatchServer::reach() const {
   if (interface_ == "lo") return "; with --interface lo, the team must run on this computer";
   const int first = port_of(domain_.number, 0);
   const int last = port_of(domain_.number, server_ports - 1) + 1;
-  return "; firewalls here must let in UDP to ports " + std::to_string(first) + "-" +
+  return "; this host's firewalls must let in UDP to ports " + std::to_string(first) + "-" +
          std::to_string(last) + " of " + interface_ +
-         ", and the team's firewalls UDP from here; no NAT may be between";
+         ", and the team's firewalls must let in UDP from this host; no NAT may be between them";
 }
 
 std::string MatchServer::last_error() const {

@@ -139,7 +139,7 @@ mirocup_v4_Welcome Seat::answer_to(const mirocup_v4_Hello& hello, dds_instance_h
   if (is_same) {
     tell(of_processes_, "the team's process has joined the network anew");
   } else if (processes_++ > 0) {
-    tell(of_processes_, "another process of the team takes its seat");
+    tell(of_processes_, "another process of the team takes the team's seat");
   }
   return welcome;
 }

@@ -266,7 +266,7 @@ std::string TeamClient::last_error() const {
   const std::string reasons =
       request_.credentials.empty()
           ? "does it run, under this ID, and can it be reached by UDP? If the match uses "
-            "credentials, its server answers only teams that give theirs"
+            "credentials, its server answers only teams with credentials"
           : "does it run, under this ID, and can it be reached by UDP? The match must be played "
             "with credentials of the same league, and yours must be neither revoked nor expired";
   if (const std::string type = type_of_server(); !type.empty()) {

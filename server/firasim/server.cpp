@@ -211,7 +211,7 @@ bool Server::receive(double now) {
   for (int i = 0; i < most_of_others && commands_.receive(datagram); ++i) {
     if (is_only_for_this_host_ && !is_of_this_host(datagram.from)) {
       ++strangers_.foreign;
-      refuse(datagram.from, "is another host; --interface would let it in");
+      refuse(datagram.from, "is another host; --interface lets other hosts take part");
       continue;
     }
     any = take_packet(datagram, now) || any;

@@ -148,7 +148,7 @@ class Forms {
     field("people", "display", "Name", false);
     field("people", "members", "Members, with ; between them", false, " size=\"50\"");
     write();
-    open("colour", "Give a team the colour of the mark beside its name");
+    open("colour", "Give the mark beside a team's name a colour");
     choice("colour", "team", "Team", teams_);
     field("colour", "colour", "Colour (if empty: none)", false,
           " placeholder=\"#c03a2b\" size=\"8\" maxlength=\"7\"");

@@ -255,9 +255,9 @@ class Deciding {
     const int line = decisions[static_cast<std::size_t>(act_.decision) - 1].line;
     Undone undone;
     undone.line = line;
-    return write(signed_as(undone), "decision " + std::to_string(act_.decision) +
-                                        " is undone: the league is as if it "
-                                        "had not been made");
+    return write(signed_as(undone),
+                 "decision " + std::to_string(act_.decision) +
+                     " is undone: the league is as if the decision had not been made");
   }
 
   system::Files& files_;

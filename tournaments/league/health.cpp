@@ -63,8 +63,9 @@ void look_at_teams(const LeagueState& state, Health& h) {
       return paused != nullptr && paused->team == team && !d.undone_by;
     };
     if (std::any_of(state.decisions.begin(), state.decisions.end(), by_person)) continue;
-    h.problems.push_back(team + " is paused: " + state.teams[i].why +
-                         "; league resume lets it play again, league withdraw takes it out");
+    h.problems.push_back(
+        team + " is paused: " + state.teams[i].why +
+        "; league resume lets it play again, league withdraw takes it out of the league");
   }
 }
 

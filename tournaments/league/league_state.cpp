@@ -162,7 +162,8 @@ std::string unpaired_in_words(const LeagueState& state) {
   if (state.unpaired_round == 0) return "";
   const int rounds = state.file.format.swiss_rounds(static_cast<int>(state.teams.size()));
   return "round " + std::to_string(state.unpaired_round) + " of " + std::to_string(rounds) +
-         " is not played: teams have left, and those that remain could only meet again";
+         " is not played: teams have left, and those that remain cannot be paired without a pair "
+         "that has met already";
 }
 
 int blue_team(const Fixture& fixture, int leg) {

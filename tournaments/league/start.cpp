@@ -27,8 +27,8 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
     }
   }
   if (!missing.empty()) {
-    return fail(Errc::input,
-                "no entry of " + missing + " was accepted; league withdraw leaves a team out");
+    return fail(Errc::input, "no entry of " + missing +
+                                 " was accepted; league withdraw takes a team out of the league");
   }
   if (ready < 2)
     return fail(Errc::input,

@@ -440,7 +440,7 @@ Result<Submission> Desk::conclude(const Found& found, Json verdict) {
     result.message += ": " + record::text_in(result.verdict, "reason");
     if (playing > 0) result.message += "; entry " + std::to_string(playing) + " plays on";
   } else if (known_.pinned > 0 && playing == known_.pinned) {
-    result.message += "; entry " + std::to_string(known_.pinned) + " plays on, which is pinned";
+    result.message += "; entry " + std::to_string(known_.pinned) + ", which is pinned, plays on";
   } else if (found.user && !known_.owner) {
     known_.owner = found.user;
     result.message +=

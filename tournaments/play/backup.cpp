@@ -71,10 +71,11 @@ class Backup {
                 files_.read_if_there(to_.journal(), {.max_size = system::size_limit::journal,
                                                      .growth = system::Growth::ignored}));
     if (!there || journal.starts_with(*there)) return {};
-    return fail(Errc::input,
-                to_.path +
-                    " is a copy of another league, or legs were played in the copy: this league's "
-                    "journal does not begin like its journal; name a new folder");
+    return fail(
+        Errc::input,
+        to_.path +
+            " is a copy of another league, or legs were played in the copy: this league's "
+            "journal does not begin with the lines of the copy's journal; name a new folder");
   }
 
   // Copies a folder of the league, `inside` (""; or with its slash at the end).

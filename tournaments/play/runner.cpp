@@ -40,7 +40,7 @@ std::string memory_warning(std::optional<std::size_t> available, int jobs) {
   return "warning: " + system::mebibytes(*available) + " of memory are free, and " +
          std::to_string(jobs) + (jobs == 1 ? " leg" : " legs at once") + " may take " +
          system::mebibytes(needed) + "; a leg that runs out of memory is void and played again" +
-         (room > 0 ? ": --jobs " + std::to_string(room) + " always has room" : "");
+         (room > 0 ? "; with --jobs " + std::to_string(room) + " the memory always suffices" : "");
 }
 
 Runner::Runner(system::Files& files, LeagueStore store, ProgressReporter& progress)
@@ -130,7 +130,7 @@ void Runner::tell_people(const LegId& leg, int blue, int yellow) const {
     if (!entry.is_started_by_people()) continue;
     progress_.say(leg.fixture.id() + " leg " + std::to_string(leg.leg) + ": " + entry.name +
                   " plays " + (team == blue ? "blue" : "yellow") +
-                  "; the leg waits for its program");
+                  "; the leg waits for the team's program");
   }
 }
 

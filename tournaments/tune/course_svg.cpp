@@ -63,7 +63,7 @@ std::string plot_svg(const Plot& plot, double top) {
 std::vector<Plot> plots_of(const TuningOptions& options, const std::vector<Generation>& course) {
   std::vector<Plot> plots(1);
   Plot& goals = plots.front();
-  goals.title = "mean goal difference a leg of the candidates; band: error of one candidate";
+  goals.title = "goal difference a leg, mean of the candidates; band: error of one candidate";
   for (const Generation& g : course) {
     goals.values.push_back(g.goals);
     goals.half_width.push_back(g.error);

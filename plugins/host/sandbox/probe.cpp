@@ -58,7 +58,7 @@ Result<std::string> try_namespaces() {
   }
   const bool has_ended = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   if (!has_ended)
-    return fail(Errc::unavailable, "a separate root folder: the process that tried it died");
+    return fail(Errc::unavailable, "the process that tried to make a separate root folder died");
   return std::string(text.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
 }
 

@@ -139,7 +139,7 @@ TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
       {team_that("return {0: (1, 1), 1: (2, 2)}"), "ticks", {"returned {0: (1, 1)", "a list with"}},
       {team_that("return {(1.0, 1.0), (2.0, 2.0)}"), "ticks", {"a list with"}},
       {team_that("yield [(1, 1)]"), "ticks", {"for robot 0", "return a list"}},
-      {team_that("pass"), "ticks", {"returned None", "end each way"}},
+      {team_that("pass"), "ticks", {"returned None", "each way through decide()"}},
       {import +
            std::string("class A(Team):\n    async def decide(self, now):\n        return []\n"),
        "ticks",

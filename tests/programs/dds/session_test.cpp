@@ -318,7 +318,7 @@ TEST(DdsSession, KeepsTheSeatForTheProcessThatPlays) {
   });
   EXPECT_EQ(second.exit_code, 3);
   EXPECT_NE(second.err.find(reason), std::string::npos) << second.err;
-  EXPECT_EQ(leg.err().find("takes its seat"), std::string::npos) << leg.err();
+  EXPECT_EQ(leg.err().find("takes the team's seat"), std::string::npos) << leg.err();
 }
 
 // Compares the state hash of a leg with an intruder to that of a leg without one.

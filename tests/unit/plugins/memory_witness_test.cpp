@@ -36,7 +36,8 @@ TEST(JudgeKill, IsTheTeamsFaultIfAllTheMissingMemoryIsItsOwn) {
   ASSERT_TRUE(std::holds_alternative<match::Fault>(answer));
   EXPECT_EQ(std::get<match::Fault>(answer).text,
             "the yellow team's process was ended for want of memory when it had taken 900 MiB of "
-            "memory, the other team 20 MiB; 2212 MiB were free when the leg began, and a leg may "
+            "memory and the other team's process 20 MiB; 2212 MiB were free when the leg began, "
+            "and a leg may "
             "take 2112 MiB");
 }
 
@@ -71,7 +72,8 @@ TEST(JudgeKill, NamesTeamAndMemory) {
   small_host.free_at_start = 181 * mebibyte;
   EXPECT_EQ(text_of(small_host),
             "the yellow team's process was ended for want of memory when it had taken 900 MiB of "
-            "memory, the other team 20 MiB; 181 MiB were free when the leg began, and a leg may "
+            "memory and the other team's process 20 MiB; 181 MiB were free when the leg began, and "
+            "a leg may "
             "take 2112 MiB");
   MemoryEvidence killed = against_the_team();
   killed.was_out_of_memory = false;

@@ -14,9 +14,10 @@ constexpr std::size_t leg = system::memory_of_a_leg;
 
 TEST(MemoryWarning, IsGivenWhereLegsAtOnceMayTakeMoreThanThereIs) {
   EXPECT_EQ(memory_warning(4 * leg, 4), "");
-  EXPECT_EQ(memory_warning(4 * leg - 1, 4),
-            "warning: 8447 MiB of memory are free, and 4 legs at once may take 8448 MiB; a leg "
-            "that runs out of memory is void and played again: --jobs 3 always has room");
+  EXPECT_EQ(
+      memory_warning(4 * leg - 1, 4),
+      "warning: 8447 MiB of memory are free, and 4 legs at once may take 8448 MiB; a leg "
+      "that runs out of memory is void and played again; with --jobs 3 the memory always suffices");
   EXPECT_EQ(memory_warning(std::size_t{200} << 20, 1),
             "warning: 200 MiB of memory are free, and 1 leg may take 2112 MiB; a leg that runs out "
             "of memory is void and played again");
