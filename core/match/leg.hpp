@@ -130,8 +130,8 @@ class Leg {
  public:
   // Tosses for ends and kick-off, and places the bodies for the kick-off, unless there is a start.
   explicit Leg(const Setup& setup, TickLogs tick_logs = TickLogs::kept);
-  // A leg with the same play, in a world that it shares with other legs. The world outlives the leg
-  // and was made for its field, parameters, tolerances and number of robots. The leg has the world
+  // The same leg, in a world that it shares with other legs. The world outlives the leg and was
+  // made for the leg's field, parameters, tolerances and number of robots. The leg has the world
   // until lay_aside(), and again after each take_up(). While it does not have the world, only
   // functions about the referee, the setup and the logs may be called.
   Leg(const Setup& setup, TickLogs tick_logs, simulator::World& shared);

@@ -43,8 +43,7 @@ struct Start {
   ByTeam<int> score{};
 };
 
-// Returns the decision that gives the restart; a decision without effect if the start has no
-// restart.
+// Returns the decision that gives the restart; for a start without one, a decision without effect.
 referee::Decision restart_of(const Start& start);
 
 // Returns where all bodies stand at the start. Those that the start does not give stand in the

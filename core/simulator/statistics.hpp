@@ -29,7 +29,7 @@ struct RunStatistics {
   std::vector<Impact> impacts;
   double deepest_overlap = 0.0;   // m, before it was corrected
   int lasting_contacts = 0;       // pairs that began to press on each other
-  long position_evaluations = 0;  // poses of a body computed at a time of an event
+  long position_evaluations = 0;  // poses of bodies computed at the times of events
   int contact_solves = 0;         // how often the forces of touching bodies were decided
 
   // pressing[body][partner]: the pair presses now.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Wheel stiction: removes lateral slip of wheels that is too slow to simulate, by an impulse of the
-// ground. Such wheels would grip again within v / (grip g), often less than a microsecond, or slide
-// and grip in endless alternation. Uses collision, solver and trajectory.
+// ground. Such wheels would grip again after v_l / (grip g), often less than a microsecond, or
+// slide and grip in endless alternation. Uses collision, solver and trajectory.
 #pragma once
 
 #include "core/simulator/collision/collision_queries.hpp"

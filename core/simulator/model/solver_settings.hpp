@@ -5,7 +5,7 @@
 // An accuracy level chooses the Tolerances (tolerances.hpp). The numbers here are the same at every
 // level. They were tuned on crowds of six and of twenty-two robots (build/physics_bars); a change
 // of any of them changes the state hash. The unit stands in brackets; [1] is a share or a factor
-// without unit. Each struct has the name of the file that uses it.
+// without unit, "[1] of X" a share of X. Each struct has the name of the file that uses it.
 #pragma once
 
 namespace mirocup::simulator::settings {
@@ -111,7 +111,7 @@ inline constexpr struct RegularizedQpSettings {
   double regularization = 1e-5;
   // [1] Limit of the rounds of Newton's method; few are needed.
   int max_newton_rounds = 40;
-  // [1] Fractions 1, 1/2, 1/4, 1/8 of Newton's step that the line search tries.
+  // [1] Number of fractions of Newton's step that the line search tries: 1, 1/2, 1/4, 1/8.
   int max_backtracks = 4;
   // [1] If the first bound is farther away than this fraction of the step, the step to that bound
   // is tried first. If it is nearer, fractions of the step are tried first.
@@ -173,12 +173,10 @@ inline constexpr struct RestThresholdsSettings {
   double forced_growth = 8.0;
   double max_min_duration = 2e-3;  // [s]
   double contact_memory = 0.02;    // [s] a contact that has been open for longer is forgotten
-  // [1] An approach of at most e + this * (1 - e) times its contact's last one may belong to a
-  // series.
+  // [1] An approach up to e + this * (1 - e) times its contact's last one may belong to a series.
   double series_margin = 0.5;
-  // [m/s^2] Largest acceleration with which a contact that an impact has opened closes again by
-  // itself. An approach that needed a larger one comes from a hit by another body and belongs to no
-  // series.
+  // [m/s^2] Largest acceleration with which a contact that an impact has opened closes by itself.
+  // An approach that needed more comes from a hit by another body and belongs to no series.
   double max_acceleration = 5e3;
 } rest_thresholds;
 
@@ -205,7 +203,7 @@ inline constexpr struct ContactForcesSettings {
 } contact_forces;
 
 inline constexpr struct ContactMotionSettings {
-  double edge_overhang = 1e-10;    // [m] a corner this far beyond its edge has left it
+  double edge_overhang = 1e-10;    // [m] a corner this far beyond the edge's end has left it
   double closed_gap_share = 0.01;  // [1] of Tolerances::penetration: a smaller gap is not corrected
   double max_displacement = 1e-9;  // [m] no gap is corrected if a body would move farther than this
   // A body whose speeds and accelerations are all below these two is at rest.

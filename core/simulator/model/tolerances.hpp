@@ -36,7 +36,7 @@ struct Tolerances {
 
   // ---- events of contact clusters
   double min_contact_duration = 1e-8;  // s: shortest time for which a contact or a grip holds
-  // m/s: if slower, a robot in contact does not slide, and a ball in contact does not roll.
+  // m/s: a slower slide of a robot in contact is stopped, and so is a slower ball in contact.
   double slow_motion = 1e-7;
   // Event budget of a tick, for each body of the world; a world with fewer than seven bodies has
   // the budget of seven. An event with n bodies costs n^2, or n if n is one or two: a tick of seven

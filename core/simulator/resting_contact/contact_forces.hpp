@@ -66,8 +66,8 @@ class ContactForces {
   // Returns what the ground does to a body by the latest decision for its island.
   const Grounding& grounding(int body) const { return grounding_[body]; }
 
-  // Returns the inverse masses by which forces accelerate a body. Wheels of infinite grip are part
-  // of them; wheels of finite grip hold by a force instead.
+  // Returns the inverse masses by which forces accelerate a body. Wheels of infinite grip make the
+  // sideways one zero; wheels of finite grip hold by a force.
   const solver::InverseMass& mass(int body,
                                   std::span<const trajectory::DriveReference> drives) const;
 

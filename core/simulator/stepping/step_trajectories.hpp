@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How the members of a step move inside it, that is between its start and its end: each on the arc
-// of its constant twist, plus a mid-step correction.
+// How the members of a step move between its start and its end: each on the arc of its constant
+// twist, plus a mid-step correction.
 //
 // The impulses of a step leave no overlap at its end (time_stepper.hpp). Inside the step, a body
 // that turns while it touches another would still penetrate that body, by an amount of second order

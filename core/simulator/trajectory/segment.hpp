@@ -59,7 +59,8 @@ double converged_length(const Segment& segment, double longest, double truncatio
 
 // Fills the series of a segment that has only its first terms. extend(k) adds term k + 1. The
 // series get the fewest terms that converge over `preferred_duration` seconds or the whole segment,
-// whichever is shorter; all terms if none do. The segment is then cut to the time of convergence.
+// whichever is shorter; max_terms if no number of terms does. The segment is then cut to the time
+// of convergence.
 template <class Extend>
 void fill_series(Segment& segment, double preferred_duration, Extend extend) {
   const double wanted = segment.end - segment.begin;
