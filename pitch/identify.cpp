@@ -342,7 +342,8 @@ Result<Identified> identify(const std::vector<Recording>& recordings, const Gues
     result = {};
     result.guess = fit.guess();
     describe(fit, covariance, result);
-    const char* const same = "the recordings show no difference from motor_time_constant";
+    const char* const same =
+        "the recordings show no difference between this time constant and motor_time_constant";
     if (one_lag) result.why_not[turn_lag] = same;
     if (no_brake) result.why_not[brake_lag] = same;
   }

@@ -229,7 +229,7 @@ Config read_config(const JsonReader& json, const std::string& folder) {
   if (config.observation == ObservationKind::relative && config.agents == Agents::team &&
       std::max(blue.learners.size(), yellow.learners.size()) > 1) {
     json.complain(
-        "the observation \"relative\" is of one robot, so it needs \"agents\": \"robot\"");
+        "the observation \"relative\" describes one robot, so it needs \"agents\": \"robot\"");
   }
   return config;
 }

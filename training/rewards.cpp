@@ -43,11 +43,13 @@ TermText text_of(Term term) {
     case Term::goal:
       return {"1", "goals of the own team minus goals of the opponents"};
     case Term::ball_to_goal:
-      return {"m", "way of the ball towards the middle of the opponents' goal"};
+      return {"m", "by how much the ball came nearer to the middle of the opponents' goal"};
     case Term::robot_to_ball:
-      return {"m", "way of the learner's nearest robot towards the ball"};
+      return {"m", "by how much the distance from the learner's nearest robot to the ball fell"};
     case Term::behind_ball:
-      return {"m", "way of the learner's nearest robot to the place behind the ball"};
+      return {"m",
+              "by how much the distance from the learner's nearest robot to the place behind the "
+              "ball fell"};
     case Term::touch:
       return {"1", "ticks in which a robot of the learner was the last to touch the ball"};
     case Term::foul:

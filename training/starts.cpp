@@ -71,7 +71,7 @@ void check(const JsonReader& json, const StartRanges& start, League league, bool
   Random random(1);
   const auto once = record::draw_situation(start.situation, league, random, start.name);
   if (!once) return json.complain(once.error().what);
-  if (once->league != league) json.complain("its league is not that of the matches");
+  if (once->league != league) json.complain("its situation is of another league than the matches");
   const auto& score = once->start.score;
   if (is_even && score[0] != score[1]) {
     json.complain("with ends_at_goal the score at the start has to be level");

@@ -23,7 +23,7 @@ Result<int> run_backup(const BackupOptions& options) {
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
   MIROCUP_TRY(const auto done, back_up(disk, Folder{options.folder}, Folder{options.to}));
   std::cout << options.to << ": " << done.copied << " files copied, " << done.known
-            << " records were there already\n";
+            << " records were in the copy already\n";
   return exit_yes;
 }
 

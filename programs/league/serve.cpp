@@ -177,8 +177,8 @@ void add_serve(system::Commands& commands) {
       .needs(hand_in);
   command
       .option("--proxy-secret", o.proxy_secret,
-              "File with the secret that these proxies send in the header X-Mirocup-Proxy; other "
-              "programs with their addresses do not know it")
+              "File with the secret that the proxies of --trust-proxy send in the header "
+              "X-Mirocup-Proxy; other programs at the same addresses do not know it")
       .named("FILE")
       .needs(hand_in);
   command

@@ -148,8 +148,10 @@ void add_token(system::Commands& commands) {
   command.flag("--tutor", o.tutor,
                "Make a token for a tutor, who reads the same as the staff and decides nothing");
   command.flag("--csv", o.csv, "Print lines of team, display name and token, for a mail merge");
-  const system::Option expires = command.option(
-      "--expires", o.expires, "End of the token, UTC: 2026-12-18T18:00:00Z, or its last day");
+  const system::Option expires =
+      command.option("--expires", o.expires,
+                     "Time in UTC when the token ends (2026-12-18T18:00:00Z), or the last day on "
+                     "which it is valid");
   command.flag("--revoke", o.revoke, "Make no token, and end all tokens of the team")
       .excludes(expires);
 }

@@ -169,13 +169,15 @@ constexpr ErrorAdvice python_errors[] = {
     {".__init__() missing", methods},
     {".__init__() takes", methods},
     {"UnboundLocalError",
-     "a name that a function assigns to is local in it: use another name, or keep the value in "
-     "self"},
+     "a name that a function assigns to is local in the function: use another name, or keep the "
+     "value in self"},
     {"IndexError",
-     "an index goes from 0 to the length of the list less 1; the last robot is now.robots - 1"},
+     "an index goes from 0 to the length of the list less 1; the last robot has the index "
+     "now.robots - 1"},
     {"module 'mirocup' has no attribute", "write \"from mirocup.team import Team\""},
     {"cannot import name", "team.py has the names of all functions (docs/python.md)"},
-    {"object is not callable", "data has no brackets ( ) after it, and an index stands in [ ]"},
+    {"object is not callable",
+     "brackets ( ) call a function: leave them out after data, and write an index in [ ]"},
     {"Operation not permitted", "a team sends no signals and changes nothing of the system"},
     {"ended itself", no_exit},
     {"multiprocessing", no_process},

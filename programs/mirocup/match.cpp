@@ -370,8 +370,8 @@ void add_firasim(const system::Command& command, server::NetworkTerms& o) {
       "Shell command that starts the yellow team's program");
   command
       .flag("--lockstep", o.lockstep,
-            "Wait in each tick until these teams have commanded all their robots; --speed max has "
-            "the same effect")
+            "Wait in each tick until the firasim teams have commanded all their robots; --speed "
+            "max has the same effect")
       .in_group(group);
 }
 
@@ -433,8 +433,7 @@ void add_match(system::Commands& commands) {
   command
       .option("--speed", o.speed,
               "Speed of the match: max, or a factor of real time (default: 1 with --watch or with "
-              "a firasim team "
-              "without --lockstep, otherwise max)")
+              "a firasim team without --lockstep, otherwise max)")
       .named("FACTOR");
   command
       .option_or_flag(

@@ -38,11 +38,11 @@ void add_moments(const Overview& o, const LegView& leg, int team,
   const int opponent = leg.home == team ? leg.away : leg.home;
   const std::string against = " against " + o.state.shown_name(opponent);
   if (played.fault && played.fault->team == o.state.name(team)) {
-    moments.push_back(
-        {.what = "leg lost by its own fault" + against + ": " + fault_in_words(*played.fault),
-         .record = played.record,
-         .at = leg.facts != nullptr ? leg.facts->length : -1.0,
-         .weight = fault_weight});
+    moments.push_back({.what = "leg lost" + against +
+                               " by the team's own fault: " + fault_in_words(*played.fault),
+                       .record = played.record,
+                       .at = leg.facts != nullptr ? leg.facts->length : -1.0,
+                       .weight = fault_weight});
   }
   if (leg.facts == nullptr) return;
   // The last goal by which the team fell behind, if it stayed so.

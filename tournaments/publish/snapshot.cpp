@@ -113,7 +113,8 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
       if (!is_known) continue;  // a decision on a later round
     }
     if (const auto valid = validate(state, *event); !valid) {
-      return fail(Errc::input, "the rounds cannot be shown alone: " + valid.error().what);
+      return fail(Errc::input,
+                  "the rounds cannot be shown without the later ones: " + valid.error().what);
     }
     apply(state, *event, number);
   }
