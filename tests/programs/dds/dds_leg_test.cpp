@@ -115,9 +115,9 @@ TEST(DdsTeam, LosesWhenItDoesNotCome) {
     const auto fault = read_json(folder / "leg.json")["result"]["fault"];
     EXPECT_EQ(fault["code"], "start_timeout");
     const bool is_lo = interface == "lo";
-    const std::string told = is_lo
-                                 ? "with --interface lo, the team must run on this computer"
-                                 : "firewalls here must let in UDP to ports 7410-7429 of 127.0.0.1";
+    const std::string told =
+        is_lo ? "with --interface lo, the team must run on this computer"
+              : "this host's firewalls must let in UDP to ports 7410-7429 of 127.0.0.1";
     EXPECT_NE(fault["text"].get<std::string>().find(told), std::string::npos) << fault;
     EXPECT_EQ(played.err.find("can be joined from this computer only") != std::string::npos, is_lo);
   }

@@ -247,11 +247,11 @@ class Term:
         faults = [line for line in tally.journal(league) if line["kind"] == "leg" and line["fault"]]
         expect(len(faults) >= 3 and all(line["fault"]["team"] == "gamma" for line in faults), f"faults: {faults}")
         expect(self.has_paused_team(), "gamma is not paused")
-        left = re.search(r"(\d+) legs? (?:is|are) not decided|; (\d+) are not decided", read(league, f"nights/{self.nights}/report.txt"))
+        left = re.search(r"(\d+) legs of the league are not decided", read(league, f"nights/{self.nights}/report.txt"))
         self.host.open_desk()
         self.host.hand_in("gamma", source("gamma", 0.4))
         self.host.ask("resume", "gamma", "--reason", "it has a new entry", "--by", "A. Host")
-        return f"gamma: {len(faults)} legs lost by crashes, paused; resumed with a new entry, {left.group(1) or left.group(2)} legs left"
+        return f"gamma: {len(faults)} legs lost by crashes, paused; resumed with a new entry, {left.group(1)} legs left"
 
     def appeal(self):
         line = [line for line in tally.journal(league) if line["kind"] == "leg" and not line["fault"]][-1]
@@ -335,7 +335,7 @@ class Term:
         report = self.host.ask("nightly", *more, code=(0, 1))
         self.nights += 1
         # Legs are left only where a team is paused.
-        has(report, "is paused" if self.has_paused_team() else "; 0 are not decided")
+        has(report, "is paused" if self.has_paused_team() else "; 0 legs of the league are not decided")
         lines = tally.journal(league)
         begun = [line for line in lines if line["kind"] == "night"]
         expect(len(begun) == self.nights, f"day {clock.day}: {len(begun)} nights were begun, not {self.nights}")
