@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace mirocup::geometry {
 
@@ -13,13 +14,19 @@ Pose relative(const Pose& body, const Pose& of) {
   return {of.heading.to_body(body.position - of.position), body.heading.seen_from(of.heading)};
 }
 
+// Returns f(corners of the polygon), a compile-time constant for the usual four: loops unroll then.
+template <class F>
+auto with_corners(const Outline& polygon, F f) {
+  return polygon.corners == 4 ? f(std::integral_constant<int, 4>{}) : f(polygon.corners);
+}
+
 // The smallest normal . corner, m; `normal` is in the polygon's frame.
 double nearest_corner(const Outline& polygon, const Vec2& normal) {
-  double nearest = infinity;
-  for (int i = 0; i < polygon.corners; ++i) {
-    nearest = std::min(nearest, normal.dot(polygon.corner[i]));
-  }
-  return nearest;
+  return with_corners(polygon, [&](auto corners) {
+    double nearest = infinity;
+    for (int i = 0; i < corners; ++i) nearest = std::min(nearest, normal.dot(polygon.corner[i]));
+    return nearest;
+  });
 }
 
 }  // namespace
@@ -58,23 +65,25 @@ Axis axis_to_centre(const Pose& body_a, const Outline& b, const Pose& body_b) {
 // even the other's inner circle leaves room for that, which rules most edges out.
 EdgeSeparation best_edge(const Outline& reference, const Outline& other, const Vec2& position,
                          const Heading& heading) {
-  std::array<double, max_corners> centre_distance{};
-  int facing = 0;
-  for (int edge = 0; edge < reference.corners; ++edge) {
-    centre_distance[edge] = reference.normal[edge].dot(position) - reference.offset[edge];
-    if (centre_distance[edge] > centre_distance[facing]) facing = edge;
-  }
-  const auto separation_of = [&](int edge) {
-    return centre_distance[edge] + nearest_corner(other, heading.to_body(reference.normal[edge]));
-  };
-  EdgeSeparation best{facing, separation_of(facing)};
-  const double reach = other.inner_radius * (1.0 - 1e-9);  // less a share for rounding
-  for (int edge = 0; edge < reference.corners; ++edge) {
-    if (edge == facing || centre_distance[edge] - reach <= best.separation) continue;
-    const double separation = separation_of(edge);
-    if (separation > best.separation) best = {edge, separation};
-  }
-  return best;
+  return with_corners(reference, [&](auto corners) {
+    std::array<double, max_corners> centre_distance{};
+    int facing = 0;
+    for (int edge = 0; edge < corners; ++edge) {
+      centre_distance[edge] = reference.normal[edge].dot(position) - reference.offset[edge];
+      if (centre_distance[edge] > centre_distance[facing]) facing = edge;
+    }
+    const auto separation_of = [&](int edge) {
+      return centre_distance[edge] + nearest_corner(other, heading.to_body(reference.normal[edge]));
+    };
+    EdgeSeparation best{facing, separation_of(facing)};
+    const double reach = other.inner_radius * (1.0 - 1e-9);  // less a share for rounding
+    for (int edge = 0; edge < corners; ++edge) {
+      if (edge == facing || centre_distance[edge] - reach <= best.separation) continue;
+      const double separation = separation_of(edge);
+      if (separation > best.separation) best = {edge, separation};
+    }
+    return best;
+  });
 }
 
 Reference reference_of(const Outline& a, const Pose& body_a, const Outline& b, const Pose& body_b,
@@ -111,8 +120,8 @@ Separation separation(const Outline& a, const Pose& body_a, const Outline& b, co
   const Vec2 normal = reference.is_a ? Vec2{-outwards} : outwards;
   const double own_reach = side.offset[reference.best.edge];
   const double other_reach = normal.dot(body_a.position - body_b.position) - own_reach - gap;
-  return reference.is_a ? Separation{gap, normal, own_reach, other_reach}
-                        : Separation{gap, normal, other_reach, own_reach};
+  return reference.is_a ? Separation{gap, normal, own_reach, other_reach, reference}
+                        : Separation{gap, normal, other_reach, own_reach, reference};
 }
 
 Separation separation(const Outline& a, const Pose& body_a, const field::Wall& wall) {

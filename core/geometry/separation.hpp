@@ -13,11 +13,24 @@
 
 namespace mirocup::geometry {
 
+// An edge of a polygon, and how far outside its line the nearest corner of another polygon is.
+struct EdgeSeparation {
+  int edge;
+  double separation;  // m, negative if that corner is inside of the line
+};
+
+// The reference edge of two polygons: of all edges of both, the one that separates them best.
+struct Reference {
+  bool is_a;  // the edge belongs to a
+  EdgeSeparation best;
+};
+
 // The best separating line of outlines a and b, in the field's frame.
 struct Separation {
   double gap;               // m, along the normal; negative where the outlines overlap
   Vec2 normal{0.0, 0.0};    // unit vector from b to a
   double reach_a, reach_b;  // m: extent of a and of b from its reference point towards the other
+  Reference reference{};    // only of two polygons
 };
 
 // Return the separation of two polygons, or of a circle (a) and a polygon (b); or of an outline and
@@ -47,21 +60,11 @@ Axis nearest_axis(const Outline& polygon, const Vec2& point);
 // Returns the axis of polygon b and the reference point of body a, in the frame of b.
 Axis axis_to_centre(const Pose& body_a, const Outline& b, const Pose& body_b);
 
-// An edge of a polygon, and how far outside its line the nearest corner of another polygon is.
-struct EdgeSeparation {
-  int edge;
-  double separation;  // m, negative if that corner is inside of the line
-};
 // Returns the edge of `reference` that separates it best from `other`, whose pose is given in the
 // frame of `reference`.
 EdgeSeparation best_edge(const Outline& reference, const Outline& other, const Vec2& position,
                          const Heading& heading);
 
-// The reference edge of two polygons: of all edges of both, the one that separates them best.
-struct Reference {
-  bool is_a;  // the edge belongs to a
-  EdgeSeparation best;
-};
 // Returns the reference edge. On a tie it is an edge of `a`, whatever the poses, so that a
 // half-turn of the field changes nothing. If an edge of `a` separates the two by more than
 // `margin`, m, that edge is returned, and the edges of b are not tried.

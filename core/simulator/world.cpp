@@ -202,7 +202,7 @@ const collision::CandidatePair* World::earliest_contact(double& t) {
     if (first == nullptr || !first->is_estimate) return first;
     if (refine_estimate(*first)) continue;
     first->contact_time = contact_time(static_world_, first->pair, segments_, first->estimated,
-                                       static_world_.tolerances.penetration);
+                                       static_world_.tolerances.penetration, first->reference);
     first->is_estimate = false;
   }
 }
@@ -214,7 +214,7 @@ bool World::refine_estimate(collision::CandidatePair& n) const {
   if (n.contact_time == n.estimated || n.estimates == settings::world.max_estimates) return false;
   ++n.estimates;
   const double before = n.contact_time;
-  n.contact_time = earliest_contact_of(n.pair, before);
+  n.contact_time = earliest_contact_of(n, before);
   return n.contact_time > before;
 }
 
@@ -411,7 +411,7 @@ void World::update_pairs(const BodySet& involved, double t, double tick_end) {
                                          static_world_.tolerances.penetration);
     n.is_estimate = !touch;
     n.estimated = t;
-    n.contact_time = touch ? *touch : earliest_contact_of(n.pair, t);
+    n.contact_time = touch ? *touch : earliest_contact_of(n, t);
   }
   for (const collision::CandidatePair& n : found) {
     if (n.contact_time == trajectory::never) continue;
@@ -420,8 +420,10 @@ void World::update_pairs(const BodySet& involved, double t, double tick_end) {
   }
 }
 
-// Returns a lower bound of the pair's next contact time from t on, or never.
-double World::earliest_contact_of(const Pair& pair, double t) const {
+// Returns a lower bound of the pair's next contact time from t on, or never. The exact search
+// starts where the first estimate was made: with its reference edge, if both bodies have series.
+double World::earliest_contact_of(collision::CandidatePair& n, double t) const {
+  const Pair& pair = n.pair;
   const double touch = static_world_.tolerances.contact_gap;
   const double radius_a = static_world_.shape(pair.a).radius;
   if (pair.with_obstacle()) {
@@ -437,6 +439,8 @@ double World::earliest_contact_of(const Pair& pair, double t) const {
   if (stays_out_of_reach(encounter)) return trajectory::never;
   const geometry::Separation apart =
       separation(static_world_, pair, pose_of(pair.a, t), pose_of(pair.partner, t));
+  if (t == n.estimated && !closed_form_[pair.a] && !closed_form_[pair.partner])
+    n.reference = apart.reference;
   return earliest_contact_time(encounter, apart, radius_a, radius_b, touch);
 }
 
@@ -597,11 +601,10 @@ void World::start_segments(const BodySet& involved, double t, double tick_end) {
                            request.preferred_duration);
     }
   }
-  for (int i = 0; i < static_world_.bodies(); ++i) {
-    if (!involved[i] || closed_form_[i]) continue;
+  for_each_body(involved & ~closed_form_, [&](int i) {
     boxes_[i] = swept_box(segments_[i]);
     bounds_[i] = bound_of_segment(segments_[i]);
-  }
+  });
 }
 
 }  // namespace mirocup::simulator

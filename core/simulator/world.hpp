@@ -134,7 +134,7 @@ class World {
   void update_pairs(const BodySet& involved, double t, double tick_end);
   void start_closed_form(int body, double t, double tick_end);
   void to_series(int body, double t, double tick_end);
-  double earliest_contact_of(const Pair& pair, double t) const;
+  double earliest_contact_of(collision::CandidatePair& n, double t) const;
   BodyState state_at(int body, double t) const;
   Pose pose_of(int body, double t) const;
   void advance_to(double t, const BodySet& involved);

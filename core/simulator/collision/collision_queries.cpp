@@ -117,11 +117,12 @@ double first_time_below(const StaticWorld& world, const Pair& pair, double level
 }
 
 double contact_time(const StaticWorld& world, const Pair& pair,
-                    std::span<const trajectory::Segment> segments, double t, double penetration) {
-  return with_moving_outlines(world, pair, segments,
-                              [&](const MovingOutline& a, const auto& b, double end) {
-                                return time_of_impact_or_penetration(a, b, penetration, t, end);
-                              });
+                    std::span<const trajectory::Segment> segments, double t, double penetration,
+                    const std::optional<geometry::Reference>& reference) {
+  return with_moving_outlines(
+      world, pair, segments, [&](const MovingOutline& a, const auto& b, double end) {
+        return time_of_impact_or_penetration(a, b, penetration, t, end, reference);
+      });
 }
 
 }  // namespace mirocup::simulator::collision

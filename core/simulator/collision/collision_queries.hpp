@@ -12,6 +12,7 @@
 #include "core/simulator/collision/static_world.hpp"
 #include "core/simulator/trajectory/segment.hpp"
 
+#include <optional>
 #include <span>
 
 namespace mirocup::simulator::collision {
@@ -61,8 +62,9 @@ double first_time_below(const StaticWorld& world, const Pair& pair, double level
 
 // Returns the first time, from t to the earlier end of the pair's two segments, at which the pair
 // touches, or trajectory::never. If the pair touches at t already, returns the first time at which
-// its bodies have come closer by `penetration`, m.
+// its bodies have come closer by `penetration`, m. `reference` is that of robots at t, if known.
 double contact_time(const StaticWorld& world, const Pair& pair,
-                    std::span<const trajectory::Segment> segments, double t, double penetration);
+                    std::span<const trajectory::Segment> segments, double t, double penetration,
+                    const std::optional<geometry::Reference>& reference = {});
 
 }  // namespace mirocup::simulator::collision

@@ -63,7 +63,8 @@ RelativeHeading relative_heading(const Pivot& pivot) {
   const trajectory::Segment& a = pivot.robot;
   if (pivot.edge == nullptr) return {a.cos, a.sin};
   const trajectory::Segment& b = *pivot.edge;
-  return {b.cos * a.cos + b.sin * a.sin, b.cos * a.sin - b.sin * a.cos};
+  return {sum_of_products(b.cos, a.cos, b.sin, a.sin),
+          difference_of_products(b.cos, a.sin, b.sin, a.cos)};
 }
 
 // Returns a lower bound of the height above the edge's line, m, of a point of the robot while it

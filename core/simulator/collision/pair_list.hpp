@@ -8,6 +8,7 @@
 #include "core/simulator/collision/collision_queries.hpp"
 
 #include <array>
+#include <optional>
 #include <span>
 
 namespace mirocup::simulator::collision {
@@ -20,7 +21,8 @@ struct CandidatePair {
   double estimated = 0.0;                   // when the estimate was made; the pair was apart then
   double apart_at = -1.0;                   // a time at which the pair was found not to touch
   bool is_estimate = false;
-  int estimates = 0;  // how often the estimate was refined
+  int estimates = 0;                               // how often the estimate was refined
+  std::optional<geometry::Reference> reference{};  // that of two robots at `estimated`, if known
 
   // True if the pair is known not to touch at time t.
   bool is_apart_at(double t) const { return apart_at == t || (is_estimate && contact_time > t); }

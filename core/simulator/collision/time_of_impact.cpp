@@ -2,12 +2,10 @@
 #include "core/simulator/collision/time_of_impact.hpp"
 
 #include "core/base/assert.hpp"
-#include "core/geometry/separation.hpp"
 #include "core/simulator/model/solver_settings.hpp"
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 namespace mirocup::simulator::collision {
 
@@ -48,7 +46,14 @@ class DistanceAlong {
 
   // Returns the distance of a corner, which is given in the body's frame.
   trajectory::Series operator()(const Vec2& corner) const {
-    return of_centre_ + n_.dot(corner) * cos_ + cross(corner, n_) * sin_;
+    const double of_cos = n_.dot(corner);
+    const double of_sin = cross(corner, n_);
+    return trajectory::with_terms(terms_, [&](auto n) {
+      trajectory::Series distance;
+      distance.terms = n;
+      for (int k = 0; k < n; ++k) distance[k] = of_centre_[k] + of_cos * cos_[k] + of_sin * sin_[k];
+      return distance;
+    });
   }
 
   // Returns lower bounds of the distances over [0, end] for batch_size corners at once, from corner
@@ -62,22 +67,21 @@ class DistanceAlong {
       of_cos[i] = n_.dot(corner);
       of_sin[i] = cross(corner, n_);
     }
-    return trajectory::with_terms(
-        std::max({of_centre_.terms, cos_.terms, sin_.terms}), [&](auto n) {
-          std::array<double, batch_size> low;
-          for (int i = 0; i < batch_size; ++i) {
-            low[i] = of_centre_[0] + of_cos[i] * cos_[0] + of_sin[i] * sin_[0];
-          }
-          double power = 1.0;
-          for (int k = 1; k < n; ++k) {
-            power *= end;
-            for (int i = 0; i < batch_size; ++i) {
-              const double term = of_centre_[k] + of_cos[i] * cos_[k] + of_sin[i] * sin_[k];
-              low[i] += std::min(term * power, 0.0);
-            }
-          }
-          return low;
-        });
+    return trajectory::with_terms(terms_, [&](auto n) {
+      std::array<double, batch_size> low;
+      for (int i = 0; i < batch_size; ++i) {
+        low[i] = of_centre_[0] + of_cos[i] * cos_[0] + of_sin[i] * sin_[0];
+      }
+      double power = 1.0;
+      for (int k = 1; k < n; ++k) {
+        power *= end;
+        for (int i = 0; i < batch_size; ++i) {
+          const double term = of_centre_[k] + of_cos[i] * cos_[k] + of_sin[i] * sin_[k];
+          low[i] += std::min(term * power, 0.0);
+        }
+      }
+      return low;
+    });
   }
 
  private:
@@ -85,6 +89,7 @@ class DistanceAlong {
   trajectory::Series of_centre_;
   const trajectory::Series& cos_;
   const trajectory::Series& sin_;
+  int terms_ = std::max({of_centre_.terms, cos_.terms, sin_.terms});
 };
 
 // A polygon's motion in the frame of another. Most edges are parallel to an axis of the frame, so
@@ -246,21 +251,23 @@ double time_of_impact(const MovingOutline& a, const field::Wall& wall, double le
 }
 
 double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline& b,
-                                     double penetration, double begin, double end) {
+                                     double penetration, double begin, double end,
+                                     const std::optional<geometry::Reference>& reference) {
   if (a.shape.is_circle()) {
     const double now = gap(a.shape, pose_at(a.segment, begin), b.shape, pose_at(b.segment, begin));
     return impact_or_penetration(now, penetration, begin, [&](double level) {
       return time_of_impact_of_circle(a, b, level, begin, end);
     });
   }
-  const geometry::Reference now = reference_at(a, b, begin);
+  const geometry::Reference now = reference ? *reference : reference_at(a, b, begin);
   return impact_or_penetration(now.best.separation, penetration, begin, [&](double level) {
     return time_of_impact_of_polygons(a, b, now, level, begin, end);
   });
 }
 
 double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall,
-                                     double penetration, double begin, double end) {
+                                     double penetration, double begin, double end,
+                                     const std::optional<geometry::Reference>&) {
   const double now = gap(a.shape, pose_at(a.segment, begin), wall);
   return impact_or_penetration(now, penetration, begin, [&](double level) {
     return time_of_impact(a, wall, level, begin, end);

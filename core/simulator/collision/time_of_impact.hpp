@@ -15,7 +15,10 @@
 
 #include "core/field/field.hpp"
 #include "core/geometry/outline.hpp"
+#include "core/geometry/separation.hpp"
 #include "core/simulator/trajectory/segment.hpp"
+
+#include <optional>
 
 namespace mirocup::simulator::collision {
 
@@ -36,10 +39,13 @@ double time_of_impact(const MovingOutline& a, const field::Wall& wall, double le
 // Returns the first time at which the gap has fallen to 0. If the gap at `begin` is already at most
 // `penetration`, m, the function instead returns the first time at which the gap has fallen to
 // min(gap at `begin`, 0) - `penetration`. In both cases the result is trajectory::never if
-// the gap does not fall so far by `end`.
+// the gap does not fall so far by `end`. `reference` is the reference edge of two polygons at
+// `begin`, if it is known; a wall has none.
 double time_of_impact_or_penetration(const MovingOutline& a, const MovingOutline& b,
-                                     double penetration, double begin, double end);
+                                     double penetration, double begin, double end,
+                                     const std::optional<geometry::Reference>& reference = {});
 double time_of_impact_or_penetration(const MovingOutline& a, const field::Wall& wall,
-                                     double penetration, double begin, double end);
+                                     double penetration, double begin, double end,
+                                     const std::optional<geometry::Reference>& = {});
 
 }  // namespace mirocup::simulator::collision

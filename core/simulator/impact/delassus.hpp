@@ -17,8 +17,6 @@ namespace mirocup::simulator::impact {
 // Made for one problem; holds at most solver::max_unknowns rows.
 class DelassusOperator {
  public:
-  DelassusOperator() { newest_.fill(none); }
-
   // Adds the row of an unknown. Rows must be added with increasing unknowns.
   void add(int unknown, const solver::ConstraintRow& row) {
     add(unknown, row.a, row.on_a);
@@ -29,7 +27,7 @@ class DelassusOperator {
   // so only entries with j <= i are added. `mass` holds the inverse mass of every body.
   template <class Matrix>
   void couple(std::span<const solver::InverseMass> mass, Matrix& matrix) const {
-    for (std::size_t body = 0; body < mass.size(); ++body) {
+    for_each_body(bodies_, [&](int body) {
       const solver::InverseMass& m = mass[body];
       for (int i = newest_[body]; i != none; i = rows_[i].previous) {
         const Row& p = rows_[i];
@@ -41,7 +39,7 @@ class DelassusOperator {
           matrix.add_to_a(p.unknown, q.unknown, value);
         }
       }
-    }
+    });
   }
 
  private:
@@ -56,11 +54,13 @@ class DelassusOperator {
   };
 
   void add(int unknown, int body, const solver::JacobianRow& row) {
-    rows_[count_] = {row, unknown, newest_[body]};
+    rows_[count_] = {row, unknown, bodies_[body] ? newest_[body] : none};
     newest_[body] = count_++;
+    bodies_.set(body);
   }
 
-  std::array<int, max_bodies> newest_;
+  BodySet bodies_;                      // that have a row
+  std::array<int, max_bodies> newest_;  // row of each of bodies_
   std::array<Row, bodies_per_row * solver::max_unknowns> rows_;
   int count_ = 0;
 };

@@ -25,8 +25,9 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
                  std::span<BodyState> bodies, solver::BoxQp& problem) {
   const double fastest = max_slip(robots, bodies);
   if (fastest <= settings::differential_drive.slip_round_off) return;
-  std::array<BodyState, max_bodies> before;
-  std::copy(bodies.begin(), bodies.end(), before.begin());
+  const BodySet touching = bodies_of(contacts);
+  std::array<Twist, max_bodies> before;
+  for_each_body(touching, [&](int i) { before[i] = bodies[i].twist; });
 
   // One problem: unknowns are first the contacts' impulses, then the ground's.
   std::array<solver::ConstraintRow, max_robots> wheels;
@@ -50,7 +51,7 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
     if (std::abs(left) <= settings::differential_drive.slip_round_off) left = 0.0;
   }
   if (max_slip(robots, bodies) >= fastest) {
-    std::copy_n(before.begin(), bodies.size(), bodies.begin());
+    for_each_body(touching, [&](int i) { bodies[i].twist = before[i]; });
     return;
   }
   for (int i = 0; i < first_wheels; ++i) contacts[i].impact.impulse += problem.x[i];

@@ -29,36 +29,33 @@ bool ContactForces::decide(std::span<const trajectory::DriveReference> drives,
                            std::span<BodyState> bodies, std::span<collision::Contact> contacts) {
   // Candidates: the contacts whose gaps do not open. Members: the bodies that have one.
   candidate_count_ = 0;
-  BodySet in_contact;
+  members_ = {};
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     collision::Contact& c = contacts[i];
     c.resting.is_active = false;
     c.resting.friction = 0.0;
     if (collision::row_rate(c.row, bodies) > c.impact.restitution_threshold) continue;
     candidate_[candidate_count_++] = static_cast<int>(i);
-    in_contact |= bodies_of(c.pair);
+    members_ |= bodies_of(c.pair);
   }
   if (candidate_count_ == 0) return true;
-  member_count_ = 0;
-  for (int i = 0; i < world_.bodies(); ++i) {
-    if (in_contact[i]) member_[member_count_++] = i;
-  }
+  for_each_body(bodies_of(contacts), [&](int i) { mass_[i] = mass(i, drives); });
 
   classify_ground(drives, bodies);
   build_problem(drives, bodies, contacts);
   qp_.solve();
 
   const int ball = world_.robots;
-  const bool ball_rests = world_.has_ball && in_contact[ball] &&
-                          bodies[ball].twist.forward == 0.0 && bodies[ball].twist.left == 0.0;
+  const bool ball_rests = world_.has_ball && members_[ball] && bodies[ball].twist.forward == 0.0 &&
+                          bodies[ball].twist.left == 0.0;
   if (ball_rests) start_ball(drives, bodies, contacts);
   if (impact::has_friction(world_.parameters)) {
-    if (!add_friction(drives, bodies, contacts)) return false;
+    if (!add_friction(bodies, contacts)) return false;
   } else {
     drop_weak_forces();
   }
   read_solution(contacts);
-  project_velocities(drives, bodies, contacts);
+  project_velocities(bodies, contacts);
   // A ball at rest on which nothing presses stays at rest. The projection may leave it a speed of
   // rounding, with which it would stop at once, in event after event.
   if (ball_rests && impact::cluster_of(ball, contacts).none()) bodies[ball].twist = {};
@@ -68,11 +65,8 @@ bool ContactForces::decide(std::span<const trajectory::DriveReference> drives,
 // Gives each pressing contact the friction against its slide. One that is about to slide gets it
 // against the acceleration that it has without: it slides if that keeps its direction. False if
 // a contact sticks, is the ball's, or no forces agree.
-bool ContactForces::add_friction(std::span<const trajectory::DriveReference> drives,
-                                 std::span<const BodyState> bodies,
+bool ContactForces::add_friction(std::span<const BodyState> bodies,
                                  std::span<collision::Contact> contacts) {
-  std::array<solver::InverseMass, max_bodies> mass;
-  for (int k = 0; k < member_count_; ++k) mass[member_[k]] = this->mass(member_[k], drives);
   for (int i = 0; i < qp_.size(); ++i)
     qp_.a(i, i) *= 1.0 + settings::contact_forces.friction_compliance;
   const solver::Unknowns without = qp_.b;
@@ -85,15 +79,15 @@ bool ContactForces::add_friction(std::span<const trajectory::DriveReference> dri
     if (!begins[i]) c.resting.friction = std::copysign(c.material.friction, -speed);
   }
   for (const bool decides : {true, false}) {
-    if (!find_friction(without, contacts, mass)) return false;
-    const std::array<BodyState, max_bodies> pushed = pushed_by_forces(contacts, mass, true);
+    if (!find_friction(without, contacts)) return false;
+    const std::array<BodyState, max_bodies> pushed = pushed_by_forces(contacts, true);
     for (int i = 0; i < candidate_count_; ++i) {
       collision::Contact& c = contacts[candidate_[i]];
       if (c.material.friction == 0.0 || qp_.x[i] <= settings::contact_forces.min_force) continue;
       if (c.point.kind != collision::Touching::corner_on_edge) return false;
       if (!begins[i]) continue;
       const double acceleration =
-          slide_term(c, trial_, 1, rows_[i]) + collision::row_rate(tangents_[i], pushed);
+          slide_term(rows_[i], 1) + collision::row_rate(tangents_[i], pushed);
       if (decides) c.resting.friction = std::copysign(c.material.friction, -acceleration);
       const double least = settings::contact_forces.min_slide_acceleration;
       if (std::abs(acceleration) < least || acceleration * c.resting.friction > 0.0) return false;
@@ -105,10 +99,9 @@ bool ContactForces::add_friction(std::span<const trajectory::DriveReference> dri
 // Solves the problem again, b being that `without` friction, until the tangential forces belong to
 // the normal ones. False if they do not get there.
 bool ContactForces::find_friction(const solver::Unknowns& without,
-                                  std::span<const collision::Contact> contacts,
-                                  std::span<const solver::InverseMass> mass) {
+                                  std::span<const collision::Contact> contacts) {
   for (int round = 0; round < settings::contact_forces.friction_rounds; ++round) {
-    const std::array<BodyState, max_bodies> pushed = pushed_by_forces(contacts, mass, false);
+    const std::array<BodyState, max_bodies> pushed = pushed_by_forces(contacts, false);
     for (int i = 0; i < qp_.size(); ++i) {
       const solver::ConstraintRow& row = i < candidate_count_
                                              ? contacts[candidate_[i]].row
@@ -131,18 +124,17 @@ bool ContactForces::find_friction(const solver::Unknowns& without,
 // Returns bodies whose twists are the accelerations by the tangential forces of the contacts, or by
 // all forces of the solution.
 std::array<BodyState, max_bodies> ContactForces::pushed_by_forces(
-    std::span<const collision::Contact> contacts, std::span<const solver::InverseMass> mass,
-    bool by_all) const {
+    std::span<const collision::Contact> contacts, bool by_all) const {
   std::array<BodyState, max_bodies> pushed{};
   for (int i = 0; i < candidate_count_; ++i) {
     const collision::Contact& c = contacts[candidate_[i]];
     if (c.resting.friction != 0.0)
-      collision::apply_impulse(tangents_[i], c.resting.friction * qp_.x[i], mass, pushed);
-    if (by_all) collision::apply_impulse(c.row, qp_.x[i], mass, pushed);
+      collision::apply_impulse(tangents_[i], c.resting.friction * qp_.x[i], mass_, pushed);
+    if (by_all) collision::apply_impulse(c.row, qp_.x[i], mass_, pushed);
   }
   for (int k = 0; by_all && k < wheel_count_; ++k) {
     const solver::ConstraintRow& row = wheel_rows_[wheels_[k]];
-    collision::apply_impulse(row, qp_.x[candidate_count_ + k], mass, pushed);
+    collision::apply_impulse(row, qp_.x[candidate_count_ + k], mass_, pushed);
   }
   return pushed;
 }
@@ -151,8 +143,7 @@ std::array<BodyState, max_bodies> ContactForces::pushed_by_forces(
 // do not change, other gaps do not close, wheels that hold do not slide. The projection is
 // orthogonal in the metric of the masses, so it never adds energy. A projection of one body alone
 // could, because the others would go on unchanged.
-void ContactForces::project_velocities(std::span<const trajectory::DriveReference> drives,
-                                       std::span<BodyState> bodies,
+void ContactForces::project_velocities(std::span<BodyState> bodies,
                                        std::span<const collision::Contact> contacts) {
   const auto presses = [](const collision::Contact& c) { return c.resting.is_active; };
   if (std::none_of(contacts.begin(), contacts.end(), presses)) return;
@@ -163,10 +154,6 @@ void ContactForces::project_velocities(std::span<const trajectory::DriveReferenc
 
   // The impulses of the projection: min 1/2 x.Ax + b.x, where b are the rates before. An impulse
   // may have either sign if the rate must become zero, else it only pushes.
-  std::array<solver::InverseMass, max_bodies> mass;
-  for (const collision::Contact& c : contacts) {
-    for_each_body(bodies_of(c.pair), [&](int i) { mass[i] = this->mass(i, drives); });
-  }
   const int count = static_cast<int>(constraints_.size());
   const auto row = [&](int i) -> const solver::ConstraintRow& { return *constraints_[i].row; };
   qp_.reset(count);
@@ -174,9 +161,9 @@ void ContactForces::project_velocities(std::span<const trajectory::DriveReferenc
     qp_.b[i] = collision::row_rate(row(i), bodies);
     if (constraints_[i].is_equality) qp_.low[i] = -infinity;
   }
-  impact::assemble_delassus(count, row, mass, qp_);
+  impact::assemble_delassus(count, row, mass_, qp_);
   qp_.solve();
-  for (int i = 0; i < count; ++i) collision::apply_impulse(row(i), qp_.x[i], mass, bodies);
+  for (int i = 0; i < count; ++i) collision::apply_impulse(row(i), qp_.x[i], mass_, bodies);
 }
 
 // True if the velocities satisfy constraints_ already, to rounding.
@@ -240,8 +227,7 @@ void ContactForces::start_ball(std::span<const trajectory::DriveReference> drive
 void ContactForces::classify_ground(std::span<const trajectory::DriveReference> drives,
                                     std::span<BodyState> bodies) {
   wheel_count_ = 0;
-  for (int k = 0; k < member_count_; ++k) {
-    const int i = member_[k];
+  for_each_body(members_, [&](int i) {
     Twist& v = bodies[i].twist;
     if (world_.is_ball(i)) {
       grounding_[i] = {.ground = Ground::ball};
@@ -255,7 +241,7 @@ void ContactForces::classify_ground(std::span<const trajectory::DriveReference> 
       grounding_[i] = {.ground = Ground::rolls};
       if (is_held_sideways(world_, grounding_[i])) wheels_[wheel_count_++] = i;
     }
-  }
+  });
 }
 
 // Sets up the QP: unknowns are the forces of the candidates, then those of the wheels. A is J
@@ -265,12 +251,11 @@ void ContactForces::build_problem(std::span<const trajectory::DriveReference> dr
                                   std::span<const BodyState> bodies,
                                   std::span<const collision::Contact> contacts) {
   const Parameters& p = world_.parameters;
-  std::array<solver::InverseMass, max_bodies> mass;
-  for (int k = 0; k < member_count_; ++k) {
-    const int i = member_[k];
+  for_each_body(members_, [&](int i) {
     const Grounding& g = grounding_[i];
     trajectory::Segment& s = trial_[i];
-    s = trajectory::moving_segment(bodies[i], 0.0, 0.0);
+    set_first_terms(bodies[i], s);
+    s.left[1] = 0.0;
     if (g.ground == Ground::ball) {
       trajectory::Braking braking =
           braking_along(trajectory::rolling_deceleration(p), {s.forward[0], s.left[0]}, g.push);
@@ -284,22 +269,21 @@ void ContactForces::build_problem(std::span<const trajectory::DriveReference> dr
       if (is_held_sideways(world_, grounding_[i])) s.left[1] = -s.omega[0] * s.forward[0];
     }
     integrate_pose(s, 0);
-    mass[i] = this->mass(i, drives);
-  }
+  });
 
   qp_.reset(candidate_count_ + wheel_count_);
   for (int i = 0; i < candidate_count_; ++i) {
     const collision::Contact& c = contacts[candidate_[i]];
     ContactSeries& rows = rows_[i];
     start_rows(world_, c, trial_, rows);
-    extend_rows(world_, c, trial_, 0, rows);
-    qp_.b[i] = gap_rate_term(c, trial_, 1, rows);
+    extend_rows(world_, c, 0, rows);
+    qp_.b[i] = gap_rate_term(c, 1, rows);
   }
   const auto row = [&](int i) -> const solver::ConstraintRow& {
     return i < candidate_count_ ? contacts[candidate_[i]].row
                                 : wheel_rows_[wheels_[i - candidate_count_]];
   };
-  impact::assemble_delassus(qp_.size(), row, mass, qp_);
+  impact::assemble_delassus(qp_.size(), row, mass_, qp_);
   const double grip_force = p.grip * p.robot_mass * gravity;
   for (int k = 0; k < wheel_count_; ++k) {
     const int unknown = candidate_count_ + k;

@@ -86,17 +86,13 @@ class ContactForces {
   void start_ball(std::span<const trajectory::DriveReference> drives,
                   std::span<const BodyState> bodies, std::span<const collision::Contact> contacts);
   Vec2 push_on_ball(std::span<const collision::Contact> contacts) const;
-  bool add_friction(std::span<const trajectory::DriveReference> drives,
-                    std::span<const BodyState> bodies, std::span<collision::Contact> contacts);
-  bool find_friction(const solver::Unknowns& without, std::span<const collision::Contact> contacts,
-                     std::span<const solver::InverseMass> mass);
+  bool add_friction(std::span<const BodyState> bodies, std::span<collision::Contact> contacts);
+  bool find_friction(const solver::Unknowns& without, std::span<const collision::Contact> contacts);
   std::array<BodyState, max_bodies> pushed_by_forces(std::span<const collision::Contact> contacts,
-                                                     std::span<const solver::InverseMass> mass,
                                                      bool by_all) const;
   void drop_weak_forces();
   void read_solution(std::span<collision::Contact> contacts);
-  void project_velocities(std::span<const trajectory::DriveReference> drives,
-                          std::span<BodyState> bodies,
+  void project_velocities(std::span<BodyState> bodies,
                           std::span<const collision::Contact> contacts);
   bool are_admissible(std::span<const BodyState> bodies) const;
 
@@ -105,16 +101,16 @@ class ContactForces {
   std::array<Grounding, max_bodies> grounding_;
 
   // The decision that is being made: valid during decide() only.
+  std::array<solver::InverseMass, max_bodies> mass_;   // of the bodies with a contact
   std::array<trajectory::Segment, max_bodies> trial_;  // two terms of the motion without forces
   std::vector<ContactSeries> rows_;                    // of the candidates
   std::vector<VelocityConstraint> constraints_;        // contacts, then wheels that hold
   std::array<solver::ConstraintRow, max_robots> wheel_rows_;  // of each robot; never change
   std::array<int, solver::max_unknowns> candidate_;  // indices of contacts whose gaps do not open
-  std::array<int, max_bodies> member_;               // bodies with a candidate
+  BodySet members_;                                  // bodies with a candidate
   std::array<int, max_bodies> wheels_;               // robots whose wheels may hold
   std::array<solver::ConstraintRow, collision::max_contacts> tangents_;  // of the candidates
   int candidate_count_ = 0;
-  int member_count_ = 0;
   int wheel_count_ = 0;
 };
 

@@ -37,8 +37,7 @@ void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
 
 void ContactMotion::stand_still(const SegmentRequest& request, std::span<const BodyState> bodies,
                                 std::span<trajectory::Segment> segments) const {
-  for (int m = 0; m < member_count_; ++m) {
-    const int i = members_[m];
+  for (const int i : members()) {
     segments[i] = trajectory::still_segment(bodies[i], request.begin, request.horizon);
   }
 }
@@ -70,8 +69,7 @@ bool ContactMotion::arrest_slip(std::span<const collision::Contact> contacts,
                                 std::span<const trajectory::Segment> segments,
                                 IsMarginal is_marginal) {
   bool found = false;
-  for (int m = 0; m < member_count_; ++m) {
-    const int i = members_[m];
+  for (const int i : members()) {
     Grounding& g = grounding_[i];
     if (g.ground != Ground::slides || segments[i].left[0] != 0.0) continue;
     if (!is_marginal(g, segments[i])) continue;
@@ -90,24 +88,24 @@ void ContactMotion::extend_until_converged(const SegmentRequest& request,
   for (const int terms : trajectory::term_counts) {
     for (; k < terms - 1; ++k) extend(k, segments);
     set_terms_of_all(terms, segments);
-    const bool converged =
-        std::all_of(members_.begin(), members_.begin() + member_count_, [&](int i) {
-          return has_converged(segments[i], length, settings::segment.contact_truncation);
-        });
+    const bool converged = std::all_of(members().begin(), members().end(), [&](int i) {
+      return has_converged(segments[i], length, settings::segment.contact_truncation);
+    });
     if (converged) return;
   }
 }
 
 // Computes term k + 1 of poses, twists and rows, and term k of the forces.
 void ContactMotion::extend(int k, std::span<trajectory::Segment> segments) {
-  for (int m = 0; m < member_count_; ++m) integrate_pose(segments[members_[m]], k);
-  for (int i = 0; i < held_count_; ++i) extend_rows(world_, held_[i], segments, k, rows_[i]);
+  for (const int i : members())
+    integrate_pose(segments[i], k, grounding_[i].ground != Ground::rolls);
+  for (int i = 0; i < held_count_; ++i) extend_rows(world_, held_[i], k, rows_[i]);
   extend_twists(k, segments);
   solve_for_forces(k, segments);
 }
 
 void ContactMotion::set_terms_of_all(int terms, std::span<trajectory::Segment> segments) {
-  for (int m = 0; m < member_count_; ++m) set_terms(segments[members_[m]], terms);
+  for (const int i : members()) set_terms(segments[i], terms);
   for (int i = 0; i < held_count_; ++i) resting_contact::set_terms(rows_[i], terms);
   for (int w = 0; w < wheel_count_; ++w) {
     lateral_force_[w].terms = terms;
@@ -118,17 +116,16 @@ void ContactMotion::set_terms_of_all(int terms, std::span<trajectory::Segment> s
 // Returns the length over which all series have converged, s.
 double ContactMotion::converged_length_of_all(std::span<const trajectory::Segment> segments) const {
   double length = segments[members_[0]].end - segments[members_[0]].begin;
-  for (int m = 0; m < member_count_; ++m) {
-    length = converged_length(segments[members_[m]], length, settings::segment.contact_truncation);
-  }
+  for (const int i : members())
+    length = converged_length(segments[i], length, settings::segment.contact_truncation);
   return length;
 }
 
 // True if nothing moves or gains speed. Commands are constant within a tick, so the cluster stays
 // at rest.
 bool ContactMotion::is_at_rest(std::span<const trajectory::Segment> segments) const {
-  for (int m = 0; m < member_count_; ++m) {
-    const trajectory::Segment& s = segments[members_[m]];
+  for (const int i : members()) {
+    const trajectory::Segment& s = segments[i];
     for (const trajectory::Series* p : {&s.forward, &s.left, &s.omega}) {
       if (std::abs((*p)[0]) > settings::contact_motion.resting_speed ||
           std::abs((*p)[1]) > settings::contact_motion.resting_acceleration)
@@ -140,12 +137,11 @@ bool ContactMotion::is_at_rest(std::span<const trajectory::Segment> segments) co
 
 void ContactMotion::set_members(const BodySet& cluster, const ContactForces& forces) {
   member_count_ = 0;
-  for (int i = 0; i < world_.bodies(); ++i) {
-    if (!cluster[i]) continue;
+  for_each_body(cluster, [&](int i) {
     members_[member_count_++] = i;
     mass_[i] = forces.mass(i, drives_);
     grounding_[i] = forces.grounding(i);
-  }
+  });
 }
 
 // Collects the equations: contacts that press and wheels that hold. Redundant equations, which
@@ -154,8 +150,7 @@ void ContactMotion::set_members(const BodySet& cluster, const ContactForces& for
 void ContactMotion::select_active(std::span<const collision::Contact> contacts) {
   wheel_count_ = 0;
   BodySet cluster;
-  for (int m = 0; m < member_count_; ++m) {
-    const int i = members_[m];
+  for (const int i : members()) {
     cluster.set(i);
     if (is_held_sideways(world_, grounding_[i])) wheels_[wheel_count_++] = i;
   }
@@ -194,10 +189,8 @@ void ContactMotion::mark_persistent(std::span<collision::Contact> contacts) cons
 // Computes the first two terms of all series, and makes velocities fit the contacts.
 void ContactMotion::start_series(const SegmentRequest& request, std::span<BodyState> bodies,
                                  std::span<trajectory::Segment> segments) {
-  for (int m = 0; m < member_count_; ++m) {
-    segments[members_[m]] =
-        trajectory::moving_segment(bodies[members_[m]], request.begin, request.horizon);
-  }
+  for (const int i : members())
+    segments[i] = trajectory::moving_segment(bodies[i], request.begin, request.horizon);
   for (int i = 0; i < held_count_; ++i) {
     start_rows(world_, held_[i], segments, rows_[i]);
     held_[i].row =
@@ -207,8 +200,7 @@ void ContactMotion::start_series(const SegmentRequest& request, std::span<BodySt
 
   factorise();
   project_velocities(bodies);
-  for (int m = 0; m < member_count_; ++m) {
-    const int i = members_[m];
+  for (const int i : members()) {
     const Twist& v = bodies[i].twist;
     segments[i].forward[0] = v.forward;
     segments[i].left[0] = v.left;
@@ -242,9 +234,8 @@ void ContactMotion::close_gaps(std::span<BodyState> bodies) {
     return std::abs(by.forward) + std::abs(by.left) + std::abs(by.omega) * world_.shape(i).radius >
            settings::contact_motion.max_displacement;
   };
-  const std::span<const int> members(members_.data(), static_cast<std::size_t>(member_count_));
-  if (std::any_of(members.begin(), members.end(), is_too_long)) return;
-  for (const int i : members) bodies[i] = impact::displaced(bodies[i], displacements[i]);
+  if (std::any_of(members().begin(), members().end(), is_too_long)) return;
+  for (const int i : members()) bodies[i] = impact::displaced(bodies[i], displacements[i]);
 }
 
 // Makes the rates of pressing gaps and the slip of holding wheels zero. They differ from zero
@@ -258,8 +249,7 @@ void ContactMotion::project_velocities(std::span<BodyState> bodies) {
   for (int i = 0; i < held_count_; ++i)
     collision::apply_impulse(held_[i].row, rhs_[i], mass_, bodies);
   for (int k = 0; k < wheel_count_; ++k) bodies[wheels_[k]].twist.left = 0.0;
-  for (int m = 0; m < member_count_; ++m) {
-    const int i = members_[m];
+  for (const int i : members()) {
     double& left = bodies[i].twist.left;
     slip_sign_[i] = grounding_[i].slip_sign;
     if (slip_sign_[i] == 0.0) continue;
@@ -285,8 +275,7 @@ void ContactMotion::factorise() {
 // Computes term k + 1 of the twists, without the part that term k of the forces adds.
 void ContactMotion::extend_twists(int k, std::span<trajectory::Segment> segments) {
   const Parameters& p = world_.parameters;
-  for (int m = 0; m < member_count_; ++m) {
-    const int i = members_[m];
+  for (const int i : members()) {
     const Grounding& g = grounding_[i];
     trajectory::Segment& s = segments[i];
     switch (g.ground) {
@@ -306,8 +295,11 @@ void ContactMotion::extend_twists(int k, std::span<trajectory::Segment> segments
     trajectory::Segment& s = segments[wheels_[w]];
     s.left[k + 1] = -product_term(s.omega, s.forward, k) / (k + 1);
   }
-  for (int i = 0; i < held_count_; ++i) {
-    add_to_twists(later_force_term(held_[i], rows_[i], k), 1.0 / (k + 1), k + 1, segments);
+  const double share = 1.0 / (k + 1);
+  for (int i = 0; k > 0 && i < held_count_; ++i) {
+    const RowTerms row = later_force_term(held_[i], rows_[i], k);
+    if (held_[i].a != no_body) add_to_twist(held_[i].a, row.a, share, k + 1, segments);
+    if (held_[i].b != no_body) add_to_twist(held_[i].b, row.b, -share, k + 1, segments);
   }
 }
 
@@ -323,7 +315,7 @@ void ContactMotion::solve_for_forces(int k, std::span<trajectory::Segment> segme
   bool agree = false;
   for (int round = 0; round < rounds && !agree; ++round) {
     for (int i = 0; i < held_count_; ++i)
-      rhs_[i] = -(k + 1) * gap_rate_term(held_[i], segments, k + 1, rows_[i]);
+      rhs_[i] = -(k + 1) * gap_rate_term(held_[i], k + 1, rows_[i]);
     for (int w = 0; w < wheel_count_; ++w)
       rhs_[held_count_ + w] = -(k + 1) * segments[wheels_[w]].left[k + 1];
     cholesky_.solve(rhs_);
@@ -367,21 +359,20 @@ void ContactMotion::apply_redundant_forces(std::span<trajectory::Segment> segmen
 // first term of its row.
 void ContactMotion::add_force(int i, int k, double force,
                               std::span<trajectory::Segment> segments) const {
-  if (!have_friction_) return add_to_twists(held_[i].row, force / (k + 1), k + 1, segments);
-  add_to_twists(first_push(held_[i], rows_[i]), force / (k + 1), k + 1, segments);
+  const auto add = [&](const solver::ConstraintRow& row) {
+    add_to_twist(row.a, row.on_a, force / (k + 1), k + 1, segments);
+    if (row.b != no_body) add_to_twist(row.b, row.on_b, force / (k + 1), k + 1, segments);
+  };
+  have_friction_ ? add(first_push(held_[i], rows_[i])) : add(held_[i].row);
 }
 
-void ContactMotion::add_to_twists(const solver::ConstraintRow& row, double amount, int term,
-                                  std::span<trajectory::Segment> segments) const {
-  const auto add = [&](int body, const solver::JacobianRow& part) {
-    const solver::InverseMass& mass = mass_[body];
-    trajectory::Segment& s = segments[body];
-    s.forward[term] += amount * part[0] * mass.forward;
-    s.left[term] += amount * part[1] * mass.left;
-    s.omega[term] += amount * part[2] * mass.omega;
-  };
-  add(row.a, row.on_a);
-  if (row.b != no_body) add(row.b, row.on_b);
+void ContactMotion::add_to_twist(int body, const solver::JacobianRow& row, double amount, int term,
+                                 std::span<trajectory::Segment> segments) const {
+  const solver::InverseMass& mass = mass_[body];
+  trajectory::Segment& s = segments[body];
+  s.forward[term] += amount * row[0] * mass.forward;
+  s.left[term] += amount * row[1] * mass.left;
+  s.omega[term] += amount * row[2] * mass.omega;
 }
 
 // Returns when a contact opens or its point leaves the edge, s after the start; at most `length`.
@@ -425,15 +416,14 @@ void ContactMotion::find_end(const SegmentRequest& request,
   length = time_of_slip(request.min_duration, time_of_release(request.min_duration, length));
   length = time_of_stick(length);
   int settling = no_body;
-  for (int m = 0; m < member_count_; ++m) {
-    const int i = members_[m];
+  for (const int i : members()) {
     segments[i].end = request.begin + length;  // limits the search for the body's own end
     const OwnEnd own = own_end(i, segments[i], length, request.min_duration);
     if (own.time > length) continue;
     length = own.time;
     settling = own.settles ? i : no_body;
   }
-  for (int m = 0; m < member_count_; ++m) segments[members_[m]].end = request.begin + length;
+  for (const int i : members()) segments[i].end = request.begin + length;
   if (settling != no_body) {
     segments[settling].settles = world_.is_ball(settling) ? trajectory::TerminalState::everything
                                                           : trajectory::TerminalState::sideways;

@@ -49,6 +49,9 @@ class ContactMotion {
   // The equations of a cluster: first the contacts that press, then the wheels that hold sideways.
   int equations() const { return held_count_ + wheel_count_; }
   int wheel_state(int equation) const { return wheels_[equation - held_count_]; }
+  std::span<const int> members() const {
+    return {members_.data(), static_cast<std::size_t>(member_count_)};
+  }
   // Returns the largest lateral force of the ground on a robot's wheels, N.
   double max_grip() const {
     return trajectory::lateral_acceleration_limit(world_.parameters) * world_.parameters.robot_mass;
@@ -79,8 +82,8 @@ class ContactMotion {
   void solve_for_forces(int k, std::span<trajectory::Segment> segments);
   void apply_redundant_forces(std::span<trajectory::Segment> segments);
   void add_force(int i, int k, double force, std::span<trajectory::Segment> segments) const;
-  void add_to_twists(const solver::ConstraintRow& row, double amount, int term,
-                     std::span<trajectory::Segment> segments) const;
+  void add_to_twist(int body, const solver::JacobianRow& row, double amount, int term,
+                    std::span<trajectory::Segment> segments) const;
   bool is_at_rest(std::span<const trajectory::Segment> segments) const;
   void set_terms_of_all(int terms, std::span<trajectory::Segment> segments);
   double converged_length_of_all(std::span<const trajectory::Segment> segments) const;

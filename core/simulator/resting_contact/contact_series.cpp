@@ -10,28 +10,6 @@ namespace mirocup::simulator::resting_contact {
 
 namespace {
 
-// Returns term k of both series times q: the sum of p[j] q[k - j] from j = first.
-Vec2 product_term(const TwoSeries& p, const trajectory::Series& q, int k, int first) {
-  double x = 0.0;
-  double y = 0.0;
-  for (int j = first; j <= k; ++j) {
-    x += p.c[j][0] * q[k - j];
-    y += p.c[j][1] * q[k - j];
-  }
-  return {x, y};
-}
-
-// Returns term k of the vector q turned by the heading p, with the products from j = first.
-Vec2 turned_term(const TwoSeries& p, const TwoSeries& q, int k, int first) {
-  double x = 0.0;
-  double y = 0.0;
-  for (int j = first; j <= k; ++j) {
-    x += p.c[j][0] * q.c[k - j][0] - p.c[j][1] * q.c[k - j][1];
-    y += p.c[j][1] * q.c[k - j][0] + p.c[j][0] * q.c[k - j][1];
-  }
-  return {x, y};
-}
-
 // Returns the outline of the side with the edge or corner, or null for a plane wall.
 const geometry::Outline* pressed_shape(const collision::StaticWorld& world,
                                        const collision::Contact& c) {
@@ -47,9 +25,8 @@ Heading first_heading(const trajectory::Segment& s) {
 }
 
 void start_on_edge(const collision::StaticWorld& world, const collision::Contact& c,
-                   std::span<const trajectory::Segment> segments, ContactSeries& rows) {
-  const trajectory::Segment* a = c.a == no_body ? nullptr : &segments[c.a];
-  const trajectory::Segment* b = c.b == no_body ? nullptr : &segments[c.b];
+                   ContactSeries& rows) {
+  const trajectory::Segment *a = rows.a, *b = rows.b;
   const bool is_ball = c.point.kind == collision::Touching::circle_on_edge;
   const Heading heading_a = a == nullptr || is_ball ? Heading{} : first_heading(*a);
   const Heading heading_b = b == nullptr ? Heading{} : first_heading(*b);
@@ -71,6 +48,7 @@ void start_on_edge(const collision::StaticWorld& world, const collision::Contact
   const Heading heading = heading_a.seen_from(heading_b);
   rows.heading.c[0] = {heading.cos, heading.sin};
   rows.later_velocity = {0.0, 0.0};
+  if (a == nullptr) rows.velocity = {};
 
   const Vec2 seen_from_a = heading.to_body(rows.normal);
   rows.first_a = {seen_from_a.x(), seen_from_a.y(), cross(rows.point, seen_from_a)};
@@ -88,30 +66,48 @@ Vec2 point_velocity(const ContactSeries& rows, int k) {
   return rows.later_velocity + heading.to_world({rows.velocity.c[k][0], rows.velocity.c[k][1]});
 }
 
-void extend_on_edge(const collision::Contact& c, std::span<const trajectory::Segment> segments,
-                    int k, ContactSeries& rows) {
+void extend_on_edge(int k, ContactSeries& rows) {
   rows.omega[k] = 0.0;
-  if (c.a != no_body) {
-    set_point_velocity(segments[c.a], k, rows);
-    rows.omega[k] += segments[c.a].omega[k];
+  if (rows.a != nullptr) {
+    set_point_velocity(*rows.a, k, rows);
+    rows.omega[k] += rows.a->omega[k];
   }
-  if (c.b != no_body) rows.omega[k] -= segments[c.b].omega[k];
+  if (rows.b != nullptr) rows.omega[k] -= rows.b->omega[k];
   const double next = k + 1;
-  rows.lever_b[k + 1] = -slide_term(c, segments, k, rows) / next;
-  const Vec2 turning = product_term(rows.heading, rows.omega, k, 0);
+  rows.lever_b[k + 1] = -slide_term(rows, k) / next;
+
+  // All products with terms of the heading, in one loop: each sum has increasing j.
+  const auto& heading = rows.heading.c;
+  Vec2 turning{heading[0][0] * rows.omega[k], heading[0][1] * rows.omega[k]};
+  Vec2 velocity, force;
+  double lever = 0.0;
+  const auto add_velocity = [&](int j) {
+    const auto& v = rows.velocity.c[k + 1 - j];
+    velocity += Vec2{heading[j][0] * v[0] - heading[j][1] * v[1],
+                     heading[j][1] * v[0] + heading[j][0] * v[1]};
+  };
+  for (int j = 1; j <= k; ++j) {
+    const double force_term = rows.force[k - j];
+    turning += rows.omega[k - j] * Vec2{heading[j][0], heading[j][1]};
+    force += force_term * Vec2{heading[j][0], heading[j][1]};
+    lever += rows.lever_b[j] * force_term;
+    add_velocity(j);
+  }
   rows.heading.c[k + 1] = {-turning.y() / next, turning.x() / next};
+  add_velocity(k + 1);
+  rows.later_velocity = velocity;
+  rows.later_force = force;
+  rows.later_lever_b = lever;
 }
 
-double gap_rate_on_edge(const collision::Contact& c, std::span<const trajectory::Segment> segments,
-                        int k, ContactSeries& rows) {
+double gap_rate_on_edge(int k, ContactSeries& rows) {
   double rate = 0.0;
-  if (c.a != no_body) {
-    set_point_velocity(segments[c.a], k, rows);
-    rows.later_velocity = turned_term(rows.heading, rows.velocity, k, 1);
+  if (rows.a != nullptr) {
+    set_point_velocity(*rows.a, k, rows);
     rate = rows.normal.dot(point_velocity(rows, k));
   }
-  if (c.b != no_body) {
-    const trajectory::Segment& b = segments[c.b];
+  if (rows.b != nullptr) {
+    const trajectory::Segment& b = *rows.b;
     rate -= rows.normal.x() * b.forward[k] + rows.normal.y() * b.left[k] +
             product_term(rows.lever_b, b.omega, k);
   }
@@ -119,20 +115,20 @@ double gap_rate_on_edge(const collision::Contact& c, std::span<const trajectory:
 }
 
 // Sets terms k where the ball presses on a corner of a robot or of the outline behind a goal post.
-void set_on_corner(const collision::StaticWorld& world, const collision::Contact& c,
-                   std::span<const trajectory::Segment> segments, int k, ContactSeries& rows) {
+void set_on_corner(const collision::StaticWorld& world, const collision::Contact& c, int k,
+                   ContactSeries& rows) {
   const geometry::Outline& shape = *pressed_shape(world, c);
   const double radius = world.ball_outline.radius;
-  const trajectory::Segment& ball = segments[c.a];
+  const trajectory::Segment& ball = *rows.a;
   const Vec2 corner = shape.corner[c.point.corner];
   Vec2 from_corner;  // to the ball, in the field's frame
   Vec2 seen;         // the same, in the frame of the corner's side
-  if (c.b == no_body) {
+  if (rows.b == nullptr) {
     from_corner = Vec2{ball.x[k], ball.y[k]};
     if (k == 0) from_corner -= corner;
     seen = from_corner;
   } else {
-    const trajectory::Segment& b = segments[c.b];
+    const trajectory::Segment& b = *rows.b;
     rows.dx[k] = ball.x[k] - b.x[k];
     rows.dy[k] = ball.y[k] - b.y[k];
     rows.x[k] = product_term(b.cos, rows.dx, k) + product_term(b.sin, rows.dy, k);
@@ -155,14 +151,12 @@ void set_on_corner(const collision::StaticWorld& world, const collision::Contact
   rows.inside[1][k] = cross(normal_b, shape.normal[c.point.corner]);
 }
 
-double gap_rate_on_corner(const collision::Contact& c,
-                          std::span<const trajectory::Segment> segments, int k,
-                          const ContactSeries& rows) {
-  const trajectory::Segment& ball = segments[c.a];
+double gap_rate_on_corner(int k, const ContactSeries& rows) {
+  const trajectory::Segment& ball = *rows.a;
   double rate =
       product_term(rows.row_a[0], ball.forward, k) + product_term(rows.row_a[1], ball.left, k);
-  if (c.b == no_body) return rate;
-  const trajectory::Segment& b = segments[c.b];
+  if (rows.b == nullptr) return rate;
+  const trajectory::Segment& b = *rows.b;
   rate -= product_term(rows.row_b[0], b.forward, k) + product_term(rows.row_b[1], b.left, k) +
           product_term(rows.row_b[2], b.omega, k);
   return rate;
@@ -176,33 +170,32 @@ bool is_on_corner(const collision::Contact& c) {
 
 void start_rows(const collision::StaticWorld& world, const collision::Contact& c,
                 std::span<const trajectory::Segment> segments, ContactSeries& rows) {
-  if (!is_on_corner(c)) return start_on_edge(world, c, segments, rows);
-  set_on_corner(world, c, segments, 0, rows);
+  rows.a = c.a == no_body ? nullptr : &segments[c.a];
+  rows.b = c.b == no_body ? nullptr : &segments[c.b];
+  if (!is_on_corner(c)) return start_on_edge(world, c, rows);
+  set_on_corner(world, c, 0, rows);
   rows.first_a = {rows.row_a[0][0], rows.row_a[1][0], 0.0};
   rows.first_b = {rows.row_b[0][0], rows.row_b[1][0], rows.row_b[2][0]};
 }
 
-void extend_rows(const collision::StaticWorld& world, const collision::Contact& c,
-                 std::span<const trajectory::Segment> segments, int k, ContactSeries& rows) {
+void extend_rows(const collision::StaticWorld& world, const collision::Contact& c, int k,
+                 ContactSeries& rows) {
   if (is_on_corner(c)) {
-    set_on_corner(world, c, segments, k + 1, rows);
+    set_on_corner(world, c, k + 1, rows);
   } else {
-    extend_on_edge(c, segments, k, rows);
+    extend_on_edge(k, rows);
   }
 }
 
-double gap_rate_term(const collision::Contact& c, std::span<const trajectory::Segment> segments,
-                     int k, ContactSeries& rows) {
-  return is_on_corner(c) ? gap_rate_on_corner(c, segments, k, rows)
-                         : gap_rate_on_edge(c, segments, k, rows);
+double gap_rate_term(const collision::Contact& c, int k, ContactSeries& rows) {
+  return is_on_corner(c) ? gap_rate_on_corner(k, rows) : gap_rate_on_edge(k, rows);
 }
 
-double slide_term(const collision::Contact& c, std::span<const trajectory::Segment> segments, int k,
-                  const ContactSeries& rows) {
+double slide_term(const ContactSeries& rows, int k) {
   const Vec2 along = along_edge(rows.normal);
-  double speed = c.a != no_body ? along.dot(point_velocity(rows, k)) : 0.0;
-  if (c.b != no_body) {
-    const trajectory::Segment& b = segments[c.b];
+  double speed = rows.a != nullptr ? along.dot(point_velocity(rows, k)) : 0.0;
+  if (rows.b != nullptr) {
+    const trajectory::Segment& b = *rows.b;
     speed -= along.x() * b.forward[k] + along.y() * b.left[k] + rows.distance * b.omega[k];
   }
   return speed;
@@ -216,23 +209,16 @@ solver::ConstraintRow first_push(const collision::Contact& c, const ContactSerie
       {rows.push.x(), rows.push.y(), rows.lever_b[0] + c.resting.friction * rows.distance});
 }
 
-solver::ConstraintRow later_force_term(const collision::Contact& c, const ContactSeries& rows,
-                                       int k) {
+RowTerms later_force_term(const collision::Contact& c, const ContactSeries& rows, int k) {
   if (is_on_corner(c)) {
     const auto term = [&](const trajectory::Series& row) {
       return product_term(row, rows.force, k, 1);
     };
-    return solver::difference_row(c.a, c.b, {term(rows.row_a[0]), term(rows.row_a[1]), 0.0},
-                                  {term(rows.row_b[0]), term(rows.row_b[1]), term(rows.row_b[2])});
+    return {{term(rows.row_a[0]), term(rows.row_a[1]), 0.0},
+            {term(rows.row_b[0]), term(rows.row_b[1]), term(rows.row_b[2])}};
   }
-  solver::JacobianRow on_a{}, on_b{};
-  if (c.a != no_body) {
-    const Vec2 turning = product_term(rows.heading, rows.force, k, 1);
-    const Vec2 seen_from_a = Heading{turning.x(), turning.y()}.to_body(rows.push);
-    on_a = {seen_from_a.x(), seen_from_a.y(), cross(rows.point, seen_from_a)};
-  }
-  if (c.b != no_body) on_b[2] = product_term(rows.lever_b, rows.force, k, 1);
-  return solver::difference_row(c.a, c.b, on_a, on_b);
+  const Vec2 on_a = Heading{rows.later_force.x(), rows.later_force.y()}.to_body(rows.push);
+  return {{on_a.x(), on_a.y(), cross(rows.point, on_a)}, {0.0, 0.0, rows.later_lever_b}};
 }
 
 double time_on_edge(const collision::Contact& c, const ContactSeries& rows, double margin,

@@ -31,22 +31,25 @@ struct TwoSeries {
 };
 
 struct ContactSeries {
+  const trajectory::Segment *a, *b;  // the motions of the two sides; null: an obstacle
   // Terms 0 of the rows: rate of the gap = row_a . twist of a - row_b . twist of b.
   solver::JacobianRow first_a{}, first_b{};
   trajectory::Series force;  // N, along the normal
 
   // Used if a point touches an edge. A wall and the ball have the frame of the field.
-  Vec2 point;                // m: contact point, in the frame of the point's side
-  Vec2 normal;               // unit, in the frame of the edge's side
-  Vec2 push;                 // force per N along the normal, with friction; frame of edge's side
-  double distance;           // m: of the edge's line from the reference point of the edge's side
-  TwoSeries heading;         // cos and sin of the point's side, seen from the edge's side
-  trajectory::Series omega;  // rad/s: turn rate of `heading`
-  TwoSeries velocity;        // m/s: of the contact point, in the frame of the point's side
-  // m/s: the part of term k of the contact point's velocity, in the frame of the edge's side, that
-  // terms 1 to k of `heading` contribute; k is that of the last call of gap_rate_term().
-  Vec2 later_velocity;
-  trajectory::Series lever_b;   // m: third component of row_b = -(place along the edge)
+  Vec2 point;                  // m: contact point, in the frame of the point's side
+  Vec2 normal;                 // unit, in the frame of the edge's side
+  Vec2 push;                   // force per N along the normal, with friction; frame of edge's side
+  double distance;             // m: of the edge's line from the reference point of the edge's side
+  TwoSeries heading;           // cos and sin of the point's side, seen from the edge's side
+  trajectory::Series omega;    // rad/s: turn rate of `heading`
+  TwoSeries velocity;          // m/s: of the contact point, in the frame of the point's side
+  trajectory::Series lever_b;  // m: third component of row_b = -(place along the edge)
+  // By the last extend_rows(k), what terms of `heading` and lever_b from 1 on contribute: to term
+  // k + 1 of the point's velocity in the frame of the edge's side, m/s, to term k of heading *
+  // force, N, and to term k of lever_b * force, N m.
+  Vec2 later_velocity, later_force;
+  double later_lever_b;
   double edge_begin, edge_end;  // m: places of the edge's ends along the edge
 
   // Used if the ball touches a corner.
@@ -62,24 +65,25 @@ void start_rows(const collision::StaticWorld& world, const collision::Contact& c
 
 // Sets term k + 1 of each series of `rows`. It needs the terms up to k of the bodies' twists, and
 // for a corner also term k + 1 of their poses.
-void extend_rows(const collision::StaticWorld& world, const collision::Contact& contact,
-                 std::span<const trajectory::Segment> segments, int k, ContactSeries& rows);
+void extend_rows(const collision::StaticWorld& world, const collision::Contact& contact, int k,
+                 ContactSeries& rows);
 
 // Returns term k of the rate of the contact's gap, from the twists' terms up to k.
-double gap_rate_term(const collision::Contact& contact,
-                     std::span<const trajectory::Segment> segments, int k, ContactSeries& rows);
+double gap_rate_term(const collision::Contact& contact, int k, ContactSeries& rows);
 
 // Returns term k of the speed, m/s, at which the point slides along the edge, from the twists'
 // terms up to k. Call after gap_rate_term(k). Not for the ball on a corner.
-double slide_term(const collision::Contact& contact, std::span<const trajectory::Segment> segments,
-                  int k, const ContactSeries& rows);
+double slide_term(const ContactSeries& rows, int k);
 
 // Returns the row along which the contact's force acts at the start: its row with friction added.
 solver::ConstraintRow first_push(const collision::Contact& contact, const ContactSeries& rows);
 
-// Returns term k of the series row * force, less (term 0 of the row) * (term k of the force).
-solver::ConstraintRow later_force_term(const collision::Contact& contact, const ContactSeries& rows,
-                                       int k);
+// Returns term k of the series row * force, less (term 0 of the row) * (term k of the force). Call
+// after extend_rows(k).
+struct RowTerms {
+  solver::JacobianRow a, b;  // of row_a and of row_b
+};
+RowTerms later_force_term(const collision::Contact& contact, const ContactSeries& rows, int k);
 
 // Returns when the point has left the edge, or the ball the corner's sector, by `margin` (m, or
 // a sine): s after the start, at most `length`. A point or ball that is already that far outside at

@@ -96,9 +96,10 @@ void BoxQp::factorise() {
 void BoxQp::solve_free() {
   for (int i = 0; i < size_; ++i) target_[i] = x[i];
   factorise();
+  const bool is_zero = std::count(x.begin(), x.begin() + size_, 0.0) == size_;  // the gradient is b
   const int n = order_count_;
   for (int k = 0; k < n; ++k) {
-    double sum = -gradient(order_[k]);
+    double sum = is_zero ? -b[order_[k]] : -gradient(order_[k]);
     const double* row = &factor_[order_[k] * size_];
     for (int l = 0; l < k; ++l) sum -= row[l] * rhs_[l];
     rhs_[k] = sum / row[k];

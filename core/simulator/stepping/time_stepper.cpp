@@ -360,11 +360,8 @@ void TimeStepper::build_problem(const Attempt& step) {
   normals_ = {0, count};
   for (int normal = 0; normal < normals_.end; ++normal) {
     const collision::Contact& c = contacts_.list[normal];
-    if (c.material.friction == 0.0) continue;
-    if (count == solver::max_unknowns - max_bodies) {
-      ++tangents_without_room_;
-      continue;
-    }
+    // Contacts beyond the room of the QP slide without friction.
+    if (c.material.friction == 0.0 || count == solver::max_unknowns - max_bodies) continue;
     const int k = count - normals_.end;
     normal_of_tangent_[k] = normal;
     tangent_rows_[k] = impact::tangent_row(c, end_);

@@ -100,11 +100,6 @@ class TimeStepper {
   void save(Memory& memory) const { copy(memory_, memory); }
   void recall(const Memory& memory) { copy(memory, memory_); }
 
-  // Returns how many tangential impulses were left out since construction because a step had more
-  // contacts with friction than the QP has unknowns. The contacts without these impulses slid
-  // without friction.
-  long tangents_without_room() const { return tangents_without_room_; }
-
  private:
   // One attempt at a step: its input, and what the attempt found.
   struct Attempt {
@@ -156,7 +151,6 @@ class TimeStepper {
 
   Memory memory_;
   std::array<Twist, max_bodies> twist_before_;  // of each body, before its latest step
-  long tangents_without_room_ = 0;
 
   // The attempt that is being made.
   collision::ContactList contacts_;

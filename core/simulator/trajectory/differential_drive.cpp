@@ -73,8 +73,14 @@ void extend_twist_on_ground(const Parameters& p, const DriveReference& drive, do
   s.omega[k + 1] = omega_rate * (aim * drive.omega - s.omega[k]) / next;
   s.forward[k + 1] = forward_rate * (aim * drive.forward - s.forward[k]) / next;
   if (slide == 0.0) return;
-  s.forward[k + 1] += product_term(s.omega, s.left, k) / next;
-  s.left[k + 1] = (-aim * slide * p.grip * gravity - product_term(s.omega, s.forward, k)) / next;
+  double turned_left = 0.0;
+  double turned_forward = 0.0;
+  for (int j = 0; j <= k; ++j) {
+    turned_left += s.omega[j] * s.left[k - j];
+    turned_forward += s.omega[j] * s.forward[k - j];
+  }
+  s.forward[k + 1] += turned_left / next;
+  s.left[k + 1] = (-aim * slide * p.grip * gravity - turned_forward) / next;
 }
 
 void extend_twist_lifted(int k, Segment& s) {

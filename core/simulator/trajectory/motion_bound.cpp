@@ -20,12 +20,14 @@ Chord chord_of(const Series& p, double length) {
   double velocity = p[1];
   double power = 1.0;
   double max_deviation = 0.0;
-  for (int k = 2; k < p.terms; ++k) {
-    power *= length;
-    const double change = p[k] * power;
-    velocity += change;
-    max_deviation += std::abs(change) * (k == 2 ? 0.25 : 1.0);
-  }
+  with_terms(p.terms, [&](auto n) {
+    for (int k = 2; k < n; ++k) {
+      power *= length;
+      const double change = p[k] * power;
+      velocity += change;
+      max_deviation += std::abs(change) * (k == 2 ? 0.25 : 1.0);
+    }
+  });
   return {velocity, max_deviation * length};
 }
 

@@ -7,24 +7,27 @@
 
 namespace mirocup::simulator::trajectory {
 
-Segment still_segment(const BodyState& body, double begin, double end) {
-  Segment s;
-  s.begin = begin;
-  s.end = end;
+void set_first_terms(const BodyState& body, Segment& s) {
   s.x[0] = body.position.x();
   s.y[0] = body.position.y();
   s.cos[0] = body.heading.cos;
   s.sin[0] = body.heading.sin;
+  s.forward[0] = body.twist.forward;
+  s.left[0] = body.twist.left;
+  s.omega[0] = body.twist.omega;
+}
+
+Segment still_segment(const BodyState& body, double begin, double end) {
+  Segment s = moving_segment({body.position, body.heading, {}}, begin, end);
   set_terms(s, min_terms);
   return s;
 }
 
 Segment moving_segment(const BodyState& body, double begin, double end) {
-  Segment s = still_segment(body, begin, end);
-  s.forward[0] = body.twist.forward;
-  s.left[0] = body.twist.left;
-  s.omega[0] = body.twist.omega;
-  set_terms(s, max_terms);
+  Segment s;
+  s.begin = begin;
+  s.end = end;
+  set_first_terms(body, s);
   return s;
 }
 
@@ -77,7 +80,8 @@ void integrate_pose(Segment& s, int k, bool drifts) {
 }
 
 void set_terms(Segment& s, int terms) {
-  for (Series* p : {&s.x, &s.y, &s.cos, &s.sin, &s.forward, &s.left, &s.omega}) p->terms = terms;
+  s.x.terms = s.y.terms = s.cos.terms = s.sin.terms = terms;
+  s.forward.terms = s.left.terms = s.omega.terms = terms;
 }
 
 namespace {
@@ -147,6 +151,7 @@ Pose pose_of_terms(const Segment& s, double u) {
 
 Pose pose_at(const Segment& s, double t) {
   const double u = t - s.begin;
+  if (u == 0.0) return pose_of_terms<1>(s, u);
   return with_terms(s.x.terms, [&](auto n) { return pose_of_terms<n>(s, u); });
 }
 

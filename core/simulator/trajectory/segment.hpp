@@ -27,6 +27,9 @@ struct Segment {
   TerminalState settles = TerminalState::nothing;  // at `end`
 };
 
+// Sets the first term of each series: pose and twist at `begin`.
+void set_first_terms(const BodyState& body, Segment& segment);
+
 // Returns the segment of a body that keeps its pose; its twist is zero.
 Segment still_segment(const BodyState& body, double begin, double end);
 

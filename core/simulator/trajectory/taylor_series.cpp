@@ -152,13 +152,15 @@ Value evaluate(const Series& p, double t) {
 // Half of the largest -p'' on [0, end], or an upper bound of it. Terms with positive coefficients
 // curve upwards for t >= 0 and are left out.
 double downward_curvature(const Series& p, double end) {
-  double sum = 0.0;
-  double power = 1.0;
-  for (int k = 2; k < p.terms; ++k) {
-    if (p[k] < 0.0) sum -= 0.5 * k * (k - 1) * p[k] * power;
-    power *= end;
-  }
-  return sum;
+  return with_terms(p.terms, [&](auto n) {
+    double sum = 0.0;
+    double power = 1.0;
+    for (int k = 2; k < n; ++k) {
+      if (p[k] < 0.0) sum -= 0.5 * k * (k - 1) * p[k] * power;
+      power *= end;
+    }
+    return sum;
+  });
 }
 
 // The first positive root of value + slope t - curvature t^2, for value > 0 and curvature >= 0. Of

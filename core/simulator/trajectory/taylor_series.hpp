@@ -49,22 +49,14 @@ struct Series {
     for (int k = n - 2; k >= 0; --k) sum = sum * t + c[k];
     return sum;
   }
-
-  // Returns the series of a constant value.
-  static Series constant(double value) {
-    Series s;
-    s.c[0] = value;
-    s.terms = min_terms;
-    return s;
-  }
 };
 
 // Calls f with `terms`, one of term_counts, as a compile-time constant (an std::integral_constant),
 // and returns its result. So the compiler can unroll loops over terms.
 template <class F>
 auto with_terms(int terms, F f) {
+  if (terms == term_counts[1]) return f(std::integral_constant<int, term_counts[1]>{});  // mostly
   if (terms == term_counts[0]) return f(std::integral_constant<int, term_counts[0]>{});
-  if (terms == term_counts[1]) return f(std::integral_constant<int, term_counts[1]>{});
   return terms == term_counts[2] ? f(std::integral_constant<int, term_counts[2]>{})
                                  : f(std::integral_constant<int, term_counts[3]>{});
 }

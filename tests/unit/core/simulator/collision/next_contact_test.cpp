@@ -118,9 +118,9 @@ TEST(ContactSeries, FollowACornerAlongAnEdge) {
   for (int k = 0; k + 1 < trajectory::max_terms; ++k) {
     EXPECT_NEAR(rows.heading.c[k][0], factor * std::cos(tilt + k * pi / 2.0), 1e-12) << k;
     EXPECT_NEAR(rows.heading.c[k][1], factor * std::sin(tilt + k * pi / 2.0), 1e-12) << k;
-    extend_rows(t.world, t.contact, t.segments, k, rows);
+    extend_rows(t.world, t.contact, k, rows);
     EXPECT_NEAR(rows.lever_b[k + 1], k == 0 ? -slide : 0.0, 1e-12) << k;
-    EXPECT_NEAR(gap_rate_term(t.contact, t.segments, k + 1, rows), 0.0, 1e-12) << k;
+    EXPECT_NEAR(gap_rate_term(t.contact, k + 1, rows), 0.0, 1e-12) << k;
     factor *= rate / (k + 1);
   }
   set_terms(rows, trajectory::max_terms);

@@ -22,9 +22,9 @@ void expect_rates_of_the_gap(const collision::StaticWorld& world,
   for (int i = 0; i < 2; ++i) segments[i] = trajectory::steady_segment(bodies[i], 0.0, 1e-3);
   ContactSeries rows;
   start_rows(world, c, segments, rows);
-  std::array<double, 2> rate{gap_rate_term(c, segments, 0, rows), 0.0};
-  extend_rows(world, c, segments, 0, rows);
-  rate[1] = gap_rate_term(c, segments, 1, rows);
+  std::array<double, 2> rate{gap_rate_term(c, 0, rows), 0.0};
+  extend_rows(world, c, 0, rows);
+  rate[1] = gap_rate_term(c, 1, rows);
 
   const double h = 1e-4;
   const auto gap_at = [&](double t) {
@@ -87,8 +87,8 @@ TEST(ContactSeries, CornerLeavesItsEdgeWhereTheEdgeEnds) {
     ContactSeries rows;
     start_rows(world, list.list[0], segments, rows);
     for (int k = 0; k < trajectory::min_terms - 1; ++k) {
-      gap_rate_term(list.list[0], segments, k, rows);
-      extend_rows(world, list.list[0], segments, k, rows);
+      gap_rate_term(list.list[0], k, rows);
+      extend_rows(world, list.list[0], k, rows);
     }
     set_terms(rows, trajectory::min_terms);
     EXPECT_NEAR(time_on_edge(list.list[0], rows, 0.0, 0.1), half, 1e-9) << speed;

@@ -14,7 +14,8 @@ namespace {
 
 // (t - root) (t - root) ... as a series.
 Series with_roots(std::initializer_list<double> roots, double factor) {
-  Series p = Series::constant(factor);
+  Series p;
+  p[0] = factor;
   for (const double root : roots) {
     Series next;
     for (int k = 0; k < max_terms; ++k) next[k] = (k > 0 ? p[k - 1] : 0.0) - root * p[k];
