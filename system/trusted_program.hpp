@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks that nobody but root and this (effective) user can have put the file at a path there. Only
+// Checks that only root or this (effective) user can have created the file at a given path. Only
 // a program that passes may replace mirocup, and mirocup reads its list of programs only from a
 // file that passes.
 #pragma once

@@ -112,7 +112,7 @@ struct Rules {
   double wall_robot_m = 0.0669;       // a robot's centre is this near to the ball's centre
   double wall_s = 50.0 / 60.0;  // robots of both teams press the ball to the wall for this time
 
-  bool hand_penalty = false;  // reaching onto the field costs a penalty kick
+  bool hand_penalty = false;  // a hand on the field costs its team a penalty kick
 };
 
 // Returns the rules of a preset. Some depend on the league (vsss: 3 or 5 a side).

@@ -14,13 +14,13 @@ namespace mirocup::app {
 
 class CheckPlan {
  public:
-  static constexpr double all = 20.0;        // most use of a whole check
+  static constexpr double all = 20.0;        // most processor time, s, of a whole check
   static constexpr double causes = 15.0;     // most further use to find the cause of a refusal
   static constexpr double longest = 4.0;     // longest playing time of a leg
   static constexpr double shortest = 0.5;    // shortest playing time of a leg
   static constexpr double most_start = 4.0;  // longest processor time for loading an entry
 
-  // Adds the use of a leg, and the part of this use for loading the entry.
+  // Adds the processor time of a leg, and the part of it that loading the entry took.
   void add(double used, double start) {
     used_ += used;
     start_ = start;

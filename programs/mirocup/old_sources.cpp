@@ -302,7 +302,7 @@ Result<OldSources> find_old_sources(const std::string& folder) {
   if (entries.size() > 1) {
     return fail(Errc::input, folder + ": " + entries[0] + " and " + entries[1] +
                                  " both define the functions that the platform calls; remove one "
-                                 "of them, or name its folder");
+                                 "of them, or name the folder of one");
   }
   team.header = std::move(header);
   return team;

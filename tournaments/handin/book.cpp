@@ -76,7 +76,7 @@ Result<void> HandInBook::apply(const Json& line) {
       pin_times_[team].push_back(at);
     }
   } else {
-    json.at("kind").complain("no kind of line is called " + json.at("kind").quoted());
+    json.at("kind").complain("no kind of journal line is called " + json.at("kind").quoted());
   }
   if (!problem) return {};
   return tl::unexpected(record::error_of(

@@ -71,7 +71,7 @@ class Doorkeeper {
 
   system::Files& files_;
   Folder folder_;
-  std::string team_header_;                 // the name of the header, in lower case
+  std::string team_header_;                 // the HTTP header that names a team, in lower case
   std::optional<std::string> tokens_text_;  // of tokens.json; empty: no file
   TokenList tokens_;
   Sessions sessions_;

@@ -58,7 +58,7 @@ Result<void> FriendlyBook::apply(const Json& line) {
       json.at("number").complain("the team has no friendly of that number");
     if (!problem) friendlies_.finish(team, number, state, goals, against, end);
   } else {
-    json.at("kind").complain("no kind of line is called " + json.at("kind").quoted());
+    json.at("kind").complain("no kind of journal line is called " + json.at("kind").quoted());
   }
   if (!problem) return {};
   return tl::unexpected(record::error_of(

@@ -173,7 +173,7 @@ Event read_any(const JsonReader& line, std::type_identity<std::variant<Kinds...>
     if (name.json() == Kind::kind) event = record::read_fields<Kind>(line);
   };
   (read_if_named(std::type_identity<Kinds>()), ...);
-  if (!event) name.complain("no kind of line is called " + name.quoted());
+  if (!event) name.complain("no kind of journal line is called " + name.quoted());
   return event.value_or(Event());
 }
 

@@ -98,8 +98,8 @@ struct Graded {
 
   // Returns what a further column says: of all, or of one of the members.
   std::string more(const std::string& column, std::optional<std::size_t> member) const {
-    for (const auto& [name, value] : who.more) {
-      if (name != column) continue;
+    for (const auto& [head, value] : who.more) {
+      if (head != column) continue;
       const std::vector<std::string> parts = parts_of(value);
       return member && parts.size() == students() ? parts[*member] : value;
     }

@@ -152,7 +152,7 @@ Json fixture_values(const Overview& o, const FixtureView& fixture, const std::st
     home["won"] = winner == f.home;
     away["won"] = winner == f.away;
     if (is_by_lot(*fixture.state, ahead))
-      notes.push_back("level: a lot decided for " + o.state.shown_name(winner));
+      notes.push_back("level: decided by lot for " + o.state.shown_name(winner));
   }
   return {{"id", f.id()},   {"round", round_in_words(o.state, f)},
           {"home", home},   {"away", away},

@@ -67,7 +67,7 @@ Result<Round> find_round(const LeagueState& whole, const std::string& name) {
                            [&](const FixtureState& f) { return Round::of(f.fixture) == *round; });
   if (exists) return *round;
   return fail(Errc::input,
-              "there is no round " + name + "; for example, r3-f1 is a fixture of round r3");
+              "there is no round " + name + "; rounds are named like r3, without the fixture");
 }
 
 // Returns the state after the rounds before `last` and those legs of it for which shows(fixture,

@@ -77,7 +77,7 @@ class RestThresholds {
   // Counts an impact of two bodies at time t.
   void note_impact(double t);
 
-  // True if the contact was closed not long ago.
+  // True if the contact was closed within the last contact_memory seconds.
   bool remembers(const collision::Contact& contact) const { return find(contact) != memory_.count; }
 
   // Remembers a contact that is closed at time t, with its last impact and its force.

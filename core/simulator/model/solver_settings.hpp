@@ -127,9 +127,9 @@ inline constexpr struct RegularizedQpSettings {
 
 inline constexpr struct PivotedCholeskySettings {
   // [1] An equation whose pivot is at most this share of its diagonal entry follows from the others
-  // and is dropped. BoxQpSettings::min_pivot is higher, because a pivot below it only makes an
-  // unknown compliant, but an equation that is dropped by mistake leaves a contact without its
-  // force.
+  // and is dropped. This is less than BoxQpSettings::min_pivot, because an equation that is dropped
+  // by mistake leaves a contact without its force; a pivot that is raised there only makes an
+  // unknown compliant.
   double redundant_pivot = 1e-11;
   // [1] An equation whose pivot is above this share of its diagonal entry is clearly independent
   // and keeps its place in the order.

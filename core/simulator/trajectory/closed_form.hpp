@@ -44,7 +44,7 @@ struct DriveDecay {
 bool has_closed_form(const Parameters& parameters, const BodyState& robot,
                      const DriveReference& drive, double span);
 
-// Returns the state of the robot at the end of the decays' span. Precondition: has_closed_form().
+// Returns the state of the robot at the end of `decay`'s span. Precondition: has_closed_form().
 BodyState closed_form_state(const BodyState& robot, const DriveReference& drive,
                             const DriveDecay& decay);
 // The same state after `span` seconds, for a caller that has no decays.

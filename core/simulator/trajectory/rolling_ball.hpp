@@ -37,7 +37,8 @@ double stopping_time(const RollingDeceleration& d, double speed);
 // min_speed_with_direction (solver_settings.hpp) the direction is kept fixed.
 struct Braking {
   bool is_fixed = false;
-  // The unit vector of the motion. Per axis: the sign of each component that is at least k, else 0.
+  // Isotropic: the unit vector of the motion. Per axis: the sign of each velocity component of at
+  // least Rolling::per_axis_below, k, else 0.
   Series x, y;
   Series speed;                               // m/s; not used while the direction is fixed
   bool x_is_slow = false, y_is_slow = false;  // the ball's velocity along the axis is below k

@@ -51,7 +51,7 @@ void before_call() {
 const char* after_call() {
   note_requests(false);
   fill_as_freed(&loans.last(), sizeof loans.last());
-  if (!holds_zone(lent.before)) return "it wrote before the beginning of its command";
+  if (!holds_zone(lent.before)) return "it wrote into memory in front of its command";
   if (!holds_zone(lent.behind)) return "it wrote behind the end of its command";
   return find_memory_mistake();
 }

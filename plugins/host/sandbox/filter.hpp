@@ -25,12 +25,14 @@ bool filter_for_playing();
 // supervisor's sandbox.
 int ask_before_loading();
 
-// For the supervisor: waits at most `patience` for a call, and lets the call pass.
+// What allow_loading_step() saw.
 enum class LoadingStep {
   none,  // no call has come
   more,  // a call came, and further calls of loading will come
   last,  // the last call of loading came: the process is nearly ready
 };
+// For the supervisor: waits at most `patience` for a system call of the process that loads, and
+// lets the call pass.
 LoadingStep allow_loading_step(int supervisor, std::chrono::milliseconds patience);
 
 // Returns the name of a system call, for example "kill"; if call 999 has no name, "number 999".

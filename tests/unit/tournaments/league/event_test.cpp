@@ -96,7 +96,7 @@ TEST(Event, NamesLineKeyAndReasonOfAMistake) {
 
 TEST(Event, OfAnUnknownKindOrOfAWrongNameIsRefused) {
   EXPECT_EQ(error_of_line({{"n", 7}, {"kind", "gift"}}),
-            "line 7: /kind: no kind of line is called \"gift\"");
+            "line 7: /kind: no kind of journal line is called \"gift\"");
   Json line = Json::parse(line_texts[4]);
   line["cause"] = "mood";
   EXPECT_EQ(error_of_line(line),

@@ -334,7 +334,7 @@ std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner) {
 // Catches a tie that does not say why one of the teams goes on.
 TEST(Site, SaysWhoWonALevelTie) {
   const std::string by_lot = page_of_level_tie(LegEnd::full_time, std::nullopt);
-  EXPECT_NE(by_lot.find("level: a lot decided for "), std::string::npos) << by_lot;
+  EXPECT_NE(by_lot.find("level: decided by lot for "), std::string::npos) << by_lot;
   EXPECT_NE(by_lot.find(" won\""), std::string::npos);
   const std::string by_shoot_out = page_of_level_tie(LegEnd::shoot_out, "bob");
   EXPECT_EQ(by_shoot_out.find("a lot decided"), std::string::npos);
