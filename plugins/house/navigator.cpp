@@ -4,9 +4,9 @@
 // be behind the ball; the soonest attacks. It follows a univector field to the place where it meets
 // the ball, comes in with the heading of the shot, and drives through. The others stay between the
 // ball and the own goal, where a strong team has four of five robots, and fan out in larger
-// leagues. The keeper covers the angle of the shot and clears to the side.
+// leagues. The keeper stands in the mouth of its goal and clears to the side.
 #include "mirocup/skills/attack.hpp"
-#include "mirocup/skills/keeper.hpp"
+#include "mirocup/skills/hold_goal.hpp"
 #include "mirocup/skills/laws.hpp"
 #include "mirocup/skills/roles.hpp"
 #include "mirocup/strategy.hpp"
@@ -20,7 +20,7 @@ class Navigator : public Team {
   using Team::Team;
 
   void decide(const Observation& now, Command& command) override {
-    command.wheels[0] = guard_goal(setup(), now, now.own[0]);
+    command.wheels[0] = hold_goal(setup(), now, BallPath(setup(), moving_ball(now)), now.own[0]);
     draw_role(setup(), now.own[0], "keeps");
     // The kicker of a kick-off stands before the ball, and takes it.
     attacker_ = must_kick_off(now) ? 1 : cheapest_robot(now, 1, attacker_, 0.2, [&](int i) {

@@ -128,9 +128,8 @@ class Planner : public Team {
       const Command theirs = t == 0 ? tracker_.opponents() : act(seen, usual_plan(seen), 0);
       show(scene, seen);
       Command mine = act(seen, plan, t);
-      // Under SimuroSot rules, which are known by their period, a shot has to do without the last
-      // steps to the keeper.
-      if (setup().control_period < 0.02) spare_keeper(setup(), seen, mine);
+      // Under SimuroSot rules a shot has to do without the last steps to the keeper.
+      if (is_simurosot(setup())) spare_keeper(setup(), seen, mine);
       const PredictedTick tick = simulator_.advance(scene, mine, theirs, step_);
       effort_ -= (1.0 + tick.events) * std::max(1.0, now.robots / 4.0);
       tried_.add(scene, plan.attacker);

@@ -214,7 +214,7 @@ int main(int argc, char** argv) {
   setup.rules = referee::make_rules(enum_of<referee::Preset>(argv[7]), setup.league);
   setup.rules.half_s = std::atof(argv[5]);
   setup.conditions = match::conditions_of(match::ConditionsPreset::hall);
-  if (setup.rules.preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
+  setup.control_period = match::control_period_of(setup.rules.preset);
   Figures figures;
   for (int fixture = 0; fixture < std::atoi(argv[3]); ++fixture) {
     setup.seed = std::strtoull(argv[4], nullptr, 10) + static_cast<std::uint64_t>(fixture);

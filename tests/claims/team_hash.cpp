@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Prints the hash of what each house team decides in moments that are drawn, as JSON: teams of the
-// small and the middle league. Usage: team_hash FOLDER
+// small and the middle league, under the rules of each preset. Usage: team_hash FOLDER
 #include "core/base/state_hash.hpp"
 #include "plugins/abi/convert.hpp"
 #include "plugins/host/team_host.hpp"
@@ -17,10 +17,13 @@ using namespace mirocup;
 
 namespace {
 
-constexpr int moments = 600;
+constexpr int moments = 200;
 
-std::uint64_t hash_in(League league, const std::string& library) {
-  const match::Leg leg(test_support::short_setup(7, 60.0, league));
+std::uint64_t hash_in(League league, referee::Preset preset, const std::string& library) {
+  match::Setup rules = test_support::short_setup(7, 60.0, league);
+  rules.rules = referee::make_rules(preset, league);
+  rules.control_period = match::control_period_of(preset);
+  const match::Leg leg(rules);
   mirocup_setup setup = abi::to_setup(leg.briefing(Team::blue));
   plugins::ParameterTable parameters{};
   plugins::AskedRows asked{};
@@ -40,14 +43,17 @@ int main(int count, char** arguments) {
   }
   const char* before = "{";
   for (const auto& path : libraries) {
-    StateHash both;
+    StateHash all;
     for (const League league : {League::small, League::middle}) {
-      const std::uint64_t hash = hash_in(league, path.string());
-      if (hash == 0) return std::fprintf(stderr, "%s does not play\n", path.c_str()), 1;
-      both.add(hash);
+      for (std::size_t preset = 0; preset < enum_names<referee::Preset>.size(); ++preset) {
+        const std::uint64_t hash =
+            hash_in(league, static_cast<referee::Preset>(preset), path.string());
+        if (hash == 0) return std::fprintf(stderr, "%s does not play\n", path.c_str()), 1;
+        all.add(hash);
+      }
     }
     std::printf("%s\"%s\": {\"hash\": \"%s\"}", before, path.stem().c_str(),
-                to_hex(both.value()).c_str());
+                to_hex(all.value()).c_str());
     before = ", ";
   }
   std::printf("}\n");

@@ -146,6 +146,14 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
   if (is_slow && is_in_reach && is_outer) {
     return drive_to(setup, robot, ball(now) + 0.2 * unit(away), 1.0);
   }
+  // A ball at the end wall beside the keeper: an attacker would push it in past the near post, and
+  // the keeper with it, so the keeper pushes outwards with all its force, but not past the post.
+  const double gap = outwards * away.y;
+  const double inside_post = setup.goal_half_width - outwards * here.y;
+  if (away.x < 0.03 && std::abs(here.x - line) < 0.04 && gap > 0.4 * setup.robot_side &&
+      gap < setup.robot_side && inside_post > 0.02 && inside_post < 0.1) {
+    return slide_to(setup, robot, here.y + 0.3 * outwards, 1.8);
+  }
   // If the ball comes, the keeper goes to the y at which the ball will meet the face that looks
   // into the field; otherwise to middle_of_goal_view(). If the keeper waited where the ball would
   // cross the goal line, a ball from the side would meet another face, which would turn the ball

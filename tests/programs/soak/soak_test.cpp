@@ -73,7 +73,7 @@ Setup setup_of(int number) {
   setup.rules = referee::make_rules(preset, setup.league);
   setup.stage = random.coin() ? referee::Stage::knockout : referee::Stage::group;
   setup.seed = random.next();
-  if (preset == referee::Preset::simurosot) setup.control_period = 1.0 / 60.0;
+  setup.control_period = match::control_period_of(preset);
   // Short phases, so that every phase is reached, and short limits of time to match.
   setup.rules.half_s = setup.league == League::large ? 3.0 : random.uniform(5.0, 15.0);
   setup.rules.golden_goal_s = setup.rules.golden_goal_s > 0.0 ? 4.0 : 0.0;

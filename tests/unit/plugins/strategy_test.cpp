@@ -125,5 +125,25 @@ TEST(OutOfArea, TurnsARobotThatWouldEnterTheOwnGoalArea) {
   }
 }
 
+// Catches a keeper that an attacker pushes inwards with the ball along the end wall: a keeper at
+// its place did not drive, and a ball that was pressed against it went in past the near post.
+TEST(KeepGoal, PushesABallAtTheEndWallOutwards) {
+  test_support::SkillField field;
+  const mirocup_setup& setup = field.setup();
+  const double line = -setup.half_length + 0.4 * setup.robot_side;
+  for (const double side : {-1.0, 1.0}) {
+    const Point at{line, side * (setup.goal_half_width - 0.04)};
+    field.put_robot(at, pi / 2.0);
+    field.put_ball({-setup.half_length + 0.022, at.y + side * 0.06});
+    const Wheels outwards = keep_goal(setup, field.observation(), field.robot());
+    EXPECT_GT(side * outwards.left * setup.wheel_radius, 1.5) << side;
+    EXPECT_GT(side * outwards.right * setup.wheel_radius, 1.5) << side;
+    field.put_robot({at.x, side * (setup.goal_half_width - 0.01)}, pi / 2.0);
+    field.put_ball({-setup.half_length + 0.022, side * (setup.goal_half_width + 0.05)});
+    const Wheels at_post = keep_goal(setup, field.observation(), field.robot());
+    EXPECT_LT(side * at_post.left, 0.0) << "past the post, " << side;
+  }
+}
+
 }  // namespace
 }  // namespace mirocup::strategy

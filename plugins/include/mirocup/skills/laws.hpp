@@ -2,6 +2,8 @@
 //
 // Keeping the laws that the helpers of strategy.hpp do not know.
 //
+//   is_simurosot       whether the rules are those of SimuroSot
+//   is_vsss            whether the rules are those of VSSS
 //   spare_keeper       brakes before the opponents' keeper
 //   must_leave_area    whether a robot that does not attack has to leave the opponents' goal area
 //   leave_area         drives out of that area
@@ -11,7 +13,18 @@
 
 #include "mirocup/strategy.hpp"
 
+#include <cmath>
+
 namespace mirocup::strategy {
+
+// The control period tells the rules of a leg: 1/60 s under SimuroSot rules, 16 ms under VSSS
+// rules, 33 ms under MiroSot rules.
+inline bool is_simurosot(const Setup& setup) {
+  return std::abs(setup.control_period - 1.0 / 60.0) < 1e-4;
+}
+inline bool is_vsss(const Setup& setup) {
+  return std::abs(setup.control_period - 0.016) < 1e-4;
+}
 
 struct Distance {
   double gap = 0.11;        // m between the middles; a nearer attacker backs off
@@ -22,10 +35,10 @@ struct Distance {
   double retreat = 0.0;     // m: the robot backs off from a nearer keeper, even if the keeper comes
 };
 
-// Returns the distances to keep under the rules of a leg. A control period of at most 20 ms counts
-// as SimuroSot rules, under which each touch of a keeper is a foul.
+// Returns the distances to keep under the rules of a leg. Under SimuroSot rules each touch of a
+// keeper is a foul.
 inline Distance keeper_distance(const Setup& setup) {
-  if (setup.control_period > 0.02) return {.gap = setup.robot_side + 0.035};
+  if (!is_simurosot(setup)) return {.gap = setup.robot_side + 0.035};
   return {.gap = 0.12, .speed = 0.0, .rate = 4.0, .slant = 0.0, .with_ball = 0.2, .retreat = 0.135};
 }
 
@@ -71,15 +84,17 @@ inline void spare_keeper(const Setup& setup, const Observation& now, Command& co
   }
 }
 
+// The same with the distances of the rules. VSSS rules allow an attacker to charge a keeper.
 inline void spare_keeper(const Setup& setup, const Observation& now, Command& command) {
+  if (is_vsss(setup)) return;
   spare_keeper(setup, now, command, keeper_distance(setup));
 }
 
 // True if a robot that does not attack is about to be in the opponents' goal area, in which only
-// one robot may be. A team whose robots keep away scores less. Keeping away pays only if the
-// control period is at most 20 ms (SimuroSot rules): the referee then often calls this foul.
+// one robot may be. A team whose robots keep away scores less. Keeping away pays only under
+// SimuroSot rules: the referee then often calls this foul.
 inline bool must_leave_area(const Setup& setup, const Robot& robot) {
-  if (setup.control_period > 0.02) return false;
+  if (!is_simurosot(setup)) return false;
   return robot.x + 0.1 * robot.vx > setup.half_length - setup.goal_area_depth - 0.1 &&
          std::abs(robot.y + 0.1 * robot.vy) < setup.goal_area_half_width + 0.05;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mirocup/skills/laws.hpp"
 
+#include "core/match/leg.hpp"
 #include "tests/support/skill_field.hpp"
 
 #include <gtest/gtest.h>
@@ -34,6 +35,27 @@ double speed_at_keeper(Point ball_at) {
 // Catches a brake that comes too late for the motors: the law calls a touch at 0.5 m/s.
 TEST(SpareKeeper, BrakesBeforeTheKeeper) {
   EXPECT_LT(speed_at_keeper({-0.5, 0.5}), 0.5);
+}
+
+// Catches rules that are told by "less than 0.02 s": VSSS, with 16 ms, got the distances of
+// SimuroSot, though its laws protect no keeper.
+TEST(SpareKeeper, KnowsTheRulesByTheirPeriod) {
+  const SkillField field;
+  mirocup_setup setup = field.setup();
+  Observation now = field.observation();
+  now.robots = 2;
+  now.own[1] = {.x = 0.55, .y = 0.0, .heading = 0.0, .vx = 0.0, .vy = 0.0, .turn = 0.0};
+  now.opponent[0] = {.x = 0.7, .y = 0.0, .heading = 0.0, .vx = 0.0, .vy = 0.0, .turn = 0.0};
+  const auto speed = [&](referee::Preset preset) {
+    setup.control_period = match::control_period_of(preset);
+    Command command{};
+    command.wheels[1] = wheels_for(setup, 1.0, 0.0);
+    spare_keeper(setup, now, command);
+    return setup.wheel_radius * command.wheels[1].left;
+  };
+  EXPECT_DOUBLE_EQ(speed(referee::Preset::vsss), 1.0);
+  EXPECT_LT(speed(referee::Preset::mirosot), 0.6);
+  EXPECT_LT(speed(referee::Preset::simurosot), speed(referee::Preset::mirosot));
 }
 
 }  // namespace
