@@ -81,7 +81,7 @@ TEST(TeamHost, TellsOnceOfWhatIsHardlyMeant) {
   const std::string told = told_of(placement, command, 0xff0000, NAN);
   EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 5) << told;
   for (const char* part :
-       {"robot 1 the heading -45", "(-40, 10)", "which are 0 to 2", "0x00ff0000", "not finite"})
+       {"robot 1 the heading -45", "(-40, 10)", "robots are 0 to 2", "0x00ff0000", "not finite"})
     EXPECT_NE(told.find(part), std::string::npos) << part << told;
   TeamHost host;
   testing::internal::CaptureStderr();
