@@ -64,8 +64,8 @@ test('a leg that is driven by script against striker is reproduced by mirocup ve
     await page.keyboard.up(key);
   }
   await page.keyboard.press(' ');
-  const ticks = await tickOf(page);
   const files = await saved(page);
+  const ticks = await tickOf(page);
   const record = Object.keys(files).find((name) => name.endsWith('.json'));
   assert.match(run('verify', files[record]), /reproduced/);
   const { teams, ticks: played } = readJson(files[record]);
