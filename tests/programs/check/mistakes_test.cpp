@@ -206,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Allowed{Mistake::never_moves, "never_moves", "never turned a wheel"},
                     Allowed{Mistake::illegal_places, "illegal_places", "not legal"},
                     Allowed{Mistake::places_in_degrees, "places_in_degrees", "are in radians"},
-                    Allowed{Mistake::one_robot_too_many, "one_robot_too_many", "its robots are 0 to 2"},
+                    Allowed{Mistake::one_robot_too_many, "one_robot_too_many", "robots are 0 to 2"},
                     Allowed{Mistake::one_wheel, "one_wheel", "to turn its right wheel"},
                     Allowed{Mistake::turns_in_degrees, "turns_in_degrees", "look at angles"},
                     Allowed{Mistake::long_log, "long_log", "logs so much"},
