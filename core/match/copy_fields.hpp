@@ -36,8 +36,8 @@ void for_each_limit(Rules& rules, Visit visit) {
   visit("attackers_allowed", rules.att_max);
 }
 
-// Calls visit(name, member) for each number of simulator::Parameters that a team receives besides
-// those of copy_bodies(): the motors' other lags (0: none), the floor and the contacts.
+// Calls visit(name, member) for each number of simulator::Parameters that a team receives and that
+// copy_bodies() leaves out: the motors' other lags (0: none), the floor and the contacts.
 template <class P, class Visit>
 void for_each_physics(P& p, Visit visit) {
   visit("turn_time_constant", p.turn_time_constant);

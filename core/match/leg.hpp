@@ -37,8 +37,8 @@
 
 namespace mirocup::match {
 
-// The control period of a preset, s: that of the platform whose rules the preset holds. SimuroSot
-// asks its teams 60 times a second, FIRASim every 16 ms; 33 ms are the sample time of MiroSot.
+// The control period of the platform whose rules a preset holds, s. SimuroSot asks its teams 60
+// times a second, FIRASim every 16 ms; 33 ms are the sample time of MiroSot.
 constexpr double control_period_of(referee::Preset preset) {
   switch (preset) {
     case referee::Preset::simurosot:
@@ -70,7 +70,7 @@ struct Setup {
 };
 
 // Gives the setup the name, the parameters and the control period of a pitch. If the pitch has no
-// control period, that of the setup stays.
+// control period, the setup keeps its own.
 void set_pitch(Setup& setup, const PitchSpec& pitch);
 
 // The ways in which a leg can end.

@@ -19,7 +19,8 @@ struct CollisionMemory {
   ByRobot<RobotSet> touched;  // the opponents that each robot touched in the last tick
 };
 
-// Finds at most one collision in a tick: that of the left end's robot with the lowest index.
+// Finds at most one collision in a tick. If several robots of the left end collide, the collision
+// of the robot with the lowest index counts.
 std::optional<Decision> judge_collision(const Pitch& pitch, const Situation& situation,
                                         CollisionMemory& memory);
 
