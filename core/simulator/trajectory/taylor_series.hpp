@@ -56,7 +56,7 @@ struct Series {
 template <class F>
 auto with_terms(int terms, F f) {
   if (terms == term_counts[1]) return f(std::integral_constant<int, term_counts[1]>{});  // mostly
-  if (terms == term_counts[0]) return f(std::integral_constant<int, term_counts[0]>{});
+  if (terms < term_counts[1]) return f(std::integral_constant<int, term_counts[0]>{});
   return terms == term_counts[2] ? f(std::integral_constant<int, term_counts[2]>{})
                                  : f(std::integral_constant<int, term_counts[3]>{});
 }
