@@ -3,7 +3,7 @@
 // system::sha256() of the module, which has no OpenSSL: FIPS 180-4, section 6.2.
 #include "system/digest.hpp"
 
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 
 #include <array>
 #include <bit>

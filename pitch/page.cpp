@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pitch/page.hpp"
 
-#include "system/formatted.hpp"
-#include "system/markup.hpp"
+#include "system/text.hpp"
 #include "web/design/template.hpp"
 
 #include <algorithm>

@@ -11,6 +11,7 @@
 #include "core/base/error.hpp"
 #include "core/field/league.hpp"
 #include "core/match/snapshot.hpp"
+#include "core/replay/recording.hpp"
 #include "core/simulator/model/state.hpp"
 
 #include <optional>
@@ -77,6 +78,11 @@ struct CameraNoise {
   double outliers = 0.01;      // share of bodies seen at a random place of the field
   std::uint64_t seed = 1;
 };
+
+// Plays a leg again and returns a recording with a picture at the start of each tick, as a camera
+// without noise would have made it. A frame has the commands that drive the robots in that tick;
+// while play is stopped, the commands are 0. Errc::damaged if the leg differs from its record.
+Result<Recording> as_seen(const replay::Recording& leg, const std::string& path);
 
 // Adds noise, gaps and outliers to every pose of the recording.
 void look_through(const CameraNoise& noise, Recording& recording);

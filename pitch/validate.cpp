@@ -2,7 +2,7 @@
 #include "pitch/validate.hpp"
 
 #include "core/simulator/trajectory/segment.hpp"
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 
 #include "core/base/math.hpp"
 #include "record/json_reader.hpp"
-#include "record/key_values.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "record/json_reader.hpp"
 
-#include "system/formatted.hpp"
 #include "system/text.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mirocup::record {
 
@@ -369,6 +371,21 @@ std::string text_in(const JsonReader::Json& object, const char* key) {
 
 Error error_of(const JsonProblem& problem, const std::string& path, Errc code) {
   return {code, path + ": " + problem.pointer + ": " + problem.reason};
+}
+
+Result<JsonReader::Json> with_changes(JsonReader::Json object,
+                                      const std::vector<std::string>& changes,
+                                      const std::string& option) {
+  for (const std::string& change : changes) {
+    const std::size_t equals = change.find('=');
+    const std::string text = equals == std::string::npos ? "" : change.substr(equals + 1);
+    ParsedJson value = parse_json(text);
+    if (value.problem) {
+      return fail(Errc::input, option + " " + change + ": KEY=VALUE is expected");
+    }
+    object[change.substr(0, equals)] = std::move(value.value);
+  }
+  return object;
 }
 
 }  // namespace mirocup::record

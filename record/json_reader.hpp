@@ -239,4 +239,10 @@ T JsonReader::as() const {
   }
 }
 
+// Returns the object with the changes of --rule or --condition; each change is KEY=VALUE with a
+// value in JSON. Errors: Errc::input, which names the option.
+Result<JsonReader::Json> with_changes(JsonReader::Json object,
+                                      const std::vector<std::string>& changes,
+                                      const std::string& option);
+
 }  // namespace mirocup::record

@@ -2,7 +2,6 @@
 #include "record/rules_json.hpp"
 
 #include "record/json_reader.hpp"
-#include "record/key_values.hpp"
 
 #include <nlohmann/json.hpp>
 

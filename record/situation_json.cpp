@@ -5,7 +5,7 @@
 #include "core/simulator/scene.hpp"
 #include "record/heading_json.hpp"
 #include "record/json_reader.hpp"
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "system/printable.hpp"
 
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #include "web/hand_in_client.hpp"
 
 #include "record/json_reader.hpp"
-#include "system/markup.hpp"
+#include "system/text.hpp"
 
 #include <httplib.h>
 

@@ -2,7 +2,7 @@
 #include "web/live_feed.hpp"
 
 #include "record/match_record.hpp"
-#include "web/page_json.hpp"
+#include "web/page_parts.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -6,8 +6,6 @@
 #include "record/statistics/counter.hpp"
 #include "web/assets.hpp"
 #include "web/design/template.hpp"
-#include "web/packed_text.hpp"
-#include "web/page_json.hpp"
 #include "web/page_parts.hpp"
 #include "web/picture.hpp"
 

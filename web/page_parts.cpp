@@ -2,16 +2,17 @@
 #include "web/page_parts.hpp"
 
 #include "record/json_reader.hpp"
+#include "record/statistics/statistics_json.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 #include "web/assets.hpp"
 #include "web/design/template.hpp"
 #include "web/markings.hpp"
-#include "web/packed_text.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <zlib.h>
 
 namespace mirocup::web {
 
@@ -77,6 +78,47 @@ ScriptFile module_file(const BrowserModule& module) {
 record::Json zones_json(const field::Field& field) {
   const Markings marks = markings(field);
   return {{"left", marks.zones[index_of(End::left)]}, {"right", marks.zones[index_of(End::right)]}};
+}
+
+std::string packed_text(std::string_view text) {
+  constexpr int gzip_window = 15 + 16;  // the largest window; 16 asks for gzip's header and no time
+  constexpr int memory_level = 8;
+  z_stream stream{};
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, gzip_window, memory_level,
+                   Z_DEFAULT_STRATEGY) != Z_OK) {
+    return "";
+  }
+  std::string bytes(deflateBound(&stream, text.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_out = static_cast<uInt>(bytes.size());
+  const bool is_done = deflate(&stream, Z_FINISH) == Z_STREAM_END;
+  bytes.resize(is_done ? stream.total_out : 0);
+  deflateEnd(&stream);
+  return system::base64(bytes);
+}
+
+Json moment_json(const match::Snapshot& scene) {
+  return {{"state", to_string(scene.state)},
+          {"phase", to_string(scene.phase)},
+          {"left", to_string(scene.left)},
+          {"score", {{"blue", scene.score[0]}, {"yellow", scene.score[1]}}}};
+}
+
+Json keepers_json(const match::Snapshot& scene) {
+  return {scene.counts[0].keeper, scene.counts[1].keeper};
+}
+
+Json statistics_json(const statistics::LegStatistics& leg) {
+  Json json = statistics::to_json(leg);
+  for (const char* list : {"goals", "fouls"}) json.erase(list);
+  return json;
+}
+
+std::string event_text(const char* name, const Json& data) {
+  // The data is one line, so a name of a team cannot start another event.
+  return std::string("event: ") + name + "\ndata: " + record::json_text(data) + "\n\n";
 }
 
 }  // namespace mirocup::web

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The common parts of replay pages, live pages and the playground: script, style, policy and data.
+// The common parts of replay pages, live pages and the playground: script, style, policy, and the
+// JSON that page/main.js reads.
 #pragma once
 
 #include "core/field/field.hpp"
 #include "record/match_record.hpp"
+#include "record/statistics/statistics.hpp"
 #include "system/files.hpp"
+#include "web/track_encoder.hpp"
 
 #include <optional>
 #include <span>
@@ -13,6 +16,8 @@
 #include <string_view>
 
 namespace mirocup::web {
+
+using record::Json;
 
 // The module (browser/) with which a visitor's browser simulates.
 struct BrowserModule {
@@ -38,10 +43,15 @@ enum class ModulePlace { nowhere, in_the_page, beside_it };
 // ModulePlace::beside_it, the page also runs script files of its own host.
 std::string page_policy(const std::string& script, ModulePlace module);
 
-// Returns JSON as text for a <script> element; no part of the text can close the element.
-std::string embedded(const record::Json& json);
+// Returns a long text for the inside of a page, as gzip in base64, which has no characters of
+// HTML's markup. A browser unpacks it with DecompressionStream('gzip'). The same text gives the same
+// bytes.
+std::string packed_text(std::string_view text);
 
-record::Json module_json(const BrowserModule& module);
+// Returns JSON as text for a <script> element; no part of the text can close the element.
+std::string embedded(const Json& json);
+
+Json module_json(const BrowserModule& module);
 
 // A script file beside pages, which gives them data.
 struct ScriptFile {
@@ -51,6 +61,20 @@ struct ScriptFile {
 
 // Returns the module as a file for all pages of a site. The file's name has a hash of its content.
 ScriptFile module_file(const BrowserModule& module);
-record::Json zones_json(const field::Field& field);
+Json zones_json(const field::Field& field);
+
+// Returns the values of a scene that seldom change from tick to tick: {state, phase, left, score}.
+Json moment_json(const match::Snapshot& scene);
+
+// Returns the robots that count as keepers, blue's and yellow's; -1 if the team has no keeper.
+Json keepers_json(const match::Snapshot& scene);
+
+// Returns the leg's statistics in the form of `mirocup stats` (docs/statistics.md) but without the
+// lists of goals and fouls, which pages take from the decisions: {play_s, …, teams: {blue,
+// yellow}}.
+Json statistics_json(const statistics::LegStatistics& leg);
+
+// Returns the text of a server-sent event.
+std::string event_text(const char* name, const Json& data);
 
 }  // namespace mirocup::web

@@ -3,7 +3,6 @@
 
 #include "web/assets.hpp"
 #include "web/markings.hpp"
-#include "web/svg_path.hpp"
 
 #include <cmath>
 #include <numbers>

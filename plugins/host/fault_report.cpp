@@ -2,19 +2,53 @@
 #include "plugins/host/fault_report.hpp"
 
 #include "plugins/host/care.hpp"
-#include "plugins/host/crash_trace.hpp"
 #include "plugins/host/sandbox/signals.hpp"
 
 #include <algorithm>
 #include <csignal>
 #include <cstdint>
+#include <cstring>
+#include <dlfcn.h>
 #include <iterator>
+#include <link.h>
 #include <ucontext.h>
 #include <unistd.h>
+#include <unwind.h>
 
 namespace mirocup::plugins {
 
 namespace {
+
+constexpr int max_calls = 256;  // of all libraries together
+
+struct Walk {
+  const char* path;
+  CrashTrace& trace;
+  int calls = 0;
+};
+
+_Unwind_Reason_Code visit(_Unwind_Context* context, void* argument) {
+  auto& walk = *static_cast<Walk*>(argument);
+  int is_before = 0;  // 1: the address is that of an instruction that has not run
+  std::uintptr_t address = _Unwind_GetIPInfo(context, &is_before);
+  if (is_before == 0) --address;
+  dl_find_object object{};
+  if (_dl_find_object(reinterpret_cast<void*>(address), &object) == 0 &&
+      std::strcmp(object.dlfo_link_map->l_name, walk.path) == 0) {
+    walk.trace.address[walk.trace.count++] = address - object.dlfo_link_map->l_addr;
+  }
+  const bool is_over = walk.trace.count == max_trace || ++walk.calls == max_calls;
+  return is_over ? _URC_NORMAL_STOP : _URC_NO_REASON;
+}
+
+// Fills `trace` with the active calls in the library that was loaded from `path`. A signal handler
+// may call this function, because it allocates nothing and takes no lock. But it walks a stack that
+// the crash may have damaged, so it may itself crash or never return. The caller must be ready for
+// both cases.
+void trace_calls(const char* path, CrashTrace& trace) {
+  Walk walk{path, trace};
+  _Unwind_Backtrace(visit, &walk);
+}
 
 // A global variable, because a signal handler gets no pointer of its own.
 CommandPage* faulted_page = nullptr;

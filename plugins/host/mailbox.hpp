@@ -9,17 +9,27 @@
 #pragma once
 
 #include "mirocup/strategy.h"
-#include "plugins/host/crash_trace.hpp"
 #include "plugins/host/parameter_table.hpp"
 #include "plugins/host/surroundings.hpp"
 #include "plugins/host/thoughts_page.hpp"
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <optional>
 
 namespace mirocup::plugins {
+
+inline constexpr std::size_t max_trace = 24;
+
+// The calls in the team's library that were active at a crash, innermost first. Addresses are
+// relative to the place where the library is loaded. The address of a calling
+// function is inside its call instruction.
+struct CrashTrace {
+  std::uint32_t count = 0;
+  std::array<std::uint64_t, max_trace> address;
+};
 
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 

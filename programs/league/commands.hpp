@@ -8,6 +8,7 @@
 #include "system/commands.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace mirocup::league {
 
@@ -28,6 +29,11 @@ Add add_init, add_submit, add_owner, add_nightly, add_start, add_stop, add_statu
     add_check_hand_in, add_play_friendly, add_award, add_rule, add_void, add_withdraw, add_pause,
     add_resume, add_freeze, add_release, add_close, add_undo, add_decisions, add_verify, add_backup,
     add_grades, add_team, add_compare, add_tune, add_plan, add_run_shard, add_credentials;
+
+// Return the text of a file that the build compiles into the program: README.md, or the file
+// show/NAME; empty if the program lacks the file.
+std::string_view given_file(std::string_view name);
+std::string_view show_file(std::string_view name);
 
 // The argument DIR, the league's folder.
 void add_folder(const system::Command& command, std::string& folder);

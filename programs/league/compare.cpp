@@ -3,14 +3,14 @@
 // The subcommand compare.
 #include "programs/league/commands.hpp"
 #include "programs/league/progress_bar.hpp"
-#include "programs/league/scratch_folder.hpp"
 #include "record/json_reader.hpp"
 #include "record/rules_json.hpp"
 #include "system/csv.hpp"
-#include "system/formatted.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 #include "tournaments/league/event.hpp"
 #include "tournaments/play/comparison_run.hpp"
+#include "tournaments/play/scratch_folder.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -7,12 +7,11 @@
 #include "system/printable.hpp"
 #include "tournaments/league/kept_program.hpp"
 #include "tournaments/league/roster.hpp"
-#include "tournaments/publish/former_pages.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/night_pages.hpp"
-#include "tournaments/publish/release.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
+#include "tournaments/publish/snapshot.hpp"
 #include "web/playground.hpp"
 
 #include <nlohmann/json.hpp>

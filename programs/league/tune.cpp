@@ -4,11 +4,11 @@
 #include "core/base/random.hpp"
 #include "programs/league/commands.hpp"
 #include "programs/league/progress_bar.hpp"
-#include "programs/league/scratch_folder.hpp"
 #include "record/json_reader.hpp"
-#include "system/formatted.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 #include "tournaments/play/comparison_run.hpp"
+#include "tournaments/play/scratch_folder.hpp"
 #include "tournaments/tune/tuning_file.hpp"
 
 #include <algorithm>

@@ -9,8 +9,8 @@
 #include "record/team_parameters_json.hpp"
 #include "server/seats.hpp"
 #include "system/files.hpp"
-#include "system/formatted.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,8 @@
 
 #include "core/replay/playback.hpp"
 #include "system/child_process.hpp"
-#include "system/formatted.hpp"
 #include "system/number_of.hpp"
+#include "system/text.hpp"
 #include "web/picture.hpp"
 
 #include <algorithm>

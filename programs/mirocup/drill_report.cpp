@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/drill_report.hpp"
 
-#include "system/formatted.hpp"
-#include "system/markup.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 #include "web/design/template.hpp"
 
 #include <nlohmann/json.hpp>

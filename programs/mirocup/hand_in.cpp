@@ -5,8 +5,8 @@
 #include "programs/mirocup/commands.hpp"
 #include "record/json_reader.hpp"
 #include "system/files.hpp"
-#include "system/formatted.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 #include "web/hand_in_client.hpp"
 
 #include <algorithm>

@@ -4,8 +4,7 @@
 #include "pitch/identify.hpp"
 
 #include "pitch/page.hpp"
-#include "pitch/result_json.hpp"
-#include "pitch/validation_report.hpp"
+#include "pitch/report.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "programs/mirocup/output_folder.hpp"
 #include "record/json_reader.hpp"

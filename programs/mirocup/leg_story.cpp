@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/leg_story.hpp"
 
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -14,8 +14,8 @@
 #include "record/team_parameters_json.hpp"
 #include "record/thoughts_file.hpp"
 #include "server/session.hpp"
-#include "system/formatted.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 
 #include <nlohmann/json.hpp>
 

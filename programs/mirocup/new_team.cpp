@@ -9,7 +9,6 @@
 #include "system/files.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
-#include "system/shell_word.hpp"
 #include "system/text.hpp"
 
 #include <filesystem>

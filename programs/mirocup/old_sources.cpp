@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/old_sources.hpp"
 
-#include "programs/mirocup/old_project.hpp"
 #include "programs/mirocup/old_text.hpp"
 #include "system/files.hpp"
 #include "system/text.hpp"
@@ -11,6 +10,8 @@
 #include <filesystem>
 #include <map>
 #include <regex>
+#include <string>
+#include <vector>
 
 namespace mirocup::app {
 
@@ -61,6 +62,30 @@ bool has_word(const std::string& code, const std::string& word) {
     }
   }
   return false;
+}
+
+// True for the name of a project of Visual C++, which names the files to compile: .dsp of version
+// 6, .vcproj, .vcxproj.
+bool is_old_project(const std::string& path) {
+  const std::string ending = system::lower_case(std::filesystem::path(path).extension().string());
+  return ending == ".dsp" || ending == ".vcproj" || ending == ".vcxproj";
+}
+
+// Returns the files that the project compiles or shows, in the order of the text, relative to its
+// folder, with "/" between folders. Empty if the text names no file.
+// SOURCE=.\Move.cpp, RelativePath=".\Move.cpp", <ClCompile Include="Move.cpp" />
+std::vector<std::string> files_of_project(const std::string& text) {
+  static const std::regex one(
+      "(?:SOURCE=\"?|RelativePath[ \t\r\n]*=[ \t\r\n]*\"|<ClCompile[ \t\r\n]+Include=\")"
+      "([^\"\r\n<>|]+)");
+  std::vector<std::string> files;
+  for (std::sregex_iterator at(text.begin(), text.end(), one), end; at != end; ++at) {
+    std::string name = (*at)[1];
+    std::replace(name.begin(), name.end(), '\\', '/');
+    while (!name.empty() && name.back() == ' ') name.pop_back();
+    files.push_back(std::filesystem::path(name).lexically_normal().string());
+  }
+  return files;
 }
 
 // The names in the #include lines of the code, in lower case and without their folders.

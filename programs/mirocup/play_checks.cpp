@@ -4,7 +4,7 @@
 #include "core/field/field.hpp"
 #include "programs/mirocup/entry_advice.hpp"
 #include "programs/mirocup/examination.hpp"
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 #include <utility>

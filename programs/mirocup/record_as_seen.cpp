@@ -2,7 +2,7 @@
 //
 // mirocup record-as-seen: what a camera would have seen of a played match.
 #include "core/base/math.hpp"
-#include "pitch/as_seen.hpp"
+#include "pitch/recording.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "programs/mirocup/output_folder.hpp"
 #include "record/match_record.hpp"

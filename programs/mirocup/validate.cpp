@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup validate: how far the simulator is from recordings of a pitch.
-#include "pitch/validation_report.hpp"
+#include "pitch/report.hpp"
 #include "programs/mirocup/commands.hpp"
 
 #include <iostream>

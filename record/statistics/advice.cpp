@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/statistics/advice.hpp"
 
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 

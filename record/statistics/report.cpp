@@ -5,8 +5,8 @@
 #include "record/statistics/advice.hpp"
 #include "record/statistics/statistics_json.hpp"
 #include "system/csv.hpp"
-#include "system/formatted.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 
 #include <nlohmann/json.hpp>
 

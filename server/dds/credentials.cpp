@@ -4,7 +4,7 @@
 #include "server/dds/domain.hpp"
 #include "system/certificate.hpp"
 #include "system/files.hpp"
-#include "system/markup.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -4,7 +4,7 @@
 #include "server/dds/credentials.hpp"
 #include "server/dds/network_interface.hpp"
 #include "system/host_address.hpp"
-#include "system/markup.hpp"
+#include "system/text.hpp"
 
 namespace mirocup::dds {
 

@@ -9,8 +9,8 @@
 
 #include "server/dds/domain.hpp"
 #include "server/dds/excused_time.hpp"
-#include "server/dds/match_claim.hpp"
 #include "server/dds/seat.hpp"
+#include "system/descriptor.hpp"
 
 #include <memory>
 

@@ -15,7 +15,6 @@
 #include "record/durations.hpp"
 #include "server/dds/convert.hpp"
 #include "server/dds/entity.hpp"
-#include "server/dds/few_words.hpp"
 #include "server/dds/inbox.hpp"
 #include "server/dds/liveliness.hpp"
 #include "server/dds/round_trip.hpp"
@@ -27,6 +26,22 @@
 #include <utility>
 
 namespace mirocup::dds {
+
+// Prints at most `max` sentences of one kind, which a stranger or a bad network can cause. The last
+// sentence says that no more follow.
+class FewWords {
+ public:
+  explicit FewWords(int max = 10) : left_(max) {}
+
+  void say(const std::function<void(const std::string&)>& tell, const std::string& what) {
+    if (left_ <= 0) return;
+    tell(--left_ > 0 ? what
+                     : what + "; further messages of this kind are counted, but not printed");
+  }
+
+ private:
+  int left_;
+};
 
 // The terms on which a team joins a match and stays in it; times are seconds of wall time.
 struct JoinTerms {

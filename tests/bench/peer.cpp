@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bench/peer.hpp"
 
-#include "pitch/validation_report.hpp"
+#include "pitch/report.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -109,7 +109,16 @@ class Folder:
                 i = j
             else:
                 i += 1
-        self.commands = list(self.unrolled(commands))
+        self.commands = list(self.with_globs(self.unrolled(commands)))
+
+    @staticmethod
+    def with_globs(commands):
+        """Puts the patterns of file(GLOB …) in the place of its variable."""
+        globs = {}
+        for command in commands:
+            if command[0] == "file" and command[1].startswith("GLOB"):
+                globs["${" + command[2] + "}"] = [word for word in command[3:] if word != "CONFIGURE_DEPENDS"]
+            yield [part for word in command for part in globs.get(word, [word])]
 
     def unrolled(self, commands):
         i = 0

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/desk_html.hpp"
 
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 #include "tournaments/publish/page_values.hpp"
 
 namespace mirocup::league {

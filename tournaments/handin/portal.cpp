@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/portal.hpp"
 
-#include "system/markup.hpp"
 #include "system/printable.hpp"
-#include "tournaments/handin/form.hpp"
-#include "tournaments/handin/pins.hpp"
+#include "system/text.hpp"
 #include "tournaments/handin/progress.hpp"
 #include "tournaments/handin/replies.hpp"
 #include "tournaments/league/submission.hpp"
+#include "web/http/form.hpp"
 
 #include <array>
 
@@ -16,6 +15,7 @@ namespace mirocup::league {
 namespace {
 
 constexpr int max_failures = 10;  // of the host, until a hand-in is void
+constexpr int max_pins = 10;      // of a team in an hour
 constexpr int max_spent = 2;      // checks that used up their time, until it is refused
 
 constexpr const char* page_policy =
@@ -192,7 +192,7 @@ web::Reply Portal::desk(const Call& call) {
 
 // The forms of the page of the staff.
 web::Reply Portal::act(const Call& call) {
-  const auto form = read_form(call.body);
+  const auto form = web::read_form(call.body);
   if (!form) return problem_reply(400, "the form did not arrive completely, or is too long");
   web::Reply reply = staff_.act(*form);
   ++state_.version;
@@ -318,8 +318,28 @@ web::Reply Portal::take(const Call& call) {
   return uploads_.take(call.request, call.body, call.team);
 }
 
+// A team chooses the accepted entry that plays: its number, or "latest".
 web::Reply Portal::pin(const Call& call) {
-  return pin_version(state_, call.team, call.request.asked("entry"));
+  const std::string& team = call.team;
+  const std::string asked = call.request.asked("entry");
+  const auto entry = asked == "latest" ? std::optional(0) : number_of(asked);
+  if (!entry) return problem_reply(400, "?entry=N or ?entry=latest is expected");
+  const std::lock_guard lock(state_.mutex);
+  const std::int64_t now = state_.options.now();
+  // In a ladder each change has legs of its own.
+  if (state_.book.pins_in_last_hour(team, now) >= max_pins) {
+    return problem_reply(429, team + " has chosen its version " + std::to_string(max_pins) +
+                                  " times in the last hour; choose again later");
+  }
+  const auto done = pin_entry(state_.files, state_.folder, team, *entry, now);
+  if (!done) return host_failed(done.error());
+  if (!done->empty()) return problem_reply(409, *done);
+  if (auto written = state_.book.pin(team, *entry, now); !written)
+    return host_failed(written.error());
+  ++state_.version;
+  const auto playing = playing_entry(state_.files, state_.folder, team);
+  if (!playing) return host_failed(playing.error());
+  return json_reply(200, {{"pinned", *entry > 0 ? Json(*entry) : Json()}, {"playing", *playing}});
 }
 
 web::Reply Portal::list_legs(const Call& call) {
@@ -341,7 +361,7 @@ web::Reply Portal::show_log(const Call& call) {
 }
 
 web::Reply Portal::log_in(const Call& call) {
-  const auto form = read_form(call.body);
+  const auto form = web::read_form(call.body);
   if (!form) return page_reply(400, log_in_page("the form did not arrive completely"));
   const std::lock_guard lock(state_.mutex);
   const auto done =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/progress.hpp"
 
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 #include "tournaments/table/rating.hpp"
 
 #include <nlohmann/json.hpp>

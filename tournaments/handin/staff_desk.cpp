@@ -2,7 +2,6 @@
 #include "tournaments/handin/staff_desk.hpp"
 
 #include "system/file_lock.hpp"
-#include "system/markup.hpp"
 #include "system/number_of.hpp"
 #include "system/text.hpp"
 #include "tournaments/handin/desk_html.hpp"

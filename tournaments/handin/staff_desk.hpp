@@ -7,10 +7,10 @@
 // Threads: any. The league is opened for each request.
 #pragma once
 
-#include "tournaments/handin/form.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/folder.hpp"
+#include "web/http/form.hpp"
 #include "web/http/request.hpp"
 
 #include <cstdint>
@@ -19,6 +19,9 @@
 #include <vector>
 
 namespace mirocup::league {
+
+using web::Form;
+using web::value_of;
 
 class StaffDesk {
  public:

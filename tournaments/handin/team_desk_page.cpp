@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/team_desk_page.hpp"
 
-#include "system/markup.hpp"
+#include "system/text.hpp"
 #include "tournaments/handin/desk_html.hpp"
 #include "tournaments/handin/progress.hpp"
 

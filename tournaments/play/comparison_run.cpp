@@ -7,6 +7,7 @@
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
+#include "system/text.hpp"
 #include "tournaments/format/schedule.hpp"
 #include "tournaments/league/event.hpp"
 
@@ -28,12 +29,6 @@ struct Leg {
   bool is_swapped() const { return number % legs_per_fixture == 1; }
   auto operator<=>(const Leg&) const = default;
 };
-
-// Returns the last line of what a program printed, without its end.
-std::string last_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text.substr(text.find_last_of('\n') + 1);
-}
 
 std::string digits(double number) {
   std::ostringstream text;
@@ -183,7 +178,7 @@ class Comparison {
     const std::string text = said ? *said : std::string();
     if (exit.signal != 0 || exit.code != exit_yes) {
       return fail(exit.code == 2 ? Errc::input : Errc::host,
-                  "a leg could not be played: " + last_line(text));
+                  "a leg could not be played: " + system::last_line(text));
     }
     repeat_warnings(text);
     if (auto removed = files_.remove(output); !removed) return removed;

@@ -8,7 +8,7 @@
 #include "record/rules_json.hpp"
 #include "record/team_parameters_json.hpp"
 #include "system/locations.hpp"
-#include "system/shell_word.hpp"
+#include "system/text.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,9 @@
 #include "system/locations.hpp"
 #include "system/printable.hpp"
 #include "system/process_set.hpp"
+#include "system/text.hpp"
 #include "tournaments/league/kept_program.hpp"
+#include "tournaments/play/scratch_folder.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -44,31 +46,6 @@ Result<RecordedLeg> read_leg(system::Files& files, const Folder& folder, const s
         software.read_if_present("game", leg.game);
         return leg;
       });
-}
-
-// A folder for the output of children, which its destructor removes.
-class OutputFolder {
- public:
-  OutputFolder() {
-    std::string path = std::filesystem::temp_directory_path() / "mirocup-verify-XXXXXX";
-    if (mkdtemp(path.data()) != nullptr) path_ = path;
-  }
-  OutputFolder(const OutputFolder&) = delete;
-  OutputFolder& operator=(const OutputFolder&) = delete;
-  ~OutputFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;  // "": it could not be made
-};
-
-std::string last_line_of(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  const std::size_t line = text.rfind('\n');
-  return line == std::string::npos ? text : text.substr(line + 1);
 }
 
 // Notes what the journal says of records: those that it names must be there, as it means them.
@@ -201,7 +178,7 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
   }
   compare_with_journal(store, legs, done);
 
-  const OutputFolder output;
+  const ScratchFolder output("mirocup-verify");  // of the children
   if (output.path().empty()) return fail(Errc::unavailable, "no temporary folder can be made");
   MatchServers servers(files, folder);
   system::ProcessSet processes;
@@ -228,7 +205,7 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
           files.read(output_of(exit->tag), {.max_size = system::size_limit::log}).value_or("");
       const RecordedLeg& leg = *waiting[static_cast<std::size_t>(exit->tag)];
       const std::string& why = servers.of_game(leg.game).why_not_kept;
-      done.problems.push_back({leg.path, last_line_of(said) + (why.empty() ? "" : "; ") + why,
+      done.problems.push_back({leg.path, system::last_line(said) + (why.empty() ? "" : "; ") + why,
                                exit->signal != 0 ? exit_code(Errc::host) : exit->code});
     }
     (void)files.remove(output_of(exit->tag));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/bests.hpp"
 
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/team_page.hpp"
 

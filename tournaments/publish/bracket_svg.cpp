@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/bracket_svg.hpp"
 
-#include "system/formatted.hpp"
-#include "system/markup.hpp"
+#include "system/text.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/rounds.hpp"
 

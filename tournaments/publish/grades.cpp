@@ -2,7 +2,6 @@
 #include "tournaments/publish/grades.hpp"
 
 #include "system/csv.hpp"
-#include "system/formatted.hpp"
 #include "system/text.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/html.hpp"
 
-#include "system/markup.hpp"
+#include "system/text.hpp"
 
 namespace mirocup::league {
 

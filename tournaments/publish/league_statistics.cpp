@@ -3,7 +3,7 @@
 
 #include "record/json_reader.hpp"
 #include "record/statistics/statistics_json.hpp"
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 #include "tournaments/publish/html.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/team_page.hpp"

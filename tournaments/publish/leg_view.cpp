@@ -3,7 +3,7 @@
 
 #include "core/base/assert.hpp"
 #include "core/match/controller.hpp"
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 
 #include <algorithm>

@@ -2,8 +2,7 @@
 #include "tournaments/publish/night_pages.hpp"
 
 #include "record/json_reader.hpp"
-#include "system/formatted.hpp"
-#include "system/markup.hpp"
+#include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/publish/html.hpp"
 #include "tournaments/publish/page_values.hpp"

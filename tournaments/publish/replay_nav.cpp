@@ -2,7 +2,7 @@
 #include "tournaments/publish/replay_nav.hpp"
 
 #include "record/json_reader.hpp"
-#include "system/markup.hpp"
+#include "system/text.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 

@@ -3,9 +3,9 @@
 
 #include "system/process_set.hpp"
 #include "tournaments/league/kept_program.hpp"
-#include "tournaments/publish/former_pages.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/replay_nav.hpp"
+#include "tournaments/publish/site.hpp"
 
 #include <filesystem>
 #include <map>

@@ -9,6 +9,7 @@
 // statistics_exports(). make_replay_pages() makes the replay pages and the statistics of each leg.
 #pragma once
 
+#include "system/files.hpp"
 #include "tournaments/publish/front_page.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/leg_view.hpp"
@@ -17,6 +18,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -60,5 +62,11 @@ class Site {
 
 // Returns the table as lines of text for a terminal.
 std::string table_text(const LeagueState& state, bool is_for_public = false);
+
+// To be called because the staff may have hidden rounds again: removes the files that `names` does
+// not list from the folder `part` ("rounds/") of the site. Each name begins with `part`. A file
+// that another process is writing stays.
+Result<void> remove_former_pages(system::Files& files, const std::string& site,
+                                 const std::string& part, const std::set<std::string>& names);
 
 }  // namespace mirocup::league

@@ -134,6 +134,16 @@ Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal&
   return state_up_to(whole, journal, {}, [](const std::string&, int) { return false; });
 }
 
+bool is_all_released(const LeagueState& state) {
+  return state.release.level == ReleaseLevel::all && state.release.through.empty();
+}
+
+Result<LeagueState> released_state(const LeagueState& whole, const Journal& journal) {
+  if (is_all_released(whole)) return whole;
+  if (whole.release.through.empty()) return state_before_rounds(whole, journal);
+  return state_through(whole, journal, whole.release.through);
+}
+
 Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,
                                     const std::string& round, const std::set<LegName>& legs) {
   return find_round(whole, round).and_then([&](Round last) {

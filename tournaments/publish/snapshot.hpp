@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The state of a league after a round, for a host who shows the results round by round.
+// The state of a league after a round, for a host who shows the results round by round, and
+// the part of a league that the public sees.
 #pragma once
 
 #include "tournaments/journal/journal.hpp"
@@ -22,6 +23,13 @@ Result<LeagueState> state_through(const LeagueState& whole, const Journal& journ
 
 // Returns the state before the first round.
 Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal& journal);
+
+// True if the public sees every round.
+bool is_all_released(const LeagueState& state);
+
+// Returns the state that the public sees: the rounds that the league's staff has released. Errors
+// are those of state_through().
+Result<LeagueState> released_state(const LeagueState& whole, const Journal& journal);
 
 // A leg of the league: the id of its fixture and its number, from 1.
 using LegName = std::pair<std::string, int>;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/strength_history.hpp"
 
-#include "system/formatted.hpp"
-#include "system/markup.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 #include <cmath>

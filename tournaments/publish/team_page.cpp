@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/team_page.hpp"
 
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 #include "tournaments/publish/bests.hpp"
 #include "tournaments/publish/page_values.hpp"
 

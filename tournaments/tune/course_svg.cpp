@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 #include "tournaments/tune/tuning_file.hpp"
 
 #include <algorithm>

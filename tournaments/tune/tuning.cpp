@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/tune/tuning.hpp"
 
-#include "system/formatted.hpp"
+#include "system/text.hpp"
 #include "tournaments/tune/cma_es.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "web/design/template.hpp"
 
-#include "system/markup.hpp"
+#include "system/text.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "web/http/exchange.hpp"
 
-#include "system/formatted.hpp"
 #include "system/text.hpp"
 #include "web/http/form.hpp"
 

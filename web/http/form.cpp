@@ -22,7 +22,7 @@ std::string decoded(std::string_view coded, bool plus_is_space) {
   return text;
 }
 
-void add_form_values(std::string_view form, std::multimap<std::string, std::string>& values) {
+void add_form_values(std::string_view form, Form& values) {
   while (!form.empty()) {
     const std::string_view part = form.substr(0, form.find('&'));
     form.remove_prefix(std::min(part.size() + 1, form.size()));
@@ -31,6 +31,24 @@ void add_form_values(std::string_view form, std::multimap<std::string, std::stri
     values.emplace(decoded(part.substr(0, equals), true),
                    decoded(part.substr(std::min(equals + 1, part.size())), true));
   }
+}
+
+std::optional<Form> read_form(const Body& body) {
+  constexpr std::size_t most = 4096;  // bytes
+  std::string text;
+  const bool is_whole = body([&text](std::string_view part) {
+    text += part;
+    return text.size() <= most;
+  });
+  if (!is_whole) return std::nullopt;
+  Form form;
+  add_form_values(text, form);
+  return form;
+}
+
+std::string value_of(const Form& form, const std::string& key) {
+  const auto found = form.lower_bound(key);  // find() may return any of several
+  return found == form.end() || found->first != key ? "" : found->second;
 }
 
 }  // namespace mirocup::web

@@ -29,5 +29,22 @@ TEST(Text, KnowsOnlyLettersOfAscii) {
   for (const char c : {' ', '/', ':', '@', '[', '`', '{', '\0', '\xe4'}) EXPECT_FALSE(is_plain(c));
 }
 
+// Catches a text that is cut at the size of a buffer.
+TEST(Formatted, IsAsLongAsItsValues) {
+  EXPECT_EQ(formatted("%d of %.1f %%", 3, 2.25), "3 of 2.2 %");
+  EXPECT_EQ(formatted("%s", ""), "");
+  const std::string text(5000, 'x');
+  EXPECT_EQ(formatted("<%s>", text.c_str()), "<" + text + ">");
+}
+
+// Catches a text that the shell takes apart, expands, or loses, and quotation marks where none are
+// needed.
+TEST(ShellWord, IsReadAsTheText) {
+  EXPECT_EQ(shell_word("/usr/bin/python3"), "/usr/bin/python3");
+  EXPECT_EQ(shell_word("its place"), "'its place'");
+  EXPECT_EQ(shell_word("it's $HOME"), "'it'\\''s $HOME'");
+  EXPECT_EQ(shell_word(""), "''");
+}
+
 }  // namespace
 }  // namespace mirocup::system

@@ -4,7 +4,6 @@
 #include "web/picture.hpp"
 
 #include "web/markings.hpp"
-#include "web/svg_path.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/kept_program.hpp"
 #include "tournaments/league/people.hpp"
-#include "tournaments/publish/former_pages.hpp"
+#include "tournaments/publish/site.hpp"
 #include "tournaments/tune/tuning_file.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Results as JSON: the pitch file of an identification, and the object that `validate --json`
-// prints.
+// prints; and a validation from files to a page, for `mirocup validate` and, with a peer, for
+// mirocup-bench.
 #pragma once
 
 #include "core/match/pitch_spec.hpp"
@@ -11,6 +12,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <vector>
 
 namespace mirocup::pitch {
 
@@ -21,5 +23,22 @@ nlohmann::ordered_json pitch_json(const Identified& identified, const match::Pit
                                   const std::string& name);
 
 nlohmann::ordered_json to_json(const Validation& validation);
+
+struct ValidationRequest {
+  std::vector<std::string> recordings;
+  std::string pitch = "mirosot";  // a preset's name, or a file
+  std::string page;               // path for the page; "": no page
+  bool json = false;
+};
+
+struct ValidationReport {
+  std::string text;       // for standard output
+  bool is_worse = false;  // true: a yardstick is better in some cell
+};
+
+// Reads all files, validates and reports. Errors name the file. `peer` may be null.
+Result<ValidationReport> report_of(const ValidationRequest& request, const Peer* peer);
+
+Result<std::vector<Recording>> read_recordings(const std::vector<std::string>& paths);
 
 }  // namespace mirocup::pitch
