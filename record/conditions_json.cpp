@@ -47,18 +47,9 @@ void read(const JsonReader& json, int& value, int max) {
 }
 
 void read_values(const JsonReader& json, Conditions& conditions) {
-  for (const auto& condition : json.members()) {
-    const std::string& key = condition.first;
-    const JsonReader& value = condition.second;
-    if (key == "preset") continue;
-    bool is_known = false;
-    for_each_value(conditions, [&](const char* name, auto& member, auto max) {
-      if (key != name) return;
-      is_known = true;
-      read(value, member, max);
-    });
-    if (!is_known) value.complain("there is no such condition");
-  }
+  read_named_members(
+      json, conditions, "condition", [](auto& c, auto visit) { for_each_value(c, visit); },
+      [](const JsonReader& value, auto& member, auto max) { read(value, member, max); });
 }
 
 }  // namespace

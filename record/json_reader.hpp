@@ -245,4 +245,27 @@ Result<JsonReader::Json> with_changes(JsonReader::Json object,
                                       const std::vector<std::string>& changes,
                                       const std::string& option);
 
+// Returns null for a text that is empty, because it is not known.
+inline JsonReader::Json or_null(const std::string& text) {
+  return text.empty() ? JsonReader::Json() : JsonReader::Json(text);
+}
+
+// Reads the members of an object but "preset" into the members of `values` of the same names.
+// for_each(values, visit) calls visit(name, member, limits...) for all of these, and
+// read(json, member, limits...) reads one. Complains that there is no such `what`.
+template <class Values, class ForEach, class Read>
+void read_named_members(const JsonReader& json, Values& values, const char* what, ForEach for_each,
+                        Read read) {
+  for (const auto& [key, value] : json.members()) {
+    bool is_known = key == "preset";
+    for_each(values, [&key = key, &value = value, &is_known, &read](const char* name, auto& member,
+                                                                    auto... limits) {
+      if (key != name) return;
+      is_known = true;
+      read(value, member, limits...);
+    });
+    if (!is_known) value.complain(std::string("there is no such ") + what);
+  }
+}
+
 }  // namespace mirocup::record

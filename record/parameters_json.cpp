@@ -2,6 +2,7 @@
 #include "record/parameters_json.hpp"
 
 #include "record/json_reader.hpp"
+#include "record/motion_json.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -19,11 +20,6 @@ constexpr double min_grip = 1e-6;
 constexpr double max_corner = 1e6;  // m
 constexpr double min_parameter = 1e-9;
 constexpr double max_parameter = 1e9;
-
-Vec2 read_corner(const JsonReader& json) {
-  if (!json.expect_array(2, 2)) return {0.0, 0.0};
-  return {json.at(0).number(-max_corner, max_corner), json.at(1).number(-max_corner, max_corner)};
-}
 
 // A number, or an identified one with its interval: {"value", "low", "high"}.
 JsonReader plain_value(const JsonReader& json) {
@@ -49,7 +45,7 @@ geometry::OutlineCorners read_corners(const JsonReader& json) {
   if (!json.expect_array(3, geometry::max_corners)) return outline;
   const std::size_t n = json.size();
   std::vector<Vec2> corners;
-  for (std::size_t i = 0; i < n; ++i) corners.push_back(read_corner(json.at(i)));
+  for (std::size_t i = 0; i < n; ++i) corners.push_back(read_vector(json.at(i), max_corner));
   double area = 0.0;
   for (std::size_t i = 0; i < n; ++i) area += cross(corners[i], corners[(i + 1) % n]);
   if (area < 0.0) std::reverse(corners.begin(), corners.end());

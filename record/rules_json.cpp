@@ -117,18 +117,9 @@ Json to_json(const Rules& rules) {
 }
 
 void read_parameters(const JsonReader& json, Rules& rules) {
-  for (const auto& parameter : json.members()) {
-    const std::string& key = parameter.first;
-    const JsonReader& value = parameter.second;
-    if (key == "preset") continue;
-    bool is_known = false;
-    for_each_parameter(rules, [&](const char* name, auto& member) {
-      if (key != name) return;
-      is_known = true;
-      read(value, member);
-    });
-    if (!is_known) value.complain("there is no such parameter");
-  }
+  read_named_members(
+      json, rules, "parameter", [](auto& r, auto visit) { for_each_parameter(r, visit); },
+      [](const JsonReader& value, auto& member) { read(value, member); });
 }
 
 namespace {

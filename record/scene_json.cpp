@@ -2,8 +2,8 @@
 #include "record/scene_json.hpp"
 
 #include "core/base/math.hpp"
-#include "record/heading_json.hpp"
 #include "record/json_reader.hpp"
+#include "record/motion_json.hpp"
 #include "record/parameters_json.hpp"
 
 #include <algorithm>
@@ -24,11 +24,6 @@ constexpr std::string_view result_schema = "mirocup/scene-result/1";
 constexpr double max_duration = 3600.0;              // s
 constexpr double max_size = 1e6;                     // of positions, m, speeds, m/s and rad/s
 constexpr std::size_t max_sampled_states = 250'000;  // of all bodies in all samples
-
-Vec2 read_vector(const JsonReader& json) {
-  if (!json.expect_array(2, 2)) return {0.0, 0.0};
-  return {json.at(0).number(-max_size, max_size), json.at(1).number(-max_size, max_size)};
-}
 
 void read_wheels(const JsonReader& json, SceneRobot& robot) {
   robot.wheels_on_ground = !json.is_null();
@@ -51,15 +46,7 @@ SceneRobot read_robot(const JsonReader& json, const std::string& default_name) {
                             pose.at(1).number(-max_size, max_size)};
     robot.state.heading = read_heading(pose.at(2), max_size);
   }
-  if (json.has("twist")) {
-    const JsonReader twist = json.at("twist");
-    if (twist.expect_array(3, 3)) {
-      const auto speed = [&twist](std::size_t i) {
-        return twist.at(i).number(-max_size, max_size);
-      };
-      robot.state.twist = {speed(0), speed(1), speed(2)};
-    }
-  }
+  if (json.has("twist")) robot.state.twist = read_twist(json.at("twist"), max_size, max_size);
   if (json.has("wheels")) read_wheels(json.at("wheels"), robot);
   return robot;
 }
@@ -99,8 +86,9 @@ Scene read_scene(const JsonReader& json) {
   if (json.has("ball")) {
     const JsonReader ball = json.at("ball");
     if (ball.expect_object({"position", "velocity"})) {
-      scene.ball = BallState{.position = read_vector(ball.at("position")), .velocity = {0.0, 0.0}};
-      if (ball.has("velocity")) scene.ball->velocity = read_vector(ball.at("velocity"));
+      scene.ball =
+          BallState{.position = read_vector(ball.at("position"), max_size), .velocity = {0.0, 0.0}};
+      if (ball.has("velocity")) scene.ball->velocity = read_vector(ball.at("velocity"), max_size);
     }
   }
   if (json.has("robots")) read_robots(json.at("robots"), scene);
@@ -129,15 +117,11 @@ std::optional<JsonProblem> find_problem(const Scene& scene) {
                      who + " and " + name_of(scene, overlap->second) + " overlap"};
 }
 
-Json to_json(const Vec2& v) {
-  return Json::array({v.x(), v.y()});
-}
-
 Json to_json(const Scene& scene, const Sample& sample) {
   Json json{{"t", sample.time}};
   if (sample.ball) {
-    json["ball"] = {{"position", to_json(sample.ball->position)},
-                    {"velocity", to_json(sample.ball->velocity)}};
+    json["ball"] = {{"position", vector_json(sample.ball->position)},
+                    {"velocity", vector_json(sample.ball->velocity)}};
   }
   json["robots"] = Json::array();
   for (std::size_t i = 0; i < sample.robots.size(); ++i) {
@@ -152,8 +136,8 @@ Json to_json(const Scene& scene, const Sample& sample) {
 Json to_json(const Scene& scene, const Impact& impact) {
   return {{"t", impact.time},
           {"bodies", {name_of(scene, impact.first), name_of(scene, impact.second)}},
-          {"point", to_json(impact.point)},
-          {"normal", to_json(impact.normal)},
+          {"point", vector_json(impact.point)},
+          {"normal", vector_json(impact.normal)},
           {"impulse", impact.impulse}};
 }
 

@@ -3,8 +3,8 @@
 
 #include "core/field/field.hpp"
 #include "core/simulator/scene.hpp"
-#include "record/heading_json.hpp"
 #include "record/json_reader.hpp"
+#include "record/motion_json.hpp"
 #include "system/text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -31,11 +31,6 @@ constexpr double max_situation_angle = 1e3;  // rad
 constexpr double full_turn = 6.2832;         // rad
 constexpr double max_clock = 36000.0;        // s
 constexpr int max_score = 1000;
-
-Vec2 read_vector(const JsonReader& json, double max) {
-  if (!json.expect_array(2, 2)) return {0.0, 0.0};
-  return {json.at(0).number(-max, max), json.at(1).number(-max, max)};
-}
 
 simulator::BallState read_ball(const JsonReader& json) {
   simulator::BallState ball;
@@ -78,14 +73,7 @@ RobotStart read_robot(const JsonReader& json) {
     }
     state.heading = read_heading(heading, max_situation_angle);
   }
-  if (json.has("twist")) {
-    const JsonReader twist = json.at("twist");
-    if (twist.expect_array(3, 3)) {
-      state.twist = {twist.at(0).number(-max_speed, max_speed),
-                     twist.at(1).number(-max_speed, max_speed),
-                     twist.at(2).number(-max_turn, max_turn)};
-    }
-  }
+  if (json.has("twist")) state.twist = read_twist(json.at("twist"), max_speed, max_turn);
   if (json.has("wheels")) {
     const Vec2 wheels = read_vector(json.at("wheels"), max_wheels);
     robot.wheels = {wheels.x(), wheels.y()};
@@ -184,10 +172,6 @@ void expect_no_overlap(const JsonReader& json, const Situation& situation) {
                     ? who + " lies outside the field by " + millimetres(overlap->depth)
                     : who + " and " + name_of(overlap->second) + " overlap by " +
                           millimetres(overlap->depth));
-}
-
-Json vector_json(const Vec2& v) {
-  return Json::array({v.x(), v.y()});
 }
 
 Json robot_json(const RobotStart& robot) {

@@ -8,6 +8,7 @@
 #include "core/base/error.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,5 +62,9 @@ class TlsServer {
 
   std::unique_ptr<Context> context_;
 };
+
+// Returns the moment until which a certificate (PEM) is valid, in seconds since 1970 UTC; nothing
+// if the text is not a certificate.
+std::optional<std::int64_t> certificate_end(std::string_view pem);
 
 }  // namespace mirocup::system

@@ -4,7 +4,6 @@
 #include "record/json_reader.hpp"
 #include "record/replay_file.hpp"
 #include "record/statistics/counter.hpp"
-#include "web/assets.hpp"
 #include "web/design/template.hpp"
 #include "web/page_parts.hpp"
 #include "web/picture.hpp"

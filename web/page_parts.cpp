@@ -5,7 +5,6 @@
 #include "record/statistics/statistics_json.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
-#include "web/assets.hpp"
 #include "web/design/template.hpp"
 #include "web/markings.hpp"
 

@@ -28,6 +28,9 @@ struct BrowserModule {
 // Returns the module that the build or the installation has, or nothing if it was not built.
 Result<std::optional<BrowserModule>> browser_module(system::Files& files);
 
+// Returns the text of the file page/NAME; empty if the program lacks the file.
+std::string_view asset(std::string_view name);
+
 // Returns modules of page/ as one script, each module after the modules that it imports. The script
 // has no import and export, because a page that is opened from disk cannot import. Precondition: no
 // two modules use the same global name.
@@ -44,8 +47,8 @@ enum class ModulePlace { nowhere, in_the_page, beside_it };
 std::string page_policy(const std::string& script, ModulePlace module);
 
 // Returns a long text for the inside of a page, as gzip in base64, which has no characters of
-// HTML's markup. A browser unpacks it with DecompressionStream('gzip'). The same text gives the same
-// bytes.
+// HTML's markup. A browser unpacks it with DecompressionStream('gzip'). The same text gives the
+// same bytes.
 std::string packed_text(std::string_view text);
 
 // Returns JSON as text for a <script> element; no part of the text can close the element.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "web/picture.hpp"
 
-#include "web/assets.hpp"
 #include "web/markings.hpp"
+#include "web/page_parts.hpp"
 
 #include <cmath>
 #include <numbers>

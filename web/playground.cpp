@@ -4,8 +4,8 @@
 #include "core/match/leg.hpp"
 #include "record/json_reader.hpp"
 #include "system/locations.hpp"
-#include "web/assets.hpp"
 #include "web/design/template.hpp"
+#include "web/page_parts.hpp"
 #include "web/picture.hpp"
 
 #include <nlohmann/json.hpp>

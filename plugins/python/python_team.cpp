@@ -3,7 +3,6 @@
 #include "plugins/python/python_team.hpp"
 
 #include "mirocup/elementary.h"
-#include "plugins/python/team_source.hpp"
 
 #include <Python.h>
 #include <cstring>

@@ -14,6 +14,7 @@
 #include <tl/expected.hpp>
 
 #include <string>
+#include <string_view>
 
 namespace mirocup::python {
 
@@ -35,5 +36,9 @@ struct LoadedTeam {
 tl::expected<LoadedTeam, match::Fault> load_team(const std::string& text, const std::string& name,
                                                  const mirocup_setup& setup,
                                                  Surrounding surrounding);
+
+// Returns the text of the file `name` that is part of the program, mirocup/team.py; "" if the
+// program lacks the file.
+std::string_view team_source(std::string_view name);
 
 }  // namespace mirocup::python

@@ -8,10 +8,8 @@
 #include "tournaments/league/submission.hpp"
 #include "tournaments/play/leg_command.hpp"
 #include "tournaments/publish/night_pages.hpp"
-#include "tournaments/publish/replay_nav.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/snapshot.hpp"
-#include "web/assets.hpp"
 #include "web/page.hpp"
 #include "web/page_parts.hpp"
 

@@ -13,9 +13,9 @@
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/rounds.hpp"
 #include "tournaments/publish/snapshot.hpp"
-#include "web/assets.hpp"
 #include "web/design/template.hpp"
 #include "web/page.hpp"
+#include "web/page_parts.hpp"
 #include "web/site_server.hpp"
 
 #include <nlohmann/json.hpp>

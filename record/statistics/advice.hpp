@@ -4,7 +4,7 @@
 // statistics that is the reason (docs/statistics.md, "Advice").
 #pragma once
 
-#include "record/statistics/totals.hpp"
+#include "record/statistics/leg_report.hpp"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 // Statistics for people and for tables: the output of `mirocup stats`.
 #pragma once
 
-#include "record/statistics/totals.hpp"
+#include "record/statistics/leg_report.hpp"
 
 #include <string>
 #include <vector>

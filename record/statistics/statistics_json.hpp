@@ -4,7 +4,7 @@
 // output of `mirocup stats --json` and the files of a league hold the same objects.
 #pragma once
 
-#include "record/statistics/totals.hpp"
+#include "record/statistics/leg_report.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

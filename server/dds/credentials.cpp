@@ -2,9 +2,9 @@
 #include "server/dds/credentials.hpp"
 
 #include "server/dds/domain.hpp"
-#include "system/certificate.hpp"
 #include "system/files.hpp"
 #include "system/text.hpp"
+#include "system/tls.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -13,6 +13,7 @@ namespace mirocup::league {
 
 namespace {
 
+using record::or_null;
 using record::text_in;
 
 constexpr std::string_view step_mark = "step ";
@@ -83,10 +84,6 @@ Json told_by(const Json& verdict, const std::string& plays) {
   return lines;
 }
 
-Json text_or_null(const std::string& text) {
-  return text.empty() ? Json() : Json(text);
-}
-
 }  // namespace
 
 CheckStep last_step(std::string_view output) {
@@ -125,8 +122,8 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
     const std::string message = waiting != nullptr ? waiting->message : "";
     const std::string reason = text_in(verdict, "reason");
     const bool has_reason = report["state"] != to_string(HandInState::accepted);
-    report["reason"] = has_reason ? text_or_null(reason.empty() ? message : reason) : Json();
-    report["message"] = text_or_null(message);
+    report["reason"] = has_reason ? or_null(reason.empty() ? message : reason) : Json();
+    report["message"] = or_null(message);
     if (has_reason) report["plays"] = plays_on(message, reason);
     report["told"] = told_by(verdict, report.value("plays", ""));
     if (is_whole && verdict.is_object()) {

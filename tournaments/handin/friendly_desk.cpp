@@ -146,7 +146,7 @@ Json FriendlyDesk::json_of(const Friendly& one, const std::string& viewer, LegCo
             {"state", to_string(one.state)},
             {"goals", is_played ? Json(is_own ? one.goals : one.against) : Json()},
             {"against", is_played ? Json(is_own ? one.against : one.goals) : Json()},
-            {"end", one.end.empty() ? Json() : Json(one.end)}};
+            {"end", record::or_null(one.end)}};
   const std::string record = folder_.friendly(one.team, one.number);
   if (!is_played || !files_.exists(record)) return json;
   const std::string path = "/" + one.team + "/" + std::to_string(one.number);

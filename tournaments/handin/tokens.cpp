@@ -13,6 +13,7 @@ namespace mirocup::league {
 namespace {
 
 using record::JsonReader;
+using record::or_null;
 
 constexpr const char* tokens_schema = "mirocup/tokens/1";
 constexpr std::size_t token_bytes = 16;  // 26 characters
@@ -49,8 +50,13 @@ Role role_of(const JsonReader& token) {
   return Role::tutor;
 }
 
-Json time_json(const std::string& time) {
-  return time.empty() ? Json() : Json(time);
+// How long the comparison of two hashes takes tells nothing about a token.
+const Token* find_in(const std::vector<Token>& tokens, const std::string& sha256,
+                     const std::string& now, bool is_valid) {
+  const auto found = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
+    return token.sha256 == sha256 && token.is_valid(now) == is_valid;
+  });
+  return found == tokens.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -92,20 +98,12 @@ const Token* TokenList::find(std::string_view text, const std::string& now) cons
   return find_sha256(system::sha256(as_printed(text)), now);
 }
 
-// How long the comparison of two hashes takes tells nothing about a token.
 const Token* TokenList::find_sha256(const std::string& sha256, const std::string& now) const {
-  const auto found = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
-    return token.sha256 == sha256 && token.is_valid(now);
-  });
-  return found == tokens.end() ? nullptr : &*found;
+  return find_in(tokens, sha256, now, true);
 }
 
 const Token* TokenList::find_ended(std::string_view text, const std::string& now) const {
-  const std::string sha256 = system::sha256(as_printed(text));
-  const auto found = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
-    return token.sha256 == sha256 && !token.is_valid(now);
-  });
-  return found == tokens.end() ? nullptr : &*found;
+  return find_in(tokens, system::sha256(as_printed(text)), now, false);
 }
 
 std::string tokens_path(const Folder& folder) {
@@ -143,9 +141,9 @@ Result<void> write_tokens(system::Files& files, const Folder& folder, const Toke
   for (const Token& token : list.tokens) {
     tokens.push_back({{"team", token.role == Role::team ? Json(token.team) : Json()},
                       {"sha256", token.sha256},
-                      {"made", time_json(token.made)},
-                      {"expires", time_json(token.expires)},
-                      {"revoked", time_json(token.revoked)}});
+                      {"made", or_null(token.made)},
+                      {"expires", or_null(token.expires)},
+                      {"revoked", or_null(token.revoked)}});
     if (token.role == Role::tutor) tokens.back()["role"] = to_string(Role::tutor);
   }
   const Json json{{"schema", tokens_schema}, {"tokens", tokens}};

@@ -7,12 +7,14 @@
 #include "system/file_lock.hpp"
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
+#include "system/text.hpp"
 #include "system/users.hpp"
 #include "tournaments/league/apply.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <strings.h>
+#include <tuple>
 #include <utility>
 
 namespace mirocup::league {
@@ -27,6 +29,11 @@ void close_to_others(const std::string& record) {
     std::error_code none;  // an entry that is refused early has no leg
     fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write, none);
   }
+}
+
+Json verdict_in(const record::JsonReader& json) {
+  (void)json.at("accepted").boolean();
+  return json.json();
 }
 
 // Returns the answer of `mirocup check --json` about a library of the team. Any exit code but yes
@@ -57,15 +64,14 @@ Result<Json> check(system::Files& files, const std::string& library, const Leagu
   MIROCUP_TRY(const auto text, files.read(log, {.max_size = system::size_limit::log}));
   // The answer is the last line; the log of the check precedes it.
   const std::size_t begin = text.rfind("\n{");
-  record::ParsedJson parsed =
-      record::parse_json(std::string_view(text).substr(begin == std::string::npos ? 0 : begin + 1));
-  std::optional<record::JsonProblem> problem = std::move(parsed.problem);
-  if (!problem) (void)record::JsonReader(parsed.value, "", problem).at("accepted").boolean();
-  if (exit->signal != 0 || (exit->code != exit_yes && exit->code != exit_no) || problem) {
+  auto verdict = record::read_json<Json>(
+      std::string_view(text).substr(begin == std::string::npos ? 0 : begin + 1), log, Errc::host,
+      verdict_in);
+  if (exit->signal != 0 || (exit->code != exit_yes && exit->code != exit_no) || !verdict) {
     constexpr std::size_t enough = 500;  // bytes
     return fail(Errc::host, "the check of an entry failed: " + text.substr(0, enough));
   }
-  return std::move(parsed.value);
+  return verdict;
 }
 
 std::string objection_to(const LeagueState& state, const std::string& team,
@@ -112,12 +118,7 @@ void name_file(Json& value, const std::string& path, const std::string& name) {
   if (value.is_structured()) {
     for (Json& part : value) name_file(part, path, name);
   } else if (value.is_string()) {
-    std::string text = value.get<std::string>();
-    for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at)) {
-      text.replace(at, path.size(), name);
-      at += name.size();
-    }
-    value = text;
+    value = system::replaced(value.get<std::string>(), path, name);
   }
 }
 
@@ -183,15 +184,12 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
     reason = text.substr(text.starts_with(before) ? before.size() : 0);
     reason = reason.substr(0, reason.find('\n'));
   } else if (exit->signal == 0 && exit->code == exit_no) {
-    record::ParsedJson parsed = record::parse_json(text);
-    std::optional<record::JsonProblem> problem = std::move(parsed.problem);
-    if (!problem) {
-      const record::JsonReader json(parsed.value, "", problem);
-      reason = json.at("reason").text();
-      said = json.at("log").text();
-      if (const std::string error = first_error_in(said); !error.empty()) reason = error;
-    }
-    if (problem) return tl::unexpected(record::error_of(*problem, log, Errc::host));
+    MIROCUP_TRY(std::tie(reason, said),
+                (record::read_json<std::pair<std::string, std::string>>(
+                    text, log, Errc::host, [](const record::JsonReader& json) {
+                      return std::pair(json.at("reason").text(), json.at("log").text());
+                    })));
+    if (const std::string error = first_error_in(said); !error.empty()) reason = error;
   } else {
     constexpr std::size_t enough = 500;  // bytes
     return fail(Errc::host, "compiling a source failed: " + text.substr(0, enough));
@@ -214,11 +212,7 @@ Result<Json> read_verdict(system::Files& files, const Folder& folder, const std:
                           int number) {
   const std::string path = folder.verdict(team, number);
   MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::note}));
-  record::ParsedJson parsed = record::parse_json(text);
-  std::optional<record::JsonProblem> problem = std::move(parsed.problem);
-  if (!problem) (void)record::JsonReader(parsed.value, "", problem).at("accepted").boolean();
-  if (problem) return tl::unexpected(record::error_of(*problem, path, Errc::damaged));
-  return std::move(parsed.value);
+  return record::read_json<Json>(text, path, Errc::damaged, verdict_in);
 }
 
 // Makes an accepted entry the one that plays: a new team joins the league, and after the start the

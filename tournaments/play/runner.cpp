@@ -155,15 +155,12 @@ Result<bool> Runner::start_next_leg(Worker& worker) {
 }
 
 // A league with credentials plays in secure mode.
-std::vector<std::string> Runner::credentials_of(const std::string& whose) const {
+void Runner::add_network(std::vector<std::string>& command, const std::string& whose) const {
   const std::string folder = recorder_.folder().credentials();
-  if (!files_.exists(folder + "/server")) return {};
-  return {"--credentials", folder + "/" + whose};
-}
-
-std::vector<std::string> Runner::dds_domain_of_legs() const {
-  if (options_.dds_domain == 0) return {};
-  return {"--dds-domain", std::to_string(options_.dds_domain)};
+  if (files_.exists(folder + "/server"))
+    command.insert(command.end(), {"--credentials", folder + "/" + whose});
+  if (options_.dds_domain != 0)
+    command.insert(command.end(), {"--dds-domain", std::to_string(options_.dds_domain)});
 }
 
 Result<void> Runner::start_leg(Worker& worker) {
@@ -176,10 +173,7 @@ Result<void> Runner::start_leg(Worker& worker) {
       worker.fixture + "-" + std::to_string(leg.leg);
   const int tag = static_cast<int>(&worker - workers_.data());
   auto command = leg_command(recorder_.folder(), state(), leg, match_id);
-  const std::vector<std::string> credentials = credentials_of("server");
-  command.insert(command.end(), credentials.begin(), credentials.end());
-  const std::vector<std::string> domain = dds_domain_of_legs();
-  command.insert(command.end(), domain.begin(), domain.end());
+  add_network(command, "server");
   if (options_.watched) {
     command.insert(command.end(), {"--watch", "127.0.0.1:0"});
     const auto& teams = state().file.teams;
@@ -214,10 +208,7 @@ Result<void> Runner::start_joiner(Worker& worker, int team, const std::string& c
       recorder_.folder().library(entry.name, state().teams[team].entry)};
   const auto parameters = record::parameter_options(entry.parameters, "--param");
   command.insert(command.end(), parameters.begin(), parameters.end());
-  const std::vector<std::string> credentials = credentials_of("teams/" + entry.name);
-  command.insert(command.end(), credentials.begin(), credentials.end());
-  const std::vector<std::string> domain = dds_domain_of_legs();
-  command.insert(command.end(), domain.begin(), domain.end());
+  add_network(command, "teams/" + entry.name);
   MIROCUP_TRY(const auto pid, processes_.start(command, joiner_tag, worker.cpu, log));
   worker.joiner[colour == "blue" ? 0 : 1] = pid;
   return {};

@@ -58,8 +58,8 @@ class Runner {
   bool may_play(const Worker& worker, const FixtureState& fixture) const;
   void tell_people(const LegId& leg, int blue, int yellow) const;
   Result<void> start_leg(Worker& worker);
-  std::vector<std::string> dds_domain_of_legs() const;
-  std::vector<std::string> credentials_of(const std::string& whose) const;
+  // Adds the options of a leg on the network; `whose` is a folder of credentials.
+  void add_network(std::vector<std::string>& command, const std::string& whose) const;
   Result<void> start_joiner(Worker& worker, int team, const std::string& colour,
                             const std::string& match_id);
   Result<void> finish(Worker& worker, const system::Exit& exit);

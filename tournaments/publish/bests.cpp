@@ -156,9 +156,7 @@ class BestFinder {
       }
     }
     if (!best.what) return;
-    const std::string& name = o_.state.shown_name(*best.what);
-    bests_.push_back({title, std::to_string(std::lround(best.value)), name, unit,
-                      team_page_of(o_.state.name(*best.what))});
+    add_of_team(title, std::to_string(std::lround(best.value)), *best.what, "", unit);
   }
 
   void top_scorer() {
@@ -172,10 +170,8 @@ class BestFinder {
     Largest<std::pair<int, int>> best;
     for (const auto& [robot, count] : goals) best.offer(count, robot);
     if (!best.what) return;
-    const std::string& name = o_.state.shown_name(best.what->first);
-    bests_.push_back({"Top scorer", std::to_string(std::lround(best.value)) + " goals",
-                      name + ", robot " + std::to_string(best.what->second), "",
-                      team_page_of(o_.state.name(best.what->first))});
+    add_of_team("Top scorer", std::to_string(std::lround(best.value)) + " goals", best.what->first,
+                ", robot " + std::to_string(best.what->second), "");
   }
 
   void cleanest_team() {
@@ -194,9 +190,13 @@ class BestFinder {
       if (legs[team] > 0) best.offer(-double(fouls[team]) / legs[team], static_cast<int>(team));
     }
     if (!best.what) return;
-    const std::string& name = o_.state.shown_name(*best.what);
-    bests_.push_back({"Cleanest team", one_digit(std::abs(best.value)), name, "fouls a leg",
-                      team_page_of(o_.state.name(*best.what))});
+    add_of_team("Cleanest team", one_digit(std::abs(best.value)), *best.what, "", "fouls a leg");
+  }
+
+  void add_of_team(const std::string& title, const std::string& value, int team,
+                   const std::string& robot, const std::string& unit) {
+    bests_.push_back(
+        {title, value, o_.state.shown_name(team) + robot, unit, team_page_of(o_.state.name(team))});
   }
 
   const Overview& o_;

@@ -174,6 +174,7 @@ Json bracket_json(const LeagueState& state) {
   return BracketTables(state).make();
 }
 
+using record::or_null;
 using system::csv_line;
 
 // Returns how many legs would tell the team of a row from the next one: nothing for the last row,
@@ -225,11 +226,6 @@ std::string legs_csv(const Overview& o) {
     text += csv_line(cells);
   }
   return text;
-}
-
-// Returns null for a text that is not known.
-Json or_null(const std::string& text) {
-  return text.empty() ? Json() : Json(text);
 }
 
 Json legs_json(const Overview& o) {
@@ -326,8 +322,8 @@ Json table_json(const Overview& o) {
                     {"goal_difference", row.difference()},
                     {"points", row.points},
                     {"penalties", row.penalties},
-                    {"separated_by", row.separated_by.empty() ? Json() : Json(row.separated_by)},
-                    {"reason", reason.empty() ? Json() : Json(reason)},
+                    {"separated_by", or_null(row.separated_by)},
+                    {"reason", or_null(reason)},
                     {"strength",
                      {{"value", std::lround(strength.value)},
                       {"low", std::lround(strength.low)},

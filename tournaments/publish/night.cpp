@@ -27,10 +27,6 @@ int rank_of(const Overview& o, int team) {
   return row == o.table.end() || row->played == 0 ? 0 : static_cast<int>(row - o.table.begin()) + 1;
 }
 
-std::string score_so_far(int own, int other) {
-  return std::to_string(own) + ":" + std::to_string(other);
-}
-
 // Adds the moments of a leg that were bad for a team.
 void add_moments(const Overview& o, const LegView& leg, int team,
                  std::vector<WorstMoment>& moments) {
@@ -54,14 +50,13 @@ void add_moments(const Overview& o, const LegView& leg, int team,
     if (before == 0 && ahead == -1) decisive = i;
     if (ahead >= 0) decisive = leg.facts->goals.size();
   }
-  int own = 0;
-  int other = 0;
+  LegTotals so_far;
   for (std::size_t i = 0; i < leg.facts->goals.size(); ++i) {
     const GoalFact& goal = leg.facts->goals[i];
     const bool is_own_side = goal.is_home == (leg.home == team);
-    ++(is_own_side ? own : other);
+    ++(is_own_side ? so_far.goals : so_far.against);
     if (is_own_side) continue;
-    const std::string score = score_so_far(own, other) + against;
+    const std::string score = so_far.score() + against;
     moments.push_back({.what = goal.is_own_goal ? "own goal, " + score
                                : i == decisive  ? "the goal that decided, " + score
                                                 : "goal, " + score,
@@ -118,9 +113,8 @@ std::vector<TeamDigest> digests(const Night& night, const Overview& now) {
     for (const LegView& leg : now.legs) {
       if (!leg.is_of(team) || leg.played == nullptr || !night.records.contains(leg.played->record))
         continue;
-      const char letter = leg.letter(team);
-      ++(letter == 'W' ? digest.won : letter == 'D' ? digest.drawn : digest.lost);
-      if (letter == 'L') {
+      digest.legs.add(leg, team);
+      if (leg.letter(team) == 'L') {
         digest.losses.push_back({.opponent = leg.home == team ? leg.away : leg.home,
                                  .score = score_text(leg, team),
                                  .record = leg.played->record,

@@ -53,9 +53,7 @@ struct TeamDigest {
   std::optional<Strength> strength_before;  // empty: the team had not played
   int entry = 0;                            // the entry that plays; 0: none
   bool has_new_entry = false;               // true: the entry is new since the night before
-  int won = 0;                              // number of legs won in the night
-  int drawn = 0;
-  int lost = 0;
+  LegTotals legs;                           // of the night
   std::vector<LostLeg> losses;
   std::vector<WorstMoment> moments;  // at most three, the worst first
 };

@@ -51,8 +51,8 @@ std::string strength_in_words(const TeamDigest& d) {
 }
 
 std::string legs_in_words(const TeamDigest& d) {
-  return std::to_string(d.won) + " won, " + std::to_string(d.drawn) + " drawn, " +
-         std::to_string(d.lost) + " lost";
+  return std::to_string(d.legs.won) + " won, " + std::to_string(d.legs.drawn) + " drawn, " +
+         std::to_string(d.legs.lost) + " lost";
 }
 
 std::string page_of_digest(const LeagueState& state, int team) {
@@ -198,9 +198,9 @@ Json digest_json(const Overview& o, const TeamDigest& d) {
       {"strength_before", d.strength_before ? Json(std::lround(d.strength_before->value)) : Json()},
       {"entry", d.entry > 0 ? Json(d.entry) : Json()},
       {"new_entry", d.has_new_entry},
-      {"won", d.won},
-      {"drawn", d.drawn},
-      {"lost", d.lost},
+      {"won", d.legs.won},
+      {"drawn", d.legs.drawn},
+      {"lost", d.legs.lost},
       {"losses", losses},
       {"moments", moments}};
 }

@@ -4,7 +4,7 @@
 // It leaves out measured times, so that a page depends on its record only. Beside each page
 // `mirocup replay` writes the statistics of the leg (league_statistics.hpp), so a leg is simulated
 // again only once. An existing page stays, since records do not change; only its links to the
-// league are renewed (replay_nav.hpp).
+// league are renewed.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -54,5 +54,12 @@ struct FailedPages {
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
                                       const Overview& overview, int jobs,
                                       const ModuleOfGame& module_of = nullptr);
+
+// Returns the replay page of a record with links to the front page, the round, both teams and the
+// legs before and after, and a note if the leg does not count; title, scoreboard and calls have the
+// display names of the teams. `record` is the path inside the league folder. A page without the
+// comments is returned unchanged.
+std::string with_league_links(std::string page, const Overview& overview,
+                              const std::string& record);
 
 }  // namespace mirocup::league

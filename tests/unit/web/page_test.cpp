@@ -5,7 +5,7 @@
 #include "web/page.hpp"
 
 #include "tests/support/controllers.hpp"
-#include "web/assets.hpp"
+#include "web/page_parts.hpp"
 
 #include <gtest/gtest.h>
 

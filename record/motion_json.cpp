@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "record/heading_json.hpp"
+#include "record/motion_json.hpp"
 
 #include "record/json_reader.hpp"
 
@@ -24,6 +24,21 @@ Heading read_heading(const JsonReader& json, double max_angle) {
     return {};
   }
   return heading;
+}
+
+Vec2 read_vector(const JsonReader& json, double max) {
+  if (!json.expect_array(2, 2)) return {0.0, 0.0};
+  return {json.at(0).number(-max, max), json.at(1).number(-max, max)};
+}
+
+nlohmann::ordered_json vector_json(const Vec2& vector) {
+  return nlohmann::ordered_json::array({vector.x(), vector.y()});
+}
+
+simulator::Twist read_twist(const JsonReader& json, double max_speed, double max_turn) {
+  if (!json.expect_array(3, 3)) return {};
+  return {json.at(0).number(-max_speed, max_speed), json.at(1).number(-max_speed, max_speed),
+          json.at(2).number(-max_turn, max_turn)};
 }
 
 }  // namespace mirocup::record
