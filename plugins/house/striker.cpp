@@ -100,17 +100,17 @@ class Striker : public Team {
     return drive_clear(setup(), now, robot, make_way(setup(), now, behind_it), 0.3, 1.7);
   }
 
-  // Waits between the ball and the own goal, fanned out, ready to take over.
+  // Waits between the ball and the own goal, fanned out, ready to take over, and stays once there.
   Wheels support(const Observation& now, int i, int rank) {
     const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
-    const int row = rank / 2;
-    const double back = 0.3 + 0.2 * row;
-    const double x = math::max(-0.6 * setup().half_length, now.ball_x - back);
+    const double back = 0.3 + 0.2 * (rank / 2);
+    const double x = math::max(-0.3 * setup().half_length, now.ball_x - back);
     const double y = 0.4 * now.ball_y + side * (rank % 2 == 0 ? 0.12 : -0.25);
     const Point place = keep_out(setup(), i, inside(setup(), {x, y}));
     draw_role(setup(), now.own[i], "supports");
     draw_target(setup(), now.own[i], place);
-    return drive_clear(setup(), now, now.own[i], make_way(setup(), now, place));
+    const bool is_there = length(place - position(now.own[i])) < 0.03;
+    return drive_clear(setup(), now, now.own[i], is_there ? place : make_way(setup(), now, place));
   }
 
   Point spot_{10.0, 0.0};  // of the ball at the last kick of this team, m

@@ -94,11 +94,14 @@ Bars shots(Size size) {
       not_finite += !is_finite(*world);
     }
   }
+  // A robot that a ball of 98 m/s throws at the wall has 280 impacts in 44 ms, more than the event
+  // budget follows.
+  const double ticks = 3.0 * shots;
   const std::string scene = "shots, 0.1 to 100 m/s, ticks 1 to 100 ms";
   return {{scene, "went through or did not touch", static_cast<double>(through), 0.0},
           {scene, "deepest overlap at the end of a tick, m", deepest, 1e-9},
           {scene, "deepest overlap within a tick, m", deepest_own, 1e-9},
-          {scene, "ticks with small steps", static_cast<double>(stepped), 0.0},
+          {scene, "share of ticks with small steps", stepped / ticks, 1e-6},
           {scene, "ticks with numbers that are not finite", static_cast<double>(not_finite), 0.0}};
 }
 
