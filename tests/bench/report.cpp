@@ -132,8 +132,8 @@ class Judge {
       }
     }
     if (least == HUGE_VAL) return;
-    bars_.push_back({name_in(kind, own) + ": the fastest peer's tick (1 ms), times ours", least,
-                     limit, true});
+    bars_.push_back(
+        {name_in(kind, own) + ": the fastest peer's tick (1 ms), times ours", least, limit, true});
   }
 
   static std::string name_in(SceneKind kind, const Row& own) {
