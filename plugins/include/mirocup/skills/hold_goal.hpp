@@ -48,13 +48,13 @@ inline double holding_y(const Setup& setup, const Observation& now, const BallPa
   // face, which turns the ball into the goal.
   if (now.ball_vx < -0.1) {
     const double step = 0.033;  // s
-    Point before = where;
-    for (double t = 0.0; t < 1.3; t += step) {
+    const double speed = length(ball_velocity(now));
+    double earlier = 0.0;
+    for (double t = 0.0; t < 1.3; earlier = t, t += step) {
+      if (speed * t < where.x - front) continue;  // rolling and rebounds only slow it
       const Point there = path.after(t).at;
-      if (there.x > front) {
-        before = there;
-        continue;
-      }
+      if (there.x > front) continue;
+      const Point before = t == 0.0 ? where : path.after(earlier).at;
       const double gone = before.x - there.x;
       const double part = gone > 1e-6 ? (before.x - front) / gone : 1.0;
       const double y = before.y + math::clamp(part, 0.0, 1.0) * (there.y - before.y);
