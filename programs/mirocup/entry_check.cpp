@@ -68,7 +68,7 @@ void note_play(Examination& e) {
     worst.backwards = std::max(worst.backwards, leg.backwards);
     const bool scores_for_them = leg.own_goals >= told_own_goals &&
                                  leg.own_goals > 2 * leg.score[0] &&
-                                 3 * leg.own_goals >= leg.score[1];
+                                 4 * leg.own_goals >= leg.score[1];
     const bool plays_for_them =
         leg.given_speed > told_given_speed && leg.towards_own_end > told_own_share;
     if (leg.standing > told_standing || (!scores_for_them && !plays_for_them)) continue;

@@ -697,7 +697,7 @@ TEST_F(Term, AFolderFromElsewhereRunsItsProgramsOnlyIfTheyAreTrusted) {
 TEST_F(Term, AProgramOfTheHostHearsOfEachNightOnce) {
   go_to_day(0);
   init();
-  ask("submit", {"alpha", house("chaser")});
+  ask("submit", {"alpha", house("striker")});
   const std::string heard = temporary_ / "heard";
   const auto hears = [&](const std::string& last) {
     const std::string path = temporary_ / "hears";
