@@ -103,8 +103,8 @@ class Striker : public Team {
   // Waits between the ball and the own goal, fanned out, ready to take over, and stays once there.
   Wheels support(const Observation& now, int i, int rank) {
     const double side = now.ball_y > 0.0 ? -1.0 : 1.0;
-    const double back = 0.3 + 0.2 * (rank / 2);
-    const double x = math::max(-0.3 * setup().half_length, now.ball_x - back);
+    const int row = rank / 2;
+    const double x = math::max(-0.3 * setup().half_length, now.ball_x - (0.3 + 0.2 * row));
     const double y = 0.4 * now.ball_y + side * (rank % 2 == 0 ? 0.12 : -0.25);
     const Point place = keep_out(setup(), i, inside(setup(), {x, y}));
     draw_role(setup(), now.own[i], "supports");
