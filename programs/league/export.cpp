@@ -69,7 +69,7 @@ std::string team_of_readme() {
   return std::string(text.substr(first, text.find("```", first) - first));
 }
 
-// What `mirocup new` writes in each language, and README's team.
+// Writes the files that `mirocup new` makes in each language, and the README's team.
 Result<void> write_base(system::Files& files, const std::string& to) {
   std::error_code missing;
   for (const auto& language : fs::directory_iterator(system::team_kit().templates, missing)) {

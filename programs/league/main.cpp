@@ -15,7 +15,7 @@ namespace mirocup::league {
 
 namespace {
 
-// What the values of options are called, for options that do not say it themselves.
+// The names of values that the help prints for options which declare no such name.
 const system::ValueNames value_names{
     {"--config", "FILE"},       {"--team", "NAME"},
     {"--half", "SECONDS"},      {"--seed", "SEED"},

@@ -20,7 +20,7 @@ namespace mirocup::app {
 
 namespace {
 
-// What the values of options are called, for options that do not say it themselves.
+// The names of values that the help prints for options which declare no such name.
 const system::ValueNames value_names{
     {"--seed", "SEED"},          {"--half", "SECONDS"},      {"--tick", "TICK"},
     {"--match", "ID"},           {"--interface", "NAME"},    {"--join-within", "SECONDS"},

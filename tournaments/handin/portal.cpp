@@ -326,7 +326,7 @@ web::Reply Portal::pin(const Call& call) {
   if (!entry) return problem_reply(400, "?entry=N or ?entry=latest is expected");
   const std::lock_guard lock(state_.mutex);
   const std::int64_t now = state_.options.now();
-  // In a ladder each change has legs of its own.
+  // In a ladder each change of a version makes the host play new legs.
   if (state_.book.pins_in_last_hour(team, now) >= max_pins) {
     return problem_reply(429, team + " has chosen its version " + std::to_string(max_pins) +
                                   " times in the last hour; choose again later");

@@ -294,7 +294,7 @@ std::string nav(const Overview& o, const std::string& record) {
 }
 
 // Puts a text in place of what stands between two others, after `from`. Returns where it ends, or
-// npos if there is no such place.
+// npos if the two texts are not found.
 std::size_t put_between(std::string& page, std::size_t from, std::string_view before,
                         std::string_view after, const std::string& text) {
   const std::size_t at = from == std::string::npos ? from : page.find(before, from);
@@ -306,8 +306,8 @@ std::size_t put_between(std::string& page, std::size_t from, std::string_view be
   return first + text.size();
 }
 
-// The program that makes a page knows the names of the record. Puts those that people know into
-// title, scoreboard and data of the page, which may have others from before.
+// The program that makes a page knows the names of the record. This puts the names that people
+// know into the page's title, scoreboard and data, which may still have former names.
 void put_shown_names(std::string& page, const LeagueState& state, const FixtureState& f, int leg) {
   const int blue = blue_team(f.fixture, leg);
   const int yellow = blue == f.fixture.home ? f.fixture.away : f.fixture.home;

@@ -27,8 +27,8 @@ Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal&
 // True if the public sees every round.
 bool is_all_released(const LeagueState& state);
 
-// Returns the state that the public sees: the rounds that the league's staff has released. Errors
-// are those of state_through().
+// Returns the state that the public sees: the rounds that the league's staff has released. The
+// errors are the ones that state_through() returns.
 Result<LeagueState> released_state(const LeagueState& whole, const Journal& journal);
 
 // A leg of the league: the id of its fixture and its number, from 1.
