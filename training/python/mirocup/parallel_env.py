@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from .spaces import Box
-from .vector_env import AutoresetMode, VectorEnv
+from .vector_env import AutoresetMode, OneMatch, VectorEnv
 from .configuration import learners_of_a_match
 
 try:
@@ -16,7 +16,7 @@ except ImportError:
     _ParallelBase = object  # type: ignore[misc,assignment]
 
 
-class ParallelEnv(_ParallelBase):  # type: ignore[misc,valid-type]
+class ParallelEnv(OneMatch, _ParallelBase):  # type: ignore[misc,valid-type]
     """One match with an agent for each learner, with the methods of pettingzoo.ParallelEnv.
 
     Takes the arguments of VectorEnv except num_envs, autoreset_mode and copy. The defaults are agents="robot" and
@@ -97,25 +97,6 @@ class ParallelEnv(_ParallelBase):  # type: ignore[misc,valid-type]
     @property
     def max_num_agents(self) -> int:
         return len(self.possible_agents)
-
-    @property
-    def unwrapped(self) -> ParallelEnv:
-        return self
-
-    def render(self) -> np.ndarray | None:
-        """With render_mode="rgb_array" a picture: uint8 (height, width, 3)."""
-        return None if self.render_mode is None else self.envs.frame()
-
-    def close(self) -> None:
-        self.envs.close()
-
-    def record(self, path: str, episode: str = "current") -> None:
-        """As VectorEnv.record(); the episode that has ended is the current one until reset()."""
-        self.envs.record(path, episode=episode)
-
-    def replay_page(self, path: str, episode: str = "current") -> None:
-        """As VectorEnv.replay_page()."""
-        self.envs.replay_page(path, episode=episode)
 
     def __str__(self) -> str:
         return str(self.metadata["name"])

@@ -301,7 +301,33 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
         return infos
 
 
-class Env(_EnvBase):  # type: ignore[misc,valid-type]
+class OneMatch:
+    """What the environments of one match have in common."""
+
+    envs: VectorEnv
+    render_mode: str | None
+
+    def render(self) -> np.ndarray | None:
+        """With render_mode="rgb_array" a picture: uint8 (height, width, 3)."""
+        return None if self.render_mode is None else self.envs.frame()
+
+    def close(self) -> None:
+        self.envs.close()
+
+    @property
+    def unwrapped(self) -> Any:
+        return self
+
+    def record(self, path: str, episode: str = "current") -> None:
+        """As VectorEnv.record(); the episode that has ended is the current one until reset()."""
+        self.envs.record(path, episode=episode)
+
+    def replay_page(self, path: str, episode: str = "current") -> None:
+        """As VectorEnv.replay_page()."""
+        self.envs.replay_page(path, episode=episode)
+
+
+class Env(OneMatch, _EnvBase):  # type: ignore[misc,valid-type]
     """One match with one learner, with the methods of gymnasium.Env: takes the arguments of VectorEnv.
 
     env = mirocup.Env(preset="vss")  # instead of gymnasium.make("VSS-v0") of rSoccer
@@ -339,17 +365,6 @@ class Env(_EnvBase):  # type: ignore[misc,valid-type]
             self._has_ended = True
         return observations[0], float(rewards[0]), bool(terminations[0]), bool(truncations[0]), info
 
-    def render(self) -> np.ndarray | None:
-        """With render_mode="rgb_array" a picture: uint8 (height, width, 3)."""
-        return None if self.render_mode is None else self.envs.frame()
-
-    def close(self) -> None:
-        self.envs.close()
-
-    @property
-    def unwrapped(self) -> Env:
-        return self
-
     # Gymnasium's programs read the generator and its seed under both names.
     @property
     def np_random(self) -> np.random.Generator:
@@ -362,11 +377,3 @@ class Env(_EnvBase):  # type: ignore[misc,valid-type]
 
     _np_random = np_random
     _np_random_seed = np_random_seed
-
-    def record(self, path: str, episode: str = "current") -> None:
-        """As VectorEnv.record(); the episode that has ended is the current one until reset()."""
-        self.envs.record(path, episode=episode)
-
-    def replay_page(self, path: str, episode: str = "current") -> None:
-        """As VectorEnv.replay_page()."""
-        self.envs.replay_page(path, episode=episode)
