@@ -9,14 +9,61 @@
 // also with a late answer. The absences of a leg are added up.
 #pragma once
 
+#include "core/match/snapshot.hpp"
 #include "record/absence.hpp"
-#include "server/dds/presence.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace mirocup::dds {
+
+// The verdict on a leg from the absences of both teams. The function has only the rule: the caller
+// passes the state of the teams and of the host's network at one moment.
+//
+// A team whose absences together have lasted longer than the limit has lost. But a team that is
+// away cannot win: the opponents win with their first sign of life after the loss. If the opponents
+// are also away, the leg waits for them until their own limit is over; then neither team has won.
+//
+// Times are seconds of wall time since a common moment.
+
+// The presence of a team at one moment.
+struct Elsewhere {};  // the team does not play over the network; its controller reports its faults
+struct Present {
+  double heard = 0.0;  // the time of the team's last command
+};
+struct Late {  // the team owes an answer, but is not yet away
+  double heard = 0.0;
+};
+struct Away {  // the team has been silent for too long
+  double since = 0.0;
+  std::uint32_t tick = 0;  // the tick in which the server noticed the absence
+};
+struct Left {  // the team's process has left the network
+  double since = 0.0;
+  std::uint32_t tick = 0;
+};
+using Presence = std::variant<Elsewhere, Present, Late, Away, Left>;
+
+struct Standing {
+  Presence presence;
+  std::optional<double> lost_at;  // when the team's absences together exceeded the limit
+};
+
+// The possible verdicts.
+struct PlayOn {};
+struct AwaitOther {};  // one team has lost, but no command of the opponents has come since
+struct Disconnected {
+  match::ByTeam<bool> teams{};  // true: the team has lost
+};
+struct HostAtFault {};
+using Verdict = std::variant<PlayOn, AwaitOther, Disconnected, HostAtFault>;
+
+// `host_was_down` is the time for which the host's own network was down in this leg. Such time does
+// not count as absence of a team. If the network was down for longer than `limit`, the leg is void.
+Verdict judge_absences(const match::ByTeam<Standing>& teams, double host_was_down, double limit);
 
 class Liveliness {
  public:
@@ -74,6 +121,50 @@ class Liveliness {
   std::optional<double> lost_at_;
   bool is_listed_ = false;
   std::vector<record::Absence> absences_;
+};
+
+// The wall time of a match that does not count as absence of a team, because the host is at fault:
+// its network interface was down, or the server itself stood still. The class has only the rule:
+// the caller passes the time and its observations.
+class ExcusedTime {
+ public:
+  // `usual_step`: the longest time between two calls of look() by a server at work, s. The part of
+  // a step beyond `usual_step` counts as a stall of the server.
+  explicit ExcusedTime(double usual_step) : usual_step_(usual_step) {}
+
+  // Notes the state at the moment `now`, s. `is_up`: the host's interface has a carrier and an
+  // address. `any_heard`: a command of a team has come since the last look. If commands of one team
+  // arrive, the network is not down, even if the interface seems down; a silent team is then away
+  // by its own fault.
+  void look(double now, bool is_up, bool any_heard) {
+    const double step = last_ ? now - *last_ : 0.0;
+    last_ = now;
+    if (step > usual_step_) total_ += step - usual_step_;
+    const double seen = std::min(step, usual_step_);
+    if (any_heard) {
+      recovering_ = 0.0;
+    } else if (!is_up) {
+      total_ += seen;
+      was_down_ += seen;
+      recovering_ = recovery;
+    } else if (recovering_ > 0.0) {
+      total_ += seen;
+      recovering_ -= seen;
+    }
+  }
+
+  double total() const { return total_; }        // s, of all causes
+  double was_down() const { return was_down_; }  // s, while the interface was down
+
+ private:
+  // Seconds that the teams have, after the interface is up again, to find the server.
+  static constexpr double recovery = 5.0;
+
+  double usual_step_;
+  std::optional<double> last_;
+  double total_ = 0.0;
+  double was_down_ = 0.0;
+  double recovering_ = 0.0;
 };
 
 }  // namespace mirocup::dds

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "server/dds/domain.hpp"
-#include "server/dds/excused_time.hpp"
+#include "server/dds/liveliness.hpp"
 #include "server/dds/seat.hpp"
 #include "system/descriptor.hpp"
 

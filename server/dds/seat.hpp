@@ -18,7 +18,7 @@
 #include "server/dds/inbox.hpp"
 #include "server/dds/liveliness.hpp"
 #include "server/dds/round_trip.hpp"
-#include "server/dds/thoughts_inbox.hpp"
+#include "server/dds/thoughts_sample.hpp"
 #include "server/dds/wall_time.hpp"
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/dds/presence.hpp"
+#include "server/dds/liveliness.hpp"
 
 #include <gtest/gtest.h>
 
