@@ -6,8 +6,8 @@
 
 #include "core/replay/playback.hpp"
 #include "record/match_record.hpp"
-#include "record/own_texts.hpp"
 #include "record/statistics/statistics.hpp"
+#include "record/thoughts_file.hpp"
 #include "web/page_parts.hpp"
 
 #include <optional>

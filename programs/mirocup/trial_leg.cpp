@@ -2,7 +2,7 @@
 #include "programs/mirocup/trial_leg.hpp"
 
 #include "plugins/host/host_program.hpp"
-#include "server/pace/wall_clock.hpp"
+#include "server/pace/pacer.hpp"
 #include "system/locations.hpp"
 
 #include <algorithm>

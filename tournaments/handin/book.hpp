@@ -12,6 +12,7 @@
 #pragma once
 
 #include "system/file_lock.hpp"
+#include "tournaments/handin/friendly.hpp"
 #include "tournaments/handin/queue.hpp"
 #include "tournaments/journal/journal.hpp"
 #include "tournaments/league/folder.hpp"
@@ -65,6 +66,36 @@ class HandInBook {
   std::map<std::string, int> pins_;                             // the last pin of each team
   std::map<std::string, std::vector<std::int64_t>> pin_times_;  // s since 1970
   std::optional<system::FileLock> lock_;
+};
+
+// The book of the friendlies of a league, friendlies.jsonl: a line for each leg to play and a line
+// for its end. The next server continues with the legs that have no end. The process that holds the
+// lock of the book of hand-ins may use it.
+class FriendlyBook {
+ public:
+  static Result<FriendlyBook> open(system::Files& files, const Folder& folder, std::string* notice);
+
+  const Friendlies& friendlies() const { return friendlies_; }
+
+  // Writes a leg to play, with the team's next number, and returns the number.
+  Result<int> add(Friendly friendly);
+
+  // Writes how a leg ended.
+  Result<void> finish(const std::string& team, int number, FriendlyState state, int goals,
+                      int against, const std::string& end, std::int64_t at);
+
+  void begin(const std::string& team, int number) { friendlies_.begin(team, number); }
+  void wait_again(const std::string& team, int number, bool is_spoiled) {
+    friendlies_.wait_again(team, number, is_spoiled);
+  }
+
+ private:
+  explicit FriendlyBook(Journal journal) : journal_(std::move(journal)) {}
+
+  Result<void> apply(const Json& line);
+
+  Journal journal_;
+  Friendlies friendlies_;
 };
 
 }  // namespace mirocup::league

@@ -12,7 +12,6 @@
 
 #include "tournaments/handin/sessions.hpp"
 #include "tournaments/handin/tokens.hpp"
-#include "tournaments/handin/wrong_tokens.hpp"
 #include "web/http/request.hpp"
 
 #include <variant>

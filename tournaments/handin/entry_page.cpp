@@ -11,11 +11,11 @@ void checks_table(Html& html, const Json& checks) {
   for (const Json& check : checks) {
     const Json passed = check.value("passed", Json());
     const std::string word = !passed.is_boolean() ? "not reached" : passed == true ? "ok" : "no";
-    html.open("tr");
-    html.cell_of(word == "no" ? "refused" : word == "ok" ? "accepted" : "small", word);
-    html.cell("td", text_in(check, "name"));
-    html.cell_of("words", text_in(check, "text"));
-    html.close("tr");
+    html.row("td", {{word, word == "no"   ? "refused"
+                           : word == "ok" ? "accepted"
+                                          : "small"},
+                    text_in(check, "name"),
+                    {text_in(check, "text"), "words"}});
   }
   html.close_table();
 }

@@ -7,7 +7,7 @@
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
 
-#include "tournaments/handin/friendly_book.hpp"
+#include "tournaments/handin/book.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "web/http/request.hpp"
 

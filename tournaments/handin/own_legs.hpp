@@ -4,7 +4,7 @@
 // opponent a team sees only the result and the replay, which are public.
 #pragma once
 
-#include "record/own_texts.hpp"
+#include "record/thoughts_file.hpp"
 #include "tournaments/league/folder.hpp"
 
 #include <nlohmann/json_fwd.hpp>

@@ -288,13 +288,13 @@ void teams_table(Html& html, const LeagueState& state, const std::vector<RosterR
       about += (about.empty() ? "" : " · ") + member;
     html.cell("small", about);
     html.close("th");
-    html.cell_of("words", row.handed_in.empty() ? "" : shown_time(state.file, row.handed_in));
-    html.cell_of("words", state_in_words(row));
+    html.cell("td", {row.handed_in.empty() ? "" : shown_time(state.file, row.handed_in), "words"});
+    html.cell("td", {state_in_words(row), "words"});
     std::string answer = row.was_accepted ? "" : row.message;
     if (!row.same_as.empty())
       answer += (answer.empty() ? "" : " ") + std::string("The same file as ") +
                 system::joined(row.same_as, ", ") + ".";
-    html.cell_of("words", answer);
+    html.cell("td", {answer, "words"});
     html.close("tr");
   }
   html.close_table();
@@ -338,12 +338,12 @@ void decisions_list(Html& html, const LeagueState& state, int done) {
   html.row("th", {"No.", "When", "Who", "What", "Why", ""});
   for (const DecisionView& d : views) {
     html.open(d.number == done ? "tr class=\"chosen\"" : "tr");
-    html.cell_of("number", std::to_string(d.number));
+    html.cell("td", {std::to_string(d.number), "number"});
     html.cell("td", d.at.empty() ? "" : shown_time(state.file, d.at));
     html.cell("td", d.by);
     html.cell("td", d.what);
     html.cell("td", d.why);
-    html.cell_of("small", d.undoing);
+    html.cell("td", {d.undoing, "small"});
     html.close("tr");
   }
   html.close_table();
@@ -456,13 +456,13 @@ web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
       const std::string name = name_of_leg(*leg);
       const bool is_drawn =
           record::has_thoughts(files_, folder_.path + "/" + leg->record, record::of_both);
-      html.link_cell(std::string(own_replays_path) + name + ".html?team=" + team,
-                     is_drawn ? "replay with thoughts" : "replay");
-      html.link_cell("/api/v1/legs/" + name + "/log?team=" + team, "log");
+      html.cell("td", {is_drawn ? "replay with thoughts" : "replay", "",
+                       std::string(own_replays_path) + name + ".html?team=" + team});
+      html.cell("td", {"log", "", "/api/v1/legs/" + name + "/log?team=" + team});
     }
-    html.cell_of("small", leg->own_fault.value_or(""));
-    html.link_cell(reader == Role::staff ? decision_path(*leg) : "",
-                   reader == Role::staff ? "decide" : "");
+    html.cell("td", {leg->own_fault.value_or(""), "small"});
+    const std::string decision = reader == Role::staff ? decision_path(*leg) : "";
+    html.cell("td", {decision.empty() ? "" : "decide", "", decision});
     html.close("tr");
   }
   html.close_table();

@@ -85,7 +85,7 @@ void pin_cell(Html& html, const TeamDesk& desk, const Json& entry) {
 
 void answer_cell(Html& html, const Json& entry) {
   const Json told = entry.value("told", Json::array());
-  if (told.empty()) return html.cell_of("small words", answer_in_words(entry));
+  if (told.empty()) return html.cell("td", {answer_in_words(entry), "small words"});
   html.raw("<td class=\"small words\">");
   for (const Json& line : told) html.cell("div", line.get<std::string>());
   html.raw("</td>\n");
@@ -98,12 +98,12 @@ void entries_table(Html& html, const TeamDesk& desk) {
     const std::string number = std::to_string(entry.value("entry", 0));
     const std::string state = text_in(entry, "state");
     html.raw("<tr id=\"entry-" + number + "\">\n");
-    html.link_cell("/hand-in/entries/" + number, number);
-    html.cell_of(state, state);
+    html.cell("td", {number, "", "/hand-in/entries/" + number});
+    html.cell("td", {state, state});
     pin_cell(html, desk, entry);
     answer_cell(html, entry);
-    html.cell_of("file mid", text_in(entry, "file"));
-    html.cell_of("mid", desk.time_in_words(text_in(entry, "handed_in")));
+    html.cell("td", {text_in(entry, "file"), "file mid"});
+    html.cell("td", {desk.time_in_words(text_in(entry, "handed_in")), "mid"});
     html.close("tr");
   }
   html.close_table();
@@ -135,7 +135,7 @@ void processor_time(Html& html, const Json& legs) {
   for (std::size_t i = 0; i < counts.size(); ++i) {
     html.open("tr");
     html.cell("td", ranges[i].name);
-    html.cell_of("number", std::to_string(counts[i]));
+    html.cell("td", {std::to_string(counts[i]), "number"});
     html.raw(
         "<td><svg class=\"bar\" width=\"160\" height=\"12\" aria-hidden=\"true\"><rect width=\"" +
         std::to_string(160 * counts[i] / most) + "\" height=\"12\"/></svg></td>\n");
@@ -148,22 +148,22 @@ std::string score_of(const Json& leg) {
   return number_text(leg, "goals", "%.0f") + " : " + number_text(leg, "against", "%.0f");
 }
 
-void cost_cells(Html& html, const Json& leg) {
+// Adds the row of a leg: the cells before and after those of its cost, its replay and its log.
+void leg_row(Html& html, const Json& leg, std::vector<Cell> cells, const Cell& last) {
   const std::string bank = number_text(leg, "bank_seconds", "%.1f");
   const std::string cpu = number_text(leg, "cpu_seconds", "%.2f");
-  html.cell_of("number wide", cpu.empty() ? "" : cpu + " of " + bank);
-  html.cell_of("number mid", number_text(leg, "slowest_tick_ms", "%.2f"));
-}
-
-void link_cells(Html& html, const Json& leg) {
+  cells.emplace_back(cpu.empty() ? "" : cpu + " of " + bank, "number wide");
+  cells.emplace_back(number_text(leg, "slowest_tick_ms", "%.2f"), "number mid");
   if (leg.contains("replay")) {
-    html.link_cell(text_in(leg, leg.contains("thoughts") ? "thoughts" : "replay"), "replay");
     const std::string log = text_in(leg, "log");
-    html.link_cell(log, log.empty() ? "" : "log");
+    cells.emplace_back("replay", "",
+                       text_in(leg, leg.contains("thoughts") ? "thoughts" : "replay"));
+    cells.emplace_back(log.empty() ? "" : "log", "", log);
   } else {
-    html.cell("td", "");
-    html.cell("td", "");
+    cells.insert(cells.end(), 2, "");
   }
+  cells.push_back(last);
+  html.row("td", cells);
 }
 
 void legs_table(Html& html, const TeamDesk& desk, const Json& legs) {
@@ -186,15 +186,12 @@ void legs_table(Html& html, const TeamDesk& desk, const Json& legs) {
                     {"Own fault"}});
   for (const Json& leg : legs) {
     const std::string result = text_in(leg, "result");
-    html.open("tr");
-    html.cell_of("mid", text_in(leg, "fixture") + ", leg " + number_text(leg, "leg", "%.0f"));
-    html.cell("td", desk.shown_name(text_in(leg, "opponent")));
-    html.cell("td", score_of(leg));
-    html.cell_of(result, result);
-    cost_cells(html, leg);
-    link_cells(html, leg);
-    html.cell_of("small words", text_in(leg, "fault"));
-    html.close("tr");
+    leg_row(html, leg,
+            {{text_in(leg, "fixture") + ", leg " + number_text(leg, "leg", "%.0f"), "mid"},
+             desk.shown_name(text_in(leg, "opponent")),
+             score_of(leg),
+             {result, result}},
+            {text_in(leg, "fault"), "small words"});
   }
   html.close_table();
 }
@@ -238,17 +235,14 @@ void friendlies_table(Html& html, const TeamDesk& desk, const Json& friendlies) 
     const std::string state = text_in(leg, "state");
     const bool is_played = state == "played";
     const int difference = is_played ? leg.value("goals", 0) - leg.value("against", 0) : 0;
-    html.open("tr");
-    html.cell_of("number", number_text(leg, "entry", "%.0f"));
-    html.cell("td", desk.shown_name(text_in(leg, "opponent")));
-    html.cell("td", is_played ? score_of(leg) : state);
     const std::string letter = !is_played ? "" : difference > 0 ? "W" : difference < 0 ? "L" : "D";
-    html.cell_of("mid " + letter, letter);
-    cost_cells(html, leg);
-    link_cells(html, leg);
     const std::string end = text_in(leg, "end");
-    html.cell_of("small words mid", end == "full_time" ? "" : end);
-    html.close("tr");
+    leg_row(html, leg,
+            {{number_text(leg, "entry", "%.0f"), "number"},
+             desk.shown_name(text_in(leg, "opponent")),
+             is_played ? score_of(leg) : state,
+             {letter, "mid " + letter}},
+            {end == "full_time" ? "" : end, "small words mid"});
   }
   html.close_table();
 }
@@ -261,23 +255,23 @@ void progress_table(Html& html, const Json& progress) {
     for (const auto& met : entry["against"].items()) houses.insert(met.key());
   }
   html.open_table();
-  std::vector<std::string> words{"Entry", "Rating"};
+  std::vector<Cell> words{"Entry", "Rating"};
   words.insert(words.end(), houses.begin(), houses.end());
   words.insert(words.end(), {"Drills", "Fouls a leg", "Slowest tick, ms"});
   html.row("th", words);
   for (std::size_t i = 0; i < std::min(progress.size(), shown_progress); ++i) {
     const Json& entry = progress[i];
-    std::vector<std::string> cells{number_text(entry, "entry", "%.0f"),
-                                   number_text(entry, "rating", "%+.0f") + " (" +
-                                       number_text(entry, "low", "%+.0f") + " to " +
-                                       number_text(entry, "high", "%+.0f") + ")"};
+    std::vector<Cell> cells{number_text(entry, "entry", "%.0f"),
+                            number_text(entry, "rating", "%+.0f") + " (" +
+                                number_text(entry, "low", "%+.0f") + " to " +
+                                number_text(entry, "high", "%+.0f") + ")"};
     for (const std::string& name : houses) {
       const auto met = entry["against"].find(name);
-      cells.push_back(met == entry["against"].end() ? "" : score_of(*met));
+      cells.emplace_back(met == entry["against"].end() ? "" : score_of(*met));
     }
-    cells.push_back(number_text(entry.value("drills", Json()), "score", "%.1f"));
-    cells.push_back(number_text(entry, "fouls", "%.1f"));
-    cells.push_back(number_text(entry, "slowest_tick_ms", "%.2f"));
+    cells.emplace_back(number_text(entry.value("drills", Json()), "score", "%.1f"));
+    cells.emplace_back(number_text(entry, "fouls", "%.1f"));
+    cells.emplace_back(number_text(entry, "slowest_tick_ms", "%.2f"));
     html.row("td", cells);
   }
   html.close_table();

@@ -15,14 +15,18 @@ void Html::close(std::string_view tag) {
   text_.append("</").append(tag).append(">\n");
 }
 
-void Html::cell(std::string_view tag, std::string_view text) {
-  text_.append("<").append(tag).append(">").append(html_escaped(text));
+void Html::cell(std::string_view tag, const Cell& cell) {
+  if (tag == "th" && cell.text.empty()) tag = "td";
+  text_.append("<").append(tag);
+  if (!cell.style.empty()) text_.append(" class=\"").append(cell.style).append("\"");
+  text_ += ">";
+  if (cell.link.empty()) {
+    text_ += html_escaped(cell.text);
+  } else {
+    text_.append("<a href=\"").append(html_escaped(cell.link)).append("\">");
+    text_.append(html_escaped(cell.text)).append("</a>");
+  }
   text_.append("</").append(tag).append(">\n");
-}
-
-void Html::cell_of(std::string_view style_class, std::string_view text) {
-  text_.append("<td class=\"").append(style_class).append("\">").append(html_escaped(text));
-  text_ += "</td>\n";
 }
 
 void Html::link(std::string_view target, std::string_view text) {
@@ -34,18 +38,9 @@ void Html::link(std::string_view target, std::string_view text) {
   text_ += "</a>\n";
 }
 
-void Html::link_cell(std::string_view target, std::string_view text) {
-  if (target.empty()) return cell("td", text);
-  text_.append("<td><a href=\"")
-      .append(html_escaped(target))
-      .append("\">")
-      .append(html_escaped(text));
-  text_ += "</a></td>\n";
-}
-
-void Html::row(std::string_view tag, const std::vector<std::string>& cells) {
+void Html::row(std::string_view tag, const std::vector<Cell>& cells) {
   open("tr");
-  for (const std::string& text : cells) cell(text.empty() ? "td" : tag, text);
+  for (const Cell& one : cells) cell(tag, one);
   close("tr");
 }
 

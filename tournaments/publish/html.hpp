@@ -6,27 +6,35 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace mirocup::league {
+
+// A text in a table cell or another element.
+struct Cell {
+  Cell(std::string words, std::string style_class = "", std::string target = "")
+      : text(std::move(words)), style(std::move(style_class)), link(std::move(target)) {}
+  Cell(const char* words) : text(words) {}
+
+  std::string text;
+  std::string style;  // class; "": none
+  std::string link;   // target; "": none
+};
 
 class Html {
  public:
   void open(std::string_view tag);
   void close(std::string_view tag);
 
-  // <tag>text</tag>
-  void cell(std::string_view tag, std::string_view text);
+  // <tag>text</tag>, with the style and the link of the cell. A "th" without text becomes a "td".
+  void cell(std::string_view tag, const Cell& cell);
 
-  // Adds a table cell with a style class.
-  void cell_of(std::string_view style, std::string_view text);
-
-  // Adds a link, or a table cell with a link. If the target is "", adds the text alone.
+  // Adds a link. If the target is "", adds the text alone.
   void link(std::string_view target, std::string_view text);
-  void link_cell(std::string_view target, std::string_view text);
 
-  // Adds a table row of cells with the tag "th" or "td". A "th" without text becomes a "td".
-  void row(std::string_view tag, const std::vector<std::string>& cells);
+  // Adds a table row of cells with the tag "th" or "td".
+  void row(std::string_view tag, const std::vector<Cell>& cells);
 
   // Adds a table that scrolls if it is wider than the page.
   void open_table();

@@ -106,27 +106,30 @@ constexpr std::array<Column, 11> columns{{
     {"Fouls", [](const TeamTotals& t) { return std::to_string(t.own.all_fouls()); }},
 }};
 
-void number_cells(Html& html, const TeamTotals& totals) {
-  for (const Column& column : columns) html.cell_of("number", column.text(totals));
+void numbers_row(Html& html, const Cell& first, const TeamTotals& totals) {
+  std::vector<Cell> cells{first};
+  for (const Column& column : columns) cells.emplace_back(column.text(totals), "number");
+  html.row("td", cells);
 }
 
 void number_heads(Html& html, const std::string& first) {
-  std::vector<std::string> head{first};
+  std::vector<Cell> head{first};
   for (const Column& column : columns) head.emplace_back(column.head);
   html.row("th", head);
 }
 
 void kinds_head(Html& html, const std::string& first) {
-  std::vector<std::string> head{first, "all"};
+  std::vector<Cell> head{first, "all"};
   for (std::size_t i = 0; i < enum_names<GoalOrigin>.size(); ++i) {
-    head.push_back(in_words(static_cast<GoalOrigin>(i)));
+    head.emplace_back(in_words(static_cast<GoalOrigin>(i)));
   }
   html.row("th", head);
 }
 
-void kinds_cells(Html& html, const TeamStatistics& own) {
-  html.cell_of("number", std::to_string(own.all_goals()));
-  for (const int goals : own.goals) html.cell_of("number", std::to_string(goals));
+void kinds_row(Html& html, const std::string& first, const TeamStatistics& own) {
+  std::vector<Cell> cells{first, {std::to_string(own.all_goals()), "number"}};
+  for (const int goals : own.goals) cells.emplace_back(std::to_string(goals), "number");
+  html.row("td", cells);
 }
 
 std::string fouls_in_words(const TeamStatistics& own) {
@@ -180,18 +183,16 @@ void goals_against(Html& html, const LeagueState& state, const LegReports& repor
     const auto colour = colour_of(leg, name);
     for (const statistics::Goal& goal : leg.statistics.goals) {
       if (!colour || goal.team == *colour) continue;
-      html.open("tr");
-      html.cell("td", leg.leg);
-      html.cell("td", state.shown_name_of(leg.names[index_of(goal.team)]));
-      html.cell("td", in_words(goal.origin));
-      html.cell("td", in_words(goal.restart) + ": " + in_words(goal.restart_law));
-      html.cell_of("number", fixed(goal.since_restart, 1) + " s");
-      html.cell_of("small", loss_in_words(goal.loss, goal, leg.control_period));
       const double at = std::max(0.0, goal.tick * leg.control_period - lead_in_s);
       const std::string page = page_of_record(state, "../", leg.record);
-      html.link_cell(page.empty() ? "" : page + "#t=" + fixed(at, 2),
-                     "tick " + std::to_string(goal.tick));
-      html.close("tr");
+      html.row("td", {leg.leg,
+                      state.shown_name_of(leg.names[index_of(goal.team)]),
+                      in_words(goal.origin),
+                      in_words(goal.restart) + ": " + in_words(goal.restart_law),
+                      {fixed(goal.since_restart, 1) + " s", "number"},
+                      {loss_in_words(goal.loss, goal, leg.control_period), "small"},
+                      {"tick " + std::to_string(goal.tick), "",
+                       page.empty() ? "" : page + "#t=" + fixed(at, 2)}});
     }
   }
   html.close_table();
@@ -286,10 +287,7 @@ std::string statistics_html(const Overview& o, const LegReports& reports) {
   for (const TableRow& row : o.table) {
     const auto found = of(row.team);
     if (found == totals.end()) continue;
-    html.open("tr");
-    html.link_cell(team_page_of(found->name), o.state.shown_name(row.team));
-    number_cells(html, *found);
-    html.close("tr");
+    numbers_row(html, {o.state.shown_name(row.team), "", team_page_of(found->name)}, *found);
   }
   html.close_table();
   html.cell("h2", "Goals by kind");
@@ -298,10 +296,7 @@ std::string statistics_html(const Overview& o, const LegReports& reports) {
   for (const TableRow& row : o.table) {
     const auto found = of(row.team);
     if (found == totals.end()) continue;
-    html.open("tr");
-    html.cell("td", o.state.shown_name(row.team));
-    kinds_cells(html, found->own);
-    html.close("tr");
+    kinds_row(html, o.state.shown_name(row.team), found->own);
   }
   html.close_table();
   html.raw("<p class=\"small\">Counted on the field, in " + std::to_string(reports.size()) +
@@ -329,25 +324,15 @@ std::string team_statistics_html(const Overview& o, const LegReports& reports, i
   html.cell("h2", "Play");
   html.open_table();
   number_heads(html, "");
-  const auto row = [&](const char* what, const TeamTotals& totals) {
-    html.open("tr");
-    html.cell("td", what);
-    number_cells(html, totals);
-    html.close("tr");
-  };
-  row("All", all);
-  row("As blue", by_colour[0]);
-  row("As yellow", by_colour[1]);
+  numbers_row(html, "All", all);
+  numbers_row(html, "As blue", by_colour[0]);
+  numbers_row(html, "As yellow", by_colour[1]);
   html.close_table();
   html.cell("h2", "Goals by kind");
   html.open_table();
   kinds_head(html, "");
-  for (const auto& [what, own] : {std::pair{"For it", &all.own}, {"Against it", &all.against}}) {
-    html.open("tr");
-    html.cell("td", what);
-    kinds_cells(html, *own);
-    html.close("tr");
-  }
+  kinds_row(html, "For it", all.own);
+  kinds_row(html, "Against it", all.against);
   html.close_table();
   html.cell("p", "Fouls by law: " + fouls_in_words(all.own) + ".");
   html.cell("p", "It lost the ball " + std::to_string(all.own.all_losses()) + " times: " +

@@ -82,21 +82,21 @@ std::string night_page(const Overview& o, const Night& night, const std::vector<
   html.row("th", {"Rank", "Yesterday", "Team", "Last night", "Strength", "Since yesterday", ""});
   for (const TeamDigest& d : all) {
     html.open("tr");
-    html.cell_of("number", d.rank > 0 ? std::to_string(d.rank) : "–");
-    html.cell_of("number", d.rank_before > 0 ? std::to_string(d.rank_before) : "–");
+    html.cell("td", {d.rank > 0 ? std::to_string(d.rank) : "–", "number"});
+    html.cell("td", {d.rank_before > 0 ? std::to_string(d.rank_before) : "–", "number"});
     html.open("td");
     html.raw(mark_of(o.state, d.team));
     html.link("teams/" + o.state.name(d.team) + ".html", o.state.shown_name(d.team));
     html.close("td");
     html.cell("td", legs_in_words(d));
-    html.cell_of("number", std::to_string(std::lround(d.strength.value)));
+    html.cell("td", {std::to_string(std::lround(d.strength.value)), "number"});
     const long change = d.strength_before
                             ? std::lround(d.strength.value) - std::lround(d.strength_before->value)
                             : 0;
-    html.cell_of("number",
-                 !d.strength_before ? "new" : (change >= 0 ? "+" : "") + std::to_string(change));
-    html.link_cell(page_of_digest(o.state, d.team),
-                   d.has_new_entry ? "digest, new entry" : "digest");
+    html.cell("td", {!d.strength_before ? "new" : (change >= 0 ? "+" : "") + std::to_string(change),
+                     "number"});
+    html.cell("td", {d.has_new_entry ? "digest, new entry" : "digest", "",
+                     page_of_digest(o.state, d.team)});
     html.close("tr");
   }
   html.close_table();

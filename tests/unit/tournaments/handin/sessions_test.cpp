@@ -4,8 +4,6 @@
 // address that tries tokens without a limit or locks out others.
 #include "tournaments/handin/sessions.hpp"
 
-#include "tournaments/handin/wrong_tokens.hpp"
-
 #include <gtest/gtest.h>
 
 namespace mirocup::league {

@@ -7,7 +7,6 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/handin/book.hpp"
 #include "tournaments/handin/entry_report.hpp"
-#include "tournaments/handin/friendly_book.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/journal/journal.hpp"
 #include "tournaments/league/hand_ins.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Catches a viewer that misses a decision, gets one twice, or gets none when it joins late.
-#include "web/live_feed.hpp"
+
+#include "web/live_server.hpp"
 
 #include "tests/support/controllers.hpp"
-#include "web/live_server.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
