@@ -6,15 +6,8 @@
 
 namespace mirocup::league {
 
-std::string desk_page(const std::string& title, const Html& content) {
-  return filled_page("desk.html",
-                     {{"root", "/"}, {"page_title", title}, {"content", content.text()}});
-}
-
-void log_out_button(Html& html) {
-  html.raw(R"(<form class="desk log-out" method="post" action="/hand-in/log-out">
-<button>Log out</button></form>
-)");
+std::string desk_page(const std::string& title, const std::string& content) {
+  return filled_page("desk.html", {{"root", "/"}, {"page_title", title}, {"content", content}});
 }
 
 void next_card(Html& html, const std::string& heading, const std::string& id) {

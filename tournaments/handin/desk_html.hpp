@@ -16,10 +16,7 @@ using Json = nlohmann::ordered_json;
 using record::text_in;
 
 // Returns a page with this content, in the design of all pages.
-std::string desk_page(const std::string& title, const Html& content);
-
-// Adds the button that ends the session, in the corner of the first card.
-void log_out_button(Html& html);
+std::string desk_page(const std::string& title, const std::string& content);
 
 // Ends a card and begins the next, with a heading.
 void next_card(Html& html, const std::string& heading, const std::string& id = "");

@@ -10,6 +10,7 @@
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/grades.hpp"
+#include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/rounds.hpp"
 
 #include <algorithm>
@@ -25,22 +26,6 @@ constexpr const char* staff_policy =
 
 // Where the staff finds the legs of a team: its name follows.
 const std::string staff_legs_path = "/hand-in?team=";
-
-std::string jump_list(bool has_forms) {
-  std::string links = "<nav aria-label=\"On this page\">";
-  for (const auto& [target, text] : std::initializer_list<std::pair<std::string, const char*>>{
-           {"#look", "To look at"},
-           {"#schedule", "Schedule"},
-           {"#notice", "Notice"},
-           {"#decide", "Decide"},
-           {"#teams", "Teams"},
-           {"#decisions", "Decisions"},
-           {"/hand-in/grades.csv", "Grades"}}) {
-    if (!has_forms && (target == "#notice" || target == "#decide")) continue;
-    links += "<a href=\"" + target + "\">" + text + "</a> ";
-  }
-  return links + "</nav>\n";
-}
 
 int number_in(const Form& form, const std::string& key) {
   return system::number_of<int>(value_of(form, key)).value_or(0);
@@ -68,165 +53,38 @@ std::optional<Act> act_of(const Form& form) {
              .is_dry_run = value_of(form, "go") == "try"};
 }
 
-std::string attribute(std::string_view name, const std::string& value) {
-  return " " + std::string(name) + "=\"" + system::html_escaped(value) + "\"";
-}
-
-// The forms of the acts, each with its reason. `given` is what a form had before it was sent, so
-// that nobody types it again, or the leg from whose replay a person comes.
-class Forms {
- public:
-  Forms(Html& html, const LeagueState& state, const Form& given)
-      : html_(html), state_(state), given_(given) {
-    for (int i = 0; i < static_cast<int>(state.teams.size()); ++i)
-      teams_.emplace_back(state.name(i), state.shown_name(i));
-    html_.raw("<datalist id=\"fixtures\">");
-    for (const FixtureState& f : state.fixtures) {
-      if (!f.fixture.has_both()) continue;
-      html_.raw("<option" + attribute("value", f.fixture.id()) + ">" +
-                system::html_escaped(state.shown_name(f.fixture.home) + " – " +
-                                     state.shown_name(f.fixture.away)) +
-                "</option>");
-    }
-    html_.raw("</datalist>\n");
+// The values of the forms of the acts. `given` is what a form had before it was sent, so that
+// nobody types it again, or the leg from whose replay a person comes; each act on legs means it.
+Json forms_values(const LeagueState& state, const Form& given) {
+  Json values{{"max_notice", max_notice}, {"notice", state.notice}, {"fixtures", Json::array()}};
+  for (const FixtureState& f : state.fixtures) {
+    if (!f.fixture.has_both()) continue;
+    const std::string id = f.fixture.id();
+    const std::string teams =
+        state.shown_name(f.fixture.home) + " – " + state.shown_name(f.fixture.away);
+    values["fixtures"].push_back({{"id", id}, {"teams", teams}});
+    if (id == value_of(given, "fixture")) values["meant"] = id + ": " + teams;
   }
-
-  void all() {
-    if (const auto index = state_.find_fixture(value_of(given_, "fixture"))) {
-      const Fixture& f = state_.fixtures[*index].fixture;
-      if (f.has_both())
-        html_.cell("p",
-                   f.id() + ": " + state_.shown_name(f.home) + " – " + state_.shown_name(f.away));
-    }
-    open("rule", "Decide the score of a leg");
-    fixture("rule");
-    field("rule", "score", "Score, home:away", true, " placeholder=\"2:1\" size=\"8\"");
-    close("rule");
-    open("award", "Award a leg to a team, as if its opponent had forfeited");
-    fixture("award");
-    choice("award", "team", "Team", teams_);
-    close("award");
-    open("void", "Declare a leg void: it is played again");
-    fixture("void");
-    choice("void", "seed", "With", {{"new", "another seed"}, {"same", "the same seed"}});
-    close("void");
-    open("pause", "Pause a team: no leg of it is started");
-    choice("pause", "team", "Team", teams_);
-    close("pause");
-    open("resume", "Let a paused team play again");
-    choice("resume", "team", "Team", teams_);
-    close("resume");
-    open("withdraw", "Take a team out of the league");
-    choice("withdraw", "team", "Team", teams_);
-    choice("withdraw", "results", "Its results",
-           {{"keep", "stay; its opponents win the legs that are left"},
-            {"annul", "count for nothing"}});
-    close("withdraw");
-    open("freeze", "Stop taking entries, now or at a given time");
-    field("freeze", "from", "Time (if empty: now)", false, " placeholder=\"2026-11-30T18:00:00\"");
-    html_.raw(
-        "<p><label><input type=\"checkbox\" name=\"lift\" value=\"yes\"> take entries again"
-        "</label></p>\n");
-    close("freeze");
-    open("release", "Choose the rounds that the pages show");
-    choice("release", "level", "For",
-           {{"all", "everybody"},
-            {"teams", "teams: each team reads its own digest"},
-            {"hidden", "nobody"}});
-    field("release", "through", "The last round that is shown", false,
-          " placeholder=\"r3\" size=\"8\"");
-    close("release");
-    open("close", "End the league: no night follows, no entry is taken");
-    close("close");
-    open("undo", "Take a decision back");
-    field("undo", "decision", "Number of the decision in the list", true,
-          " type=\"number\" min=\"1\"");
-    close("undo");
-    open("people", "Set the name of a team that people see, and its members");
-    choice("people", "team", "Team", teams_);
-    field("people", "display", "Name", false);
-    field("people", "members", "Members, with ; between them", false, " size=\"50\"");
-    write();
-    open("colour", "Give the mark beside a team's name a colour");
-    choice("colour", "team", "Team", teams_);
-    field("colour", "colour", "Colour (if empty: none)", false,
-          " placeholder=\"#c03a2b\" size=\"8\" maxlength=\"7\"");
-    write();
-  }
-
- private:
-  // What a form of this act had in a field; a leg that is given is meant by each act on legs.
-  std::string given(const std::string& act, const std::string& name) const {
-    const std::string whose = value_of(given_, "act");
-    return whose.empty() || whose == act ? value_of(given_, name) : "";
-  }
-
-  // A text field with its label.
-  void field(const std::string& act, const std::string& name, const std::string& label,
-             bool is_needed, const std::string& more = "") {
-    const std::string id = act + "-" + name;
-    html_.raw("<p><label" + attribute("for", id) + ">" + system::html_escaped(label) +
-              "</label> <input" + attribute("id", id) + attribute("name", name) +
-              attribute("value", given(act, name)) + (is_needed ? " required" : "") + more +
-              "></p>\n");
-  }
-
-  void choice(const std::string& act, const std::string& name, const std::string& label,
-              const std::vector<std::pair<std::string, std::string>>& options) {
-    const std::string id = act + "-" + name;
-    html_.raw("<p><label" + attribute("for", id) + ">" + system::html_escaped(label) +
-              "</label> <select" + attribute("id", id) + attribute("name", name) + ">");
-    for (const auto& [value, text] : options)
-      html_.raw("<option" + attribute("value", value) +
-                (value == given(act, name) ? " selected>" : ">") + system::html_escaped(text) +
-                "</option>");
-    html_.raw("</select></p>\n");
-  }
-
-  void open(const std::string& act, const std::string& title) {
+  const std::string sent = value_of(given, "act");
+  for (const std::string act : {"rule", "award", "void", "pause", "resume", "withdraw", "freeze",
+                                "release", "close", "undo", "people", "colour"}) {
+    const bool is_meant = sent.empty() || sent == act;
     const bool is_on_leg = act == "rule" || act == "award" || act == "void";
-    const bool is_given =
-        value_of(given_, "act") == act || (is_on_leg && !given(act, "fixture").empty());
-    html_.raw("<details class=\"act\"" + std::string(is_given ? " open" : "") + "><summary>" +
-              system::html_escaped(title) +
-              "</summary>\n<form class=\"desk\" method=\"post\" action=\"/hand-in/staff\"><input "
-              "type=\"hidden\" "
-              "name=\"act\"" +
-              attribute("value", act) + ">\n");
+    const bool is_open =
+        sent == act || (is_on_leg && is_meant && !value_of(given, "fixture").empty());
+    Json form{{"act", act}, {"is_open", is_open}, {"given", Json::object()}};
+    for (const auto& [name, value] : is_meant ? given : Form()) {
+      if (form["given"].contains(name)) continue;
+      form["given"][name] = value;
+      form["chosen"][name][value] = true;
+    }
+    for (int i = 0; i < static_cast<int>(state.teams.size()); ++i)
+      form["teams"].push_back({{"name", state.name(i)},
+                               {"is_chosen", state.name(i) == form["given"].value("team", "")},
+                               {"shown", state.shown_name(i)}});
+    values[act] = form;
   }
-
-  void write() {
-    html_.raw("<p><button name=\"go\" value=\"do\">Write</button></p></form></details>\n");
-  }
-
-  void fixture(const std::string& act) {
-    field(act, "fixture", "Fixture", true, " list=\"fixtures\" placeholder=\"r3-f1\" size=\"12\"");
-    choice(act, "leg", "Leg", {{"1", "1"}, {"2", "2"}, {"3", "3"}, {"all", "all legs"}});
-  }
-
-  void close(const std::string& act) {
-    field(act, "reason", "Reason, which is published", true, " size=\"50\" maxlength=\"300\"");
-    field(act, "by", "Who decides", false);
-    html_.raw(
-        "<p><button name=\"go\" value=\"try\">Try: what would change</button> <button "
-        "name=\"go\" value=\"do\">Decide</button></p></form></details>\n");
-  }
-
-  Html& html_;
-  const LeagueState& state_;
-  const Form& given_;
-  std::vector<std::pair<std::string, std::string>> teams_;
-};
-
-// The form of what everybody reads at the top of the front page.
-void notice_form(Html& html, const std::string& notice) {
-  html.raw(
-      "<form class=\"desk\" method=\"post\" action=\"/hand-in/staff\"><input type=\"hidden\" "
-      "name=\"act\" value=\"notice\">\n<p><label for=\"text\">The notice stands at the top of the "
-      "front page. An empty notice is not shown.</label></p>\n<p><textarea id=\"text\" "
-      "name=\"text\" rows=\"3\"" +
-      attribute("maxlength", std::to_string(max_notice)) + ">" + system::html_escaped(notice) +
-      "</textarea></p>\n<p><button>Write</button></p></form>\n");
+  return values;
 }
 
 // What was played last, what comes, and until when entries are taken.
@@ -399,13 +257,9 @@ web::Reply StaffDesk::page(Role reader, const Shown& shown) const {
   if (!health) return broken(health.error());
   const LeagueState& state = store->state();
   Html html;
-  log_out_button(html);
-  if (!has_forms) html.cell("p", "This token reads what the staff reads, and decides nothing.");
-  if (!shown.said.empty())
-    html.raw("<p role=\"alert\">" + system::html_escaped(shown.said) + "</p>\n");
-  if (shown.done > 0)
-    html.raw("<p role=\"status\">Decision " + std::to_string(shown.done) + " is written.</p>\n");
-  html.raw(jump_list(has_forms));
+  html.raw(filled_page("staff_top.html", {{"has_forms", has_forms},
+                                          {"said", shown.said},
+                                          {"done", shown.done > 0 ? Json(shown.done) : Json()}}));
   html.open("ul");
   html.cell("li", std::to_string(state.played()) + " of " + std::to_string(state.legs()) +
                       " legs are decided");
@@ -416,18 +270,13 @@ web::Reply StaffDesk::page(Role reader, const Shown& shown) const {
   attention(html, *rows, *health);
   next_card(html, "Schedule", "schedule");
   schedule(html, state);
-  if (has_forms) {
-    next_card(html, "Notice to the class", "notice");
-    notice_form(html, state.notice);
-    next_card(html, "Decide", "decide");
-    Forms(html, state, shown.given).all();
-  }
+  if (has_forms) html.raw(filled_page("staff_forms.html", forms_values(state, shown.given)));
   next_card(html, "Teams", "teams");
   teams_table(html, state, *rows);
   html.raw("<p><a href=\"/hand-in/grades.csv\">Grades (CSV)</a></p>\n");
   next_card(html, "Decisions", "decisions");
   decisions_list(html, state, shown.done);
-  return staff_reply(shown.status, desk_page("Staff", html));
+  return staff_reply(shown.status, desk_page("Staff", html.text()));
 }
 
 std::string StaffDesk::decision_path(const OwnLeg& leg) {
@@ -466,7 +315,7 @@ web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
     html.close("tr");
   }
   html.close_table();
-  return staff_reply(200, desk_page("Legs of " + state.shown_name_of(team), html));
+  return staff_reply(200, desk_page("Legs of " + state.shown_name_of(team), html.text()));
 }
 
 web::Reply StaffDesk::act(const Form& values) const {
