@@ -2,8 +2,7 @@
 //
 // The keys of a struct, listed once for its reader and its writer:
 //
-//   template <class Fields>
-//   void list_fields(Fields& f, Try& one) {
+//   void list_fields(auto& f, Try& one) {
 //     f("at", one.at, 0, max_time);
 //     f("user", one.user);  // an optional; null if it is empty
 //     f("accepted", one.is_accepted);
@@ -39,18 +38,16 @@ class FieldWriter {
  public:
   using Json = JsonReader::Json;
 
-  template <class T, class... Limits>
-  void operator()(const char* key, const T& value, Limits...) {
+  void operator()(const char* key, const auto& value, auto...) {
     object_[key] = fields_json(value);
   }
   // A key that earlier versions did not write, so a file may lack it.
-  template <class T, class... Limits>
-  void since_later(const char* key, const T& value, Limits...) {
+  void since_later(const char* key, const auto& value, auto...) {
     object_[key] = fields_json(value);
   }
   // A key that is not written if the value equals `plain`.
-  template <class T, class... Limits>
-  void unless(const T& plain, const char* key, const T& value, Limits...) {
+  template <class T>
+  void unless(const T& plain, const char* key, const T& value, auto...) {
     if (!(value == plain)) object_[key] = fields_json(value);
   }
   template <class T>
@@ -58,12 +55,8 @@ class FieldWriter {
     unless(T{}, key, value);
   }
   // A value that `write` and `read` convert.
-  template <class Write, class Read>
-  void as(const char* key, Write write, Read) {
-    object_[key] = write();
-  }
-  template <class Write, class Read>
-  void as_if_set(bool is_set, const char* key, Write write, Read) {
+  void as(const char* key, auto write, auto) { object_[key] = write(); }
+  void as_if_set(bool is_set, const char* key, auto write, auto) {
     if (is_set) object_[key] = write();
   }
   // A key for people, which is written and not read, because its value follows from other keys.
@@ -80,28 +73,19 @@ class FieldReader {
  public:
   explicit FieldReader(const JsonReader& json) : json_(json) {}
 
-  template <class T, class... Limits>
-  void operator()(const char* key, T& value, Limits... limits) {
+  void operator()(const char* key, auto& value, auto... limits) {
     read(json_.at(key), value, limits...);
   }
-  template <class T, class... Limits>
-  void since_later(const char* key, T& value, Limits... limits) {
+  void since_later(const char* key, auto& value, auto... limits) {
     if (json_.has(key)) read(json_.at(key), value, limits...);
   }
-  template <class T, class... Limits>
-  void unless(const T&, const char* key, T& value, Limits... limits) {
+  template <class T>
+  void unless(const T&, const char* key, T& value, auto... limits) {
     since_later(key, value, limits...);
   }
-  template <class T>
-  void if_set(const char* key, T& value) {
-    since_later(key, value);
-  }
-  template <class Write, class Read>
-  void as(const char* key, Write, Read read) {
-    read(json_.at(key));
-  }
-  template <class Write, class Read>
-  void as_if_set(bool, const char* key, Write, Read read) {
+  void if_set(const char* key, auto& value) { since_later(key, value); }
+  void as(const char* key, auto, auto read) { read(json_.at(key)); }
+  void as_if_set(bool, const char* key, auto, auto read) {
     if (json_.has(key)) read(json_.at(key));
   }
   void only_written(const char*, const JsonReader::Json&) {}

@@ -57,8 +57,7 @@ match::ByTeam<int> read_score(const JsonReader& json) {
   return {json.at("blue").as<int>(), json.at("yellow").as<int>()};
 }
 
-template <class Fields>
-void list_score(Fields& f, const char* key, match::ByTeam<int>& score) {
+void list_score(auto& f, const char* key, match::ByTeam<int>& score) {
   f.as(
       key, [&] { return score_json(score); },
       [&](const JsonReader& json) { score = read_score(json); });
@@ -66,15 +65,13 @@ void list_score(Fields& f, const char* key, match::ByTeam<int>& score) {
 
 }  // namespace
 
-template <class Fields>
-static void list_fields(Fields& f, match::TeamFault& fault) {
+static void list_fields(auto& f, match::TeamFault& fault) {
   f("team", fault.team);
   f("code", fault.fault.code);
   f("text", fault.fault.text);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, match::Outcome& result) {
+static void list_fields(auto& f, match::Outcome& result) {
   list_score(f, "score", result.score);
   list_score(f, "played", result.played);
   f.as_if_set(
@@ -91,8 +88,7 @@ static void list_fields(Fields& f, match::Outcome& result) {
   result.why_void = why_void.value_or("");
 }
 
-template <class Fields>
-static void list_fields(Fields& f, match::GoalCredit& credit) {
+static void list_fields(auto& f, match::GoalCredit& credit) {
   f("scorer", credit.scorer);
   f("assist", credit.assist);
   f("own_goal", credit.own_goal);
@@ -122,8 +118,7 @@ Json to_json(const match::LoggedDecision& d) {
   return json;
 }
 
-template <class Fields>
-static void list_fields(Fields& f, TeamInfo& team) {
+static void list_fields(auto& f, TeamInfo& team) {
   f("name", team.name);
   f("kind", team.kind);
   f("sha256", team.sha256);
@@ -132,8 +127,7 @@ static void list_fields(Fields& f, TeamInfo& team) {
       [&](const JsonReader& json) { team.parameters = read_team_parameters(json); });
 }
 
-template <class Fields>
-static void list_fields(Fields& f, BudgetReport& budget) {
+static void list_fields(auto& f, BudgetReport& budget) {
   f("cpu_seconds", budget.cpu_seconds);
   f("slowest_tick_ms", budget.slowest_tick_ms);
   f.since_later("bank_seconds", budget.bank_seconds);

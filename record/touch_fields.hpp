@@ -8,8 +8,7 @@
 
 namespace mirocup::record {
 
-template <class Fields>
-void list_fields(Fields& f, match::Touch& touch) {
+void list_fields(auto& f, match::Touch& touch) {
   f("team", touch.team);
   f("robot", touch.robot, 0, max_robots_per_team - 1);
 }

@@ -34,58 +34,6 @@ namespace mirocup::league {
 
 namespace {
 
-// A round that is shown on a projector: the page, the recorded legs, the table after each leg, and
-// the commands of a remote. The league is read once, so the page does not show legs that are played
-// later.
-//
-// Threads: all public functions may be called by any thread at any time.
-class ShownRound {
- public:
-  // `round` is the key of a round ("r3", "k1"); "": the last round with a played leg. `key` is the
-  // secret of the remote. `at_once`: number of legs side by side, until the remote changes the
-  // number. Errors: Errc::input if the league lacks the round, or no leg of the round has a record.
-  static Result<ShownRound> of(system::Files& files, const LeagueStore& store,
-                               const std::string& round, std::string key, int at_once);
-
-  // The functions of web::Site.
-  std::optional<web::Page> page(const std::string& path);
-  std::string news(std::uint64_t& seen);
-  bool control(const std::string& body);
-
-  const std::string& title() const { return title_; }
-  std::size_t legs() const { return legs_.size(); }
-
- private:
-  struct Leg {
-    Json about;          // about the leg, for the programme
-    std::string record;  // path of the record
-    std::string page;    // path of the leg's replay page, if the league was published
-  };
-
-  ShownRound(system::Files& files, std::string key, int at_once)
-      : files_(&files), key_(std::move(key)), at_once_(at_once) {}
-  Result<void> read(const LeagueStore& store, const std::string& round);
-  std::optional<web::Page> leg(const Leg& leg);
-  std::optional<Json> data_of(const Leg& leg, const record::MatchRecord& record);
-
-  system::Files* files_;
-  std::string key_;
-  int at_once_;
-  std::string league_;
-  std::string title_;
-  std::vector<Leg> legs_;
-  std::vector<std::string> standings_;  // HTML of the table after 0, 1, … legs
-  std::vector<std::string> next_;       // fixtures of the next round, in words
-  std::string champion_;                // HTML; "": the league is not over after this round
-
-  // Members on the heap, so that the round can be moved before it is served.
-  struct Commands {
-    std::mutex mutex;  // guards `given`
-    std::vector<std::string> given;
-  };
-  std::unique_ptr<Commands> commands_ = std::make_unique<Commands>();
-};
-
 constexpr const char* show_policy =
     "default-src 'none'; style-src 'self' 'unsafe-inline'; script-src 'self'; connect-src 'self'";
 constexpr std::array<std::string_view, 7> known_commands{"toggle", "skip", "slower", "faster",
@@ -142,153 +90,196 @@ web::Page text_page(std::string type, std::string bytes) {
   return {std::move(type), show_policy, std::move(bytes)};
 }
 
-Result<ShownRound> ShownRound::of(system::Files& files, const LeagueStore& store,
-                                  const std::string& round, std::string key, int at_once) {
-  ShownRound shown(files, std::move(key), at_once);
-  MIROCUP_TRY_VOID(shown.read(store, round));
-  return shown;
-}
+// A round that is shown on a projector: the page, the recorded legs, the table after each leg, and
+// the commands of a remote. The league is read once, so the page does not show legs that are played
+// later.
+//
+// Threads: all public functions may be called by any thread at any time.
+class ShownRound {
+ public:
+  // `round` is the key of a round ("r3", "k1"); "": the last round with a played leg. `key` is the
+  // secret of the remote. `at_once`: number of legs side by side, until the remote changes the
+  // number. Errors: Errc::input if the league lacks the round, or no leg of the round has a record.
+  static Result<ShownRound> of(system::Files& files, const LeagueStore& store,
+                               const std::string& round, std::string key, int at_once) {
+    ShownRound shown(files, std::move(key), at_once);
+    MIROCUP_TRY_VOID(shown.read(store, round));
+    return shown;
+  }
 
-Result<void> ShownRound::read(const LeagueStore& store, const std::string& key) {
-  const LeagueState& state = store.state();
-  const FactsOfLegs facts = read_facts(*files_, store.folder(), state);
-  const Overview o = overview(state, facts);
-  const std::vector<RoundView> rounds = rounds_of(o);
-  const RoundView* round = round_named(rounds, key);
-  if (round == nullptr)
-    return fail(Errc::input, key.empty() ? store.folder().path + ": no leg has been played yet"
-                                         : "there is no round " + key);
-  league_ = state.file.title;
-  title_ = round->title;
-  const bool is_of_knockout =
-      !round->fixtures.empty() && round->fixtures.front().state->fixture.part == Part::knockout;
-  std::set<LegName> shown;
-  const auto add_standing = [&]() -> Result<void> {
-    MIROCUP_TRY(const auto then, state_with_legs(state, store.journal(), round->key, shown));
-    const std::string heading =
-        shown.empty() ? "Before " + title_ : "After leg " + std::to_string(shown.size());
-    standings_.push_back(standing_html(overview(then, facts), heading, is_of_knockout));
-    return {};
-  };
-  if (auto added = add_standing(); !added) return added;
-  for (const FixtureView& f : in_order(round->fixtures)) {
-    for (const LegView* leg : f.legs) {
-      if (!leg->has_replay()) continue;
-      const bool is_home_blue = blue_team(f.state->fixture, leg->leg) == leg->home;
-      legs_.push_back({{{"blue", state.shown_name(is_home_blue ? leg->home : leg->away)},
-                        {"yellow", state.shown_name(is_home_blue ? leg->away : leg->home)},
-                        {"where", leg->round + ", leg " + std::to_string(leg->leg)},
-                        {"data", "/legs/" + std::to_string(legs_.size()) + ".json"},
-                        {"has_standing", !is_of_knockout}},
-                       store.folder().path + "/" + leg->played->record,
-                       store.folder().site() + "/" + replay_page_of(leg->played->record)});
-      shown.insert({leg->fixture, leg->leg});
-      if (auto added = add_standing(); !added) return added;
+  // The functions of web::Site.
+  std::optional<web::Page> page(const std::string& path) {
+    const Json values{
+        {"league", league_}, {"round", title_}, {"about", std::to_string(legs_.size()) + " legs"}};
+    if (path == "/")
+      return text_page("text/html; charset=utf-8", web::filled(show_file, "show.html", values));
+    if (path == "/remote")
+      return text_page("text/html; charset=utf-8", web::filled(show_file, "remote.html", values));
+    if (path == "/show.css")
+      return text_page("text/css; charset=utf-8", std::string(web::design_file("design.css")) +
+                                                      std::string(page_file("site.css")) +
+                                                      std::string(show_file("show.css")));
+    for (const std::string_view script : {"show.js", "remote.js"}) {
+      if (path == "/" + std::string(script))
+        return text_page("text/javascript; charset=utf-8", std::string(show_file(script)));
     }
-    if (!legs_.empty()) legs_.back().about["has_standing"] = true;  // its tie is over
-  }
-  if (legs_.empty())
-    return fail(Errc::input, "no leg of round " + round->key + " has a record that can be shown");
-  if (round == &rounds.back()) {
-    if (Json champion = champion_values(o); champion != false)
-      champion_ = web::filled(show_file, "champion.html", champion);
-  }
-  for (const RoundView& after : rounds) {
-    if (&after <= round) continue;
-    for (const FixtureView& f : after.fixtures)
-      next_.push_back(state.shown_name(f.state->fixture.home) + " – " +
-                      state.shown_name(f.state->fixture.away));
-    break;
-  }
-  return {};
-}
-
-std::optional<web::Page> ShownRound::page(const std::string& path) {
-  const Json values{
-      {"league", league_}, {"round", title_}, {"about", std::to_string(legs_.size()) + " legs"}};
-  if (path == "/")
-    return text_page("text/html; charset=utf-8", web::filled(show_file, "show.html", values));
-  if (path == "/remote")
-    return text_page("text/html; charset=utf-8", web::filled(show_file, "remote.html", values));
-  if (path == "/show.css")
-    return text_page("text/css; charset=utf-8", std::string(web::design_file("design.css")) +
-                                                    std::string(page_file("site.css")) +
-                                                    std::string(show_file("show.css")));
-  for (const std::string_view script : {"show.js", "remote.js"}) {
-    if (path == "/" + std::string(script))
-      return text_page("text/javascript; charset=utf-8", std::string(show_file(script)));
-  }
-  for (const std::string_view module : modules) {
-    if (path == "/page/" + std::string(module))
-      return text_page("text/javascript; charset=utf-8", std::string(web::asset(module)));
-  }
-  if (path == "/programme.json") {
-    Json legs = Json::array();
-    for (const Leg& leg : legs_) legs.push_back(leg.about);
-    return text_page("application/json",
-                     record::json_text({{"round", title_}, {"at_once", at_once_}, {"legs", legs}}));
-  }
-  // Asked for at the end only: the pairs of a knockout tell who has won.
-  if (path == "/next.json") return text_page("application/json", record::json_text(Json(next_)));
-  if (path == "/champion.html") return text_page("text/html; charset=utf-8", champion_);
-  if (const auto count = number_in(path, "/after/", ".html"); count && *count < standings_.size())
-    return text_page("text/html; charset=utf-8", standings_[*count]);
-  if (const auto index = number_in(path, "/legs/", ".json"); index && *index < legs_.size())
-    return leg(legs_[*index]);
-  return std::nullopt;
-}
-
-// A leg of an earlier version may go another way here. Then its replay page shows it, which the
-// program has made that played it.
-std::optional<Json> ShownRound::data_of(const Leg& leg, const record::MatchRecord& record) {
-  if (auto data = web::replay_data(record, web::Times::left_out)) return std::move(*data);
-  const auto page = files_->read(leg.page, {.max_size = system::size_limit::page});
-  return page ? web::data_of_page(*page) : std::nullopt;
-}
-
-std::optional<web::Page> ShownRound::leg(const Leg& leg) {
-  const auto loaded = record::load(*files_, leg.record);
-  if (!loaded) {
-    std::cerr << "mirocup: " << loaded.error().what << '\n';
+    for (const std::string_view module : modules) {
+      if (path == "/page/" + std::string(module))
+        return text_page("text/javascript; charset=utf-8", std::string(web::asset(module)));
+    }
+    if (path == "/programme.json") {
+      Json legs = Json::array();
+      for (const Leg& leg : legs_) legs.push_back(leg.about);
+      return text_page(
+          "application/json",
+          record::json_text({{"round", title_}, {"at_once", at_once_}, {"legs", legs}}));
+    }
+    // Asked for at the end only: the pairs of a knockout tell who has won.
+    if (path == "/next.json") return text_page("application/json", record::json_text(Json(next_)));
+    if (path == "/champion.html") return text_page("text/html; charset=utf-8", champion_);
+    if (const auto count = number_in(path, "/after/", ".html"); count && *count < standings_.size())
+      return text_page("text/html; charset=utf-8", standings_[*count]);
+    if (const auto index = number_in(path, "/legs/", ".json"); index && *index < legs_.size())
+      return leg(legs_[*index]);
     return std::nullopt;
   }
-  auto data = data_of(leg, *loaded);
-  if (!data) {
-    std::cerr << "mirocup: " << leg.record
-              << " cannot be shown: this program does not reproduce it. Call mirocup league "
-                 "publish: the program that played the leg then makes the leg's page\n";
-    return std::nullopt;
-  }
-  for (const char* colour : {"blue", "yellow"})
-    (*data)["teams"][colour]["name"] = leg.about.at(colour);
-  (*data)["picture"] = web::first_picture(*loaded);
-  return text_page("application/json", record::json_text(*data));
-}
 
-// A viewer that has just come gets no commands of before.
-std::string ShownRound::news(std::uint64_t& seen) {
-  const std::lock_guard lock(commands_->mutex);
-  const std::vector<std::string>& given = commands_->given;
-  const std::uint64_t now = given.size() + 1;
-  if (seen == now) return "";
-  Json fresh = Json::array();
-  if (seen > 0) {
-    for (std::size_t i = seen - 1; i < given.size(); ++i) fresh.push_back(given[i]);
+  // A viewer that has just come gets no commands of before.
+  std::string news(std::uint64_t& seen) {
+    const std::lock_guard lock(commands_->mutex);
+    const std::vector<std::string>& given = commands_->given;
+    const std::uint64_t now = given.size() + 1;
+    if (seen == now) return "";
+    Json fresh = Json::array();
+    if (seen > 0) {
+      for (std::size_t i = seen - 1; i < given.size(); ++i) fresh.push_back(given[i]);
+    }
+    seen = now;
+    return "event: command\ndata: " + record::json_text(fresh) + "\n\n";
   }
-  seen = now;
-  return "event: command\ndata: " + record::json_text(fresh) + "\n\n";
-}
 
-bool ShownRound::control(const std::string& body) {
-  const std::size_t space = body.find(' ');
-  if (space == std::string::npos || body.substr(0, space) != key_) return false;
-  const std::string command = body.substr(space + 1);
-  if (std::find(known_commands.begin(), known_commands.end(), command) == known_commands.end())
-    return false;
-  const std::lock_guard lock(commands_->mutex);
-  commands_->given.push_back(command);
-  return true;
-}
+  bool control(const std::string& body) {
+    const std::size_t space = body.find(' ');
+    if (space == std::string::npos || body.substr(0, space) != key_) return false;
+    const std::string command = body.substr(space + 1);
+    if (std::find(known_commands.begin(), known_commands.end(), command) == known_commands.end())
+      return false;
+    const std::lock_guard lock(commands_->mutex);
+    commands_->given.push_back(command);
+    return true;
+  }
+
+  const std::string& title() const { return title_; }
+  std::size_t legs() const { return legs_.size(); }
+
+ private:
+  struct Leg {
+    Json about;          // about the leg, for the programme
+    std::string record;  // path of the record
+    std::string page;    // path of the leg's replay page, if the league was published
+  };
+
+  ShownRound(system::Files& files, std::string key, int at_once)
+      : files_(&files), key_(std::move(key)), at_once_(at_once) {}
+
+  Result<void> read(const LeagueStore& store, const std::string& key) {
+    const LeagueState& state = store.state();
+    const FactsOfLegs facts = read_facts(*files_, store.folder(), state);
+    const Overview o = overview(state, facts);
+    const std::vector<RoundView> rounds = rounds_of(o);
+    const RoundView* round = round_named(rounds, key);
+    if (round == nullptr)
+      return fail(Errc::input, key.empty() ? store.folder().path + ": no leg has been played yet"
+                                           : "there is no round " + key);
+    league_ = state.file.title;
+    title_ = round->title;
+    const bool is_of_knockout =
+        !round->fixtures.empty() && round->fixtures.front().state->fixture.part == Part::knockout;
+    std::set<LegName> shown;
+    const auto add_standing = [&]() -> Result<void> {
+      MIROCUP_TRY(const auto then, state_with_legs(state, store.journal(), round->key, shown));
+      const std::string heading =
+          shown.empty() ? "Before " + title_ : "After leg " + std::to_string(shown.size());
+      standings_.push_back(standing_html(overview(then, facts), heading, is_of_knockout));
+      return {};
+    };
+    if (auto added = add_standing(); !added) return added;
+    for (const FixtureView& f : in_order(round->fixtures)) {
+      for (const LegView* leg : f.legs) {
+        if (!leg->has_replay()) continue;
+        const bool is_home_blue = blue_team(f.state->fixture, leg->leg) == leg->home;
+        legs_.push_back({{{"blue", state.shown_name(is_home_blue ? leg->home : leg->away)},
+                          {"yellow", state.shown_name(is_home_blue ? leg->away : leg->home)},
+                          {"where", leg->round + ", leg " + std::to_string(leg->leg)},
+                          {"data", "/legs/" + std::to_string(legs_.size()) + ".json"},
+                          {"has_standing", !is_of_knockout}},
+                         store.folder().path + "/" + leg->played->record,
+                         store.folder().site() + "/" + replay_page_of(leg->played->record)});
+        shown.insert({leg->fixture, leg->leg});
+        if (auto added = add_standing(); !added) return added;
+      }
+      if (!legs_.empty()) legs_.back().about["has_standing"] = true;  // its tie is over
+    }
+    if (legs_.empty())
+      return fail(Errc::input, "no leg of round " + round->key + " has a record that can be shown");
+    if (round == &rounds.back()) {
+      if (Json champion = champion_values(o); champion != false)
+        champion_ = web::filled(show_file, "champion.html", champion);
+    }
+    for (const RoundView& after : rounds) {
+      if (&after <= round) continue;
+      for (const FixtureView& f : after.fixtures)
+        next_.push_back(state.shown_name(f.state->fixture.home) + " – " +
+                        state.shown_name(f.state->fixture.away));
+      break;
+    }
+    return {};
+  }
+
+  std::optional<web::Page> leg(const Leg& leg) {
+    const auto loaded = record::load(*files_, leg.record);
+    if (!loaded) {
+      std::cerr << "mirocup: " << loaded.error().what << '\n';
+      return std::nullopt;
+    }
+    auto data = data_of(leg, *loaded);
+    if (!data) {
+      std::cerr << "mirocup: " << leg.record
+                << " cannot be shown: this program does not reproduce it. Call mirocup league "
+                   "publish: the program that played the leg then makes the leg's page\n";
+      return std::nullopt;
+    }
+    for (const char* colour : {"blue", "yellow"})
+      (*data)["teams"][colour]["name"] = leg.about.at(colour);
+    (*data)["picture"] = web::first_picture(*loaded);
+    return text_page("application/json", record::json_text(*data));
+  }
+
+  // A leg of an earlier version may go another way here. Then its replay page shows it, which the
+  // program has made that played it.
+  std::optional<Json> data_of(const Leg& leg, const record::MatchRecord& record) {
+    if (auto data = web::replay_data(record, web::Times::left_out)) return std::move(*data);
+    const auto page = files_->read(leg.page, {.max_size = system::size_limit::page});
+    return page ? web::data_of_page(*page) : std::nullopt;
+  }
+
+  system::Files* files_;
+  std::string key_;
+  int at_once_;
+  std::string league_;
+  std::string title_;
+  std::vector<Leg> legs_;
+  std::vector<std::string> standings_;  // HTML of the table after 0, 1, … legs
+  std::vector<std::string> next_;       // fixtures of the next round, in words
+  std::string champion_;                // HTML; "": the league is not over after this round
+
+  // Members on the heap, so that the round can be moved before it is served.
+  struct Commands {
+    std::mutex mutex;  // guards `given`
+    std::vector<std::string> given;
+  };
+  std::unique_ptr<Commands> commands_ = std::make_unique<Commands>();
+};
 
 struct ShowOptions {
   std::string folder;

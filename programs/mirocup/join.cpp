@@ -124,13 +124,83 @@ class RemoteTeam {
         match_(match) {}
 
   // Plays until the match is over.
-  Result<int> play();
+  Result<int> play() {
+    while (!interrupt_.is_asked_for()) {
+      const int news = match_.wait(poll_interval);
+      Result<void> done;
+      switch (news) {
+        case MIROCUP_TEAM_SEATED:
+          done = take_seat();
+          break;
+        case MIROCUP_TEAM_TICK:
+          done = answer();
+          break;
+        case MIROCUP_TEAM_OVER:
+          return report();
+        case MIROCUP_TEAM_REFUSED:
+          return fail(Errc::unavailable, "the match server refuses the team: " + match_.text());
+        default:
+          done = check_silence();
+      }
+      if (!done) return tl::unexpected(done.error());
+      if (news != MIROCUP_TEAM_NOTHING) heard_ = steady_clock::now();
+    }
+    return fail(Errc::interrupted, "interrupted");
+  }
 
  private:
-  Result<void> take_seat();
-  Result<void> answer();
-  Result<void> check_silence() const;
-  int report() const;
+  // Loads the library afresh for every leg, as for a team with a process of its own.
+  Result<void> take_seat() {
+    plugin_.reset();
+    setup_ = match_.setup();
+    host_.match = &match_.setup();
+    plugins::give_host(setup_, host_);
+    draw_in_match(setup_);
+    const std::string path = library_path(options_);
+    auto plugin = python_.empty() ? plugins::Plugin::load(path, setup_)
+                                  : plugins::load_python(path, python_, setup_);
+    if (!plugin) return fail(Errc::input, options_.library + ": " + plugin.error().text);
+    plugin_.emplace(std::move(*plugin));
+    std::cerr << "mirocup: " << options_.name << " plays " << options_.team << " in match "
+              << options_.match_id << '\n';
+    return {};
+  }
+
+  Result<void> answer() {
+    const mirocup_observation& now = match_.observation();
+    if (now.placing != 0) {
+      const auto placement = plugin_->place(now);
+      if (!placement) return fail(Errc::input, options_.library + ": " + placement.error().text);
+      match_.place(*placement);
+    }
+    const auto decided = plugin_->decide(now);
+    if (!decided) return fail(Errc::input, options_.library + ": " + decided.error().text);
+    match_.send(*decided);
+    return {};
+  }
+
+  Result<void> check_silence() const {
+    const double silence = std::chrono::duration<double>(steady_clock::now() - heard_).count();
+    if (!plugin_ && silence > options_.join_within) {
+      return fail(
+          Errc::unavailable,
+          match_.text() + ", for " + std::to_string(static_cast<int>(options_.join_within)) + " s");
+    }
+    if (plugin_ && silence > max_silence) {
+      return fail(Errc::unavailable, "nothing has come from the match server for 10 s");
+    }
+    return {};
+  }
+
+  int report() const {
+    for (const auto& parameter : plugins::not_asked_for(given_, asked_)) {
+      std::cerr << "mirocup: warning: the team did not ask for the parameter " << parameter.first
+                << '\n';
+    }
+    std::cout << "the match is over (" << match_.text() << "): blue " << match_.score()[0]
+              << ", yellow " << match_.score()[1] << '\n';
+    return exit_yes;
+  }
 
   const JoinOptions& options_;
   std::string python_;
@@ -144,83 +214,6 @@ class RemoteTeam {
   std::optional<plugins::Plugin> plugin_;
   steady_clock::time_point heard_ = steady_clock::now();
 };
-
-Result<int> RemoteTeam::play() {
-  while (!interrupt_.is_asked_for()) {
-    const int news = match_.wait(poll_interval);
-    Result<void> done;
-    switch (news) {
-      case MIROCUP_TEAM_SEATED:
-        done = take_seat();
-        break;
-      case MIROCUP_TEAM_TICK:
-        done = answer();
-        break;
-      case MIROCUP_TEAM_OVER:
-        return report();
-      case MIROCUP_TEAM_REFUSED:
-        return fail(Errc::unavailable, "the match server refuses the team: " + match_.text());
-      default:
-        done = check_silence();
-    }
-    if (!done) return tl::unexpected(done.error());
-    if (news != MIROCUP_TEAM_NOTHING) heard_ = steady_clock::now();
-  }
-  return fail(Errc::interrupted, "interrupted");
-}
-
-// Loads the library afresh for every leg, as for a team with a process of its own.
-Result<void> RemoteTeam::take_seat() {
-  plugin_.reset();
-  setup_ = match_.setup();
-  host_.match = &match_.setup();
-  plugins::give_host(setup_, host_);
-  draw_in_match(setup_);
-  const std::string path = library_path(options_);
-  auto plugin = python_.empty() ? plugins::Plugin::load(path, setup_)
-                                : plugins::load_python(path, python_, setup_);
-  if (!plugin) return fail(Errc::input, options_.library + ": " + plugin.error().text);
-  plugin_.emplace(std::move(*plugin));
-  std::cerr << "mirocup: " << options_.name << " plays " << options_.team << " in match "
-            << options_.match_id << '\n';
-  return {};
-}
-
-Result<void> RemoteTeam::answer() {
-  const mirocup_observation& now = match_.observation();
-  if (now.placing != 0) {
-    const auto placement = plugin_->place(now);
-    if (!placement) return fail(Errc::input, options_.library + ": " + placement.error().text);
-    match_.place(*placement);
-  }
-  const auto decided = plugin_->decide(now);
-  if (!decided) return fail(Errc::input, options_.library + ": " + decided.error().text);
-  match_.send(*decided);
-  return {};
-}
-
-Result<void> RemoteTeam::check_silence() const {
-  const double silence = std::chrono::duration<double>(steady_clock::now() - heard_).count();
-  if (!plugin_ && silence > options_.join_within) {
-    return fail(
-        Errc::unavailable,
-        match_.text() + ", for " + std::to_string(static_cast<int>(options_.join_within)) + " s");
-  }
-  if (plugin_ && silence > max_silence) {
-    return fail(Errc::unavailable, "nothing has come from the match server for 10 s");
-  }
-  return {};
-}
-
-int RemoteTeam::report() const {
-  for (const auto& parameter : plugins::not_asked_for(given_, asked_)) {
-    std::cerr << "mirocup: warning: the team did not ask for the parameter " << parameter.first
-              << '\n';
-  }
-  std::cout << "the match is over (" << match_.text() << "): blue " << match_.score()[0]
-            << ", yellow " << match_.score()[1] << '\n';
-  return exit_yes;
-}
 
 Result<int> run_join(const JoinOptions& options) {
   system::Interrupt interrupt;

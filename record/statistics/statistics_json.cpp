@@ -49,8 +49,7 @@ void list_names(Fields& f, const char* key, PerName<E>& numbers, bool zeros) {
 }
 
 // `other` gives the shares that only readers of the file need.
-template <class Fields>
-void list_team(Fields& f, TeamStatistics& own, const TeamStatistics& other) {
+void list_team(auto& f, TeamStatistics& own, const TeamStatistics& other) {
   f.only_written("goals", own.all_goals());
   list_names<GoalOrigin>(f, "goals_by_kind", own.goals, true);
   f("shots", own.shots, 0);
@@ -77,8 +76,7 @@ Json team_json(TeamStatistics own, const TeamStatistics& other) {
   return fields.object();
 }
 
-template <class Fields>
-void list_place(Fields& f, const char* key, Vec2& place) {
+void list_place(auto& f, const char* key, Vec2& place) {
   f.as(
       key,
       [&] {
@@ -89,8 +87,7 @@ void list_place(Fields& f, const char* key, Vec2& place) {
       });
 }
 
-template <class Fields>
-void list_place_in_millimetres(Fields& f, const char* key, Vec2& place) {
+void list_place_in_millimetres(auto& f, const char* key, Vec2& place) {
   Vec2 shown{std::round(place.x() * 1e3) / 1e3, std::round(place.y() * 1e3) / 1e3};
   list_place(f, key, shown);
   place = shown;
@@ -104,16 +101,14 @@ std::uint64_t read_hash(const JsonReader& json) {
 
 }  // namespace
 
-template <class Fields>
-static void list_fields(Fields& f, Loss& loss) {
+static void list_fields(auto& f, Loss& loss) {
   f("tick", loss.tick);
   f("kind", loss.kind);
   list_place(f, "place", loss.place);
   f("third", loss.third);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Goal& goal) {
+static void list_fields(auto& f, Goal& goal) {
   f("tick", goal.tick);
   f("team", goal.team);
   f("kind", goal.origin);
@@ -125,8 +120,7 @@ static void list_fields(Fields& f, Goal& goal) {
   f("loss", goal.loss);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, ShotMark& shot) {
+static void list_fields(auto& f, ShotMark& shot) {
   f("tick", shot.tick);
   f("team", shot.team);
   list_place_in_millimetres(f, "place", shot.place);
@@ -134,24 +128,21 @@ static void list_fields(Fields& f, ShotMark& shot) {
   f("goal", shot.is_goal);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, PassMark& pass) {
+static void list_fields(auto& f, PassMark& pass) {
   f("tick", pass.tick);
   f("team", pass.team);
   list_place_in_millimetres(f, "from", pass.from);
   list_place_in_millimetres(f, "to", pass.to);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Foul& foul) {
+static void list_fields(auto& f, Foul& foul) {
   f("tick", foul.tick);
   f("team", foul.team);
   f("law", foul.law);
   f("restart", foul.restart);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, LegStatistics& s) {
+static void list_fields(auto& f, LegStatistics& s) {
   f("play_s", s.play_s, 0.0);
   f("dead_ball_s", s.dead_ball_s, 0.0);
   f("stoppages", s.stoppages, 0);

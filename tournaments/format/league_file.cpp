@@ -26,8 +26,7 @@ constexpr int max_name_length = 40;
 }  // namespace
 
 // The settings that differ from the defaults.
-template <class Fields>
-static void list_fields(Fields& f, FirasimPlace& place) {
+static void list_fields(auto& f, FirasimPlace& place) {
   const FirasimPlace plain;
   f.unless(plain.instance, "instance", place.instance, 0, 9999);
   f.unless(plain.interface, "interface", place.interface);
@@ -38,8 +37,7 @@ static void list_fields(Fields& f, FirasimPlace& place) {
   f.unless(plain.join_within, "join_within", place.join_within, 0.0, 1e6);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, TeamConfig& team) {
+static void list_fields(auto& f, TeamConfig& team) {
   f.since_later("name", team.name);
   f.since_later("entry", team.source);
   f.if_set("dds", team.over_dds);
@@ -52,8 +50,7 @@ static void list_fields(Fields& f, TeamConfig& team) {
 }
 
 // The settings that differ from the defaults of the format.
-template <class Fields>
-static void list_fields(Fields& f, Format& format) {
+static void list_fields(auto& f, Format& format) {
   const Format plain;
   f("kind", format.kind);
   const bool is_knockout = format.kind == FormatKind::knockout;
@@ -66,8 +63,7 @@ static void list_fields(Fields& f, Format& format) {
   f.unless(plain.opponents, "opponents", format.opponents, 0, 1000);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Points& points) {
+static void list_fields(auto& f, Points& points) {
   f.since_later("win", points.win, -max_points, max_points);
   f.since_later("draw", points.draw, -max_points, max_points);
   f.since_later("loss", points.loss, -max_points, max_points);

@@ -18,8 +18,7 @@ constexpr std::size_t max_entries = 1000;        // of a night
 constexpr std::string_view strikes = "strikes";  // the cause of a pause by the program
 
 // The reason of a decision and, if they are known, the person who made it and the time.
-template <class Fields, class Decision>
-void list_signature(Fields& f, Decision& e) {
+void list_signature(auto& f, auto& e) {
   f("why", e.why);
   f.if_set("by", e.by);
   f.if_set("at", e.at);
@@ -27,21 +26,18 @@ void list_signature(Fields& f, Decision& e) {
 
 }  // namespace
 
-template <class Fields>
-static void list_fields(Fields& f, HomeAway& numbers) {
+static void list_fields(auto& f, HomeAway& numbers) {
   f("home", numbers.home, 0, max_count);
   f("away", numbers.away, 0, max_count);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, LegFault& fault) {
+static void list_fields(auto& f, LegFault& fault) {
   f("team", fault.team);
   f("code", fault.code);
   f("text", fault.text);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Started& e) {
+static void list_fields(auto& f, Started& e) {
   f("config_sha256", e.config_sha256);
   f.since_later("version", e.version);
   f.if_set("build", e.build);
@@ -53,21 +49,18 @@ static void list_fields(Fields& f, Started& e) {
       });
 }
 
-template <class Fields>
-static void list_fields(Fields& f, EntryBooked& e) {
+static void list_fields(auto& f, EntryBooked& e) {
   f("team", e.team);
   f("entry", e.entry);
   f("sha256", e.sha256);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, TeamJoined& e) {
+static void list_fields(auto& f, TeamJoined& e) {
   f("team", e.team);
   f("source", e.source);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, LegPlayed& e) {
+static void list_fields(auto& f, LegPlayed& e) {
   f("fixture", e.fixture);
   f("leg", e.leg);
   f.since_later("attempt", e.attempt);
@@ -83,8 +76,7 @@ static void list_fields(Fields& f, LegPlayed& e) {
   f("state_hash", e.state_hash);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, LegVoided& e) {
+static void list_fields(auto& f, LegVoided& e) {
   f("fixture", e.fixture);
   f("leg", e.leg);
   f.since_later("attempt", e.attempt);
@@ -93,23 +85,20 @@ static void list_fields(Fields& f, LegVoided& e) {
   list_signature(f, e);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Ruled& e) {
+static void list_fields(auto& f, Ruled& e) {
   f("fixture", e.fixture);
   f("leg", e.leg);
   f("score", e.score);
   list_signature(f, e);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Withdrawn& e) {
+static void list_fields(auto& f, Withdrawn& e) {
   f("results", e.results);
   f("team", e.team);
   list_signature(f, e);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Paused& e) {
+static void list_fields(auto& f, Paused& e) {
   f("team", e.team);
   std::string cause(e.is_by_program ? strikes : "");
   f.if_set("cause", cause);
@@ -117,45 +106,38 @@ static void list_fields(Fields& f, Paused& e) {
   list_signature(f, e);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Resumed& e) {
+static void list_fields(auto& f, Resumed& e) {
   f("team", e.team);
   list_signature(f, e);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, NightBegan& e) {
+static void list_fields(auto& f, NightBegan& e) {
   f("number", e.number, 1, max_count);
   f("entries", e.entries, 0, max_entries);
   f.if_set("at", e.at);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Frozen& e) {
+static void list_fields(auto& f, Frozen& e) {
   f("from", e.from);
   list_signature(f, e);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Closed& e) {
+static void list_fields(auto& f, Closed& e) {
   list_signature(f, e);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Released& e) {
+static void list_fields(auto& f, Released& e) {
   f("level", e.level);
   f("through", e.through);
   list_signature(f, e);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, Undone& e) {
+static void list_fields(auto& f, Undone& e) {
   f("line", e.line);
   list_signature(f, e);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, ProgramChosen& e) {
+static void list_fields(auto& f, ProgramChosen& e) {
   f("version", e.version);
   f("build", e.build);
   f("game", e.game);

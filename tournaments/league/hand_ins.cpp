@@ -25,8 +25,7 @@ bool has(const std::vector<int>& numbers, int number) {
 
 }  // namespace
 
-template <class Fields>
-static void list_fields(Fields& f, Try& one) {
+static void list_fields(auto& f, Try& one) {
   f("at", one.at, 0, max_time);
   f("user", one.user);
   f("entry", one.entry, 0, max_count);
@@ -34,8 +33,7 @@ static void list_fields(Fields& f, Try& one) {
   f("message", one.message);
 }
 
-template <class Fields>
-static void list_fields(Fields& f, HandIns& known) {
+static void list_fields(auto& f, HandIns& known) {
   f("owner", known.owner);
   f("last_user", known.last_user);
   f.since_later("pinned", known.pinned, 0, max_count);

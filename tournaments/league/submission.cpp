@@ -296,15 +296,127 @@ class Desk {
       : files_(files), store_(store), handed_(handed), quota_(quota), number_(handed.entry) {}
 
   // Numbers the hand-in and notes the try. Returns the answer if there is nothing to check.
-  Result<std::optional<Submission>> receive(const Found& found);
-  Result<Json> check(const Found& found);
+  Result<std::optional<Submission>> receive(const Found& found) {
+    MIROCUP_TRY(known_, read_hand_ins(files_, folder(), team()));
+    if (has_verdict()) return std::nullopt;
+    if (found.why_not.empty() && handed_.is_from_inbox) {
+      MIROCUP_TRY(const auto last, last_entry(files_, folder(), team()).and_then([&](int number) {
+        return sha256_of_entry(files_, folder(), team(), number);
+      }));
+      if (last == system::sha256(found.library)) {
+        Submission nothing;
+        nothing.is_news = false;
+        return nothing;
+      }
+    }
+    MIROCUP_TRY(const auto why, objection(found));
+    if (!why.empty()) return not_taken(why);
+    // An inbox that is read each minute finds a file that is refused again and again: one try.
+    if (handed_.is_from_inbox && !found.why_not.empty() && known_.last_file == found.identity)
+      return not_taken(found.why_not);
+    if (!is_noted() &&
+        tries_in_last_hour(known_, handed_.at, found.user) >= quota_.tries_per_hour) {
+      return not_taken("it has had " + std::to_string(quota_.tries_per_hour) +
+                       " tries in the last hour; hand it in later");
+    }
+    if (number_ == 0 && found.why_not.empty()) {
+      MIROCUP_TRY(const auto next, next_entry(files_, folder(), team()));
+      number_ = next;
+    }
+    note_try(found);
+    if (!found.why_not.empty()) return refuse(found);
+    // Written before the check, so that a library that stops the check is a try, too.
+    MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_).and_then([&] {
+      return files_.make_folder(folder().entry(team(), number_), system::Readers::owner);
+    }));
+    return std::nullopt;
+  }
+
+  Result<Json> check(const Found& found) {
+    const std::string stored = folder().library(team(), number_);
+    if (has_verdict()) {
+      // A refused version keeps no library.
+      MIROCUP_TRY(auto library,
+                  files_.read_if_there(stored, {.max_size = system::size_limit::entry}));
+      library_ = std::move(library).value_or("");
+      return read_verdict(files_, folder(), team(), number_);
+    }
+    if (handed_.source.empty()) {
+      library_ = found.library;
+      return check_library();
+    }
+    MIROCUP_TRY(auto refused, compile(files_, folder(), handed_, number_));
+    if (refused) return std::move(*refused);
+    MIROCUP_TRY(library_, files_.read(stored, {.max_size = system::size_limit::entry}));
+    return check_library();
+  }
+
   // Books the verdict. The store has been opened again since receive().
-  Result<Submission> conclude(const Found& found, Json verdict);
+  Result<Submission> conclude(const Found& found, Json verdict) {
+    MIROCUP_TRY(known_, read_hand_ins(files_, folder(), team()));
+    MIROCUP_TRY(const auto playing, playing_entry(files_, folder(), team()));
+    // It may have been forgotten since.
+    if (find_try(known_, number_) == nullptr) note_try(found);
+    Submission result;
+    result.entry = number_;
+    result.verdict = std::move(verdict);
+    result.is_accepted = result.verdict["accepted"] == true;
+    result.message = team() + ": entry " + std::to_string(result.entry) +
+                     (result.is_accepted ? " was accepted" : " was not accepted");
+    if (!result.is_accepted) {
+      result.message += ": " + record::text_in(result.verdict, "reason");
+      if (playing > 0) result.message += "; entry " + std::to_string(playing) + " plays on";
+    } else if (known_.pinned > 0 && playing == known_.pinned) {
+      result.message += "; entry " + std::to_string(known_.pinned) + ", which is pinned, plays on";
+    } else if (found.user && !known_.owner) {
+      known_.owner = found.user;
+      result.message +=
+          "; from now on " + system::name_of_user(*found.user) + " hands in for " + team();
+    }
+    Try& noted = *find_try(known_, number_);
+    noted.is_accepted = result.is_accepted;
+    noted.message = result.message;
+    MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_)
+                         .and_then([&]() -> Result<void> {
+                           if (!result.is_accepted) return {};
+                           return let_play(files_, store_, handed_, result.entry, library_);
+                         })
+                         .and_then([&] {
+                           return prune_versions(files_, folder(), team(),
+                                                 played_entries(store_, team()), quota_);
+                         }));
+    return result;
+  }
 
  private:
-  Result<Json> check_library();
-  Result<Submission> refuse(const Found& found);
-  void note_try(const Found& found);
+  Result<Json> check_library() {
+    auto verdict =
+        store_and_check(files_, folder(), store_.state().file, handed_, number_, library_);
+    // The folder of a hand-in that waits keeps its library for the next try.
+    if (!verdict && handed_.entry == 0) (void)files_.remove(folder().entry(team(), number_));
+    return verdict;
+  }
+
+  Result<Submission> refuse(const Found& found) {
+    const Submission result = not_taken(found.why_not);
+    known_.last_file = found.identity;
+    known_.tries.back().message = result.message;
+    // A name under which nobody has handed in a library gets no folder.
+    MIROCUP_TRY(const auto entries, entries_of(files_, folder(), team()));
+    if (entries.empty() && !store_.state().find_team(team())) return result;
+    MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_));
+    return result;
+  }
+
+  void note_try(const Found& found) {
+    if (is_noted()) return;
+    if (found.user) known_.last_user = found.user;
+    add_try(known_, {.at = handed_.at,
+                     .user = found.user,
+                     .entry = number_,
+                     .is_accepted = false,
+                     .message = team() + ": the check has not come to its end"});
+  }
 
   // True if a process that died has noted the try already.
   bool is_noted() { return handed_.entry > 0 && find_try(known_, handed_.entry) != nullptr; }
@@ -315,7 +427,13 @@ class Desk {
     result.message = handed_.team + ": not taken: " + why;
     return result;
   }
-  Result<std::string> objection(const Found& found) const;
+
+  Result<std::string> objection(const Found& found) const {
+    std::string why = why_not_now(store_.state(), team(), utc_text(handed_.at));
+    if (!why.empty()) return why;
+    return objection_to_user(files_, folder(), team(), known_, found.user, quota_);
+  }
+
   const std::string& team() const { return handed_.team; }
   const Folder& folder() const { return store_.folder(); }
   bool has_verdict() const {
@@ -330,130 +448,6 @@ class Desk {
   std::string library_;  // once it is there
   HandIns known_;
 };
-
-Result<std::string> Desk::objection(const Found& found) const {
-  std::string why = why_not_now(store_.state(), team(), utc_text(handed_.at));
-  if (!why.empty()) return why;
-  return objection_to_user(files_, folder(), team(), known_, found.user, quota_);
-}
-
-void Desk::note_try(const Found& found) {
-  if (is_noted()) return;
-  if (found.user) known_.last_user = found.user;
-  add_try(known_, {.at = handed_.at,
-                   .user = found.user,
-                   .entry = number_,
-                   .is_accepted = false,
-                   .message = team() + ": the check has not come to its end"});
-}
-
-Result<std::optional<Submission>> Desk::receive(const Found& found) {
-  MIROCUP_TRY(known_, read_hand_ins(files_, folder(), team()));
-  if (has_verdict()) return std::nullopt;
-  if (found.why_not.empty() && handed_.is_from_inbox) {
-    MIROCUP_TRY(const auto last, last_entry(files_, folder(), team()).and_then([&](int number) {
-      return sha256_of_entry(files_, folder(), team(), number);
-    }));
-    if (last == system::sha256(found.library)) {
-      Submission nothing;
-      nothing.is_news = false;
-      return nothing;
-    }
-  }
-  MIROCUP_TRY(const auto why, objection(found));
-  if (!why.empty()) return not_taken(why);
-  // An inbox that is read each minute finds a file that is refused again and again: one try.
-  if (handed_.is_from_inbox && !found.why_not.empty() && known_.last_file == found.identity)
-    return not_taken(found.why_not);
-  if (!is_noted() && tries_in_last_hour(known_, handed_.at, found.user) >= quota_.tries_per_hour) {
-    return not_taken("it has had " + std::to_string(quota_.tries_per_hour) +
-                     " tries in the last hour; hand it in later");
-  }
-  if (number_ == 0 && found.why_not.empty()) {
-    MIROCUP_TRY(const auto next, next_entry(files_, folder(), team()));
-    number_ = next;
-  }
-  note_try(found);
-  if (!found.why_not.empty()) return refuse(found);
-  // Written before the check, so that a library that stops the check is a try, too.
-  MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_).and_then([&] {
-    return files_.make_folder(folder().entry(team(), number_), system::Readers::owner);
-  }));
-  return std::nullopt;
-}
-
-Result<Submission> Desk::refuse(const Found& found) {
-  const Submission result = not_taken(found.why_not);
-  known_.last_file = found.identity;
-  known_.tries.back().message = result.message;
-  // A name under which nobody has handed in a library gets no folder.
-  MIROCUP_TRY(const auto entries, entries_of(files_, folder(), team()));
-  if (entries.empty() && !store_.state().find_team(team())) return result;
-  MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_));
-  return result;
-}
-
-Result<Json> Desk::check(const Found& found) {
-  const std::string stored = folder().library(team(), number_);
-  if (has_verdict()) {
-    // A refused version keeps no library.
-    MIROCUP_TRY(auto library,
-                files_.read_if_there(stored, {.max_size = system::size_limit::entry}));
-    library_ = std::move(library).value_or("");
-    return read_verdict(files_, folder(), team(), number_);
-  }
-  if (handed_.source.empty()) {
-    library_ = found.library;
-    return check_library();
-  }
-  MIROCUP_TRY(auto refused, compile(files_, folder(), handed_, number_));
-  if (refused) return std::move(*refused);
-  MIROCUP_TRY(library_, files_.read(stored, {.max_size = system::size_limit::entry}));
-  return check_library();
-}
-
-Result<Json> Desk::check_library() {
-  auto verdict = store_and_check(files_, folder(), store_.state().file, handed_, number_, library_);
-  // The folder of a hand-in that waits keeps its library for the next try.
-  if (!verdict && handed_.entry == 0) (void)files_.remove(folder().entry(team(), number_));
-  return verdict;
-}
-
-Result<Submission> Desk::conclude(const Found& found, Json verdict) {
-  MIROCUP_TRY(known_, read_hand_ins(files_, folder(), team()));
-  MIROCUP_TRY(const auto playing, playing_entry(files_, folder(), team()));
-  // It may have been forgotten since.
-  if (find_try(known_, number_) == nullptr) note_try(found);
-  Submission result;
-  result.entry = number_;
-  result.verdict = std::move(verdict);
-  result.is_accepted = result.verdict["accepted"] == true;
-  result.message = team() + ": entry " + std::to_string(result.entry) +
-                   (result.is_accepted ? " was accepted" : " was not accepted");
-  if (!result.is_accepted) {
-    result.message += ": " + record::text_in(result.verdict, "reason");
-    if (playing > 0) result.message += "; entry " + std::to_string(playing) + " plays on";
-  } else if (known_.pinned > 0 && playing == known_.pinned) {
-    result.message += "; entry " + std::to_string(known_.pinned) + ", which is pinned, plays on";
-  } else if (found.user && !known_.owner) {
-    known_.owner = found.user;
-    result.message +=
-        "; from now on " + system::name_of_user(*found.user) + " hands in for " + team();
-  }
-  Try& noted = *find_try(known_, number_);
-  noted.is_accepted = result.is_accepted;
-  noted.message = result.message;
-  MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_)
-                       .and_then([&]() -> Result<void> {
-                         if (!result.is_accepted) return {};
-                         return let_play(files_, store_, handed_, result.entry, library_);
-                       })
-                       .and_then([&] {
-                         return prune_versions(files_, folder(), team(),
-                                               played_entries(store_, team()), quota_);
-                       }));
-  return result;
-}
 
 }  // namespace
 

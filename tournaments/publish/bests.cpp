@@ -97,8 +97,7 @@ class BestFinder {
                       pair(o_, leg) + ", " + place_of(leg), page_of(leg, -best.value)});
   }
 
-  template <class Value>
-  void leg_with_most(const std::string& title, Value value, double least) {
+  void leg_with_most(const std::string& title, auto value, double least) {
     Largest<const LegView*> best;
     for (const LegView* leg : legs_) best.offer(value(*leg), leg);
     if (!best.what || best.value < least) return;
@@ -144,8 +143,7 @@ class BestFinder {
                 [](char letter) { return letter != 'L'; });
   }
 
-  template <class Counts>
-  void longest_run(const std::string& title, const std::string& unit, Counts counts) {
+  void longest_run(const std::string& title, const std::string& unit, auto counts) {
     Largest<int> best;
     for (int team = 0; team < static_cast<int>(o_.state.teams.size()); ++team) {
       int run = 0;

@@ -6,8 +6,7 @@ namespace mirocup::league {
 namespace {
 
 // Returns "r1-f1 leg 2, a – b".
-template <class OfLeg>
-std::string leg_in_words(const LeagueState& state, const OfLeg& e) {
+std::string leg_in_words(const LeagueState& state, const auto& e) {
   std::string words = e.fixture + " leg " + std::to_string(e.leg);
   const auto index = state.find_fixture(e.fixture);
   if (!index) return words;
@@ -65,15 +64,11 @@ struct DecisionWriter {
     return signed_by(e, state.shown_name_of(e.team) + " plays on");
   }
 
-  template <class NoDecision>
-  DecisionView operator()(const NoDecision&) const {
-    return {};
-  }
+  DecisionView operator()(const auto&) const { return {}; }  // no decision
 
-  template <class Signed>
-  DecisionView signed_by(const Signed& e, std::string what) const {
+  DecisionView signed_by(const auto& e, std::string what) const {
     DecisionView view;
-    view.kind = Signed::kind;
+    view.kind = e.kind;
     view.at = e.at;
     view.by = e.by;
     view.what = std::move(what);

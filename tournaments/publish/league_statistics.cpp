@@ -66,8 +66,7 @@ std::string fixed(double value, int digits) {
 }
 
 // The name of an enumerator for people: "kick off".
-template <class E>
-std::string in_words(E e) {
+std::string in_words(auto e) {
   std::string text(to_string(e));
   for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(std::tolower(c));
   return text;
