@@ -35,7 +35,7 @@ struct Folder {
   // The book of hand-ins over the network and their answers (handin/book.hpp).
   std::string hand_in_book() const { return path + "/hand-ins.jsonl"; }
 
-  // The book of the friendlies (handin/friendly_book.hpp), and the folder of their records.
+  // The book of the friendlies (handin/book.hpp), and the folder of their records.
   std::string friendly_book() const { return path + "/friendlies.jsonl"; }
   std::string friendlies(const std::string& team) const {
     return entries() + "/" + team + "/friendlies";
