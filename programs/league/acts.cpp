@@ -11,8 +11,8 @@
 #include "system/printable.hpp"
 #include "tournaments/league/league_store.hpp"
 
+#include <array>
 #include <iostream>
-#include <vector>
 
 namespace mirocup::league {
 
@@ -38,21 +38,35 @@ Result<int> run_act(const ActOptions& options) {
   return exit_yes;
 }
 
-// The subcommand of an act, with the argument DIR.
-struct ActCommand {
-  system::Command command;
-  Act& act;
+// What the help says of an act, and an example of its subcommand.
+struct ActHelp {
+  ActKind kind;
+  const char* description;
+  const char* example;
 };
 
-ActCommand add_act(system::Commands& commands, ActKind kind, const char* description,
-                   std::vector<const char*> examples) {
-  const auto [command, options] =
-      commands.add(run_act, to_string(kind).data(), kind == ActKind::release ? to_show : to_rule,
-                   description, std::move(examples));
-  options.act.kind = kind;
-  add_folder(command, options.folder);
-  return {command, options.act};
-}
+constexpr std::array<ActHelp, 10> act_helps{{
+    {ActKind::award, "Award legs to a team, as if its opponent had forfeited",
+     "mirocup league award spring r3-f1 alpha --all-legs --reason \"beta left\""},
+    {ActKind::rule, "Decide the score of a leg, or of all legs",
+     "mirocup league rule spring r3-f1 --leg 1 --score 2:1 --reason \"appeal 4\""},
+    {ActKind::void_, "Declare legs void; they are played again with another seed",
+     "mirocup league void spring r3-f1 --leg 2 --reason \"power cut\""},
+    {ActKind::withdraw, "Take a team out of the league",
+     "mirocup league withdraw spring beta --reason \"left the course\""},
+    {ActKind::pause, "Start no legs of a team until it is resumed",
+     "mirocup league pause spring beta --reason \"is looked at\""},
+    {ActKind::resume, "Let a paused team play again",
+     "mirocup league resume spring beta --reason \"repaired\""},
+    {ActKind::freeze, "Stop taking entries, now or at a given time",
+     "mirocup league freeze spring --reason \"last day\""},
+    {ActKind::release, "Choose the rounds that the pages show",
+     "mirocup league release spring --through r3 --reason \"it is Friday\""},
+    {ActKind::close, "End a league: it has no further night and takes no entry",
+     "mirocup league close spring --reason \"the term is over\""},
+    {ActKind::undo, "Take a decision back",
+     "mirocup league undo spring 3 --reason \"the wrong leg\""},
+}};
 
 void add_fixture(const system::Command& command, Act& act) {
   command.option("FIXTURE", act.fixture, "Id of the fixture, as in r3-f1").required();
@@ -61,89 +75,15 @@ void add_fixture(const system::Command& command, Act& act) {
   command.flag("--all-legs", act.has_all_legs, "All legs of the fixture").excludes(leg);
 }
 
-void add_team(const system::Command& command, Act& act) {
-  command.option("TEAM", act.team, "Name of the team").required();
-}
-
-void add_reason(const system::Command& command, Act& act) {
-  command.option("--reason", act.reason, "Reason, which is published").required();
-  command.option("--by", act.by, "Name of the person who decides; it is published");
-  command.flag("--dry-run", act.is_dry_run, "Print what would change, and change nothing");
-}
-
-}  // namespace
-
-void add_award(system::Commands& commands) {
-  const auto [command, act] =
-      add_act(commands, ActKind::award, "Award legs to a team, as if its opponent had forfeited",
-              {"mirocup league award spring r3-f1 alpha --all-legs --reason \"beta left\""});
-  add_fixture(command, act);
-  add_team(command, act);
-  add_reason(command, act);
-}
-
-void add_rule(system::Commands& commands) {
-  const auto [command, act] =
-      add_act(commands, ActKind::rule, "Decide the score of a leg, or of all legs",
-              {"mirocup league rule spring r3-f1 --leg 1 --score 2:1 --reason \"appeal 4\""});
-  add_fixture(command, act);
-  command.option("--score", act.score, "Goals of the home team and of the away team").required();
-  add_reason(command, act);
-}
-
-void add_void(system::Commands& commands) {
-  const auto [command, act] = add_act(
-      commands, ActKind::void_, "Declare legs void; they are played again with another seed",
-      {"mirocup league void spring r3-f1 --leg 2 --reason \"power cut\""});
-  add_fixture(command, act);
-  command.flag("--same-seed", act.keeps_seed,
-               "Keep the seed: the same libraries then play the same leg again");
-  add_reason(command, act);
-}
-
-void add_withdraw(system::Commands& commands) {
-  const auto [command, act] =
-      add_act(commands, ActKind::withdraw, "Take a team out of the league",
-              {"mirocup league withdraw spring beta --reason \"left the course\""});
-  add_team(command, act);
-  act.results = "keep";
-  command.option("--results", act.results, "Keep the team's results, or annul them")
-      .one_of({"keep", "annul"})
-      .shows_default();
-  add_reason(command, act);
-}
-
-void add_pause(system::Commands& commands) {
-  const auto [command, act] =
-      add_act(commands, ActKind::pause, "Start no legs of a team until it is resumed",
-              {"mirocup league pause spring beta --reason \"is looked at\""});
-  add_team(command, act);
-  add_reason(command, act);
-}
-
-void add_resume(system::Commands& commands) {
-  const auto [command, act] = add_act(commands, ActKind::resume, "Let a paused team play again",
-                                      {"mirocup league resume spring beta --reason \"repaired\""});
-  add_team(command, act);
-  add_reason(command, act);
-}
-
-void add_freeze(system::Commands& commands) {
-  const auto [command, act] =
-      add_act(commands, ActKind::freeze, "Stop taking entries, now or at a given time",
-              {"mirocup league freeze spring --reason \"last day\""});
+void add_freeze(const system::Command& command, Act& act) {
   const system::Option at = command.option("--at", act.from,
                                            "Time in UTC (2026-11-30T18:00:00Z), with an offset "
                                            "(+01:00) or in the league's zone (default: now)");
   at.named("TIME");
   command.flag("--lift", act.is_lifted, "Take entries again").excludes(at);
-  add_reason(command, act);
 }
 
-void add_release(system::Commands& commands) {
-  const auto [command, act] =
-      add_act(commands, ActKind::release, "Choose the rounds that the pages show",
-              {"mirocup league release spring --through r3 --reason \"it is Friday\""});
+void add_release(const system::Command& command, Act& act) {
   act.level = "all";
   command
       .option("--level", act.level,
@@ -154,22 +94,48 @@ void add_release(system::Commands& commands) {
   command.option("--through", act.through,
                  "Last round that the pages show, r3 or k1 (default: every round with --level all, "
                  "otherwise none)");
-  add_reason(command, act);
 }
 
-void add_close(system::Commands& commands) {
-  const auto [command, act] =
-      add_act(commands, ActKind::close, "End a league: it has no further night and takes no entry",
-              {"mirocup league close spring --reason \"the term is over\""});
-  add_reason(command, act);
+// What only this act has, beside its fixture or team and its reason.
+void add_own_options(const system::Command& command, Act& act) {
+  if (act.kind == ActKind::rule)
+    command.option("--score", act.score, "Goals of the home team and of the away team").required();
+  if (act.kind == ActKind::void_)
+    command.flag("--same-seed", act.keeps_seed,
+                 "Keep the seed: the same libraries then play the same leg again");
+  if (act.kind == ActKind::withdraw) {
+    act.results = "keep";
+    command.option("--results", act.results, "Keep the team's results, or annul them")
+        .one_of({"keep", "annul"})
+        .shows_default();
+  }
+  if (act.kind == ActKind::freeze) add_freeze(command, act);
+  if (act.kind == ActKind::release) add_release(command, act);
+  if (act.kind == ActKind::undo)
+    command.option("NUMBER", act.decision, "Number of the decision, as league decisions lists it")
+        .required();
 }
 
-void add_undo(system::Commands& commands) {
-  const auto [command, act] = add_act(commands, ActKind::undo, "Take a decision back",
-                                      {"mirocup league undo spring 3 --reason \"the wrong leg\""});
-  command.option("NUMBER", act.decision, "Number of the decision, as league decisions lists it")
-      .required();
-  add_reason(command, act);
+}  // namespace
+
+void add_acts(system::Commands& commands) {
+  for (const auto& [kind, description, example] : act_helps) {
+    const auto [command, options] =
+        commands.add(run_act, to_string(kind).data(), kind == ActKind::release ? to_show : to_rule,
+                     description, {example});
+    Act& act = options.act;
+    act.kind = kind;
+    add_folder(command, options.folder);
+    if (kind == ActKind::award || kind == ActKind::rule || kind == ActKind::void_)
+      add_fixture(command, act);
+    if (kind == ActKind::award || kind == ActKind::withdraw || kind == ActKind::pause ||
+        kind == ActKind::resume)
+      command.option("TEAM", act.team, "Name of the team").required();
+    add_own_options(command, act);
+    command.option("--reason", act.reason, "Reason, which is published").required();
+    command.option("--by", act.by, "Name of the person who decides; it is published");
+    command.flag("--dry-run", act.is_dry_run, "Print what would change, and change nothing");
+  }
 }
 
 }  // namespace mirocup::league
