@@ -5,10 +5,11 @@
 #pragma once
 
 #include "core/base/error.hpp"
+#include "core/base/random.hpp"
 #include "core/field/league.hpp"
 #include "core/match/start.hpp"
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include <string>
 #include <string_view>
@@ -36,5 +37,16 @@ Situation read_situation(const JsonReader& json);
 
 // Like read_situation(), for the text of a file. Errors: Errc::input.
 Result<Situation> parse_situation(std::string_view text, const std::string& path);
+
+// JSON in which any number may be a range, {"from": a, "to": b}, from which a seed draws the
+// number: the situations of drills and of training.
+
+// Returns the value with a number in the place of each range, drawn in the order of the document.
+nlohmann::ordered_json drawn(const nlohmann::ordered_json& json, Random& random);
+
+// Draws a situation. If bodies overlap, draws again, at most a hundred times. If no draw succeeds,
+// returns the error of the last draw, Errc::input, which names `path`.
+Result<Situation> draw_situation(const nlohmann::ordered_json& ranges, League league,
+                                 Random& random, const std::string& path);
 
 }  // namespace mirocup::record

@@ -4,13 +4,15 @@
 // steer its robots.
 #pragma once
 
+#include "core/match/command.hpp"
+#include "core/match/disturbances.hpp"
 #include "plugins/host/trusted_controller.hpp"
 #include "training/config.hpp"
 #include "training/episode.hpp"
-#include "training/noise.hpp"
 #include "training/observations.hpp"
 #include "training/rewards.hpp"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,6 +20,25 @@
 #include <vector>
 
 namespace mirocup::training {
+
+// Robots that move at random, like the robots without a learner in rSoccer's VSS environment: the
+// speed of each wheel is an Ornstein-Uhlenbeck process, x += theta (0 - x) dt + sigma sqrt(dt) n,
+// with theta = 0.17/s and sigma = 0.5/sqrt(s), in shares of the speed limit.
+
+// The random motion of a team. The class is a plain value.
+class Noise {
+ public:
+  Noise() = default;
+  // Makes the motion of one team in the episode of `seed`.
+  Noise(std::uint64_t seed, Team team);
+
+  // Returns the wheel speeds of all robots for a tick of `period` seconds; `limit` is in rad/s.
+  match::Command next(int robots, double period, double limit);
+
+ private:
+  Random random_;
+  std::array<std::array<double, 2>, max_robots_per_team> share_{};
+};
 
 // The learners of a match, in the order of its rows.
 struct Slots {

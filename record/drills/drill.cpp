@@ -3,9 +3,9 @@
 
 #include "core/field/field.hpp"
 #include "record/conditions_json.hpp"
-#include "record/drawn_situation.hpp"
 #include "record/json_reader.hpp"
 #include "record/rules_json.hpp"
+#include "record/situation_json.hpp"
 #include "record/team_parameters_json.hpp"
 
 #include <filesystem>
