@@ -86,7 +86,6 @@ export(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team mirocup_tra
 configure_file(cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config.cmake COPYONLY)
 configure_file(cmake/mirocup_simurosot.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup_simurosot.cmake COPYONLY)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include ${PROJECT_BINARY_DIR}/share/mirocup)
-file(REMOVE_RECURSE ${PROJECT_BINARY_DIR}/share/mirocup/team)  # a folder of copies in older build trees
 foreach(link plugins/include/mirocup:include/mirocup plugins/template:share/mirocup/team plugins/drills:share/mirocup/drills
     plugins/simurosot:share/mirocup/simurosot)
   string(REPLACE ":" ";" ends ${link})

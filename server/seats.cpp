@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "server/seats.hpp"
 
-#include "plugins/host/crash_notice.hpp"
 #include "plugins/host/elf.hpp"
 #include "plugins/host/file_advice.hpp"
 #include "plugins/host/host_program.hpp"
@@ -18,9 +17,6 @@ namespace mirocup::server {
 
 namespace {
 
-constexpr std::string_view dds_prefix = "dds:";
-constexpr std::string_view firasim_prefix = "firasim:";
-
 // dlopen() searches for a name without a slash in the system's folders.
 std::string with_slash(const std::string& path) {
   return path.find('/') == std::string::npos ? "./" + path : path;
@@ -34,21 +30,16 @@ match::Fault no_load(std::string why) {
 
 Result<TeamChoice> choose_team(const std::string& text) {
   TeamChoice choice;
-  if (text.rfind(dds_prefix, 0) == 0) {
-    choice.network_name = text.substr(dds_prefix.size());
-    choice.info = {choice.network_name, record::TeamKind::dds, std::nullopt};
-    if (choice.network_name.empty()) return fail(Errc::input, "dds: needs a name, as in dds:NAME");
-    if (choice.network_name.size() > dds::max_team_name) {
+  for (const auto kind : {record::TeamKind::dds, record::TeamKind::firasim}) {
+    const std::string prefix = std::string(to_string(kind)) + ":";
+    if (!text.starts_with(prefix)) continue;
+    choice.network_name = text.substr(prefix.size());
+    choice.info = {choice.network_name, kind, std::nullopt};
+    if (choice.network_name.empty())
+      return fail(Errc::input, prefix + " needs a name, as in " + prefix + "NAME");
+    if (kind == record::TeamKind::dds && choice.network_name.size() > dds::max_team_name) {
       return fail(Errc::input, "\"" + text + "\": the name of a team on the network has at most " +
                                    std::to_string(dds::max_team_name) + " bytes");
-    }
-    return choice;
-  }
-  if (text.rfind(firasim_prefix, 0) == 0) {
-    choice.network_name = text.substr(firasim_prefix.size());
-    choice.info = {choice.network_name, record::TeamKind::firasim, std::nullopt};
-    if (choice.network_name.empty()) {
-      return fail(Errc::input, "firasim: needs a name, as in firasim:NAME");
     }
     return choice;
   }
@@ -109,13 +100,10 @@ Result<TeamSeat> TeamSeat::take_trusted(const TeamChoice& choice, const match::B
   seat.load_fault_ = choice.fault;
   if (choice.fault) return seat;
   plugins::tell_of_crashes();
-  const match::TeamParameters& parameters = choice.info.parameters;
-  const bool is_python = choice.entry->is_python();
-  MIROCUP_TRY(const auto module, is_python ? plugins::python_module() : std::string());
-  auto controller = is_python ? plugins::TrustedController::load_python(
-                                    choice.library, module, briefing, parameters, keeps_thoughts)
-                              : plugins::TrustedController::load(choice.library, briefing,
-                                                                 parameters, keeps_thoughts);
+  MIROCUP_TRY(const auto module,
+              choice.entry->is_python() ? plugins::python_module() : std::string());
+  auto controller = plugins::TrustedController::load(
+      choice.library, briefing, choice.info.parameters, keeps_thoughts, module);
   if (!controller) {
     seat.load_fault_ = controller.error();
     return seat;

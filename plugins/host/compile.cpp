@@ -4,11 +4,12 @@
 #include "plugins/host/file_advice.hpp"
 #include "plugins/host/project/compiler_command.hpp"
 #include "plugins/host/sandbox/fork.hpp"
+#include "plugins/host/sandbox/private_root.hpp"
 #include "plugins/host/sandbox/probe.hpp"
-#include "plugins/host/sandbox/toolchain_root.hpp"
 #include "system/descriptor.hpp"
 #include "system/files.hpp"
 #include "system/process_tree.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -18,8 +19,11 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <poll.h>
+#include <span>
+#include <string>
 #include <string_view>
 #include <sys/mman.h>
+#include <sys/mount.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/sendfile.h>
@@ -78,6 +82,74 @@ const char* const c_command[] = {c_compiler,
                                  nullptr};
 const char* const project_command[] = {"mirocup-project-compiler", source_path, "/compile/project",
                                        library_path, nullptr};
+
+// The file tree of the compiler in the tier `compile` (plugins/host/README.md): the system's
+// compiler, headers and libraries, read-only, the headers of a strategy, and one folder in memory.
+
+// The folder in which the compiler works. The folder has the source, and later the library.
+constexpr const char* work_folder = "/compile";
+constexpr const char* headers_folder = "/mirocup/include";
+constexpr const char* tree_options = "size=16m,mode=755";
+constexpr const char* work_options = "size=256m,mode=700";
+
+// What the compiler needs, beside library_folders, which have its parts and the libraries.
+constexpr const char* compiler_folders[] = {"/bin", "/usr/bin", "/usr/include", "/usr/libexec"};
+
+// A file that the tree gets.
+struct TreeFile {
+  std::string path;  // absolute path in the tree; its folders must come earlier in the list
+  std::string bytes;
+  bool is_folder = false;
+};
+
+bool is_work(const TreeFile& file) {
+  const std::size_t length = std::strlen(work_folder);
+  return std::strncmp(file.path.c_str(), work_folder, length) == 0 && file.path[length] == '/';
+}
+
+bool write_file(const TreeFile& file) {
+  if (file.is_folder) return mkdir(file.path.c_str(), 0755) == 0;
+  const system::Descriptor out(
+      open(file.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0444));
+  std::size_t done = 0;
+  while (out.is_open() && done < file.bytes.size()) {
+    const ssize_t n = write(out.get(), file.bytes.data() + done, file.bytes.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    done += static_cast<std::size_t>(n);
+  }
+  return out.is_open();
+}
+
+// Makes the tree and makes it the root. Files below the work folder are in memory; all other files
+// are read-only. Precondition: the process has its own mount namespace. The function allocates
+// nothing, so it may be called after fork. Returns null on success, else the step that failed;
+// errno says why.
+const char* enter_toolchain_root(std::span<const TreeFile> files) {
+  if (const char* step = begin_root(tree_options)) return step;
+  for (const char* folder :
+       {"usr", "usr/local", "etc", "mirocup", "mirocup/include", work_folder + 1}) {
+    if (mkdir(folder, 0755) != 0) return "the folders of the root";
+  }
+  for (const char* folder : library_folders) {
+    if (!show_folder(folder)) return folder;
+  }
+  for (const char* folder : compiler_folders) {
+    if (!show_folder(folder)) return folder;
+  }
+  if (const char* step = change_root()) return step;
+  for (const TreeFile& file : files) {
+    if (!is_work(file) && !write_file(file)) return "the headers of a strategy";
+  }
+  if (!make_read_only("/")) return "a root that is read only";
+  if (mount("work", work_folder, "tmpfs", MS_NOSUID | MS_NODEV, work_options) != 0 ||
+      chdir(work_folder) != 0)
+    return "the folder in which the compiler works";
+  for (const TreeFile& file : files) {
+    if (is_work(file) && !write_file(file)) return "the source";
+  }
+  return nullptr;
+}
 
 // Adds the headers with their folders.
 Result<void> add_headers(const fs::path& folder, const std::string& below,
@@ -286,12 +358,6 @@ std::string advice_on(std::string_view words) {
   return "";
 }
 
-std::string last_line(std::string text) {
-  while (text.ends_with('\n')) text.pop_back();
-  const std::size_t end = text.rfind('\n');
-  return end == std::string::npos ? text : text.substr(end + 1);
-}
-
 // Returns what became of it, after the sandbox has ended with that status.
 Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result, int step,
                        Compiled compiled_so_far) {
@@ -304,7 +370,7 @@ Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result
                    std::to_string(static_cast<int>(work.limits.seconds)) +
                    " s of processor time: let it have fewer templates, constexpr or sources";
   } else if (code == refused_archive) {
-    done.why_not = last_line(done.output);
+    done.why_not = system::last_line(done.output);
     done.output.clear();
   } else if (code == not_compiled) {
     done.why_not = "it does not compile; the log has the compiler's words" + advice_on(done.output);

@@ -4,7 +4,9 @@
 #include "plugins/host/launch.hpp"
 #include "system/locations.hpp"
 
+#include <dlfcn.h>
 #include <filesystem>
+#include <utility>
 
 namespace mirocup::plugins {
 
@@ -28,6 +30,22 @@ Result<std::string> host_program(const SealedEntry& entry, Care care) {
 
 Result<std::string> python_module() {
   return part_for_python("mirocup-python.so");
+}
+
+tl::expected<Plugin, match::Fault> load_python(const std::string& path, const std::string& module,
+                                               const mirocup_setup& setup) {
+  const auto no_load = [](std::string why) {
+    return tl::unexpected(match::Fault{match::FaultCode::no_load, std::move(why)});
+  };
+  void* library = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) return no_load(std::string("Python is not here: ") + dlerror());
+  const auto load =
+      reinterpret_cast<decltype(&mirocup_python_load)>(dlsym(library, "mirocup_python_load"));
+  if (load == nullptr) return no_load(module + " is of another version");
+  PythonLoaded loaded{};
+  load(path.c_str(), &setup, &loaded);
+  if (loaded.team == nullptr) return no_load(loaded.why);
+  return Plugin::adopt(*loaded.strategy, loaded.team);
 }
 
 }  // namespace mirocup::plugins

@@ -13,19 +13,21 @@
 
 namespace mirocup::plugins {
 
+// From now on, this process prints a line about the running call of a team in this process before a
+// deadly signal ends it. (In a team's own process fault_report.hpp reports crashes.) Existing
+// handlers, such as a sanitizer's, stay. Only a program may call this function, not a library in
+// another program's process.
+void tell_of_crashes();
+
 class TrustedController final : public match::Controller {
  public:
   // Loads the library at `path`, which must contain a slash, and creates its team with the
-  // parameters. If `keeps_thoughts`, thoughts() has the team's shapes.
+  // parameters. If `keeps_thoughts`, thoughts() has the team's shapes. `module`: the path of
+  // mirocup-python.so if `path` is the file of a team in Python; "" for a library.
   static tl::expected<std::unique_ptr<TrustedController>, match::Fault> load(
       const std::string& path, const match::Briefing& briefing,
-      const match::TeamParameters& parameters, bool keeps_thoughts = false);
-
-  // Loads the file of a team in Python and creates its team. `module` is the path of
-  // mirocup-python.so.
-  static tl::expected<std::unique_ptr<TrustedController>, match::Fault> load_python(
-      const std::string& path, const std::string& module, const match::Briefing& briefing,
-      const match::TeamParameters& parameters, bool keeps_thoughts = false);
+      const match::TeamParameters& parameters, bool keeps_thoughts = false,
+      const std::string& module = "");
 
   void post(const match::Observation& observation) override;
   match::Answer collect() override;

@@ -2,7 +2,7 @@
 //
 // mirocup-python.so: the interpreter for `mirocup match --trusted`, loaded when a team needs it, so
 // that mirocup itself does not depend on Python.
-#include "plugins/host/python_module.hpp"
+#include "plugins/host/host_program.hpp"
 #include "plugins/python/python_team.hpp"
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 #include "plugins/host/file_advice.hpp"
 #include "plugins/host/host_program.hpp"
 #include "plugins/host/plugin.hpp"
-#include "plugins/host/python_module.hpp"
 #include "plugins/host/sealed_entry.hpp"
 #include "plugins/host/team_host.hpp"
 #include "programs/mirocup/commands.hpp"

@@ -9,7 +9,7 @@
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/handin/team_desk_page.hpp"
-#include "web/http/proxy.hpp"
+#include "web/http/server.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,8 @@
 //
 // Catches a program of this computer that passes for the proxy, and a viewer that invents an
 // address.
-#include "web/http/proxy.hpp"
-
 #include "web/http/address.hpp"
+#include "web/http/server.hpp"
 
 #include <gtest/gtest.h>
 
