@@ -23,7 +23,7 @@ struct OriginDrill {
   const char* words;
 };
 constexpr OriginDrill origin_drills[] = {
-    {GoalOrigin::own_goal, "clear-corner", "were own goals"},
+    {GoalOrigin::own_goal, "clear-past-mates", "were own goals"},
     {GoalOrigin::penalty, "save-penalty", "came from penalty kicks"},
     {GoalOrigin::kick_off, "cover-the-goal", "came from kick-offs"},
     {GoalOrigin::free_kick, "cover-the-goal", "came from free kicks"},

@@ -43,7 +43,7 @@ TEST(Advice, BelongsToWhatWasLost) {
   const auto totals = totals_of(legs);
   const auto advice = advice_for(legs, totals[0]);
   ASSERT_EQ(advice.size(), 3u);
-  EXPECT_EQ(advice[0].drill, "clear-corner");
+  EXPECT_EQ(advice[0].drill, "clear-past-mates");
   EXPECT_EQ(advice[0].why, "3 of 5 goals against it were own goals");
   EXPECT_EQ(advice[1].drill, "shoot-open-goal");
   EXPECT_EQ(advice[1].why, "2 of 10 shots were on goal");
