@@ -15,7 +15,7 @@ using test_support::Outline;
 namespace {
 
 // A match in real time keeps its pace if the dearest tick takes half of its own length.
-constexpr double longest_tick = 0.5 * tick;  // s of CPU time
+constexpr double most_cpu_of_a_tick = 0.5 * tick;  // s of CPU time
 // The budget of 23 bodies allows 736 events of two.
 constexpr double most_events_a_tick = 800.0;
 
@@ -224,7 +224,7 @@ Bars scrums(Size size) {
         {scene, "energy above the motors' work in 0.125 ms, J", m.excess_energy_fine, 2e-7});
     bars.push_back(
         {scene, "ticks with numbers that are not finite", static_cast<double>(m.not_finite), 0.0});
-    bars.push_back({scene, "worst tick, CPU time, s", m.worst_tick, longest_tick, true});
+    bars.push_back({scene, "worst tick, CPU time, s", m.worst_tick, most_cpu_of_a_tick, true});
     bars.push_back(
         {scene, "most events in a tick", static_cast<double>(m.most_events), most_events_a_tick});
     bars.push_back({scene, "ticks with small steps", static_cast<double>(m.stepped), HUGE_VAL});
