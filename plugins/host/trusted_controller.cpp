@@ -22,8 +22,8 @@ struct RunningCall {
   std::uint32_t tick = 0;
 };
 
-// Not an argument, because a signal handler gets no pointer of its own. Of the thread: the handler
-// runs in the one that has crashed.
+// A variable of the thread, because a signal handler takes no pointer, and the handler runs in the
+// thread that has crashed.
 thread_local const RunningCall* running_call = nullptr;
 
 void print_part(const char* text) {
@@ -39,7 +39,7 @@ void print_number(std::uint32_t number) {
   print_part(first);
 }
 
-// Returns to the default action, of which the process then dies.
+// Prints the running call, and then ends the process by the signal's default action.
 void tell_of_crash(int signal) {
   if (const RunningCall* call = running_call) {
     print_part("mirocup: the ");

@@ -38,7 +38,7 @@ Result<int> run_act(const ActOptions& options) {
   return exit_yes;
 }
 
-// What the help says of an act, and an example of its subcommand.
+// The description of an act in the help, and an example of its subcommand.
 struct ActHelp {
   ActKind kind;
   const char* description;
@@ -96,7 +96,7 @@ void add_release(const system::Command& command, Act& act) {
                  "otherwise none)");
 }
 
-// What only this act has, beside its fixture or team and its reason.
+// Adds the options that no other act has.
 void add_own_options(const system::Command& command, Act& act) {
   if (act.kind == ActKind::rule)
     command.option("--score", act.score, "Goals of the home team and of the away team").required();

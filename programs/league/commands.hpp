@@ -22,7 +22,7 @@ inline constexpr const char* to_show = "Show";
 inline constexpr const char* to_rule = "Decide";
 inline constexpr const char* on_clusters = "Many computers";
 
-// Each declares its subcommand; add_acts declares those of all acts.
+// Each function declares its subcommand; add_acts() declares the subcommands of all acts.
 using Add = void(system::Commands& commands);
 Add add_init, add_submit, add_owner, add_nightly, add_start, add_stop, add_status, add_health,
     add_stats, add_publish, add_prune, add_serve, add_show, add_export, add_token,
