@@ -159,7 +159,7 @@ void World::start_tick(std::span<const WheelCommand> commands, double duration) 
     steps_->forget_forces();
   }
   steps_->begin_tick();
-  thresholds_.begin_tick();
+  thresholds_.begin_tick(duration);
   islands_.for_each(contacts_, [this](std::span<const collision::Contact> island) {
     if (!is_at_rest(bodies_of(island))) thresholds_.note_island(bodies_of(island));
   });

@@ -20,15 +20,27 @@ RestThresholds::Touched touched_of(const collision::Contact& c) {
           .point_on_a = c.point.point_on_a};
 }
 
+int cost_of_event(int bodies) {
+  if (bodies <= 2) return bodies;
+  const int square = bodies * bodies;
+  if (bodies < settings::rest_thresholds.large_event) return square;
+  return square * bodies / settings::rest_thresholds.bodies_of_least_budget;
+}
+
 }  // namespace
 
 RestThresholds::RestThresholds(const Tolerances& tolerances, int bodies)
     : tolerances_(tolerances),
-      budget_(tolerances.event_budget *
-              std::max(bodies, settings::rest_thresholds.bodies_of_least_budget)) {}
+      least_budget_(tolerances.event_budget *
+                    std::max(bodies, settings::rest_thresholds.bodies_of_least_budget)),
+      cost_of_meeting_(std::min(bodies - 1, settings::rest_thresholds.most_cost_of_meeting)) {}
 
-void RestThresholds::begin_tick() {
+void RestThresholds::begin_tick(double duration) {
+  const double parts = std::max(1.0, duration / settings::rest_thresholds.budget_duration);
+  budget_ =
+      static_cast<int>(std::min(least_budget_ * parts, settings::rest_thresholds.most_budget));
   spent_ = 0;
+  meetings_ = 0;
   were_over_budget_ = memory_.over_budget;
   memory_.over_budget = budget_ > 0 ? BodySet{} : ~BodySet{};
   all_impacts_ = 0;
@@ -107,8 +119,9 @@ double RestThresholds::restitution_threshold(const collision::Contact& contact, 
 
 void RestThresholds::note_event(const BodySet& involved, bool was_forced) {
   const int bodies = static_cast<int>(involved.count());
-  spent_ += bodies <= 2 ? bodies : bodies * bodies;
-  if (spent_ >= budget_) {
+  spent_ += cost_of_event(bodies);
+  if (bodies > 1) ++meetings_;
+  if (spent_ >= budget_ || meetings_ * cost_of_meeting_ >= budget_) {
     memory_.over_budget |= involved;
   } else if (spent_ >= budget_ / settings::rest_thresholds.budget_divisor) {
     memory_.over_budget |= involved & were_over_budget_;

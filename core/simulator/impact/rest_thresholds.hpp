@@ -41,8 +41,9 @@ class RestThresholds {
   // The thresholds of a world of this many bodies.
   RestThresholds(const Tolerances& tolerances, int bodies);
 
-  // Starts a tick with the least min_duration(), an unspent budget and no impacts.
-  void begin_tick();
+  // Starts a tick of `duration` seconds with the least min_duration(), an unspent budget and no
+  // impacts.
+  void begin_tick(double duration);
   // Ends a tick of `duration` seconds. Afterwards, remembered times count from the end of that
   // tick.
   void end_tick(double duration);
@@ -116,8 +117,11 @@ class RestThresholds {
 
   Tolerances tolerances_;
   Memory memory_;
-  int budget_;                // of the tick
+  int least_budget_;          // of a short tick
+  int cost_of_meeting_;       // least mean cost of the events of two or more bodies
+  int budget_ = 0;            // of this tick
   int spent_ = 0;             // the part of budget_ that is spent so far
+  int meetings_ = 0;          // events of two or more bodies in this tick, so far
   BodySet were_over_budget_;  // in the last tick
   int all_impacts_ = 0;       // in this tick, so far
   double last_impact_ = 0.0;  // s of the tick

@@ -15,16 +15,16 @@ const Tolerances tolerances;
 const BodySet crowd{0b111};  // bodies 0, 1 and 2
 
 constexpr int all_bodies = 7;
+constexpr double tick = 0.033;
 
-// Returns how many events of n bodies use up the budget.
-int events_in_budget(int n) {
-  const int cost = n <= 2 ? n : n * n;
-  return (all_bodies * tolerances.event_budget + cost - 1) / cost;
+// Returns how many events that cost so much use up the budget of a world of so many bodies.
+int events_in_budget(int cost, int bodies = all_bodies) {
+  return (bodies * tolerances.event_budget + cost - 1) / cost;
 }
 
-RestThresholds fresh() {
-  RestThresholds thresholds(tolerances, all_bodies);
-  thresholds.begin_tick();
+RestThresholds fresh(int bodies = all_bodies) {
+  RestThresholds thresholds(tolerances, bodies);
+  thresholds.begin_tick(tick);
   return thresholds;
 }
 
@@ -149,9 +149,9 @@ TEST(RestThresholds, DoNotDependOnTheLengthOfTicks) {
   many.end_tick(1.5e-3);
   RestThresholds copy = fresh();
   copy.recall(many.memory());
-  copy.begin_tick();
+  copy.begin_tick(tick);
   copy.end_tick(1.0e-3);
-  copy.begin_tick();
+  copy.begin_tick(tick);
   EXPECT_NEAR(copy.restitution_threshold(contact, flight - 1.5e-3) /
                   one.restitution_threshold(contact, 1e-3 + flight),
               1.0, 1e-9);
@@ -194,17 +194,32 @@ TEST(RestThresholds, CurvesMayBeLongerAfterABurst) {
 }
 
 // Catches a budget that counts events alone, since one of 22 robots costs far more than one of two;
-// and one that steps bodies to which nothing happens any more.
+// one in which 280 events of two bodies fit into a tick, or three of 22 robots, which take 5 ms
+// each; one that ends the bounces of a ball between a wall and a robot alone; and one that steps
+// bodies to which nothing happens any more.
 TEST(RestThresholds, AnEventOfMoreBodiesCostsMore) {
-  const auto followed = [](const BodySet& bodies) {
-    RestThresholds thresholds = fresh();
+  const auto followed = [](const BodySet& bodies, int all) {
+    RestThresholds thresholds = fresh(all);
     int events = 0;
     for (; thresholds.over_budget().none(); ++events) thresholds.note_event(bodies, false);
     EXPECT_EQ(thresholds.over_budget(), bodies);
     return events;
   };
-  EXPECT_EQ(followed(crowd), events_in_budget(3));
-  EXPECT_EQ(followed(BodySet{0b1}), events_in_budget(1));
+  EXPECT_EQ(followed(crowd, all_bodies), events_in_budget(9));
+  EXPECT_EQ(followed(BodySet{0b1}, all_bodies), events_in_budget(1));
+  EXPECT_EQ(followed(BodySet{0b11}, all_bodies), events_in_budget(6));
+  EXPECT_EQ(followed(BodySet{0b11}, 2), events_in_budget(2));
+  EXPECT_EQ(followed(BodySet{0x7ff}, max_bodies), events_in_budget(121, max_bodies));
+  EXPECT_EQ(followed(BodySet{0x3fffff}, max_bodies), 2);
+}
+
+// Catches a budget that does not depend on the tick's length: in a tick of 1 s more than a hundred
+// bounces are usual, and bodies that are time-stepped do not keep their energy.
+TEST(RestThresholds, ALongTickHasMoreBudget) {
+  RestThresholds thresholds = fresh();
+  thresholds.begin_tick(1.0);
+  for (int i = 0; i < 2500; ++i) thresholds.note_event(BodySet{0b11}, false);
+  EXPECT_TRUE(thresholds.over_budget().none());
 }
 
 // A large island that went over budget is over budget from the start of the next tick, and no other
@@ -215,19 +230,19 @@ TEST(RestThresholds, AnIslandThatWentOverBudgetHasLess) {
   const BodySet five(0b111110000);
   const BodySet at_rest(0b11111 << 9);
   RestThresholds thresholds = fresh();
-  const int whole = events_in_budget(4);
+  const int whole = events_in_budget(16);
   const int few = whole / settings::rest_thresholds.budget_divisor + 1;
-  for (int tick = 0; tick < 3; ++tick) {
+  for (int k = 0; k < 3; ++k) {
     for (const BodySet& island : {four, five, at_rest}) thresholds.note_island(island);
-    EXPECT_EQ(thresholds.over_budget(), tick == 0 ? BodySet() : five);
+    EXPECT_EQ(thresholds.over_budget(), k == 0 ? BodySet() : five);
     int events = 0;
     for (; !thresholds.over_budget()[0]; ++events) thresholds.note_event(four, false);
-    EXPECT_EQ(events, tick == 0 ? whole : few);
+    EXPECT_EQ(events, k == 0 ? whole : few);
     while (!thresholds.over_budget()[4]) thresholds.note_event(five, false);
-    thresholds.begin_tick();
+    thresholds.begin_tick(tick);
   }
   thresholds.forget();
-  thresholds.begin_tick();
+  thresholds.begin_tick(tick);
   thresholds.note_island(five);
   EXPECT_EQ(thresholds.over_budget(), BodySet());
 }
@@ -235,7 +250,7 @@ TEST(RestThresholds, AnIslandThatWentOverBudgetHasLess) {
 TEST(RestThresholds, EachTickStartsAfresh) {
   RestThresholds thresholds = fresh();
   for (int i = 0; i < 12; ++i) thresholds.note_event(crowd, true);
-  thresholds.begin_tick();
+  thresholds.begin_tick(tick);
   EXPECT_DOUBLE_EQ(thresholds.min_duration(), tolerances.min_contact_duration);
 }
 
