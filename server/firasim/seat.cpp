@@ -97,7 +97,9 @@ void Seat::note_answer(double now) {
 }
 
 bool Seat::take(const TeamPlacement& placement, const Endpoint& sender, double now) {
-  const bool is_of_another_host = sender_ && sender_->address != sender.address;
+  // A program's commands and placements may leave its host by interfaces with different addresses.
+  const bool is_of_another_host = sender_ && sender_->address != sender.address &&
+                                  !(is_of_this_host(*sender_) && is_of_this_host(sender));
   const bool is_another = placer_ && *placer_ != sender && !may_be_replaced(now);
   if (is_of_another_host || is_another) {
     ++counts_.foreign;

@@ -18,8 +18,10 @@ namespace {
 // A socket of this host, as a client has one.
 class Peer {
  public:
-  Peer() : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-    const sockaddr_in any = at(0);
+  explicit Peer(std::uint32_t address = INADDR_LOOPBACK)
+      : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in any = at(0);
+    any.sin_addr.s_addr = htonl(address);
     if (bind(socket_.get(), reinterpret_cast<const sockaddr*>(&any), sizeof any) != 0) abort();
   }
   int port() const {
@@ -179,6 +181,22 @@ TEST_F(FirasimServer, AFloodCrowdsOutNoPlacement) {
   EXPECT_EQ(command->placement->robots[1].x, -0.6);
   EXPECT_EQ(seat_->counts().placements, 2U);
   EXPECT_GT(seat_->counts().foreign, 0U);
+}
+
+// Catches a program that loses its placements because they leave its host by another interface than
+// its commands, and so come from another address of the same host.
+TEST_F(FirasimServer, PlacementsMayComeFromAnotherAddressOfTheHost) {
+  const Peer placer(0x7f000002);
+  play_until([](const auto& now) { return now.placing; });
+  for (const double x : {-0.5, -0.6}) {
+    team_.send(drive_all(Team::blue, 0.0, 0.0), commands_);
+    ask();
+    placer.send(place_one(Team::blue, x, 0.1), placements_);
+    team_.send(drive_all(Team::blue, 0.0, 0.0), commands_);
+    ASSERT_TRUE(std::holds_alternative<match::Command>(seat_->collect()));
+  }
+  EXPECT_EQ(seat_->counts().placements, 2U);
+  EXPECT_EQ(seat_->counts().foreign, 0U);
 }
 
 // Catches a command to an earlier vision that is taken for the answer to the next one, which is how
