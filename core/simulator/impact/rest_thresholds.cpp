@@ -33,7 +33,7 @@ RestThresholds::RestThresholds(const Tolerances& tolerances, int bodies)
     : tolerances_(tolerances),
       least_budget_(tolerances.event_budget *
                     std::max(bodies, settings::rest_thresholds.bodies_of_least_budget)),
-      cost_of_meeting_(std::min(bodies - 1, settings::rest_thresholds.most_cost_of_meeting)) {}
+      cost_of_meeting_(std::min(bodies, settings::rest_thresholds.bodies_of_least_budget) - 1) {}
 
 void RestThresholds::begin_tick(double duration) {
   const double parts = std::max(1.0, duration / settings::rest_thresholds.budget_duration);

@@ -117,8 +117,10 @@ class RestThresholds {
 
   Tolerances tolerances_;
   Memory memory_;
-  int least_budget_;          // of a short tick
-  int cost_of_meeting_;       // least mean cost of the events of two or more bodies
+  int least_budget_;  // of a short tick
+  // Least mean cost of the events of two or more bodies: the other bodies that a body may meet
+  // next, counted up to those of the least budget.
+  int cost_of_meeting_;
   int budget_ = 0;            // of this tick
   int spent_ = 0;             // the part of budget_ that is spent so far
   int meetings_ = 0;          // events of two or more bodies in this tick, so far

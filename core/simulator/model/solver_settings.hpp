@@ -168,9 +168,6 @@ inline constexpr struct RestThresholdsSettings {
   double most_budget = 1e9;        // [1] of a tick of any length
   // [1] Bodies that were over budget in the last tick have the budget divided by this.
   int budget_divisor = 8;
-  // [1] Events of two or more bodies cost on average at least the number of the world's other
-  // bodies, with which they may meet next, but no more than this.
-  int most_cost_of_meeting = 6;
   // [bodies] From this size on, the cost of an event grows with the cube of its bodies.
   int large_event = 12;
   // [bodies] From this size on, an island is stepped from the start of a tick if one of its bodies
