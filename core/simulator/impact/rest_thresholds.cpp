@@ -23,8 +23,8 @@ RestThresholds::Touched touched_of(const collision::Contact& c) {
 int cost_of_event(int bodies) {
   if (bodies <= 2) return bodies;
   const int square = bodies * bodies;
-  if (bodies < settings::rest_thresholds.large_event) return square;
-  return square * bodies / settings::rest_thresholds.bodies_of_least_budget;
+  const int large = settings::rest_thresholds.large_event;
+  return bodies <= large ? square : square * square / (large * large);
 }
 
 }  // namespace

@@ -85,12 +85,10 @@ class RestThresholds {
   void note_contact(const collision::Contact& contact, std::span<const solver::InverseMass> mass,
                     double t);
 
-  // Counts an event. An event of one or two bodies costs their number, one of more bodies the
-  // square of their number, because the time for deciding their forces grows like this. If the
-  // world has spent its budget of the tick, the bodies involved are over budget. Bodies that were
-  // over budget in the last tick are over budget again if they have an event once 1/budget_divisor
-  // of the budget is spent. `was_forced` is true if the event ended a curve as soon as
-  // min_duration() allowed.
+  // Counts an event; Tolerances::event_budget has what it costs. If the world has spent its budget
+  // of the tick, the bodies involved are over budget. Bodies that were over budget in the last tick
+  // are over budget again if they have an event once 1/budget_divisor of the budget is spent.
+  // `was_forced` is true if the event ended a curve as soon as min_duration() allowed.
   void note_event(const BodySet& involved, bool was_forced);
 
   // Puts all bodies of a large island over budget from the start of the tick if one of them went

@@ -168,8 +168,9 @@ inline constexpr struct RestThresholdsSettings {
   double most_budget = 1e9;        // [1] of a tick of any length
   // [1] Bodies that were over budget in the last tick have the budget divided by this.
   int budget_divisor = 8;
-  // [bodies] From this size on, the cost of an event grows with the cube of its bodies.
-  int large_event = 12;
+  // [bodies] Beyond this size the cost of an event grows with the fourth power of its bodies: the
+  // time of a factorisation grows with the cube, and the number of factorisations with the bodies.
+  int large_event = 10;
   // [bodies] From this size on, an island is stepped from the start of a tick if one of its bodies
   // was over budget in the last tick.
   int large_island = 5;

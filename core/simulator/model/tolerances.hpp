@@ -39,15 +39,15 @@ struct Tolerances {
   // m/s: a slower slide of a robot in contact is stopped, and so is a slower ball in contact.
   double slow_motion = 1e-7;
   // Event budget of a tick of up to 34 ms, for each body of the world; a world with fewer than
-  // seven bodies has the budget of seven, and a longer tick has more in proportion. An event with n
-  // bodies costs n if n is one or two, n^2 up to eleven, and n^3 / 7 beyond. In a world of seven or
-  // more bodies the events of two or more cost 6 each on average, or more: a tick of seven bodies
-  // can have 560 events of one body, 94 of two, 35 of four or 12 of all. The bodies of an event
-  // beyond the budget are time-stepped for the rest of the tick, together with the bodies that they
-  // touch. In the next tick these bodies have an eighth of the budget, and an island of five or
-  // more bodies that holds one of them and moves is time-stepped from the start: a lasting scrum
-  // costs steps, a single crowded tick costs events. With a budget of 0 every body in contact is
-  // time-stepped.
+  // seven bodies has the budget of seven, and a longer tick has more in proportion. An event with
+  // n bodies costs n if n is one or two, n^2 up to ten, and n^4 / 100 beyond. In a world of
+  // seven or more bodies the events of two or more cost 6 each on average, or more: a tick of
+  // seven bodies can have 560 events of one body, 94 of two, 35 of four or 12 of all. The bodies
+  // of an event beyond the budget are time-stepped for the rest of the tick, together with the
+  // bodies that they touch. In the next tick these bodies have an eighth of the budget, and an
+  // island of five or more bodies that holds one of them and moves is time-stepped from the start:
+  // a lasting scrum costs steps, a single crowded tick costs events. With a budget of 0 every body
+  // in contact is time-stepped.
   int event_budget = 80;
 
   // ---- time stepping

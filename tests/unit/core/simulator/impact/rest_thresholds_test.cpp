@@ -194,7 +194,7 @@ TEST(RestThresholds, CurvesMayBeLongerAfterABurst) {
 }
 
 // Catches a budget that counts events alone, since one of 22 robots costs far more than one of two;
-// one in which 280 events of two bodies fit into a tick, or three of 22 robots, which take 5 ms
+// one in which 280 events of two bodies fit into a tick, or two of 22 robots, which take 5 ms
 // each; one that ends the bounces of a ball between a wall and a robot alone; and one that steps
 // bodies to which nothing happens any more.
 TEST(RestThresholds, AnEventOfMoreBodiesCostsMore) {
@@ -209,8 +209,8 @@ TEST(RestThresholds, AnEventOfMoreBodiesCostsMore) {
   EXPECT_EQ(followed(BodySet{0b1}, all_bodies), events_in_budget(1));
   EXPECT_EQ(followed(BodySet{0b11}, all_bodies), events_in_budget(6));
   EXPECT_EQ(followed(BodySet{0b11}, 2), events_in_budget(2));
-  EXPECT_EQ(followed(BodySet{0x7ff}, max_bodies), events_in_budget(121, max_bodies));
-  EXPECT_EQ(followed(BodySet{0x3fffff}, max_bodies), 2);
+  EXPECT_EQ(followed(BodySet{0x7ff}, max_bodies), events_in_budget(146, max_bodies));
+  EXPECT_EQ(followed(BodySet{0x3fffff}, max_bodies), 1);
 }
 
 // Catches a budget that does not depend on the tick's length: in a tick of 1 s more than a hundred
