@@ -325,10 +325,10 @@ Result<int> run_match(const MatchOptions& options) {
   }
   MIROCUP_TRY(const auto teams, choose_teams(options));
   MIROCUP_TRY_VOID(server::seat_teams(session, teams));
-  tell_weaker_isolation(options, session);
   if (options.watch) {
     MIROCUP_TRY_VOID(server::open_live_page(session, *options.watch));
   }
+  tell_weaker_isolation(options, session);  // not beside the sentence of an error
   MIROCUP_TRY_VOID(server::play(session));
   if (auto written = write_record(options, session); !written) {
     report(options, session);  // the score is known, if nothing else

@@ -4,6 +4,8 @@
 // with only a loopback interface. So the tests disturb neither each other (a host has ports for ten
 // matches) nor a league on this computer, which storms of packets would reach. On other systems
 // they run on the computer itself.
+#include "tests/programs/dds/own_host.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cerrno>
@@ -47,14 +49,26 @@ class OwnHost : public testing::Environment {
  public:
   void SetUp() override {
     const int home = open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC);
-    if (leave_network() && !raise_loopback()) {
+    const bool has_left = leave_network();
+    is_own_ = has_left && raise_loopback();
+    if (has_left && !is_own_) {
       ASSERT_EQ(setns(home, CLONE_NEWNET), 0) << std::strerror(errno);
     }
     close(home);
   }
+  bool is_own() const { return is_own_; }
+
+ private:
+  bool is_own_ = false;
 };
 
-const auto* const own_host = testing::AddGlobalTestEnvironment(new OwnHost);
+auto* const own_host = new OwnHost;
+const auto* const added = testing::AddGlobalTestEnvironment(own_host);
 
 }  // namespace
+
+bool is_on_own_host() {
+  return own_host->is_own();
+}
+
 }  // namespace mirocup
