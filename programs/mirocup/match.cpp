@@ -328,7 +328,7 @@ Result<int> run_match(const MatchOptions& options) {
   if (options.watch) {
     MIROCUP_TRY_VOID(server::open_live_page(session, *options.watch));
   }
-  tell_weaker_isolation(options, session);  // not beside the sentence of an error
+  tell_weaker_isolation(options, session);  // last, so that an error stands alone
   MIROCUP_TRY_VOID(server::play(session));
   if (auto written = write_record(options, session); !written) {
     report(options, session);  // the score is known, if nothing else

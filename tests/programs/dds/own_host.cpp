@@ -62,8 +62,7 @@ class OwnHost : public testing::Environment {
   bool is_own_ = false;
 };
 
-auto* const own_host = new OwnHost;
-const auto* const added = testing::AddGlobalTestEnvironment(own_host);
+const auto* const own_host = static_cast<OwnHost*>(testing::AddGlobalTestEnvironment(new OwnHost));
 
 }  // namespace
 
