@@ -39,6 +39,17 @@ std::vector<char*> environment_with(const std::string& variable) {
   return variables;
 }
 
+// Whether every user can read the file, and search each folder on the way to it.
+bool is_for_all(const std::filesystem::path& file) {
+  using std::filesystem::perms;
+  perms needed = perms::others_read;
+  for (auto at = std::filesystem::canonical(file);; at = at.parent_path()) {
+    if ((std::filesystem::status(at).permissions() & needed) == perms::none) return false;
+    if (at == at.root_path()) return true;
+    needed = perms::others_exec;
+  }
+}
+
 }  // namespace
 
 Running::Running(const std::vector<std::string>& arguments)
@@ -113,6 +124,29 @@ const std::string& why_no_t2() {
 
 std::string program(const std::string& name) {
   return std::string(MIROCUP_BUILD_FOLDER) + "/" + name;
+}
+
+std::string program_for_all(const std::string& name) {
+  const std::filesystem::path original = program(name);
+  if (is_for_all(original)) return original;
+  static const TemporaryFolder copies(place_for_all);
+  const std::filesystem::path copy = copies / name;
+  if (!std::filesystem::exists(copy)) {
+    std::filesystem::create_directories(copy.parent_path());
+    std::filesystem::copy_file(original, copy);
+    for (const auto& made : {std::filesystem::path(copies / ""), copy.parent_path(), copy}) {
+      std::filesystem::permissions(made, std::filesystem::perms{0755});
+    }
+  }
+  return copy;
+}
+
+std::vector<std::string> mirocup_of_nobody() {
+  for (const char* name : {"mirocup-plugin-host", "house/idle.so", "house/chaser.so"}) {
+    program_for_all(name);
+  }
+  return {"/usr/bin/setpriv", "--reuid=65534", "--regid=65534", "--clear-groups",
+          program_for_all("mirocup")};
 }
 
 std::string read_file(const std::string& path) {

@@ -55,6 +55,18 @@ const std::string& why_no_t2();
 // Returns the path build/NAME of the build that the tests belong to.
 std::string program(const std::string& name);
 
+// Every user may search this folder, also where the build and the folder of temporary files belong
+// to a home that others may not enter.
+inline constexpr const char* place_for_all = "/tmp";
+
+// Returns program(name) if every user can reach and read it, and otherwise the path of a copy that
+// every user can. The copies of a process lie in one folder, as they do in the build.
+std::string program_for_all(const std::string& name);
+
+// Returns the words that run `mirocup` as the system's user `nobody`; only root may do that. The
+// program finds the house teams idle and chaser.
+std::vector<std::string> mirocup_of_nobody();
+
 std::string read_file(const std::string& path);
 void write_file(const std::string& path, const std::string& bytes);
 nlohmann::ordered_json read_json(const std::string& path);

@@ -14,7 +14,10 @@ namespace mirocup::test_support {
 // A folder that is empty at construction and is removed by the destructor.
 class TemporaryFolder {
  public:
-  TemporaryFolder() {
+  // `place`: the folder in which it is made.
+  explicit TemporaryFolder(
+      const std::filesystem::path& place = std::filesystem::temp_directory_path())
+      : path_((place / "mirocup-test-XXXXXX").string()) {
     if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder");
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -26,7 +29,7 @@ class TemporaryFolder {
   std::string operator/(const std::string& name) const { return path_ + "/" + name; }
 
  private:
-  std::string path_ = (std::filesystem::temp_directory_path() / "mirocup-test-XXXXXX").string();
+  std::string path_;
 };
 
 }  // namespace mirocup::test_support

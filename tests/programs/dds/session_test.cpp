@@ -143,12 +143,11 @@ void expect_no_winner(int signal, const std::string& first, const std::string& s
   Running leg({program("mirocup"), "match", "--blue", "dds:one", "--yellow", "dds:two", "--match",
                id, "--speed", speed, "--half", "3000", "--away-limit", "2", "--record",
                folder / "leg.json"});
-  Running blue(join(id, "blue", "one", "striker"));
-  Running yellow(join(id, "yellow", "two", "striker"));
-  ASSERT_TRUE(has_said(blue, "one plays blue"));
-  ASSERT_TRUE(has_said(yellow, "two plays yellow"));
-  // Both have answered the first tick by then; otherwise they have not joined in time.
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  Running blue(join(id, "blue", "one", team("goes_on")));
+  Running yellow(join(id, "yellow", "two", team("goes_on")));
+  // Both have then answered an earlier tick; otherwise they have not joined in time.
+  ASSERT_TRUE(has_said(blue, "tick 2")) << blue.err();
+  ASSERT_TRUE(has_said(yellow, "tick 2")) << yellow.err();
   (first == "blue" ? blue : yellow).signal(signal);
   (first == "blue" ? yellow : blue).signal(signal);
   const Outcome played = leg.wait();
@@ -179,7 +178,6 @@ TEST(DdsSession, IsWonByNobodyWhenOneTeamDiesBeforeTheStartAndTheOtherDoesNotCom
                id, "--join-within", "10", "--record", folder / "leg.json"});
   Running blue(join(id, "blue", "one", "striker"));
   ASSERT_TRUE(has_said(blue, "one plays blue"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
   blue.signal(SIGKILL);
   EXPECT_EQ(leg.wait().exit_code, 0);
   EXPECT_EQ(read_json(folder / "leg.json")["result"]["end"], "double_forfeit");

@@ -100,19 +100,18 @@ struct Leg {
 // A leg that is being played.
 class Playing {
  public:
-  Playing(const SetUp& set_up, const std::string& library) : colour_(set_up.colour) {
-    std::vector<std::string> words;
+  // `kind`: the name of the hostile team.
+  Playing(const SetUp& set_up, const std::string& kind) : colour_(set_up.colour) {
+    std::vector<std::string> words{program("mirocup")};
+    std::string library = hostile(kind);
     if (set_up.user == User::nobody) {
       chmod((folder_ / "").c_str(), 0777);
-      words = {"/usr/bin/setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
+      words = test_support::mirocup_of_nobody();
+      library = test_support::program_for_all("hostile/" + kind + ".so");
     }
-    for (const std::string& word :
-         {program("mirocup"), std::string("match"), "--" + colour_, library,
-          "--" + other_than(colour_), std::string("chaser"), std::string("--half"),
-          std::string("2"), std::string("--isolation"), set_up.isolation, std::string("--record"),
-          folder_ / "leg.json"}) {
-      words.push_back(word);
-    }
+    words.insert(words.end(),
+                 {"match", "--" + colour_, library, "--" + other_than(colour_), "chaser", "--half",
+                  "2", "--isolation", set_up.isolation, "--record", folder_ / "leg.json"});
     program_.emplace(words);
   }
 
@@ -129,12 +128,12 @@ class Playing {
 
  private:
   std::string colour_;  // of the hostile team
-  TemporaryFolder folder_;
+  TemporaryFolder folder_{test_support::place_for_all};
   std::optional<Running> program_;
 };
 
-Leg play(const SetUp& set_up, const std::string& library) {
-  return Playing(set_up, library).end();
+Leg play(const SetUp& set_up, const std::string& kind) {
+  return Playing(set_up, kind).end();
 }
 
 // "code: text", "code" or "plays"; alternatives are separated by '|'.
@@ -182,7 +181,7 @@ TEST_P(Hostile, HurtsOnlyItself) {
   // All at the same time, because some of them take long without doing anything.
   std::vector<std::unique_ptr<Playing>> playing;
   for (const auto& set_up : all) {
-    playing.push_back(std::make_unique<Playing>(set_up, hostile(GetParam().name)));
+    playing.push_back(std::make_unique<Playing>(set_up, GetParam().name));
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& set_up = all[i];
@@ -226,12 +225,12 @@ TEST(HostileTable, HasEveryKind) {
 }
 
 TEST(HostileTeam, NonsenseAnswersAreCountedAsBadCommands) {
-  const Leg leg = play({"T1", User::caller, "blue"}, hostile("out_nan"));
+  const Leg leg = play({"T1", User::caller, "blue"}, "out_nan");
   EXPECT_GT(leg.record["budget"]["blue"]["bad_commands"], 50);
 }
 
 TEST(HostileTeam, NonsensePlacementsAreFixed) {
-  const Leg leg = play({"T1", User::caller, "blue"}, hostile("place_nonsense"));
+  const Leg leg = play({"T1", User::caller, "blue"}, "place_nonsense");
   const auto fixes = std::count_if(
       leg.record["decisions"].begin(), leg.record["decisions"].end(), [](const Json& decision) {
         return decision["decision"] == "PLACEMENT_FIXED" && decision["team"] == "blue";
@@ -249,14 +248,14 @@ TEST(HostileTeam, OnBothSidesLosesForBoth) {
 }
 
 TEST(HostileTeam, LogIsKeptUpToALimit) {
-  const Leg leg = play({"T1", User::caller, "blue"}, hostile("log_flood"));
+  const Leg leg = play({"T1", User::caller, "blue"}, "log_flood");
   EXPECT_EQ(leg.log.rfind("tick 25: a line that nobody asked for, 0\n", 0), 0u);
   EXPECT_NE(leg.log.find("bytes are left out here"), std::string::npos);
   EXPECT_LE(leg.log.size(), 131072u) << "64 KiB and the ticks of its lines";
 }
 
 TEST(HostileTeam, LogHasNoControlCharacters) {
-  const Leg leg = play({"T1", User::caller, "blue"}, hostile("log_escape"));
+  const Leg leg = play({"T1", User::caller, "blue"}, "log_escape");
   EXPECT_EQ(
       leg.log.rfind(
           "tick 25: \\x1b[2J\\x1b]0;title\\x07\\xc2\\x9b1m\\xff\\xe2\\x80\\xae<script>\\x0d\n", 0),
