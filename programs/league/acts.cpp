@@ -33,7 +33,7 @@ Result<int> run_act(const ActOptions& options) {
   const Folder folder{options.folder};
   if (options.act.kind == ActKind::release && !options.act.is_dry_run &&
       disk.exists(folder.site())) {
-    MIROCUP_TRY_VOID(publish_league(disk, folder));
+    return publish_league(disk, folder);
   }
   return exit_yes;
 }

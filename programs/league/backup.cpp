@@ -4,7 +4,7 @@
 #include "tournaments/play/backup.hpp"
 
 #include "programs/league/commands.hpp"
-#include "tournaments/league/league_store.hpp"
+#include "programs/league/publishing.hpp"
 
 #include <iostream>
 
@@ -19,12 +19,19 @@ struct BackupOptions {
 
 Result<int> run_backup(const BackupOptions& options) {
   system::Disk disk;
-  // Is it a league?
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
-  MIROCUP_TRY(const auto done, back_up(disk, Folder{options.folder}, Folder{options.to}));
+  MIROCUP_TRY(const auto found, say_gaps(disk, store));
+  MIROCUP_TRY(const auto done, back_up(disk, store.folder(), Folder{options.to}));
   std::cout << options.to << ": " << done.copied << " files copied, " << done.known
-            << " records were in the copy already\n";
-  return exit_yes;
+            << " files of records were in the copy already\n";
+  std::vector<std::string> left_out;
+  for (const std::string& name : named_files(store.state())) {
+    if (!done.names.contains(name)) left_out.push_back(name);
+  }
+  if (!left_out.empty())
+    std::cerr << "mirocup: " << left_out.size()
+              << " files that the journal names were not copied: " << listed(left_out) << '\n';
+  return found.is_whole() && left_out.empty() ? exit_yes : exit_no;
 }
 
 }  // namespace

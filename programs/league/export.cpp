@@ -2,6 +2,7 @@
 //
 // mirocup league export: table, legs and bracket as files, or the sources of the teams.
 #include "programs/league/commands.hpp"
+#include "programs/league/publishing.hpp"
 #include "record/json_reader.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
@@ -133,9 +134,11 @@ Result<std::vector<SiteFile>> files_to_export(system::Files& disk, const ExportO
 Result<int> run_export(const ExportOptions& options) {
   system::Disk disk;
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY(const auto found, say_gaps(disk, store));
+  const int result = found.is_whole() ? exit_yes : exit_no;
   if (options.sources) {
     MIROCUP_TRY_VOID(export_sources(disk, store, options.output));
-    return exit_yes;
+    return result;
   }
   MIROCUP_TRY(const auto files, files_to_export(disk, options, store));
   MIROCUP_TRY_VOID(disk.make_folder(options.output));
@@ -144,7 +147,7 @@ Result<int> run_export(const ExportOptions& options) {
     MIROCUP_TRY_VOID(disk.write(path, file.bytes));
     std::cout << path << '\n';
   }
-  return exit_yes;
+  return result;
 }
 
 }  // namespace

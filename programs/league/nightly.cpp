@@ -213,7 +213,7 @@ Result<int> run_nightly(const NightlyOptions& options) {
   auto progress = make_progress_reporter();
   MIROCUP_TRY(const auto played, play_league(disk, std::move(held.store), *progress, options.play));
   progress->say("making pages");
-  MIROCUP_TRY_VOID(publish_league(disk, folder, options.play.jobs));
+  MIROCUP_TRY(const int published, publish_league(disk, folder, options.play.jobs));
   progress.reset();
 
   MIROCUP_TRY(const auto after, LeagueStore::open(disk, folder));
@@ -226,7 +226,7 @@ Result<int> run_nightly(const NightlyOptions& options) {
   MIROCUP_TRY_VOID(disk.write(home + "/report.txt", text, system::Readers::owner));
   std::cout << text << std::flush;
   MIROCUP_TRY_VOID(tell_program(disk, options, home, after.state()));
-  if (after.state().played() == after.state().legs()) return exit_yes;
+  if (after.state().played() == after.state().legs()) return published;
   say_what_is_left(after.state());
   return exit_no;
 }

@@ -38,13 +38,13 @@ Result<int> run_prune(const PruneOptions& options) {
   for (int night = 1; night < options.before; ++night) nights.insert(night);
   const DiskUse before = disk_use(folder);
   MIROCUP_TRY_VOID(write_pruned_nights(disk, folder, nights));
-  MIROCUP_TRY_VOID(publish_league(disk, folder));
+  MIROCUP_TRY(const int published, publish_league(disk, folder));
   const DiskUse after = disk_use(folder);
   std::cout << folder.path << ": pages of " << nights.size()
             << (nights.size() == 1 ? " night" : " nights") << " are removed, "
             << system::mebibytes(before.pages - std::min(before.pages, after.pages))
             << " freed; records and replay files stay\ndisk: " << in_words(after) << '\n';
-  return exit_yes;
+  return published;
 }
 
 }  // namespace

@@ -42,18 +42,20 @@ Result<int> run_publish(const PublishOptions& options) {
     return fail(Errc::input, "--output " + folder.path +
                                  " is a league, whose records and pages would be replaced: name a "
                                  "folder for the pages alone");
-  MIROCUP_TRY_VOID(
-      options.through.empty()
-          ? publish_league(disk, folder)
-          : state_through(store.state(), store.journal(), options.through)
-                .and_then([&](const LeagueState& shown) {
-                  return copy_records(disk, store.folder(), shown, folder).and_then([&] {
-                    return publish_site(disk, folder, shown, {});
-                  });
-                }));
-  std::cout << std::filesystem::absolute(folder.site() + "/index.html").lexically_normal().string()
-            << '\n';
-  return exit_yes;
+  MIROCUP_TRY(const int published,
+              options.through.empty()
+                  ? publish_league(disk, folder)
+                  : say_gaps(disk, store).and_then([&](const Gaps& found) -> Result<int> {
+                      if (!found.lost.empty()) return exit_no;
+                      MIROCUP_TRY(const auto shown,
+                                  state_through(store.state(), store.journal(), options.through));
+                      MIROCUP_TRY_VOID(copy_records(disk, store.folder(), shown, folder));
+                      return publish_site(disk, folder, shown, {});
+                    }));
+  const std::string page = folder.site() + "/index.html";
+  if (disk.exists(page))
+    std::cout << std::filesystem::absolute(page).lexically_normal().string() << '\n';
+  return published;
 }
 
 }  // namespace

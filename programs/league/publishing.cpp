@@ -67,24 +67,34 @@ Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store) {
   return NightNews{.night = std::move(night), .feed = std::move(feed)};
 }
 
-Result<void> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
-                          const NightNews& news, int jobs) {
+Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store) {
+  MIROCUP_TRY(auto found, gaps(files, store, is_being_played(store.folder())));
+  for (const std::string& sentence : found.in_words())
+    std::cerr << "mirocup: " << system::printable(sentence) << '\n';
+  return found;
+}
+
+Result<int> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
+                         const NightNews& news, int jobs) {
   // What was told before may not be released any more.
   // And this program may have no playground.
   for (const std::string part : {"digests", "night.html", "feed.xml", playground_name}) {
-    if (auto removed = files.remove(folder.site() + "/" + part); !removed) return removed;
+    MIROCUP_TRY_VOID(files.remove(folder.site() + "/" + part));
   }
   for (const char* part : {"/teams", "/rounds", "/digests"}) {
     if (part == std::string("/digests") && !news.night) continue;
-    if (auto made = files.make_folder(folder.site() + part); !made) return made;
+    MIROCUP_TRY_VOID(files.make_folder(folder.site() + part));
   }
-  if (auto removed = files.remove_unfinished(folder.path); !removed) return removed;
+  MIROCUP_TRY_VOID(files.remove_unfinished(folder.path));
   // First what takes long: the pages of league and teams show the statistics of every leg.
   MIROCUP_TRY(const auto failed, make_replay_pages(files, folder, overview(shown), jobs,
                                                    module_finder(files, folder, shown.file)));
+  LegReports reports = kept_statistics(files, folder, shown);
+  FactsOfLegs facts = read_facts(files, folder, shown);
+  const auto uncounted = uncounted_records(shown, reports, facts);
   const Site site({.state = shown,
-                   .reports = kept_statistics(files, folder, shown),
-                   .facts = read_facts(files, folder, shown),
+                   .reports = std::move(reports),
+                   .facts = std::move(facts),
                    .night = news.night,
                    .feed = news.feed,
                    .playground = playground_maker(files)});
@@ -97,20 +107,26 @@ Result<void> publish_site(system::Files& files, const Folder& folder, const Leag
   for (const std::string part : {"rounds/", "teams/"}) {
     MIROCUP_TRY_VOID(remove_former_pages(files, folder.site(), part, made));
   }
-  if (failed.count > 0) {
-    std::cerr << "mirocup: " << failed.count
-              << " replay pages could not be made; mirocup replay RECORD says why\n";
-  }
+  if (!failed.records.empty())
+    std::cerr << "mirocup: " << failed.records.size()
+              << " replay pages could not be made: " << listed(failed.records)
+              << "; mirocup replay RECORD says why\n";
+  if (!uncounted.empty())
+    std::cerr << "mirocup: statistics and goals lack " << uncounted.size()
+              << " legs: " << listed(uncounted) << "; mirocup league verify says why\n";
   for (const std::string& reason : failed.reasons)
     std::cerr << "mirocup: " << system::printable(reason) << '\n';
-  return {};
+  return failed.records.empty() && uncounted.empty() ? exit_yes : exit_no;
 }
 
-Result<void> publish_league(system::Files& files, const Folder& folder, int jobs) {
+Result<int> publish_league(system::Files& files, const Folder& folder, int jobs) {
   MIROCUP_TRY(const auto store, LeagueStore::open(files, folder));
+  MIROCUP_TRY(const auto found, say_gaps(files, store));
+  if (!found.lost.empty()) return exit_no;
   MIROCUP_TRY(const auto shown, released_state(store.state(), store.journal()));
   MIROCUP_TRY(const auto news, news_for(shown, store));
-  return publish_site(files, folder, shown, news, jobs);
+  MIROCUP_TRY(const int published, publish_site(files, folder, shown, news, jobs));
+  return found.is_whole() ? published : exit_no;
 }
 
 namespace {

@@ -4,7 +4,7 @@
 // change the pages.
 #pragma once
 
-#include "tournaments/league/league_store.hpp"
+#include "tournaments/league/gaps.hpp"
 #include "tournaments/publish/night.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 
@@ -32,13 +32,17 @@ std::function<std::string()> playground_maker(system::Files& files);
 // `files` must outlive the function.
 ModuleOfGame module_finder(system::Files& files, const Folder& folder, const LeagueFile& file);
 
-// Writes the pages of a state to the folder's site/; `jobs` replay pages are made at once (0: one
-// for each processor).
-Result<void> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
-                          const NightNews& news, int jobs = 0);
+// Prints to standard error what journal and files of the league lack, and returns it.
+Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store);
 
-// Opens the league and writes the pages of its released part.
-Result<void> publish_league(system::Files& files, const Folder& folder, int jobs = 0);
+// Writes the pages of a state to the folder's site/; `jobs` replay pages are made at once (0: one
+// for each processor). Returns exit_no, and prints why, if a leg lacks its page or its numbers.
+Result<int> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
+                         const NightNews& news, int jobs = 0);
+
+// Opens the league and writes the pages of its released part. Returns exit_no if something is
+// missing. If the journal has lost lines, the pages stay as they are.
+Result<int> publish_league(system::Files& files, const Folder& folder, int jobs = 0);
 
 // Prints the teams and their entries.
 Result<void> print_roster(system::Files& files, const LeagueStore& store, bool is_json);

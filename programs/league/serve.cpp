@@ -2,6 +2,7 @@
 //
 // mirocup league serve: shows a league in browsers, and takes hand-ins.
 #include "programs/league/commands.hpp"
+#include "programs/league/publishing.hpp"
 #include "programs/league/served_league.hpp"
 #include "system/clock.hpp"
 #include "system/locations.hpp"
@@ -124,6 +125,7 @@ Result<int> run_serve(const ServeOptions& options) {
   }
   system::Disk disk;
   MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY_VOID(say_gaps(disk, store));
   system::ProcessSet processes;  // must exist before the first thread starts
   ServedLeague league(disk, std::move(store));
   web::Site site = site_of(league);

@@ -28,10 +28,10 @@ Result<int> run_start(const StartOptions& options) {
   MIROCUP_TRY(const auto played, play_league(disk, std::move(held.store), *progress, options.play));
   progress->say("making pages");
   const int jobs_here = options.play.engine == "local" ? options.play.jobs : 0;
-  MIROCUP_TRY_VOID(publish_league(disk, folder, jobs_here));
+  MIROCUP_TRY(const int published, publish_league(disk, folder, jobs_here));
   progress.reset();  // removes the bar before the table is printed
   std::cout << table_text(played);
-  if (played.legs() == played.played()) return exit_yes;
+  if (played.legs() == played.played()) return published;
   say_what_is_left(played);
   if (options.play.engine != "local")
     std::cerr

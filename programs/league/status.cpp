@@ -28,6 +28,7 @@ struct StatusOptions {
 Result<int> run_status(const StatusOptions& options) {
   system::Disk disk;
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY_VOID(say_gaps(disk, store));
   const LeagueState& state = store.state();
   if (options.entries) {
     MIROCUP_TRY_VOID(print_roster(disk, store, options.json));

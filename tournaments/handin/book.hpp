@@ -39,8 +39,8 @@ class HandInBook {
   Result<void> answer(const std::string& team, int entry, HandInState state,
                       const std::string& message, std::int64_t at);
 
-  // Writes the entry that a team has pinned (0: its latest) into the book and into the team's file.
-  // If this server dies in between, the next server repairs the team's file.
+  // Writes the entry that a team has pinned (0: its latest) into the book, before pin_entry() does
+  // the rest. If this server dies in between, the next server does the rest.
   Result<void> pin(const std::string& team, int entry, std::int64_t at);
   const std::map<std::string, int>& pins() const { return pins_; }
   int pins_in_last_hour(const std::string& team, std::int64_t now) const;

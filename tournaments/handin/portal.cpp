@@ -100,7 +100,8 @@ Result<void> Portal::finish_what_was_begun() {
   for (const auto& [team, entry] : state_.book.pins()) {
     MIROCUP_TRY(const auto known, read_hand_ins(state_.files, state_.folder, team));
     if (known.pinned == entry) continue;
-    MIROCUP_TRY_VOID(pin_entry(state_.files, state_.folder, team, entry, now));
+    MIROCUP_TRY_VOID(
+        pin_entry(state_.files, state_.folder, team, entry, now, [] { return Result<void>(); }));
   }
   for (const auto& [team, entry] : state_.book.queue().accepted()) {
     if (auto begun = friendlies_->entry_accepted(team, entry, now); !begun) return begun;
@@ -331,11 +332,10 @@ web::Reply Portal::pin(const Call& call) {
     return problem_reply(429, team + " has chosen its version " + std::to_string(max_pins) +
                                   " times in the last hour; choose again later");
   }
-  const auto done = pin_entry(state_.files, state_.folder, team, *entry, now);
+  const auto done = pin_entry(state_.files, state_.folder, team, *entry, now,
+                              [&] { return state_.book.pin(team, *entry, now); });
   if (!done) return host_failed(done.error());
   if (!done->empty()) return problem_reply(409, *done);
-  if (auto written = state_.book.pin(team, *entry, now); !written)
-    return host_failed(written.error());
   ++state_.version;
   const auto playing = playing_entry(state_.files, state_.folder, team);
   if (!playing) return host_failed(playing.error());

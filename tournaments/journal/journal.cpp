@@ -14,34 +14,42 @@ namespace {
 // Precedes the hash of a line, which is its last key and covers the text before this.
 constexpr std::string_view before_hash = ",\"hash\":\"";
 
-constexpr const char* cure =
-    "; put back journal.jsonl from the last copy that league backup made: legs that were played "
-    "since are booked again from records/";
-
 // A line of ours has some twenty values and a few sentences.
 constexpr record::JsonLimits line_limits{.bytes = 8u << 20, .values = 10'000};
+
+struct Head {
+  std::size_t lines = 0;
+  std::string hash;  // of the last of these lines
+};
 
 }  // namespace
 
 // Defined here, where Json is a complete type.
-Journal::Journal(system::Files& files, std::string path, std::size_t most_values)
-    : files_(&files), path_(std::move(path)), most_values_(most_values) {}
+Journal::Journal(system::Files& files, std::string path, std::size_t most_values, std::string head)
+    : files_(&files),
+      path_(std::move(path)),
+      most_values_(most_values),
+      head_path_(std::move(head)) {}
 Journal::Journal(Journal&&) noexcept = default;
 Journal& Journal::operator=(Journal&&) noexcept = default;
 Journal::~Journal() = default;
 
 Result<Journal> Journal::open(system::Files& files, std::string path, std::string* notice,
-                              std::size_t most_values) {
-  Journal journal(files, std::move(path), most_values);
+                              std::size_t most_values, std::string head) {
+  Journal journal(files, std::move(path), most_values, std::move(head));
   MIROCUP_TRY_VOID(journal.refresh());
   if (journal.is_torn_ && notice != nullptr) {
     *notice = journal.path_ + ": line " + std::to_string(journal.lines_.size() + 1) +
-              " is incomplete; it had no effect, and is ignored";
+              " is incomplete, and is ignored";
   }
   return journal;
 }
 
 Result<void> Journal::refresh() {
+  // Read before the lines: another process that writes meanwhile must not seem to have lost some.
+  if (!head_path_.empty())
+    head_ = files_->read_if_there(
+        head_path_, {.max_size = system::size_limit::note, .growth = system::Growth::ignored});
   MIROCUP_TRY(const auto there, files_->read_if_there(path_,
                                                       {.max_size = system::size_limit::journal,
                                                        .growth = system::Growth::ignored},
@@ -69,7 +77,7 @@ Result<void> Journal::read_line(std::string_view line) {
     return fail(Errc::damaged,
                 where + " is not as it was written" +
                     (has_other_ends ? ": its line ends were changed, as git's autocrlf does" : "") +
-                    cure);
+                    restore_journal);
   }
   record::ParsedJson parsed = record::parse_json(line, line_limits);
   std::optional<record::JsonProblem> problem = std::move(parsed.problem);
@@ -78,7 +86,8 @@ Result<void> Journal::read_line(std::string_view line) {
     const std::size_t n = json.at("n").as<std::size_t>();
     const std::string prev = json.at("prev").text();
     if (!problem && (n != lines_.size() + 1 || prev != last_hash_)) {
-      return fail(Errc::damaged, where + " does not follow from the line before it" + cure);
+      return fail(Errc::damaged,
+                  where + " does not follow from the line before it" + restore_journal);
     }
   }
   if (problem) return tl::unexpected(record::error_of(*problem, where, Errc::damaged));
@@ -98,7 +107,41 @@ Result<void> Journal::add_values(std::size_t more, const std::string& where) {
   return {};
 }
 
+Result<std::size_t> Journal::known_lines() const {
+  if (head_path_.empty()) return lines_.size();
+  if (!head_) return tl::unexpected(head_.error());
+  if (!*head_) return 0;
+  const auto lost = [](const std::string& why) {
+    return fail(Errc::damaged, why + restore_journal +
+                                   "; if there is no copy, remove journal.head to continue from "
+                                   "the lines that are left");
+  };
+  const auto head = record::read_json<Head>(
+      **head_, head_path_, Errc::damaged, [](const record::JsonReader& json) {
+        return Head{.lines = json.at("n").integer<std::size_t>(1), .hash = json.at("hash").text()};
+      });
+  if (!head) return lost(head.error().what);
+  const std::string line = "line " + std::to_string(head->lines);
+  if (head->lines > lines_.size())
+    return lost(path_ + ": it ends before " + line + ", the last line by journal.head");
+  if (lines_[head->lines - 1].at("hash") != head->hash)
+    return lost(path_ + ": " + line + " is another line than the one that journal.head names");
+  return head->lines;
+}
+
+Result<void> Journal::write_head() {
+  std::string text =
+      record::json_text({{"n", lines_.size()}, {"hash", lines_.back().at("hash")}}) + "\n";
+  MIROCUP_TRY_VOID(files_->write(head_path_, text));
+  head_ = std::move(text);
+  return {};
+}
+
 Result<void> Journal::append(const std::string& kind, Json fields) {
+  MIROCUP_TRY(const auto known, known_lines());
+  if (known < lines_.size()) {
+    MIROCUP_TRY_VOID(write_head());
+  }
   if (is_torn_) {
     if (auto cut = files_->truncate(path_, size_); !cut) return cut;
     is_torn_ = false;
@@ -121,6 +164,8 @@ Result<void> Journal::append(const std::string& kind, Json fields) {
   last_hash_ = system::sha256(text);
   lines_.push_back(std::move(line));
   size_ += text.size() + 1;
+  // The line is written even if the head is not. The next call then writes the head first.
+  if (!head_path_.empty()) (void)write_head();
   return {};
 }
 

@@ -18,6 +18,7 @@ struct Folder {
 
   std::string config() const { return path + "/league.json"; }
   std::string journal() const { return path + "/journal.jsonl"; }
+  std::string journal_head() const { return path + "/journal.head"; }
   std::string lock() const { return path + "/.lock"; }  // held while an event is written
 
   std::string people() const { return path + "/teams.json"; }  // people.hpp

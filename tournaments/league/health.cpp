@@ -2,8 +2,8 @@
 #include "tournaments/league/health.hpp"
 
 #include "system/clock.hpp"
-#include "system/file_lock.hpp"
 #include "system/memory.hpp"
+#include "tournaments/league/gaps.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -21,11 +21,6 @@ constexpr std::int64_t day_s = 24 * 3600;
 constexpr std::int64_t late_s = day_s / 2;          // a night may begin so much later than expected
 constexpr std::int64_t longest_check_s = 15 * 60;   // the server gives up a check before
 constexpr std::uintmax_t least_left = 1024u << 20;  // bytes: some nights of a class
-
-// The lock tells; a holder that this computer does not know plays all the same.
-bool is_being_played(const Folder& folder) {
-  return system::FileLock::signal_holder(folder.running(), {}).value_or(true);
-}
 
 std::int64_t seconds_of(const std::string& utc) {
   const auto time = system::parse_time(utc);
@@ -153,6 +148,8 @@ Json disk_json(const DiskUse& disk) {
 Result<Health> health(system::Files& files, const LeagueStore& store, std::int64_t now) {
   Health h;
   h.is_playing = is_being_played(store.folder());
+  MIROCUP_TRY(const auto found, gaps(files, store, h.is_playing));
+  h.problems = found.in_words();
   look_at_legs(store.state(), h);
   look_at_nights(files, store, now, h);
   look_at_teams(store.state(), h);

@@ -38,7 +38,8 @@ struct Health {
   std::vector<std::string> problems;  // sentences, each with a remedy
 };
 
-// Examines a league. `now` is in s since 1970. Errors: the errors of reading the book of hand-ins.
+// Examines a league. `now` is in s since 1970. Errors: those of gaps() and of reading the book of
+// hand-ins.
 Result<Health> health(system::Files& files, const LeagueStore& store, std::int64_t now);
 
 }  // namespace mirocup::league

@@ -27,7 +27,8 @@ Result<LeagueStore> LeagueStore::load(system::Files& files, Folder folder, std::
   MIROCUP_TRY_VOID(expect_league(files, folder));
   MIROCUP_TRY(const auto text, files.read_named(folder.config(), system::size_limit::league_file));
   MIROCUP_TRY(auto file, parse_league_file(text, folder.config()));
-  MIROCUP_TRY(auto journal, Journal::open(files, folder.journal(), notice));
+  MIROCUP_TRY(auto journal, Journal::open(files, folder.journal(), notice, Journal::max_values,
+                                          folder.journal_head()));
   // Checked first: teams of the journal may be missing in a changed file, which would look like
   // damage.
   if (!journal.lines().empty()) {

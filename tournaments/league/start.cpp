@@ -3,6 +3,7 @@
 
 #include "record/match_record.hpp"
 #include "system/digest.hpp"
+#include "tournaments/league/gaps.hpp"
 #include "tournaments/league/hand_ins.hpp"
 
 namespace mirocup::league {
@@ -70,12 +71,10 @@ Result<void> book_entries(system::Files& files, LeagueStore& store) {
 }  // namespace
 
 Result<void> start_league(system::Files& files, LeagueStore& store) {
-  MIROCUP_TRY(const auto records, files.names_if_there(store.folder().path + "/records"));
-  if (!store.state().is_started && !records.empty()) {
-    return fail(Errc::damaged, store.folder().path +
-                                   " has records of legs, and its journal.jsonl is missing or cut: "
-                                   "put it back from the last copy that league backup made");
-  }
+  // Another process may have played the league until now.
+  MIROCUP_TRY_VOID(store.refresh());
+  MIROCUP_TRY(const auto found, gaps(files, store, false));
+  if (!found.lost.empty()) return fail(Errc::damaged, found.lost);
   // A folder that is empty gets lost when a league is kept in git or packed by some programs.
   if (auto made = files.make_folder(store.folder().path + "/records"); !made) return made;
   if (auto started = write_start(files, store); !started) return started;

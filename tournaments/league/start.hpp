@@ -9,7 +9,7 @@ namespace mirocup::league {
 
 // Starts the league if it has not started, and checks that the libraries have the digests in the
 // journal. Errors: Errc::input if the league cannot be played; Errc::damaged if a library has
-// changed.
+// changed, or if the journal has lost lines.
 Result<void> start_league(system::Files& files, LeagueStore& store);
 
 }  // namespace mirocup::league

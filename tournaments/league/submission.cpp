@@ -485,7 +485,8 @@ Result<void> leave_before_start(system::Files& files, LeagueStore& store, const 
 }
 
 Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,
-                              int number, std::int64_t now) {
+                              int number, std::int64_t now,
+                              const std::function<Result<void>()>& note) {
   MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.submitting()));
   MIROCUP_TRY(auto store, LeagueStore::open(files, folder));
   if (const std::string why = why_not_now(store.state(), team, utc_text(now)); !why.empty())
@@ -501,16 +502,24 @@ Result<std::string> pin_entry(system::Files& files, const Folder& folder, const 
   }
   MIROCUP_TRY(auto known, read_hand_ins(files, folder, team));
   known.pinned = number;
-  MIROCUP_TRY_VOID(write_hand_ins(files, folder, team, known));
-  MIROCUP_TRY(const auto playing, playing_entry(files, folder, team));
+  MIROCUP_TRY(const auto playing,
+              number > 0 ? Result<int>(number) : last_accepted_entry(files, folder, team));
   const LeagueState& state = store.state();
-  if (!state.is_started || playing == 0) return "";
-  if (state.file.format.kind == FormatKind::nightly) return "";  // the next night takes it
-  if (state.teams[*state.find_team(team)].entry == playing) return "";
-  MIROCUP_TRY(const auto library,
-              files.read(folder.library(team, playing), {.max_size = system::size_limit::entry}));
-  MIROCUP_TRY_VOID(
-      store.write(EntryBooked{.team = team, .entry = playing, .sha256 = system::sha256(library)}));
+  std::string library;
+  // The next night of a nightly league takes the entry.
+  const bool plays_now = state.is_started && playing > 0 &&
+                         state.file.format.kind != FormatKind::nightly &&
+                         state.teams[*state.find_team(team)].entry != playing;
+  if (plays_now) {
+    MIROCUP_TRY(library,
+                files.read(folder.library(team, playing), {.max_size = system::size_limit::entry}));
+  }
+  MIROCUP_TRY_VOID(note());
+  if (plays_now) {
+    MIROCUP_TRY_VOID(store.write(
+        EntryBooked{.team = team, .entry = playing, .sha256 = system::sha256(library)}));
+  }
+  MIROCUP_TRY_VOID(write_hand_ins(files, folder, team, known));
   return "";
 }
 

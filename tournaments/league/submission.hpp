@@ -12,6 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
+
 namespace mirocup::league {
 
 // A file that is handed in.
@@ -66,9 +68,12 @@ Result<void> leave_before_start(system::Files& files, LeagueStore& store, const 
 
 // Pins an entry, which plays until another entry is pinned. If `number` is 0, the latest accepted
 // entry plays again. In a ladder that has started, the entry is booked at once. Returns a sentence
-// that says why the entry cannot be pinned; "" if it was pinned.
+// that says why the entry cannot be pinned; "" if it was pinned. Calls `note` before it changes
+// anything, and the team's file is written last: the same call again finishes a call that did not
+// come to its end.
 Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,
-                              int number, std::int64_t now);
+                              int number, std::int64_t now,
+                              const std::function<Result<void>()>& note);
 
 // Hands in a library for a team. Before the start of the league, a team that is not in league.json
 // joins with its first accepted entry; its name must differ from those of other teams in more than

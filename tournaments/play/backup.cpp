@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/backup.hpp"
 
-#include "record/match_record.hpp"
-
 #include <algorithm>
 #include <filesystem>
-#include <map>
+#include <utility>
+#include <vector>
 
 namespace mirocup::league {
 
@@ -13,12 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What is made again, or belongs to running processes. Names of files of this program that wait for
-// their last name have "unfinished" in them.
-bool is_left_out(const std::string& name) {
-  return name == "site" || name == ".lock" || name == ".running" || name == ".submitting" ||
-         name == ".checking" || name == ".uploads" ||
-         name.find(".unfinished-") != std::string::npos;
+// Files inside the league that are made again, belong to running processes, or are copied at last.
+// Names of files of this program that wait for their last name have "unfinished" in them.
+bool is_left_out(const std::string& path) {
+  static const std::set<std::string> left_out{"site",          ".lock",        ".running",
+                                              ".submitting",   ".checking",    "entries/.uploads",
+                                              "journal.jsonl", "journal.head", "hand-ins.jsonl"};
+  return left_out.contains(path) || path.find(".unfinished-") != std::string::npos;
 }
 
 class Backup {
@@ -28,21 +28,27 @@ class Backup {
 
   Result<BackupCount> run() {
     MIROCUP_TRY_VOID(expect_place());
-    // Read before everything that they name.
-    std::map<std::string, std::string> journals;
-    for (const std::string& path : {from_.journal(), from_.hand_in_book()}) {
+    for (const char* part : {"records/", "nights/"}) {
+      MIROCUP_TRY(const auto names, files_.names_if_there(from_.path + "/" + part));
+      for (const std::string& name : names) before_.insert(part + name);
+    }
+    // Read before everything that they name. The head is older than its journal, not younger.
+    std::vector<std::pair<std::string, std::string>> journals;
+    for (const std::string& path : {from_.journal_head(), from_.journal(), from_.hand_in_book()}) {
       MIROCUP_TRY(auto there, files_.read_if_there(path, {.max_size = system::size_limit::journal,
                                                           .growth = system::Growth::ignored}));
       if (!there) continue;
-      std::string& text = journals[fs::path(path).filename()] = std::move(*there);
       // A line that is being written has no end yet.
-      text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
+      there->resize(there->rfind('\n') == std::string::npos ? 0 : there->rfind('\n') + 1);
+      if (path == from_.journal()) journal_ = *there;
+      journals.emplace_back(fs::path(path).filename(), std::move(*there));
     }
-    MIROCUP_TRY_VOID(expect_earlier(journals["journal.jsonl"]));
-    MIROCUP_TRY_VOID(folder("", "journal.jsonl", "hand-ins.jsonl"));
-    for (const auto& [name, text] : journals) {
+    MIROCUP_TRY_VOID(expect_earlier());
+    MIROCUP_TRY_VOID(folder(""));
+    for (auto journal = journals.rbegin(); journal != journals.rend(); ++journal) {
+      const auto& [name, text] = *journal;
       const auto readers =
-          name == "journal.jsonl" ? system::Readers::everybody : system::Readers::owner;
+          name == "hand-ins.jsonl" ? system::Readers::owner : system::Readers::everybody;
       MIROCUP_TRY_VOID(files_.write(to_.path + "/" + name, text, readers));
       ++count_.copied;
     }
@@ -66,11 +72,11 @@ class Backup {
   }
 
   // An earlier copy knows the beginning of what this league has decided, and nothing else.
-  Result<void> expect_earlier(const std::string& journal) const {
+  Result<void> expect_earlier() const {
     MIROCUP_TRY(const auto there,
                 files_.read_if_there(to_.journal(), {.max_size = system::size_limit::journal,
                                                      .growth = system::Growth::ignored}));
-    if (!there || journal.starts_with(*there)) return {};
+    if (!there || journal_.starts_with(*there)) return {};
     return fail(
         Errc::input,
         to_.path +
@@ -78,9 +84,13 @@ class Backup {
             "journal does not begin with the lines of the copy's journal; name a new folder");
   }
 
+  // True if the journal names the record of the leg of which a file is.
+  bool is_named(const std::string& file) const {
+    return journal_.find('"' + file.substr(0, file.find('.')) + ".json\"") != std::string::npos;
+  }
+
   // Copies a folder of the league, `inside` (""; or with its slash at the end).
-  Result<void> folder(const std::string& inside, std::string_view skipped = "",
-                      std::string_view skipped_too = "") {
+  Result<void> folder(const std::string& inside) {
     const std::string path = from_.path + "/" + inside;
     MIROCUP_TRY(const auto names, files_.names_in(path));
     std::error_code failed;
@@ -89,36 +99,28 @@ class Backup {
     MIROCUP_TRY_VOID(files_.make_folder(
         to_.path + "/" + inside, is_closed ? system::Readers::owner : system::Readers::everybody));
     for (const std::string& name : names) {
-      if (is_left_out(name) || name == skipped || name == skipped_too) continue;
       const std::string one = inside + name;
+      const bool is_new = (inside == "records/" || inside == "nights/") && !before_.contains(one);
+      if (is_left_out(one) || (is_new && !is_named(one))) continue;
       const fs::file_status status = fs::symlink_status(from_.path + "/" + one, failed);
       if (status.type() == fs::file_type::none)
         return fail(Errc::unavailable, from_.path + "/" + one + ": " + failed.message());
       auto copied = fs::is_directory(status) ? folder(one + "/")
                     : fs::is_regular_file(status)
-                        ? file(one, status.permissions(), inside == "records/")
+                        ? bytes(one, status.permissions(), inside == "records/")
                         : Result<void>();
       if (!copied) return copied;
     }
     return {};
   }
 
-  // A record that was written after the names were read has its replay beside it.
-  Result<void> file(const std::string& name, fs::perms permissions, bool is_record) {
-    if (is_record && name.ends_with(".json")) {
-      const std::string replay = record::replay_path_of(name);
-      if (files_.exists(from_.path + "/" + replay)) {
-        if (auto copied = bytes(replay, permissions, true); !copied) return copied;
-      }
-    }
-    return bytes(name, permissions,
-                 is_record && (name.ends_with(".json") || name.ends_with(".zst")));
-  }
-
-  Result<void> bytes(const std::string& name, fs::perms permissions, bool never_changes) {
+  // Records and their replay files never change.
+  Result<void> bytes(const std::string& name, fs::perms permissions, bool is_of_record) {
     const std::string to = to_.path + "/" + name;
+    const bool never_changes = is_of_record && (name.ends_with(".json") || name.ends_with(".zst"));
     if (never_changes && files_.exists(to)) {
       ++count_.known;
+      count_.names.insert(name);
       return {};
     }
     MIROCUP_TRY(const auto text, files_.read_if_there(from_.path + "/" + name,
@@ -137,12 +139,15 @@ class Backup {
       if (failed) return fail(Errc::unavailable, to + ": " + failed.message());
     }
     ++count_.copied;
+    count_.names.insert(name);
     return {};
   }
 
   system::Files& files_;
   const Folder& from_;
   const Folder& to_;
+  std::set<std::string> before_;  // records and nights that are older than the read journals
+  std::string journal_;
   BackupCount count_;
 };
 

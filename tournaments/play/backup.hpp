@@ -3,18 +3,21 @@
 // Copies a league's folder, also while the league is played and while teams hand in. The files that
 // a line of a journal names are on disk before the line is written. So the journals are read first
 // and written last. Thus the copy has all files that its journals name, and `league start` can
-// continue the copy.
+// continue the copy. Records and nights that came after the journals were read wait for the next
+// copy, because the copy would not know their lines.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
 
+#include <set>
 #include <string>
 
 namespace mirocup::league {
 
 struct BackupCount {
   int copied = 0;
-  int known = 0;  // records that the earlier copy already had; records never change
+  int known = 0;                // records that the earlier copy already had; records never change
+  std::set<std::string> names;  // of all these files, inside the league
 };
 
 // Copies a league to a new folder, or to a folder with an earlier copy of the league. Does not copy

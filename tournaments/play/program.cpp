@@ -6,6 +6,7 @@
 #include "system/printable.hpp"
 #include "system/process_set.hpp"
 #include "system/text.hpp"
+#include "tournaments/league/gaps.hpp"
 #include "tournaments/league/kept_program.hpp"
 #include "tournaments/play/scratch_folder.hpp"
 
@@ -177,6 +178,12 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
     }
   }
   compare_with_journal(store, legs, done);
+  MIROCUP_TRY(const auto found, gaps(files, store, is_being_played(folder)));
+  if (!found.lost.empty()) done.problems.push_back({"journal.jsonl", found.lost, exit_no});
+  for (const auto& paths : {found.unknown, found.not_booked}) {
+    for (const std::string& path : paths)
+      done.problems.push_back({path, "the journal has no line of it", exit_no});
+  }
 
   const ScratchFolder output("mirocup-verify");  // of the children
   if (output.path().empty()) return fail(Errc::unavailable, "no temporary folder can be made");

@@ -29,7 +29,7 @@ Result<void> keep_program(system::Files& files, const Folder& folder,
 // The result of verifying the records of a league.
 struct VerifiedRecords {
   struct Problem {
-    std::string record;  // path of the record inside the league
+    std::string record;  // path inside the league: of a record, a night or the journal
     std::string text;    // a sentence about the result
     int code = 1;        // exit code: 1 not reproduced, 4 damaged or missing, ...
   };
@@ -40,9 +40,10 @@ struct VerifiedRecords {
 };
 
 // Verifies all records of a league, `jobs` at once (0: one for each processor). The program that
-// played a record simulates the leg again. The record must be the record that the journal names. If
-// the text of a record is damaged, no program is started. Errors: Errc::interrupted, or the reason
-// why the verification cannot start.
+// played a record simulates the leg again. The record must be the record that the journal names,
+// and the journal must have the lines of all records and nights. If the text of a record is
+// damaged, no program is started. Errors: Errc::interrupted, or the reason why the verification
+// cannot start.
 Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs);
 
 }  // namespace mirocup::league

@@ -13,6 +13,7 @@
 #include <cctype>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace mirocup::league {
@@ -224,6 +225,18 @@ LegReports kept_statistics(system::Files& files, const Folder& folder, const Lea
     if (auto report = named(found->second, leg)) reports.push_back(*std::move(report));
   }
   return reports;
+}
+
+std::vector<std::string> uncounted_records(const LeagueState& state, const LegReports& reports,
+                                           const FactsOfLegs& facts) {
+  std::set<std::string> counted;
+  for (const LegReport& report : reports) counted.insert(report.record);
+  std::vector<std::string> records;
+  for (const CountedLeg& leg : counted_legs(state)) {
+    const std::string& record = leg.played->record;
+    if (!counted.contains(record) || !facts.contains(record)) records.push_back(record);
+  }
+  return records;
 }
 
 Result<LegReports> all_statistics(system::Files& files, const Folder& folder,

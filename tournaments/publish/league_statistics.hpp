@@ -8,6 +8,7 @@
 #include "record/statistics/report.hpp"
 #include "tournaments/league/folder.hpp"
 #include "tournaments/publish/bests.hpp"
+#include "tournaments/publish/leg_facts.hpp"
 #include "tournaments/publish/leg_view.hpp"
 #include "tournaments/publish/site_file.hpp"
 
@@ -34,6 +35,10 @@ using KnownReports = std::map<std::string, statistics::LegReport>;
 // earlier calls, which are not read again, and gets the reports of this call.
 LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state,
                            KnownReports* known = nullptr);
+
+// Returns the records of the legs that count and lack a report or facts.
+std::vector<std::string> uncounted_records(const LeagueState& state, const LegReports& reports,
+                                           const FactsOfLegs& facts);
 
 // Like kept_statistics(), but simulates legs without a kept report again, and writes no file.
 // Errors are those of statistics::count_record().

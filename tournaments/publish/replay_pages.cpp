@@ -156,7 +156,7 @@ Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folde
     if (++attempts[page] < missing[page].programs.size()) {
       again.push_back(page);
     } else {
-      ++failed.count;
+      failed.records.push_back(missing[page].record);
       if (!missing[page].why_not_kept.empty()) failed.reasons.insert(missing[page].why_not_kept);
     }
   }

@@ -14,6 +14,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace mirocup::league {
 
@@ -44,8 +45,8 @@ std::string page_of_record(const LeagueState& state, const std::string& root,
 
 // The pages that could not be made. The league is published without them.
 struct FailedPages {
-  int count = 0;
-  std::set<std::string> reasons;  // sentences: why a kept program was not run
+  std::vector<std::string> records;  // without a page: paths inside the league
+  std::set<std::string> reasons;     // sentences: why a kept program was not run
 };
 
 // Makes the missing pages, `jobs` at once (0: one for each processor), and removes pages of pruned

@@ -2,8 +2,9 @@
 //
 // Copies of a league that is being played, a disk that is full, and teams that are written into
 // league.json by hand. MIROCUP_BACKUPS=50 build/league_tests --gtest_filter='Backup.*' takes many
-// copies. Catches a copy whose journal names what it does not have, a league that tries each leg
-// again on a full disk, a house team that cannot be added.
+// copies. Catches a copy whose journal names what it does not have, a journal whose last lines are
+// lost and that is played on, a command that leaves out a leg and ends with 0, a league that tries
+// each leg again on a full disk, a house team that cannot be added.
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>
@@ -82,10 +83,18 @@ TEST(Backup, WithoutItsJournalIsNotPlayedAnew) {
   const std::string folder = temporary / "l";
   init_league(folder, {"a=house:idle", "b=house:idle"});
   ASSERT_EQ(run(league("start", folder)).exit_code, 0);
-  std::filesystem::remove(folder + "/journal.jsonl");
+  fs::remove(folder + "/journal.jsonl");
   const Outcome again = run(league("start", folder));
   EXPECT_EQ(again.exit_code, 4);
-  EXPECT_NE(again.err.find("its journal.jsonl is missing"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("it ends before line 5, the last line by journal.head"),
+            std::string::npos)
+      << again.err;
+  fs::remove(folder + "/journal.head");
+  const Outcome without_head = run(league("start", folder));
+  EXPECT_EQ(without_head.exit_code, 4);
+  EXPECT_NE(without_head.err.find("the lines of records/r1-f1-1-1.json, records/r1-f1-2-1.json"),
+            std::string::npos)
+      << without_head.err;
 }
 
 TEST(Backup, GoesNowhereElse) {
@@ -120,6 +129,252 @@ TEST(Backup, IsNeitherInsideTheLeagueNorOverAnotherOne) {
                 .find("is a copy of another league, or legs were played in the copy"),
             std::string::npos);
   EXPECT_EQ(read_file(temporary / "copy/journal.jsonl"), decided);
+}
+
+// Two nights of a league, then a decision; and a copy of the league after the first night.
+class LostLines : public testing::Test {
+ protected:
+  LostLines() {
+    setenv("XDG_STATE_HOME", (temporary_ / "state").c_str(), 1);
+    init_league(whole_, {"a=house:idle", "b=house:idle"}, "0.2", "nightly");
+    EXPECT_EQ(run(league("nightly", whole_)).exit_code, 0);
+    EXPECT_EQ(run(league("backup", whole_, {old_})).exit_code, 0);
+    EXPECT_EQ(run(league("nightly", whole_, {"--another"})).exit_code, 0);
+    EXPECT_EQ(run(league("award", whole_, {"r2-f1", "b", "--all-legs", "--reason", "x"})).exit_code,
+              0);
+  }
+  ~LostLines() override { unsetenv("XDG_STATE_HOME"); }
+
+  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+
+  void begin() const {
+    fs::remove_all(folder_);
+    fs::copy(whole_, folder_, fs::copy_options::recursive);
+  }
+
+  // The journal without its last lines.
+  static std::string first_lines(const std::string& journal, int lines) {
+    std::size_t end = 0;
+    for (; lines > 0; --lines) end = journal.find('\n', end) + 1;
+    return journal.substr(0, end);
+  }
+
+  // Expects that a command ends with this code, says these words, and leaves journal and pages.
+  void expect_said(const std::vector<std::string>& words, int code, const std::string& said) const {
+    const std::string journal = read_file(path("journal.jsonl"));
+    const auto site = test_support::site_of(folder_);
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, code) << words[2] << ": " << outcome.out << outcome.err;
+    EXPECT_NE((outcome.out + outcome.err).find(said), std::string::npos)
+        << words[2] << ": " << outcome.out << outcome.err;
+    EXPECT_EQ(read_file(path("journal.jsonl")), journal) << words[2];
+    EXPECT_TRUE(test_support::site_of(folder_) == site) << words[2];
+  }
+
+  void expect_lost(const std::string& said) const {
+    expect_said(league("verify", folder_), 1, said);
+    expect_said(league("health", folder_), 1, said);
+    expect_said(league("health", folder_, {"--json"}), 1, "\"needs_person\":true");
+    expect_said(league("status", folder_), 0, said);
+    expect_said(league("publish", folder_), 1, said);
+    expect_said(league("publish", folder_, {"--through", "r1", "-o", temporary_ / "shown"}), 1,
+                said);
+    expect_said(league("export", folder_, {"-o", temporary_ / "export"}), 1, said);
+    fs::remove_all(temporary_ / "copy");
+    expect_said(league("backup", folder_, {temporary_ / "copy"}), 1, said);
+    for (const char* command : {"nightly", "start"}) {
+      expect_said(league(command, folder_), 4, said);
+      expect_said(league(command, folder_), 4, "from the last copy that league backup made");
+    }
+    expect_said(league("nightly", folder_, {"--another"}), 4, said);
+  }
+
+  const TemporaryFolder temporary_;
+  const std::string whole_ = temporary_ / "whole";
+  const std::string old_ = temporary_ / "old";
+  const std::string folder_ = temporary_ / "l";
+};
+
+// Catches a decision that is gone without a word, and one that is then made over the gap.
+TEST_F(LostLines, AreNamedByTheHead) {
+  const std::string journal = read_file(whole_ + "/journal.jsonl");
+  const int lines = static_cast<int>(std::count(journal.begin(), journal.end(), '\n'));
+  const std::string last = "it ends before line " + std::to_string(lines) + ", the last line by";
+  for (const std::string& left : {first_lines(journal, lines - 1), journal.substr(0, 2000),
+                                  journal.substr(0, journal.size() - 1), first_lines(journal, 1)}) {
+    SCOPED_TRACE(left.size());
+    begin();
+    write_file(path("journal.jsonl"), left);
+    expect_lost(last);
+    if (left.size() + 2 > journal.size())
+      expect_said(league("void", folder_, {"r1-f1", "--leg", "1", "--reason", "x"}), 4, last);
+  }
+  begin();
+  fs::copy_file(old_ + "/journal.jsonl", path("journal.jsonl"),
+                fs::copy_options::overwrite_existing);
+  expect_lost(last);
+  begin();
+  write_file(path("journal.head"), "{}");
+  expect_lost("journal.head: ");
+  // The remedies.
+  ASSERT_EQ(run(league("backup", whole_, {temporary_ / "new"})).exit_code, 0);
+  for (const char* file : {"journal.jsonl", "journal.head"})
+    fs::copy_file(temporary_ / "new/" + file, path(file), fs::copy_options::overwrite_existing);
+  expect_said(league("verify", folder_), 0, "4 of 4 records reproduced");
+  expect_said(league("health", folder_), 0, "night 2 began");
+}
+
+// Catches a journal that agrees with its head, or has none, and lacks a night that was played.
+TEST_F(LostLines, AreNamedByNightsAndRecords) {
+  const std::string journal = read_file(whole_ + "/journal.jsonl");
+  begin();
+  fs::remove(path("journal.head"));
+  write_file(path("journal.jsonl"), first_lines(journal, 1));
+  expect_lost("the lines of nights/1, nights/2, records/r1-f1-1-1.json");
+  begin();
+  for (const char* file : {"journal.jsonl", "journal.head"})
+    fs::copy_file(old_ + "/" + file, path(file), fs::copy_options::overwrite_existing);
+  expect_lost("the lines of nights/2, records/r2-f1-1-1.json, records/r2-f1-2-1.json");
+  expect_said(league("verify", folder_), 1, "\nrecords/r2-f1-1-1.json: the journal has no line");
+  fs::rename(path("nights/2"), temporary_ / "night");
+  fs::remove_all(temporary_ / "copy");
+  expect_lost("the lines of records/r2-f1-1-1.json, records/r2-f1-2-1.json are lost");
+  for (const char* leg : {"1", "2"}) {
+    for (const char* end : {"-1.json", "-1.replay.zst"})
+      fs::remove(path("records/r2-f1-") + leg + end);
+  }
+  const Outcome night = run(league("nightly", folder_, {"--another"}));
+  EXPECT_EQ(night.exit_code, 0) << night.err;
+  EXPECT_EQ(run(league("verify", folder_)).exit_code, 0);
+}
+
+// Catches an alarm after a stop between journal and head, and in a league of an earlier version.
+TEST_F(LostLines, AreNotSeenWhereNoneAre) {
+  const std::string journal = read_file(whole_ + "/journal.jsonl");
+  const auto award = [&](const std::string& team) {
+    return run(league("award", folder_, {"r1-f1", team, "--all-legs", "--reason", "x"})).exit_code;
+  };
+  begin();
+  const std::string behind = read_file(path("journal.head"));
+  ASSERT_EQ(award("a"), 0);
+  const std::string head = read_file(path("journal.head"));
+  EXPECT_NE(head, behind);
+  for (const bool is_there : {true, false}) {
+    if (is_there) write_file(path("journal.head"), behind);
+    if (!is_there) fs::remove(path("journal.head"));
+    for (const char* command : {"verify", "health", "publish", "status"}) {
+      const Outcome outcome = run(league(command, folder_));
+      EXPECT_EQ(outcome.exit_code, 0) << command << outcome.out << outcome.err;
+      EXPECT_EQ(outcome.err, "") << command;
+    }
+    EXPECT_EQ(run(league("nightly", folder_)).exit_code, 0);
+    ASSERT_EQ(award(is_there ? "b" : "a"), 0);
+    EXPECT_EQ(read_json(path("journal.head"))["n"], test_support::journal_of(folder_).size());
+  }
+  // A line that is only begun counts as never written.
+  write_file(path("journal.jsonl"), read_file(path("journal.jsonl")) + "{\"n\":");
+  EXPECT_EQ(run(league("verify", folder_)).exit_code, 0);
+  ASSERT_EQ(award("b"), 0);
+  EXPECT_EQ(run(league("verify", folder_)).exit_code, 0);
+  EXPECT_EQ(read_json(path("journal.head"))["n"], test_support::journal_of(folder_).size());
+}
+
+// Catches a played leg that nobody mentions, and one whose alarm keeps the league from entering it.
+TEST(UnbookedRecord, IsNamedAndEntered) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:idle", "b=house:idle"}, "0.2");
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  const std::string journal = read_file(folder + "/journal.jsonl");
+  write_file(folder + "/journal.jsonl",
+             journal.substr(0, journal.rfind('\n', journal.size() - 2) + 1));
+  fs::remove(folder + "/journal.head");
+  for (const char* command : {"verify", "health"}) {
+    const Outcome outcome = run(league(command, folder));
+    EXPECT_EQ(outcome.exit_code, 1) << command;
+    EXPECT_NE(outcome.out.find("records/r1-f1-2-1.json"), std::string::npos) << outcome.out;
+  }
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  EXPECT_EQ(count_kind(folder, "leg"), 2);
+  EXPECT_EQ(run(league("verify", folder)).exit_code, 0);
+}
+
+// Catches a command that leaves out what the journal names and ends with 0. The pages were made
+// before, so that only the file itself is missing.
+TEST(NamedFile, ThatIsMissingOrALinkIsNamed) {
+  const TemporaryFolder temporary;
+  const std::string whole = temporary / "whole";
+  init_league(whole, {"site=house:idle", "b=house:idle"}, "0.2");
+  ASSERT_EQ(run(league("start", whole)).exit_code, 0);
+  const Outcome first = run(league("backup", whole, {temporary / "first"}));
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  int files = 0;
+  for (const auto& file : fs::recursive_directory_iterator(temporary / "first"))
+    files += file.is_regular_file() ? 1 : 0;
+  EXPECT_NE(first.out.find(": " + std::to_string(files) + " files copied, 0 files of records were"),
+            std::string::npos)
+      << first.out;
+  const Outcome again = run(league("backup", whole, {temporary / "first"}));
+  EXPECT_NE(again.out.find(", 4 files of records were in the copy already"), std::string::npos)
+      << again.out;
+
+  const std::string folder = temporary / "l";
+  const std::string record = "records/r1-f1-1-1.json";
+  const std::string replay = "records/r1-f1-2-1.replay.zst";
+  for (const std::string& name : {record, replay, std::string("entries/site/1/strategy.so")}) {
+    for (const bool is_link : {true, false}) {
+      SCOPED_TRACE(name + (is_link ? " is a link" : " is gone"));
+      fs::remove_all(folder);
+      fs::copy(whole, folder, fs::copy_options::recursive);
+      fs::rename(folder + "/" + name, temporary / "away");
+      if (is_link) fs::create_symlink(temporary / "away", folder + "/" + name);
+      for (const auto& words :
+           {league("backup", folder, {temporary / "second"}), league("publish", folder),
+            league("export", folder, {"-o", temporary / "export"}),
+            league("export", folder, {"--sources", "-o", temporary / "sources"}),
+            league("health", folder)}) {
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.exit_code, 1) << words[2] << outcome.out << outcome.err;
+        EXPECT_NE((outcome.out + outcome.err).find(name), std::string::npos)
+            << words[2] << outcome.out << outcome.err;
+      }
+      EXPECT_FALSE(fs::exists(temporary / "second/" + name));
+      for (const char* made : {"second", "export", "sources"}) fs::remove_all(temporary / made);
+    }
+  }
+  // A folder that is a link is not copied; the files in it can be read.
+  fs::remove_all(folder);
+  fs::copy(whole, folder, fs::copy_options::recursive);
+  fs::rename(folder + "/records", temporary / "elsewhere");
+  fs::create_directory_symlink(temporary / "elsewhere", folder + "/records");
+  const Outcome linked = run(league("backup", folder, {temporary / "second"}));
+  EXPECT_EQ(linked.exit_code, 1);
+  EXPECT_NE(linked.err.find("4 files that the journal names were not copied: " + record),
+            std::string::npos)
+      << linked.err;
+}
+
+// Catches tables with fewer legs than the league, of which only the replay pages know.
+TEST(Publish, NamesTheLegsWithoutPageOrNumbers) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:striker", "b=house:idle"}, "1");
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  EXPECT_EQ(run(league("publish", folder)).exit_code, 0);
+  const std::string replay = folder + "/records/r1-f1-1-1.replay.zst";
+  write_file(replay, read_file(replay).substr(1));
+  EXPECT_EQ(run(league("publish", folder)).exit_code, 0) << "its page is there";
+  fs::remove_all(folder + "/site");
+  for (const char* command : {"publish", "start", "nightly"}) {
+    const Outcome outcome = run(league(command, folder));
+    EXPECT_EQ(outcome.exit_code, 1) << command;
+    EXPECT_NE(outcome.err.find("1 replay pages could not be made: records/r1-f1-1-1.json; "),
+              std::string::npos)
+        << command << outcome.err;
+    EXPECT_NE(outcome.err.find("statistics and goals lack 1 legs: records/r1-f1-1-1.json; "),
+              std::string::npos)
+        << command << outcome.err;
+  }
 }
 
 TEST(Verify, NamesARecordThatWasChangedOrIsGone) {
@@ -349,7 +604,8 @@ TEST(Leagues, AreWrittenByTheirOwnerOnly) {
   const Outcome damaged = run(league("status", folder));
   EXPECT_EQ(damaged.exit_code, 4);
   EXPECT_NE(damaged.err.find("its line ends were changed"), std::string::npos) << damaged.err;
-  EXPECT_NE(damaged.err.find("put back journal.jsonl from the last copy"), std::string::npos);
+  EXPECT_NE(damaged.err.find("put back journal.jsonl and journal.head from the last copy"),
+            std::string::npos);
 }
 
 TEST(Teams, MayBeAddedAfterInit) {

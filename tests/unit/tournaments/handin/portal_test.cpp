@@ -8,12 +8,18 @@
 
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tournaments/handin/book.hpp"
 #include "tournaments/handin/team_desk_page.hpp"
+#include "tournaments/league/start.hpp"
+#include "tournaments/league/submission.hpp"
 #include "web/http/server.hpp"
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace mirocup::league {
 namespace {
@@ -505,8 +511,55 @@ TEST_F(Desk, PinsAnAcceptedVersionOfItsTeam) {
   EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 1);
   EXPECT_EQ(pin(alpha_, "latest"), 200);
   EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 2);
+  // Catches a pin that plays and is not in the book: the next server would take it back.
+  const std::string book = folder_.hand_in_book();
+  std::filesystem::rename(book, book + ".away");
+  std::filesystem::create_symlink(book + ".away", book);
+  EXPECT_EQ(pin(alpha_, "1"), 503) << "a link is no book";
+  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 2);
+  std::filesystem::rename(book + ".away", book);
+  open();
   for (int i = 0; i < 8; ++i) EXPECT_EQ(pin(alpha_, "1"), 200);
   EXPECT_EQ(pin(alpha_, "latest"), 429);
+}
+
+// Catches a pin of which the team's file or the journal knows and the book does not, after a kill.
+TEST_F(Desk, FinishesAPinOfAServerThatWasKilled) {
+  LeagueFile file;
+  file.format.kind = FormatKind::ladder;
+  file.teams = {{.name = "alpha", .source = "submitted"}, {.name = "beta", .source = "submitted"}};
+  ASSERT_TRUE(disk_.write(folder_.config(), print_league_file(file)));
+  for (const char* team : {"alpha", "beta"}) {
+    for (const int entry : {1, 2}) ASSERT_TRUE(add_entry(disk_, folder_, team, entry, "one"));
+  }
+  const auto booked = [this] {
+    return LeagueStore::open(disk_, folder_).value().state().teams.front().entry;
+  };
+  auto league = LeagueStore::open(disk_, folder_);
+  ASSERT_TRUE(league && start_league(disk_, *league));
+  EXPECT_EQ(booked(), 2);
+  portal_.reset();  // which holds the lock of the book
+  const pid_t server = fork();
+  if (server == 0) {
+    auto old = HandInBook::open(disk_, folder_, nullptr);
+    (void)pin_entry(disk_, folder_, "alpha", 1, now_, [&]() -> Result<void> {
+      if (old && old->pin("alpha", 1, now_)) raise(SIGKILL);
+      return {};
+    });
+    _exit(1);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(server, &status, 0), server);
+  ASSERT_TRUE(WIFSIGNALED(status)) << "it was not killed behind the line of the book";
+  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 2);
+  EXPECT_EQ(booked(), 2);
+  open();
+  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 1);
+  EXPECT_EQ(booked(), 1);
+  // Killed later, between the journal and the team's file.
+  ASSERT_TRUE(write_hand_ins(disk_, folder_, "alpha", {}));
+  open();
+  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 1);
 }
 
 TEST_F(Desk, GivesNothingOfAnotherTeam) {

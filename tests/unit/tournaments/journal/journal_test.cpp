@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a journal that loses a line, accepts a changed one, or cannot be opened after the machine
-// stopped while a line was written.
+// Catches a journal that loses a line, also at its end, accepts a changed one, or cannot be opened
+// after the machine stopped while a line was written.
 #include "tournaments/journal/journal.hpp"
 
 #include "system/digest.hpp"
@@ -181,6 +181,138 @@ TEST(Journal, WritesNoLineThatItWouldRefuse) {
   EXPECT_FALSE(journal.append("void", {{"why", std::string(2u << 20, 'x')}}));
   EXPECT_TRUE(journal.append("void", {{"why", "test"}}));
   EXPECT_EQ(opened(files).lines().size(), 4u);
+}
+
+// A journal with a head, and what is done to its two files.
+class JournalHead : public testing::Test {
+ protected:
+  Journal opened() {
+    auto journal = Journal::open(files_, path_, nullptr, Journal::max_values, head_);
+    EXPECT_TRUE(test_support::is_ok(journal));
+    return std::move(*journal);
+  }
+
+  void append(int lines) {
+    Journal journal = opened();
+    for (int i = 0; i < lines; ++i) EXPECT_TRUE(journal.append("leg", {{"leg", i}}));
+  }
+
+  // Returns the number of lines that the head knows, or the error of a journal that has lost some.
+  // Nothing is then appended to it.
+  std::string known() {
+    Journal journal = opened();
+    const auto lines = journal.known_lines();
+    if (lines) return std::to_string(*lines);
+    EXPECT_EQ(lines.error().code, Errc::damaged);
+    EXPECT_NE(lines.error().what.find("journal.head from the last copy that league backup made"),
+              std::string::npos);
+    const std::string before = text();
+    EXPECT_FALSE(journal.append("leg", {{"leg", 9}}));
+    EXPECT_EQ(text(), before);
+    return lines.error().what;
+  }
+
+  std::string text() { return *files_.read(path_); }
+  std::string without_last_line() {
+    const std::string all = text();
+    return all.substr(0, all.rfind('\n', all.size() - 2) + 1);
+  }
+
+  const std::string path_ = "journal.jsonl";
+  const std::string head_ = "journal.head";
+  MemoryFiles files_;
+};
+
+// Catches a journal whose chain of hashes is whole, since lines are lost at its end only.
+TEST_F(JournalHead, NamesTheLineThatIsLost) {
+  append(4);
+  EXPECT_EQ(known(), "4");
+  const std::string whole = text();
+  (void)files_.write(path_, whole.substr(0, whole.size() - 10));
+  EXPECT_EQ(known().find("journal.jsonl: it ends before line 4, the last line by journal.head"), 0u)
+      << "the last line is cut, which a machine that stops does not do after the head";
+  (void)files_.write(path_, whole);
+  const std::string old = without_last_line();
+  for (const std::string& shorter : {old, old.substr(0, old.find('\n') + 1), std::string()}) {
+    (void)files_.write(path_, shorter);
+    EXPECT_EQ(known().find("journal.jsonl: it ends before line 4"), 0u) << known();
+  }
+  (void)files_.remove(path_);
+  EXPECT_EQ(known().find("journal.jsonl: it ends before line 4"), 0u) << "it is gone";
+}
+
+// Catches a comparison of numbers alone: an old copy that was played on has as many lines.
+TEST_F(JournalHead, NamesTheLineThatIsAnother) {
+  append(3);
+  const std::string old = text();
+  const std::string old_head = *files_.read(head_);
+  append(2);
+  const std::string head = *files_.read(head_);
+  for (const int more : {2, 3}) {
+    (void)files_.write(path_, old);
+    (void)files_.write(head_, old_head);
+    Journal journal = opened();
+    for (int i = 0; i < more; ++i) EXPECT_TRUE(journal.append("void", {{"leg", i}}));
+    (void)files_.write(head_, head);
+    EXPECT_EQ(known().find("journal.jsonl: line 5 is another line than the one that journal.head"),
+              0u)
+        << known();
+  }
+}
+
+// Catches an alarm after a stop between the two files, and for a league that has no head yet.
+TEST_F(JournalHead, MayBeBehind) {
+  append(2);
+  const std::string behind = *files_.read(head_);
+  append(1);
+  (void)files_.write(head_, behind);
+  EXPECT_EQ(known(), "2");
+  append(1);
+  EXPECT_EQ(known(), "4");
+  (void)files_.write(head_, behind);
+  EXPECT_EQ(known(), "2") << "a copy that was made while lines were written";
+  (void)files_.remove(head_);
+  EXPECT_EQ(known(), "0");
+  append(1);
+  EXPECT_EQ(known(), "5");
+}
+
+TEST_F(JournalHead, ThatIsDamagedIsNamed) {
+  append(2);
+  const std::string whole = *files_.read(head_);
+  for (const std::string& damaged :
+       {std::string(), whole.substr(0, whole.size() / 2), std::string("{\"n\":0,\"hash\":\"\"}\n"),
+        std::string("{\"n\":-1,\"hash\":\"\"}"), std::string("[]"),
+        std::string("{\"n\":1e99,\"hash\":1}"), std::string("{\"n\":2}")}) {
+    (void)files_.write(head_, damaged);
+    EXPECT_EQ(known().find("journal.head: "), 0u) << damaged << ": " << known();
+  }
+}
+
+// Catches a reader that looks at the head last: a league that is played would seem to lose lines.
+TEST_F(JournalHead, IsNoAlarmWhileAnotherProcessWrites) {
+  append(1);
+  Journal reader = opened();
+  append(2);
+  EXPECT_EQ(reader.known_lines(), 1u);
+  ASSERT_TRUE(reader.refresh());
+  EXPECT_EQ(reader.known_lines(), 3u);
+}
+
+// Catches a head that falls behind by several lines on a full disk, and a line that counts as not
+// written because only its head is not.
+TEST_F(JournalHead, IsBehindByOneLineAtMost) {
+  append(2);
+  Journal journal = opened();
+  files_.fail_after(1);  // the line is written, the head is not
+  EXPECT_TRUE(journal.append("leg", {{"leg", 3}}));
+  EXPECT_EQ(journal.lines().size(), 3u);
+  EXPECT_FALSE(journal.append("leg", {{"leg", 4}})) << "its head comes first";
+  EXPECT_EQ(journal.lines().size(), 3u);
+  files_.fail_after(-1);
+  EXPECT_EQ(known(), "2");
+  EXPECT_TRUE(journal.append("leg", {{"leg", 4}}));
+  EXPECT_EQ(known(), "4");
 }
 
 }  // namespace

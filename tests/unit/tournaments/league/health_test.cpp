@@ -8,6 +8,7 @@
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/handin/book.hpp"
+#include "tournaments/league/gaps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -97,6 +98,45 @@ TEST_F(LeagueHealth, OfChecksThatHang) {
       << late;
   ASSERT_TRUE(book->answer("a", *first, HandInState::accepted, "accepted", noon + 70));
   EXPECT_EQ(problems(noon + 20 * 60), "");
+}
+
+// Catches a record that a decision explains and that is taken for a lost line, and a lost line that
+// is taken for a leg that waits to be entered.
+TEST_F(LeagueHealth, OfRecordsWithoutALine) {
+  LeagueFile file;
+  for (const char* name : {"a", "b"})
+    file.teams.push_back({.name = name, .source = "house:idle", .over_dds = false});
+  ASSERT_TRUE(disk_.remove(folder_.path) && init_folder(disk_, folder_, file));
+  const auto found = [this](const std::vector<std::string>& records) {
+    for (const std::string& record : records)
+      EXPECT_TRUE(disk_.write(folder_.path + "/records/" + record + ".json", "{}"));
+    const auto store = LeagueStore::open(disk_, folder_);
+    auto gaps = league::gaps(disk_, *store, false);
+    EXPECT_TRUE(test_support::is_ok(gaps));
+    for (const std::string& record : records)
+      EXPECT_TRUE(disk_.remove(folder_.path + "/records/" + record + ".json"));
+    return std::pair(gaps->unknown, gaps->not_booked);
+  };
+  using Names = std::vector<std::string>;
+  const std::string first = "records/r1-f1-1-1.json";
+  const std::string second = "records/r1-f1-1-2.json";
+  EXPECT_EQ(found({"r1-f1-1-1"}), std::pair(Names{first}, Names{})) << "it has not started";
+  const std::string config =
+      disk_.read(folder_.config(), {.max_size = system::size_limit::league_file}).value();
+  write(Started{.config_sha256 = system::sha256(config), .version = "0.1.0"});
+  EXPECT_EQ(found({"r1-f1-1-1"}), std::pair(Names{}, Names{first}));
+  EXPECT_EQ(found({"r1-f1-1-2"}), std::pair(Names{second}, Names{})) << "no line made it void";
+  for (const char* strange :
+       {"r1-f1-1-0", "r1-f1-9-1", "r1-f1-1-1x", "-1-1-", "-", "", ".r1-f1-1-2"})
+    EXPECT_EQ(found({strange}), std::pair(Names{}, Names{})) << strange;
+  // It may have come before a result was taken back that had made its fixture.
+  EXPECT_EQ(found({"r9-f1-1-1"}), std::pair(Names{}, Names{"records/r9-f1-1-1.json"}));
+  write(Ruled{.fixture = "r1-f1", .leg = 1, .score = {}, .why = "w", .by = "h"});
+  EXPECT_EQ(found({"r1-f1-1-1"}), std::pair(Names{}, Names{})) << "a ruling decided the leg";
+  write(LegVoided{.fixture = "r1-f1", .leg = 1, .cause = VoidCause::ruling, .why = "w", .by = "h"});
+  EXPECT_EQ(found({"r1-f1-1-1", "r1-f1-1-2"}), std::pair(Names{}, Names{second}));
+  write(Undone{.line = 3, .why = "w", .by = "h"});
+  EXPECT_EQ(found({"r1-f1-1-1", "r1-f1-1-2"}), std::pair(Names{}, Names{}));
 }
 
 }  // namespace
