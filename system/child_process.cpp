@@ -2,6 +2,7 @@
 #include "system/child_process.hpp"
 
 #include "system/descriptor.hpp"
+#include "system/links.hpp"
 #include "system/process_set.hpp"
 
 #include <cassert>
@@ -30,7 +31,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
 // or by a second name of a file of ours, is refused and keeps its bytes.
 Result<Descriptor> open_log(const std::string& path) {
   constexpr int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-  Descriptor log(open(path.c_str(), flags, 0644));
+  MIROCUP_TRY(const auto way, way_to(path, "written"));
+  Descriptor log(open(way.path.c_str(), flags, 0644));
   struct stat about {};
   if (!log.is_open() || fstat(log.get(), &about) != 0)
     return fail(Errc::unavailable, path + " cannot be written: " + std::strerror(errno));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "system/files.hpp"
 
+#include "system/links.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -127,8 +129,10 @@ Unfinished make_unfinished(const std::string& path, mode_t mode) {
 }
 
 void remove_if_abandoned(const std::string& path) {
-  const Descriptor fd = open_for_writing(path, 0);
-  if (fd.is_open() && flock(fd.get(), LOCK_EX | LOCK_NB) == 0) unlink(path.c_str());
+  const auto way = way_to(path, "removed");
+  if (!way) return;
+  const Descriptor fd = open_for_writing(way->path, 0);
+  if (fd.is_open() && flock(fd.get(), LOCK_EX | LOCK_NB) == 0) unlink(way->path.c_str());
 }
 
 }  // namespace
@@ -139,7 +143,10 @@ bool is_written_in_place(const std::string& path) {
   if (lstat(path.c_str(), &name) != 0 || stat(path.c_str(), &target) != 0) return false;
   const bool is_trusted = name.st_uid == 0 || name.st_uid == geteuid();
   if (!is_trusted || S_ISDIR(target.st_mode)) return false;
-  return !S_ISREG(target.st_mode) || is_link_of_the_system(path, name);
+  // A link to a disk or to a pipe may have come with a stranger's folder.
+  const bool is_no_file =
+      S_ISLNK(name.st_mode) ? S_ISCHR(target.st_mode) : !S_ISREG(target.st_mode);
+  return is_no_file || is_link_of_the_system(path, name);
 }
 
 bool is_unfinished(const std::string& path) {
@@ -155,8 +162,12 @@ bool is_unfinished(const std::string& path) {
 
 Result<OpenFile> open_file(const std::string& path, const ReadOptions& options) {
   const int links = options.links == Links::refused ? O_NOFOLLOW : 0;
+  // A league.json may name a library beside the league's folder.
+  const bool is_free = links == 0 || path.find("/../") != std::string::npos;
+  MIROCUP_TRY(const auto way, is_free ? Way{.path = path} : way_to(path, "read"));
   OpenFile file{.path = path, .options = options};
-  file.descriptor.reset(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | links));
+  file.descriptor.reset(
+      open(way.path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | links));
   if (!file.descriptor.is_open()) {
     if (errno == ELOOP && links != 0)
       return wrong(path, "it is a symbolic link; name the file itself");
@@ -217,15 +228,17 @@ Result<std::string> read_file(const OpenFile& file, std::uint64_t offset) {
 
 Result<IncomingFile> IncomingFile::begin(const std::string& path) {
   IncomingFile file;
-  Unfinished made = make_unfinished(path, 0600);
+  MIROCUP_TRY(const auto way, way_to(path, "written"));
+  Unfinished made = make_unfinished(way.path, 0600);
   if (!made.descriptor.is_open()) return problem(path, "written");
-  file.path_ = std::move(made.path);
+  file.path_ = path + made.path.substr(way.path.size());
   file.descriptor_ = std::move(made.descriptor);
   return file;
 }
 
 IncomingFile::~IncomingFile() {
-  if (descriptor_.is_open() && !path_.empty()) unlink(path_.c_str());
+  const auto way = way_to(path_, "removed");
+  if (way && descriptor_.is_open() && !path_.empty()) unlink(way->path.c_str());
 }
 
 Result<void> IncomingFile::add(std::string_view bytes) {
@@ -241,7 +254,9 @@ Result<std::string> IncomingFile::finish() {
 }
 
 Result<void> IncomingFile::keep(const std::string& path) {
-  if (rename(path_.c_str(), path.c_str()) != 0 || !sync_folder_of(path))
+  MIROCUP_TRY(const auto from, way_to(path_, "written"));
+  MIROCUP_TRY(const auto to, way_to(path, "written"));
+  if (rename(from.path.c_str(), to.path.c_str()) != 0 || !sync_folder_of(to.path))
     return problem(path, "written");
   path_.clear();
   return {};
@@ -281,11 +296,12 @@ Result<std::string> Disk::read_from(const std::string& path, std::size_t offset,
 }
 
 Result<void> Disk::write(const std::string& path, std::string_view bytes, Readers readers) {
-  if (is_written_in_place(path)) return write_into(path, bytes);
-  const Unfinished made = make_unfinished(path, readers == Readers::owner ? 0600 : 0644);
+  MIROCUP_TRY(const auto way, way_to(path, "written"));
+  if (!way.folder.is_open() && is_written_in_place(path)) return write_into(path, bytes);
+  const Unfinished made = make_unfinished(way.path, readers == Readers::owner ? 0600 : 0644);
   if (!made.descriptor.is_open()) return problem(path, "written");
   if (!write_all(made.descriptor.get(), bytes) || fsync(made.descriptor.get()) != 0 ||
-      rename(made.path.c_str(), path.c_str()) != 0 || !sync_folder_of(path)) {
+      rename(made.path.c_str(), way.path.c_str()) != 0 || !sync_folder_of(way.path)) {
     const auto failed = problem(path, "written");
     unlink(made.path.c_str());
     return failed;
@@ -294,6 +310,7 @@ Result<void> Disk::write(const std::string& path, std::string_view bytes, Reader
 }
 
 Result<void> Disk::remove_unfinished(const std::string& folder) {
+  MIROCUP_TRY_VOID(way_to(folder, "searched"));
   std::error_code code;
   using Walk = fs::recursive_directory_iterator;
   Walk file(folder, fs::directory_options::skip_permission_denied, code);
@@ -307,16 +324,18 @@ Result<void> Disk::remove_unfinished(const std::string& folder) {
 
 Result<void> Disk::append(const std::string& path, std::string_view bytes) {
   const bool is_new = !exists(path);
-  const Descriptor fd = open_for_writing(path, O_CREAT | O_APPEND);
+  MIROCUP_TRY(const auto way, way_to(path, "written"));
+  const Descriptor fd = open_for_writing(way.path, O_CREAT | O_APPEND);
   if (!fd.is_open() || !write_all(fd.get(), bytes) || fsync(fd.get()) != 0) {
     return problem(path, "written");
   }
-  if (is_new && !sync_folder_of(path)) return problem(path, "written");
+  if (is_new && !sync_folder_of(way.path)) return problem(path, "written");
   return {};
 }
 
 Result<void> Disk::truncate(const std::string& path, std::size_t size) {
-  const Descriptor fd = open_for_writing(path, 0);
+  MIROCUP_TRY(const auto way, way_to(path, "shortened"));
+  const Descriptor fd = open_for_writing(way.path, 0);
   if (!fd.is_open() || ftruncate(fd.get(), static_cast<off_t>(size)) != 0 || fsync(fd.get()) != 0) {
     return problem(path, "shortened");
   }
@@ -324,6 +343,7 @@ Result<void> Disk::truncate(const std::string& path, std::size_t size) {
 }
 
 bool Disk::exists(const std::string& path) {
+  if (const auto way = way_to(path, "read"); !way && way.error().code == Errc::input) return true;
   struct stat about {};
   if (lstat(path.c_str(), &about) == 0 || errno != ENOENT) return true;
   // Nothing has that name, unless a folder on the way is a link to a disk that is away.
@@ -334,23 +354,24 @@ bool Disk::exists(const std::string& path) {
 }
 
 Result<void> Disk::make_folder(const std::string& path, Readers readers) {
-  const fs::path parent = fs::path(path).parent_path();
-  std::error_code code;
-  fs::create_directories(readers == Readers::owner ? parent : fs::path(path), code);
-  if (readers == Readers::owner && (!code || parent.empty())) {
-    code.clear();
-    if (mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) return problem(path, "made");
-    const Descriptor fd(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-    if (!fd.is_open() || fchmod(fd.get(), 0700) != 0) return problem(path, "closed to others");
-  }
-  if (code) return fail(Errc::unavailable, path + " cannot be made: " + code.message());
+  const std::string parent = fs::path(path).parent_path();
+  if (!parent.empty() && !exists(parent)) MIROCUP_TRY_VOID(make_folder(parent));
+  MIROCUP_TRY(const auto way, way_to(path, "made"));
+  const bool is_closed = readers == Readers::owner;
+  if (mkdir(way.path.c_str(), is_closed ? 0700 : 0777) != 0 && errno != EEXIST)
+    return problem(path, "made");
+  const int access = is_closed ? O_RDONLY | O_NOFOLLOW : O_PATH;
+  const Descriptor fd(open(way.path.c_str(), access | O_DIRECTORY | O_CLOEXEC));
+  if (!fd.is_open() || (is_closed && fchmod(fd.get(), 0700) != 0))
+    return problem(path, is_closed ? "closed to others" : "made");
   return {};
 }
 
 Result<std::vector<std::string>> Disk::names_in(const std::string& folder) {
+  MIROCUP_TRY(const auto way, way_to(folder, "read"));
   std::vector<std::string> names;
   std::error_code code;
-  fs::directory_iterator file(folder, code);
+  fs::directory_iterator file(way.path, code);
   for (; !code && file != fs::directory_iterator(); file.increment(code))
     names.push_back(file->path().filename().string());
   if (code) return fail(Errc::unavailable, folder + " cannot be read: " + code.message());
@@ -359,10 +380,16 @@ Result<std::vector<std::string>> Disk::names_in(const std::string& folder) {
 }
 
 Result<void> Disk::remove(const std::string& path) {
-  std::error_code code;
-  fs::remove_all(path, code);
-  if (code) return fail(Errc::unavailable, path + " cannot be removed: " + code.message());
-  return {};
+  const auto way = way_to(path, "removed");
+  if (!way) return exists(path) ? tl::unexpected(way.error()) : Result<void>();
+  if (unlink(way->path.c_str()) == 0 || errno == ENOENT) return {};
+  if (errno != EISDIR) return problem(path, "removed");
+  MIROCUP_TRY(const auto names, names_in(path));
+  for (const std::string& name : names) {
+    MIROCUP_TRY(const auto file, way_to(path + "/" + name, "removed"));
+    if (unlink(file.path.c_str()) != 0) return problem(path + "/" + name, "removed");
+  }
+  return rmdir(way->path.c_str()) == 0 ? Result<void>() : problem(path, "removed");
 }
 
 }  // namespace mirocup::system

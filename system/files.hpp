@@ -6,6 +6,9 @@
 // a crash. Appended bytes are on disk when append() returns. Tests replace the disk by a disk with
 // faults.
 //
+// Below the folders of follow_no_links_below() (links.hpp) each function refuses every link of a
+// path, apart from a file that the host names (Links::followed).
+//
 // Errors name the file and the reason: Errc::input if the file is of the wrong kind, too large or
 // a link; Errc::unavailable if the system refuses.
 #pragma once
@@ -116,7 +119,8 @@ class Files {
 
   // Replaces the file: writes a temporary file in the same folder, flushes it to disk, renames it
   // and flushes the folder. The temporary file is always a new file, with a name that nobody can
-  // guess. If another user has put a link at `path`, the link is replaced and its target untouched.
+  // guess. If another user has put a link at `path`, the link is replaced and its target untouched;
+  // below a folder of follow_no_links_below() (links.hpp) it is refused.
   // If is_written_in_place(path), writes the bytes into `path` itself.
   virtual Result<void> write(const std::string& path, std::string_view bytes,
                              Readers readers = Readers::everybody) = 0;
@@ -146,8 +150,8 @@ class Files {
   // Like the function above, but returns no names if the folder does not exist.
   Result<std::vector<std::string>> names_if_there(const std::string& folder);
 
-  // Removes a file, or a folder with everything in it. Links are removed, not followed. A missing
-  // file is not an error.
+  // Removes a file, or a folder with the files in it, but no folder with a folder in it. A link is
+  // not followed. A missing file is not an error.
   virtual Result<void> remove(const std::string& path) = 0;
 };
 

@@ -103,7 +103,11 @@ TEST_F(DiskTest, WritesInPlaceWhatIsNoNameOfAFile) {
   EXPECT_TRUE(is_written_in_place(at("link")));
   ASSERT_TRUE(disk_.write(at("file"), "x"));
   std::filesystem::create_symlink(at("file"), at("link to a file"));
-  for (const std::string& path : {at("file"), at("link to a file"), at("none"), at("")}) {
+  ASSERT_EQ(mkfifo(at("pipe").c_str(), 0600), 0);
+  EXPECT_TRUE(is_written_in_place(at("pipe")));
+  std::filesystem::create_symlink(at("pipe"), at("link to a pipe"));
+  for (const std::string& path :
+       {at("file"), at("link to a file"), at("link to a pipe"), at("none"), at("")}) {
     EXPECT_FALSE(is_written_in_place(path)) << path;
   }
 }
@@ -260,8 +264,9 @@ TEST_F(DiskTest, ListsAndRemovesNamesOfAnyBytes) {
   ASSERT_TRUE(disk_.make_folder(at("a/b")));
   EXPECT_EQ(names(), (std::vector<std::string>{"a", "b\n\xff"}));
   ASSERT_TRUE(disk_.write(at("kept"), "kept"));
-  std::filesystem::create_symlink(at("kept"), at("a/link"));
-  ASSERT_TRUE(disk_.remove(at("a")));
+  std::filesystem::create_symlink(at("kept"), at("a/b/link"));
+  EXPECT_FALSE(disk_.remove(at("a"))) << "a tree is not removed";
+  for (const char* name : {"a/b", "a", "b\n\xff"}) ASSERT_TRUE(disk_.remove(at(name)));
   ASSERT_TRUE(disk_.remove(at("a"))) << "it is gone already";
   EXPECT_EQ(*read("kept"), "kept");
   EXPECT_FALSE(disk_.names_in(at("nowhere")));
