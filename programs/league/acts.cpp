@@ -30,10 +30,9 @@ Result<int> run_act(const ActOptions& options) {
   MIROCUP_TRY(const auto lines, perform(disk, store, options.act, system::now_s()));
   for (const std::string& line : lines) std::cout << system::printable(line) << '\n';
   // What is held back must not stay on the pages, and what is released is looked for there.
-  const Folder folder{options.folder};
   if (options.act.kind == ActKind::release && !options.act.is_dry_run &&
-      disk.exists(folder.site())) {
-    return publish_league(disk, folder);
+      disk.exists(store.folder().site())) {
+    return publish_league(disk, store.folder());
   }
   return exit_yes;
 }

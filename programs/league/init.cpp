@@ -60,6 +60,7 @@ Result<LeagueFile> finals(system::Files& files, const LeagueStore& store,
   file.rules_version = current_rules;
   file.title = name_of_folder(options.folder);
   file.freeze.clear();
+  file.site.clear();
   file.format = {.kind = FormatKind::knockout};
   file.teams.clear();
   for (const TableRow& row : season.table()) {

@@ -36,10 +36,10 @@ Result<int> run_prune(const PruneOptions& options) {
                                  std::to_string(last) + " is possible");
   std::set<int> nights = state.pruned_nights;
   for (int night = 1; night < options.before; ++night) nights.insert(night);
-  const DiskUse before = disk_use(folder);
+  const DiskUse before = disk_use(store.folder());
   MIROCUP_TRY_VOID(write_pruned_nights(disk, folder, nights));
   MIROCUP_TRY(const int published, publish_league(disk, folder));
-  const DiskUse after = disk_use(folder);
+  const DiskUse after = disk_use(store.folder());
   std::cout << folder.path << ": pages of " << nights.size()
             << (nights.size() == 1 ? " night" : " nights") << " are removed, "
             << system::mebibytes(before.pages - std::min(before.pages, after.pages))

@@ -37,7 +37,7 @@ Result<int> run_publish(const PublishOptions& options) {
     MIROCUP_TRY_VOID(restore_night(disk, store, options.pages));
   }
   // site/ has what is released, so the pages of other rounds go to another folder.
-  const Folder folder{options.through.empty() ? options.folder : options.output};
+  const Folder folder = options.through.empty() ? store.folder() : Folder{options.output};
   if (!options.through.empty() && disk.exists(folder.config()))
     return fail(Errc::input, "--output " + folder.path +
                                  " is a league, whose records and pages would be replaced: name a "

@@ -9,6 +9,7 @@
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/night_pages.hpp"
+#include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"
@@ -74,18 +75,36 @@ Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store) {
   return found;
 }
 
+// Makes the folder of the pages. A league.json may come from a stranger, so a folder elsewhere must
+// be there, and be empty or have the pages of a league.
+static Result<void> open_site(system::Files& files, const Folder& folder) {
+  const std::string site = folder.site();
+  if (!folder.has_site_elsewhere()) return files.make_folder(site);
+  const std::string named = folder.config() + ": /site: " + site;
+  if (!files.exists(site))
+    return fail(Errc::unavailable, named + " is not there: make the folder, or mount its disk");
+  const std::string script = site + "/site.js";
+  MIROCUP_TRY(const auto names, files.names_in(site));
+  if (names.empty()) return files.write(script, page_file("site.js"));
+  MIROCUP_TRY(const auto text, files.read_if_there(script, {.max_size = system::size_limit::page}));
+  constexpr std::string_view ours = "// What the pages of a league can do";
+  if (text && text->find(ours) != std::string::npos) return {};
+  return fail(Errc::input, named + " has other files than pages of a league: name an empty folder");
+}
+
 Result<int> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
                          const NightNews& news, int jobs) {
+  MIROCUP_TRY_VOID(open_site(files, folder));
   // What was told before may not be released any more.
   // And this program may have no playground.
-  for (const std::string part : {"digests", "night.html", "feed.xml", playground_name}) {
-    MIROCUP_TRY_VOID(files.remove(folder.site() + "/" + part));
-  }
+  for (const std::string part : {"", "digests/"})
+    MIROCUP_TRY_VOID(remove_former_pages(files, folder.site(), part, {}));
   for (const char* part : {"/teams", "/rounds", "/digests"}) {
     if (part == std::string("/digests") && !news.night) continue;
     MIROCUP_TRY_VOID(files.make_folder(folder.site() + part));
   }
-  MIROCUP_TRY_VOID(files.remove_unfinished(folder.path));
+  for (const std::string& path : {folder.path, folder.site()})
+    MIROCUP_TRY_VOID(files.remove_unfinished(path));
   // First what takes long: the pages of league and teams show the statistics of every leg.
   MIROCUP_TRY(const auto failed, make_replay_pages(files, folder, overview(shown), jobs,
                                                    module_finder(files, folder, shown.file)));
@@ -125,7 +144,7 @@ Result<int> publish_league(system::Files& files, const Folder& folder, int jobs)
   if (!found.lost.empty()) return exit_no;
   MIROCUP_TRY(const auto shown, released_state(store.state(), store.journal()));
   MIROCUP_TRY(const auto news, news_for(shown, store));
-  MIROCUP_TRY(const int published, publish_site(files, folder, shown, news, jobs));
+  MIROCUP_TRY(const int published, publish_site(files, store.folder(), shown, news, jobs));
   return found.is_whole() ? published : exit_no;
 }
 

@@ -122,7 +122,7 @@ bool is_video_name(const std::string& path) {
 Result<void> write_clip(system::Files& files, const record::MatchRecord& record,
                         const ClipSpan& span, const std::string& output) {
   const PictureFolder folder(output + ".pictures-" + std::to_string(getpid()));
-  if (auto made = files.make_folder(folder.path); !made) return made;
+  if (auto made = files.make_folder(folder.path, system::Readers::owner); !made) return made;
   MIROCUP_TRY_VOID(draw_pictures(files, record.recording, span, folder.path));
   system::ChildOptions ffmpeg;
   ffmpeg.arguments = ffmpeg_command(folder.path, record.recording.setup.control_period, output);

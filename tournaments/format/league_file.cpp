@@ -167,9 +167,10 @@ Points read_points(const JsonReader& json) {
 }
 
 LeagueFile read_league(const JsonReader& json, int rules_version) {
-  json.expect_object({"schema", "title", "format", "league", "rules", "conditions", "pitch", "seed",
-                      "points", "tie_breaks", "rules_version", "zone", "freeze", "strikes",
-                      "anonymous", "thoughts", "proofs", "firasim", "teams"});
+  json.expect_object({"schema",        "title",  "format",  "league",  "rules",
+                      "conditions",    "pitch",  "seed",    "points",  "tie_breaks",
+                      "rules_version", "zone",   "freeze",  "strikes", "anonymous",
+                      "thoughts",      "proofs", "firasim", "site",    "teams"});
   json.expect_schema(schema);
   LeagueFile file;
   file.rules_version = rules_version;
@@ -197,6 +198,9 @@ LeagueFile read_league(const JsonReader& json, int rules_version) {
   json.read_if_present("proofs", file.has_proofs);
   fields.since_later("strikes", file.strikes, 0, 1000);
   if (json.has("firasim")) file.firasim = read_firasim(json.at("firasim"));
+  json.read_if_present("site", file.site);
+  if (!file.site.empty() && !file.site.starts_with('/'))
+    json.at("site").complain("the absolute path of a folder is expected");
   if (json.has("teams")) file.teams = read_teams(json.at("teams"));
   return file;
 }
@@ -265,6 +269,25 @@ Result<LeagueFile> parse_league_file(const std::string& text, const std::string&
   return zone ? file : fail(zone.error().code, path + ": /zone: " + zone.error().what);
 }
 
+std::string without_site(std::string text) {
+  constexpr std::string_view key = "\"site\"";
+  const auto next = [&text](std::size_t from) {
+    return std::min(text.find_first_not_of(" \t\r\n", from), text.size());
+  };
+  for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
+    const std::size_t colon = next(at + key.size());
+    const std::size_t value = next(colon + 1);
+    if (text[colon] != ':' || text[value] != '"') continue;
+    const std::size_t end = text.find('"', value + 1) + 1;
+    const std::size_t comma = next(end);
+    // The comma after the key goes with it, or the comma before the last key.
+    const std::size_t before = std::min(text.find_last_of(",{", at), at);
+    return text[comma] == ',' ? text.erase(before + 1, comma - before)
+                              : text.erase(before, end - before);
+  }
+  return text;
+}
+
 std::string print_firasim_team(const TeamConfig& team) {
   return record::json_text(record::fields_json(team), 2) + "\n";
 }
@@ -287,6 +310,7 @@ std::string print_league_file(const LeagueFile& file) {
   if (file.is_anonymous) json["anonymous"] = true;
   if (file.keeps_thoughts) json["thoughts"] = true;
   if (!file.has_proofs) json["proofs"] = false;
+  if (!file.site.empty()) json["site"] = file.site;
   if (const Json firasim = record::fields_json(file.firasim); !firasim.empty())
     json["firasim"] = firasim;
   json["teams"] = record::fields_json(file.teams);

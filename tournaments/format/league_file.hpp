@@ -103,6 +103,10 @@ struct LeagueFile {
   // commands show how a team drives.
   bool has_proofs = true;
 
+  // The folder of the pages, an absolute path; "": site/ in the league's folder. The host may change
+  // it at any time.
+  std::string site;
+
   // A team that loses this number of legs in a row by its own faults is paused; 0: never.
   int strikes = 3;
   FirasimPlace firasim;
@@ -148,6 +152,10 @@ std::string shown_time(const LeagueFile& file, const std::string& utc);
 // `rules_version` applies if the file names no version of the rules.
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path,
                                      int rules_version = former_rules);
+
+// Returns the text of league.json without the key `site`, as it was before the host added the key.
+// The hash of this text tells whether the decisions of the host are those of the league's start.
+std::string without_site(std::string text);
 
 // Returns the text of league.json about a team that speaks FIRASim's protocol. This text is the
 // team's entry instead of a library.

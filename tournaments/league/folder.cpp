@@ -4,6 +4,7 @@
 #include "record/json_reader.hpp"
 #include "system/digest.hpp"
 #include "system/file_lock.hpp"
+#include "system/links.hpp"
 #include "system/locations.hpp"
 #include "system/number_of.hpp"
 #include "system/printable.hpp"
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace mirocup::league {
 
@@ -43,6 +45,11 @@ Result<std::vector<int>> numbers_in(system::Files& files, const Folder& folder,
 }
 
 }  // namespace
+
+Folder::Folder(std::string folder, std::string site)
+    : path(std::move(folder)), site_elsewhere_(std::move(site)) {
+  for (const std::string& root : {path, site_elsewhere_}) system::follow_no_links_below(root);
+}
 
 Result<void> expect_league(system::Files& files, const Folder& folder) {
   if (files.exists(folder.config())) return {};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The folder of a league: league.json, journal.jsonl, entries/, records/ and site/. This file has
-// its paths, its creation and its kept entries.
+// its paths, its creation and its kept entries. No link in the folder is followed
+// (system::follow_no_links_below).
 #pragma once
 
 #include "system/files.hpp"
@@ -14,6 +15,9 @@
 namespace mirocup::league {
 
 struct Folder {
+  // `site` is the folder of the pages; "": site/ in the league's folder.
+  explicit Folder(std::string folder, std::string site = "");
+
   std::string path;
 
   std::string config() const { return path + "/league.json"; }
@@ -106,7 +110,11 @@ struct Folder {
            ".json";
   }
   std::string credentials() const { return path + "/credentials"; }
-  std::string site() const { return path + "/site"; }
+  std::string site() const { return site_elsewhere_.empty() ? path + "/site" : site_elsewhere_; }
+  bool has_site_elsewhere() const { return !site_elsewhere_.empty(); }
+
+ private:
+  std::string site_elsewhere_;
 };
 
 // Errors: Errc::input if the folder holds no league, Errc::unavailable if this user may not read

@@ -116,6 +116,7 @@ DiskUse disk_use(const Folder& folder) {
   DiskUse use{.left = left_on_disk(folder)};
   std::error_code gone;
   for (const auto& part : fs::directory_iterator(folder.path, gone)) {
+    if (part.is_symlink(gone)) continue;
     std::uintmax_t sum = 0;
     add_size(sum, part);
     fs::recursive_directory_iterator file(part.path(),
@@ -128,6 +129,7 @@ DiskUse disk_use(const Folder& folder) {
     if (name == "site") use.pages = sum;
     if (name == "entries") use.entries = sum;
   }
+  if (folder.has_site_elsewhere()) use.all += use.pages = disk_use(Folder(folder.site())).all;
   return use;
 }
 

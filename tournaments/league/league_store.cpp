@@ -27,6 +27,7 @@ Result<LeagueStore> LeagueStore::load(system::Files& files, Folder folder, std::
   MIROCUP_TRY_VOID(expect_league(files, folder));
   MIROCUP_TRY(const auto text, files.read_named(folder.config(), system::size_limit::league_file));
   MIROCUP_TRY(auto file, parse_league_file(text, folder.config()));
+  folder = Folder(folder.path, file.site);
   MIROCUP_TRY(auto journal, Journal::open(files, folder.journal(), notice, Journal::max_values,
                                           folder.journal_head()));
   // Checked first: teams of the journal may be missing in a changed file, which would look like
@@ -34,7 +35,7 @@ Result<LeagueStore> LeagueStore::load(system::Files& files, Folder folder, std::
   if (!journal.lines().empty()) {
     const auto first = read_event(journal.lines().front());
     const Started* started = first ? std::get_if<Started>(&*first) : nullptr;
-    if (started != nullptr && started->config_sha256 != system::sha256(text)) {
+    if (started != nullptr && started->config_sha256 != system::sha256(without_site(text))) {
       return fail(Errc::input, folder.config() + " was changed after the league started");
     }
   }

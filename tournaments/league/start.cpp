@@ -37,7 +37,7 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
   MIROCUP_TRY(const auto config,
               files.read_named(store.folder().config(), system::size_limit::league_file));
   const record::Software program = record::this_software();
-  return store.write(Started{.config_sha256 = system::sha256(config),
+  return store.write(Started{.config_sha256 = system::sha256(without_site(config)),
                              .version = program.version,
                              .conditions = state.file.conditions.value_or(default_conditions()),
                              .build = program.build,

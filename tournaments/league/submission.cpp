@@ -27,7 +27,8 @@ void close_to_others(const std::string& record) {
   for (const fs::path& path :
        {fs::path(record), fs::path(record).replace_extension(".replay.zst")}) {
     std::error_code none;  // an entry that is refused early has no leg
-    fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write, none);
+    fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write,
+                    fs::perm_options::replace | fs::perm_options::nofollow, none);
   }
 }
 

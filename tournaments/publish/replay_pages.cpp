@@ -110,6 +110,11 @@ Result<std::vector<MissingPage>> missing_pages(system::Files& files, const Folde
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
       if (has_page(files, folder, servers, record, is_pruned(state, f))) continue;
+      // Its program, which may be of an earlier version, does not look at what is there.
+      for (const auto& name :
+           {replay_page_of(record), commands_file_of(record), statistics_file_of(record)})
+        MIROCUP_TRY_VOID(files.read_if_there(folder.site() + "/" + name,
+                                             {.max_size = system::size_limit::page}));
       const MatchServer& server = servers.of_record(record);
       MissingPage page{.record = record, .programs = {}, .why_not_kept = server.why_not_kept};
       if (server.words != servers.own().words) {

@@ -8,6 +8,7 @@
 #include "web/design/template.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
@@ -85,13 +86,28 @@ std::optional<std::string> Site::file(const std::string& name) const {
   return found == makers_.end() ? std::nullopt : std::optional(found->second());
 }
 
+// True if publishing gives files of that part of the site such names.
+static bool is_name_of(std::string_view part, std::string_view name) {
+  if (part.empty()) return name == "night.html" || name == "feed.xml" || name == playground_name;
+  const bool is_module = part == "module/";
+  std::string_view end = is_module ? ".js" : part == "statistics/" ? ".json" : ".html";
+  if (part == "replays/" && name.ends_with(".proof.js")) end = ".proof.js";
+  if (!name.ends_with(end)) return false;
+  const std::string_view stem = name.substr(0, name.size() - end.size());
+  if (part == "teams/" || part == "digests/") return is_good_name(std::string(stem));
+  const char* letters = is_module ? "0123456789abcdef" : "fgkr-0123456789";  // "g1-r2-f3-1-1"
+  return !stem.empty() && stem.find_first_not_of(letters) == std::string_view::npos;
+}
+
 Result<void> remove_former_pages(system::Files& files, const std::string& site,
                                  const std::string& part, const std::set<std::string>& names) {
   const std::string folder = site + "/" + part;
   MIROCUP_TRY(const auto present, files.names_if_there(folder));
   for (const std::string& name : present) {
-    if (names.contains(part + name) || system::is_unfinished(name)) continue;
-    if (auto removed = files.remove(folder + name); !removed) return removed;
+    const auto type = std::filesystem::symlink_status(folder + name).type();
+    const bool is_ours = is_name_of(part, name) && type != std::filesystem::file_type::directory;
+    if (!is_ours || names.contains(part + name)) continue;
+    MIROCUP_TRY_VOID(files.remove(folder + name));
   }
   return {};
 }

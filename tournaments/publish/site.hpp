@@ -64,8 +64,8 @@ class Site {
 std::string table_text(const LeagueState& state, bool is_for_public = false);
 
 // To be called because the staff may have hidden rounds again: removes the files that `names` does
-// not list from the folder `part` ("rounds/") of the site. Each name begins with `part`. A file
-// that another process is writing stays.
+// not list from the folder `part` ("rounds/") of the site. Each name begins with `part`. Files stay
+// whose names publishing never gives, and so do folders.
 Result<void> remove_former_pages(system::Files& files, const std::string& site,
                                  const std::string& part, const std::set<std::string>& names);
 

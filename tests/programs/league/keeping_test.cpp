@@ -413,9 +413,12 @@ TEST(FullDisk, StopsALeagueAtOnceAndSaysSo) {
   const std::string other = disk + "/other";
   init_league(other, backup_teams, "10");
   fs::create_directory(other + "/programs");
-  for (const auto& kept : fs::directory_iterator(folder + "/programs"))
-    fs::create_directory_symlink(kept.path(),
-                                 other + "/programs/" + kept.path().filename().string());
+  for (const auto& kept : fs::directory_iterator(folder + "/programs")) {
+    const std::string to = other + "/programs/" + kept.path().filename().string();
+    fs::create_directory(to);
+    for (const auto& file : fs::directory_iterator(kept))
+      fs::create_hard_link(file, to + "/" + file.path().filename().string());
+  }
   // There is room for lines of the journal, but not for a record and its replay.
   constexpr std::uintmax_t left = 16 << 10;
   const std::string filling(4 << 10, 'x');

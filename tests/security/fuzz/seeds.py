@@ -136,7 +136,7 @@ seed("journal", "many_lines", b"\1" + (lines[4] + "\n" + lines[5] + "\n").encode
 # --- League files.
 league = {"schema": "mirocup/league/1", "title": "t", "format": {"kind": "swiss", "rounds": 3}, "league": "small",
           "rules": {"preset": "mirosot", "half_s": 30}, "seed": 7, "points": {"win": 3, "draw": 1, "loss": 0},
-          "tie_breaks": ["goals", "wins"], "freeze": "2026-11-30T18:00:00Z", "strikes": 3,
+          "tie_breaks": ["goals", "wins"], "freeze": "2026-11-30T18:00:00Z", "strikes": 3, "site": "/srv/pages",
           "teams": [{"name": "a", "entry": "house:idle"}, {"name": "b", "entry": "b.so", "dds": True}]}
 seed("league", "whole", json.dumps(league))
 seed("league", "points_overflow", json.dumps(dict(league, points={"win": 2147483647})))

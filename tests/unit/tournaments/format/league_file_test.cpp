@@ -140,5 +140,32 @@ TEST(LeagueFile, KeepsTheRulesWithWhichItWasMade) {
   EXPECT_FALSE(parse_league_file(R"({"schema": "mirocup/league/1", "rules_version": 5})", "l"));
 }
 
+// Catches a host who moves the pages to another disk and is told that the rules were changed, and a
+// key that hides another change.
+TEST(LeagueFile, IsTheSameWithoutTheFolderOfItsPages) {
+  EXPECT_EQ(error_of(R"("site":"pages")"),
+            "league.json: /site: the absolute path of a folder is expected");
+  LeagueFile file;
+  file.title = "site";
+  file.teams = {{.name = "site", .source = "house:idle", .parameters = {{"site", 0.5}}}};
+  const std::string before = print_league_file(file);
+  EXPECT_EQ(without_site(before), before);
+  file.site = "/srv/a \"b\"";
+  EXPECT_EQ(parse_league_file(print_league_file(file), "l")->site, file.site);
+  for (const std::string value : {"/srv/site", "/srv/a, {b}", ""}) {
+    for (const char* mark : {"{", "\"title\": \"site\",", "\"seed\": 1,"}) {
+      std::string text = before;
+      text.insert(text.find(mark) + std::string(mark).size(), "\n\t\"site\" : \"" + value + "\",");
+      EXPECT_EQ(without_site(text), before) << text;
+    }
+    std::string last = before;
+    last.insert(last.rfind('\n', last.rfind('}')), ",\n  \"site\": \"" + value + "\"");
+    EXPECT_EQ(without_site(last), before) << last;
+  }
+  for (const char* text :
+       {"", "{\"site\"", "{\"site\":", "{\"site\": \"", "\"site\": \"a\"", "{\"site\": \"a"})
+    EXPECT_NE(without_site(text), before) << "whatever a damaged file becomes";
+}
+
 }  // namespace
 }  // namespace mirocup::league
