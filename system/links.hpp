@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Folders whose files may come from a stranger, for example the folder of a league: a link in such a
-// folder could lead to any file of the host. Everything that opens, makes or removes files by a path
-// asks for the way to it.
+// Folders whose files may come from a stranger, for example the folder of a league: a link in such
+// a folder could lead to any file of the host. The functions of files.hpp, and whatever else opens
+// a file by its path there, ask for the way to it.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -16,8 +16,8 @@ namespace mirocup::system {
 // itself may have links.
 void follow_no_links_below(const std::string& folder);
 
-// A path for the calls of the system. While the object lives, the path cannot get another meaning by
-// links that somebody makes.
+// A path for the calls of the system. While the object lives, no new link gives the path another
+// meaning.
 struct Way {
   std::string path;
   Descriptor folder{};  // has the last name of the path, if the path begins in /proc/self/fd

@@ -21,6 +21,8 @@ organisation=mirocup
 longest_name=64   # bytes of a common name in a certificate (X.520)
 umask 077
 chmod 700 "$folder"
+link=$(find "$folder" -type l -print -quit)
+[[ -z $link ]] || { echo "mirocup: $link: it is a symbolic link, which is not followed here; remove it" >&2; exit 1; }
 
 quietly() { # runs a command; its output is shown only if it fails
   local said

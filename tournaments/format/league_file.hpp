@@ -103,8 +103,8 @@ struct LeagueFile {
   // commands show how a team drives.
   bool has_proofs = true;
 
-  // The folder of the pages, an absolute path; "": site/ in the league's folder. The host may change
-  // it at any time.
+  // The folder of the pages, an absolute path; "": site/ in the league's folder. The host may
+  // change it at any time.
   std::string site;
 
   // A team that loses this number of legs in a row by its own faults is paused; 0: never.
