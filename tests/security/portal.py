@@ -877,6 +877,41 @@ def judge(kind, attack, expected, most, answer):
     kind.note(attack, expected, answer.status, answer.seconds, answer.all, f"(limit {most} s)")
 
 
+def hall(kind):
+    """Half requests of one address, each of which comes again when it has ended, beside requests of a neighbour behind that address."""
+    server = kind.server
+    address = "127.0.7.1"
+    for count in [300, 600]:
+        halves = []
+        for _ in range(20):
+            halves = [end for end in halves if not has_ended(end)]
+            while len(halves) < count:
+                end = server.connect(address)
+                halves.append(end)
+                end.setblocking(False)
+                try:
+                    end.send(b"GET / HTTP/1.1\r\nX: ")
+                except OSError:
+                    pass  # it has given way already
+            kind.ask(f"a team beside {count} half requests", 200, request("GET", "/api/v1/team", bearer(server.tokens["alpha"])), source=address)
+        kind.ask(f"a page beside {count} half requests", 200, request("GET", "/"), source=address)
+        kind.ask("a page elsewhere", 200, request("GET", "/"))
+        for end in halves:
+            end.close()
+
+
+def has_ended(end):
+    try:
+        is_over = end.recv(1000) == b""
+    except BlockingIOError:
+        return False
+    except OSError:
+        is_over = True
+    if is_over:
+        end.close()
+    return is_over
+
+
 def streams(kind):
     """130 streams of one address, 300 of 300 addresses, and half requests beside them."""
     server = kind.server
@@ -918,7 +953,7 @@ def main():
              ("a proxy with a secret", proxied, lambda kind: proxies(kind, secret)), ("a Unix socket", local, unix_socket),
              ("paths", plain, paths), ("headers, methods, pipelining", plain, headers), ("bodies, lengths, codings", plain, bodies),
              ("chunks", plain, chunks), ("early ends", plain, early), ("names of files", plain, names), ("forms", plain, forms),
-             ("pins, friendlies, files at once", plain, at_once), ("TLS", safe, tls)]
+             ("pins, friendlies, files at once", plain, at_once), ("TLS", safe, tls), ("a hall", plain, hall), ("a hall by TLS", safe, hall)]
     if options.all:
         kinds += [("slow requests and bodies", plain, slow), ("slow TLS", safe, slow), ("streams and half requests", plain, streams)]
     failed = False

@@ -26,9 +26,10 @@ int connection_capacity() {
   return most;
 }
 
-int Entrance::present() const {
-  return static_cast<int>(std::count_if(guests_.begin(), guests_.end(), [](const auto& one) {
-    return one.second.stage != Stage::leaving;
+int Entrance::present(const std::string* address) const {
+  return static_cast<int>(std::count_if(guests_.begin(), guests_.end(), [&](const auto& one) {
+    return one.second.stage != Stage::leaving &&
+           (address == nullptr || one.second.address == *address);
   }));
 }
 
@@ -46,45 +47,45 @@ int Entrance::count(const std::string& address, Stage stage) const {
   }));
 }
 
-int Entrance::at_once(const std::string& address) const {
-  return count(address, Stage::receiving) + count(address, Stage::answering);
-}
-
 bool Entrance::has_many(const std::string& address) const {
-  const int streams = count(address, Stage::streaming);
-  return streams >= limits_.many_streams || streams + at_once(address) +
-                                                    count(address, Stage::waiting) +
-                                                    count(address, Stage::uploading) >=
-                                                limits_.many_connections;
+  return count(address, Stage::streaming) >= limits_.many_streams ||
+         present(&address) >= limits_.many_connections;
 }
 
-// When all is taken: the connection that waits longest ends, else the request that has been
-// arriving longest, else the slowest reader of an answer.
-bool Entrance::make_room(Instant now) {
-  const auto rank = [now](const Guest& guest) {
-    if (guest.stage == Stage::waiting) return 3;
-    if (guest.stage == Stage::receiving) return 2;
-    return guest.stage == Stage::answering && now - guest.since >= slow_answer ? 1 : 0;
-  };
-  auto chosen = guests_.end();
+// Among the connections of an address (null: of all) that are in a stage since `before` or longer,
+// lets the oldest give way. Returns false if there is none.
+bool Entrance::let_oldest_go(Stage stage, Instant before, const std::string* address) {
+  auto oldest = guests_.end();
   for (auto one = guests_.begin(); one != guests_.end(); ++one) {
-    if (rank(one->second) == 0) continue;
-    if (chosen == guests_.end() || rank(one->second) > rank(chosen->second) ||
-        (rank(one->second) == rank(chosen->second) && one->second.since < chosen->second.since))
-      chosen = one;
+    const Guest& guest = one->second;
+    if (guest.stage != stage || guest.since > before ||
+        (address != nullptr && guest.address != *address))
+      continue;
+    if (oldest == guests_.end() || guest.since < oldest->second.since) oldest = one;
   }
-  if (chosen == guests_.end()) return false;
-  chosen->second.stage = Stage::leaving;
-  given_way_.push_back(chosen->first);
+  if (oldest == guests_.end()) return false;
+  oldest->second.stage = Stage::leaving;
+  given_way_.push_back(oldest->first);
   return true;
+}
+
+bool Entrance::make_room(Instant now) {
+  return let_oldest_go(Stage::waiting, now) || let_oldest_go(Stage::receiving, now) ||
+         let_oldest_go(Stage::answering, now - slow_answer);
 }
 
 Stage Entrance::arrive(int connection, const std::string& address, Instant now) {
   Guest guest{.address = address, .since = now};
   if (is_crowded() && !address.empty() && has_many(address)) {
-    if (count(address, Stage::waiting) >= limits_.most_waiting) return Stage::leaving;
-    if (at_once(address) >= limits_.at_once) guest.stage = Stage::waiting;
-    guest.has_entered = guest.stage != Stage::waiting;
+    if (count(address, Stage::answering) >= limits_.at_once &&
+        !let_oldest_go(Stage::answering, now - slow_answer, &address)) {
+      if (count(address, Stage::waiting) >= limits_.most_waiting) return Stage::leaving;
+      guest.stage = Stage::waiting;
+      guest.has_entered = false;
+    } else if (count(address, Stage::receiving) >= limits_.most_arriving) {
+      // Its own, since a neighbour behind the same address may have made the others.
+      let_oldest_go(Stage::receiving, now, &address);
+    }
   }
   // Nobody gives way to a connection that would only wait.
   if (present() >= limits_.capacity && (guest.stage == Stage::waiting || !make_room(now)))
@@ -135,7 +136,9 @@ std::vector<int> Entrance::let_in(Instant now) {
     auto first = guests_.end();
     for (auto one = guests_.begin(); one != guests_.end(); ++one) {
       if (one->second.stage != Stage::waiting ||
-          (is_crowded() && at_once(one->second.address) >= limits_.at_once))
+          (is_crowded() &&
+           count(one->second.address, Stage::answering) + static_cast<int>(may_enter.size()) >=
+               limits_.at_once))
         continue;
       if (first == guests_.end() || one->second.since < first->second.since) first = one;
     }

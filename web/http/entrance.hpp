@@ -4,9 +4,11 @@
 // server owns the sockets. The numbers of sockets name the connections.
 //
 // As long as at most half of the capacity is taken, everybody may enter. If more than half is
-// taken, an address that has many streams or connections waits: the server serves its further
-// requests a few at a time, and grants it no further stream. Earlier connections of the address
-// stay. If no capacity is left, a connection gives way to the new one: the oldest that waits,
+// taken, the server answers an address that has many streams or connections a few requests at a
+// time, and grants it no further stream. Its further connections wait, or take the place of its own
+// oldest: of a slow answer, or of a request that has not arrived if the address has many of these.
+// So nobody is locked out by neighbours behind the same address who send half requests. If no
+// capacity is left, a connection of any address gives way to the new one: the oldest that waits,
 // otherwise the oldest whose request has not arrived, otherwise the oldest with a slow answer.
 //
 // Threads: one at a time.
@@ -27,9 +29,10 @@ struct EntranceLimits {
   int capacity = 256;         // the most connections in all
   int many_streams = 8;       // from this number on, an address has many streams
   int many_connections = 32;  // from this number on, an address has many connections
-  // The most requests served at once for an address with many connections.
+  // The most requests answered at once for an address with many connections.
   int at_once = 4;
-  int most_waiting = 32;  // the most waiting connections of an address
+  int most_arriving = 32;  // from this number on, half requests of an address give way to its next
+  int most_waiting = 32;   // the most waiting connections of an address
   std::chrono::milliseconds longest_wait{5000};
   std::chrono::milliseconds request_time{10'000};
   std::chrono::milliseconds request_time_if_crowded{2000};
@@ -81,8 +84,9 @@ class Entrance {
 
   std::vector<int> all() const;
 
-  // Returns the number of connections that are not in Stage::leaving.
-  int present() const;
+  // Returns the number of connections, of an address or (null) of all, that are not in
+  // Stage::leaving.
+  int present(const std::string* address = nullptr) const;
 
   bool is_crowded() const { return present() > limits_.capacity / 2; }
   int streams() const { return count_streams(nullptr, false); }
@@ -98,8 +102,8 @@ class Entrance {
 
   int count_streams(const std::string* address, bool is_for_strangers) const;
   int count(const std::string& address, Stage stage) const;
-  int at_once(const std::string& address) const;
   bool has_many(const std::string& address) const;
+  bool let_oldest_go(Stage stage, Instant before, const std::string* address = nullptr);
   bool make_room(Instant now);
 
   const EntranceLimits limits_;

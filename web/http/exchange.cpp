@@ -176,7 +176,9 @@ bool Exchange::send(const Reply& reply) {
 }
 
 bool Exchange::begin_events() {
+  // nginx passes on at once what has this header, and keeps other answers for slow viewers.
   return connection_.send(status_line(200) + "Content-Type: text/event-stream\r\n" +
+                          "X-Accel-Buffering: no\r\n" +
                           (is_http_1_0_ ? "" : "Transfer-Encoding: chunked\r\n") + "\r\n");
 }
 
