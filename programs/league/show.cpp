@@ -6,6 +6,7 @@
 #include "record/match_record.hpp"
 #include "system/number_of.hpp"
 #include "system/process_set.hpp"
+#include "system/secret.hpp"
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/bracket_svg.hpp"
 #include "tournaments/publish/front_page.hpp"
@@ -160,7 +161,8 @@ class ShownRound {
 
   bool control(const std::string& body) {
     const std::size_t space = body.find(' ');
-    if (space == std::string::npos || body.substr(0, space) != key_) return false;
+    if (space == std::string::npos || !system::is_same_secret(key_, body.substr(0, space)))
+      return false;
     const std::string command = body.substr(space + 1);
     if (std::find(known_commands.begin(), known_commands.end(), command) == known_commands.end())
       return false;

@@ -3,6 +3,7 @@
 
 #include "record/json_reader.hpp"
 #include "system/digest.hpp"
+#include "system/secret.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -40,7 +41,8 @@ std::string Sessions::token_of(std::string_view cookie, std::int64_t now) const 
   const std::string sha256 = system::sha256(cookie);
   for (const Session& session : sessions_) {
     // A clock that was set back by more than the duration has made no session longer.
-    if (session.sha256 == sha256 && now < session.ends && now >= session.ends - 2 * duration)
+    if (system::is_same_secret(session.sha256, sha256) && now < session.ends &&
+        now >= session.ends - 2 * duration)
       return session.token_sha256;
   }
   return "";
@@ -48,7 +50,9 @@ std::string Sessions::token_of(std::string_view cookie, std::int64_t now) const 
 
 void Sessions::end(std::string_view cookie) {
   const std::string sha256 = system::sha256(cookie);
-  std::erase_if(sessions_, [&](const Session& session) { return session.sha256 == sha256; });
+  std::erase_if(sessions_, [&](const Session& session) {
+    return system::is_same_secret(session.sha256, sha256);
+  });
 }
 
 std::string Sessions::text() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "web/http/server.hpp"
 
-#include "system/digest.hpp"
+#include "system/secret.hpp"
 
 #include <array>
 #include <cerrno>
@@ -48,8 +48,7 @@ std::string last_of(const std::string& list) {
 bool is_proxy(const ProxyTrust& trust, const Request& request) {
   if (trust.is_unix_socket) return true;
   if (trust.secret.empty() || !trust.addresses.contains(request.address)) return false;
-  // By their hashes, so that the time tells nothing of the secret.
-  return system::sha256(request.header(secret_header)) == system::sha256(trust.secret);
+  return system::is_same_secret(trust.secret, request.header(secret_header));
 }
 
 }  // namespace
