@@ -210,6 +210,10 @@ match::LoggedDecision read_decision(const JsonReader& json) {
   if (json.has("kind")) d.credit = read_fields<match::GoalCredit>(json);
   if (json.has("score")) d.score = read_score(json.at("score"));
   d.parties = match::parties_of(d.decision, d.team, d.taker);
+  for (auto [key, team] :
+       {std::pair{"gainer", &d.parties.gainer}, {"offender", &d.parties.offender}}) {
+    if (json.has(key)) *team = read_fields<std::optional<Team>>(json.at(key));
+  }
   return d;
 }
 

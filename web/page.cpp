@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "web/page.hpp"
 
+#include "core/replay/verification.hpp"
 #include "record/json_reader.hpp"
 #include "record/replay_file.hpp"
 #include "record/statistics/counter.hpp"
@@ -247,6 +248,8 @@ tl::expected<ReplayData, replay::Divergence> play_again(const record::MatchRecor
   LegTimeline timeline(playback.leg());
   while (playback.advance()) timeline.add(playback.leg());
   if (playback.divergence()) return tl::unexpected(*playback.divergence());
+  if (auto other = replay::compare_results(record.recording, playback.leg()))
+    return tl::unexpected(*std::move(other));
 
   const Json whole = record::to_json(record);
   const statistics::LegStatistics counted = timeline.counted();

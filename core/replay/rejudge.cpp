@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/replay/rejudge.hpp"
 
-#include "core/replay/recorded.hpp"
+#include "core/replay/verification.hpp"
 
 #include <utility>
 
@@ -96,19 +96,25 @@ class SecondReferee {
 
 }  // namespace
 
-std::vector<Difference> rejudge(const Recording& recording, const referee::Rules& rules) {
-  match::Leg again(recording.setup);
+tl::expected<std::vector<Difference>, Divergence> rejudge(const Recording& recording,
+                                                          const referee::Rules& rules) {
+  Playback playback(recording);
+  const match::Leg& again = playback.leg();
   SecondReferee second(again, rules);
   std::vector<Difference> differences;
   while (!again.is_over() && again.tick() < recording.ticks.size()) {
     const std::uint32_t tick = again.tick();
     const std::size_t decisions = again.decisions().size();
     const Team left = again.snapshot().left;
-    again.advance(recorded_answers(recording, tick));
+    if (!playback.advance()) break;
     if (auto difference = second.compare_tick(tick, decisions, left)) {
       differences.push_back(*std::move(difference));
     }
   }
+  while (playback.advance()) {  // a fault after the last tick
+  }
+  if (playback.divergence()) return tl::unexpected(*playback.divergence());
+  if (auto other = compare_results(recording, again)) return tl::unexpected(*std::move(other));
   return differences;
 }
 

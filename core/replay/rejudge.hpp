@@ -8,7 +8,9 @@
 // each stoppage of the leg the second referee takes over the state of the first referee.
 #pragma once
 
-#include "core/replay/recording.hpp"
+#include "core/replay/playback.hpp"
+
+#include <tl/expected.hpp>
 
 #include <optional>
 #include <vector>
@@ -22,7 +24,9 @@ struct Difference {
   std::optional<match::LoggedDecision> would_be;  // with the other parameters
 };
 
-// Plays the recording again and returns every difference, in the order of the ticks.
-std::vector<Difference> rejudge(const Recording& recording, const referee::Rules& rules);
+// Plays the recording again and returns every difference, in the order of the ticks. The error is
+// that of verify(): the recording is not reproduced.
+tl::expected<std::vector<Difference>, Divergence> rejudge(const Recording& recording,
+                                                          const referee::Rules& rules);
 
 }  // namespace mirocup::replay

@@ -8,6 +8,10 @@ namespace mirocup::replay {
 
 namespace {
 
+std::string name_of(const std::optional<Team>& team) {
+  return team ? std::string(to_string(*team)) : "no team";
+}
+
 std::string score_text(const match::ByTeam<int>& score) {
   return std::to_string(score[0]) + ":" + std::to_string(score[1]);
 }
@@ -32,6 +36,14 @@ bool is_same_reason(const std::string& recorded, const std::string& again) {
   return is_old && without_teams(recorded) == without_teams(again);
 }
 
+// Records of earlier versions do not say which team scored in an attempt of a shoot-out.
+bool have_same_parties(const match::LoggedDecision& a, const match::LoggedDecision& b) {
+  const bool is_old_attempt =
+      a.decision.verdict == referee::Verdict::ATTEMPT_END && !a.parties.gainer;
+  return (is_old_attempt || a.parties.gainer == b.parties.gainer) &&
+         a.parties.offender == b.parties.offender;
+}
+
 // `a` is recorded, `b` played again.
 bool agree(const match::LoggedDecision& a, const match::LoggedDecision& b) {
   const referee::Decision& x = a.decision;
@@ -42,13 +54,14 @@ bool agree(const match::LoggedDecision& a, const match::LoggedDecision& b) {
          (is_old_goal ||
           (x.law == y.law && is_same_reason(x.reason, y.reason) && a.credit == b.credit)) &&
          x.clock == y.clock && x.ball == y.ball && x.restart == y.restart &&
+         have_same_parties(a, b) && (!a.score || a.score == b.score) &&
          (x.restart == referee::Restart::none || a.taker == b.taker);
 }
 
 std::string decision_text(const match::LoggedDecision& d) {
   return std::string(to_string(d.decision.verdict)) + " at tick " + std::to_string(d.tick) +
-         " (clock " + std::to_string(d.decision.clock) + " s, " +
-         (d.team ? std::string(to_string(*d.team)) : "no team") + ", law " +
+         " (clock " + std::to_string(d.decision.clock) + " s, " + name_of(d.team) + ", for " +
+         name_of(d.parties.gainer) + ", against " + name_of(d.parties.offender) + ", law " +
          std::string(to_string(d.decision.law)) + ", ball at " +
          std::to_string(d.decision.ball.x()) + ", " + std::to_string(d.decision.ball.y()) + ": " +
          d.decision.reason + ")";
@@ -68,19 +81,25 @@ std::optional<Divergence> compare_decisions(const Recording& recording, const ma
                                       " decisions, the replay " + std::to_string(replayed.size())};
 }
 
-std::optional<Divergence> compare_outcomes(const Recording& recording, const match::Leg& again) {
-  const match::Outcome& recorded = recording.outcome;
-  const match::Outcome& replayed = again.outcome();
-  if (recorded.kind == replayed.kind && recorded.score == replayed.score &&
-      recorded.played == replayed.played && recorded.winner == replayed.winner &&
-      recorded.shoot_out == replayed.shoot_out && recording.state_hash == again.state_hash()) {
-    return std::nullopt;
+// Returns an outcome without the words of faults, which may be others when the teams play again.
+std::string outcome_text(const match::Outcome& outcome, std::uint64_t hash) {
+  std::string text = std::string(to_string(outcome.kind)) + " " + score_text(outcome.score);
+  if (outcome.played != outcome.score) text += ", played " + score_text(outcome.played);
+  if (outcome.shoot_out) text += ", shoot-out " + score_text(*outcome.shoot_out);
+  text += ", winner " + name_of(outcome.winner);
+  for (const Team team : both_teams) {
+    for (const match::TeamFault& f : outcome.faults) {
+      if (f.team == team) text += ", " + name_of(team) + " " + std::string(to_string(f.fault.code));
+    }
   }
-  return Divergence{again.tick(),
-                    "the record ends " + std::string(to_string(recorded.kind)) + " " +
-                        score_text(recorded.score) + " with hash " + to_hex(recording.state_hash) +
-                        ", the replay " + std::string(to_string(replayed.kind)) + " " +
-                        score_text(replayed.score) + " with hash " + to_hex(again.state_hash())};
+  return text + ", with hash " + to_hex(hash);
+}
+
+std::optional<Divergence> compare_outcomes(const Recording& recording, const match::Leg& again) {
+  const std::string recorded = outcome_text(recording.outcome, recording.state_hash);
+  const std::string replayed = outcome_text(again.outcome(), again.state_hash());
+  if (recorded == replayed) return std::nullopt;
+  return Divergence{again.tick(), "the record ends " + recorded + ", the replay " + replayed};
 }
 
 }  // namespace
@@ -90,11 +109,15 @@ std::optional<Divergence> verify(const Recording& recording, std::uint64_t* foun
   while (again.advance()) {
   }
   if (found != nullptr) *found = again.leg().state_hash();
-  const auto decision = compare_decisions(recording, again.leg());
   const auto& state = again.divergence();
-  if (state && (!decision || state->tick < decision->tick)) return state;
-  if (decision) return decision;
-  return compare_outcomes(recording, again.leg());
+  if (!state) return compare_results(recording, again.leg());
+  const auto decision = compare_decisions(recording, again.leg());
+  return decision && decision->tick <= state->tick ? decision : state;
+}
+
+std::optional<Divergence> compare_results(const Recording& recording, const match::Leg& again) {
+  const auto decision = compare_decisions(recording, again);
+  return decision ? decision : compare_outcomes(recording, again);
 }
 
 }  // namespace mirocup::replay

@@ -91,7 +91,18 @@ Result<int> judge_record(const RefereeOptions& options) {
   const match::Setup& setup = record.recording.setup;
   MIROCUP_TRY(const auto rules, record::rules_with_changes(record::to_json(setup.rules),
                                                            options.rule_changes, setup.league));
-  const std::vector<replay::Difference> differences = replay::rejudge(record.recording, rules);
+  const auto judged = replay::rejudge(record.recording, rules);
+  if (!judged && record::has_other_behaviour(record)) {
+    return tl::unexpected(
+        record::behaviour_mismatch(options.record_path, record, judged.error().tick));
+  }
+  if (!judged) {
+    std::cerr << "mirocup: " << system::printable(options.record_path)
+              << ": cannot be judged, it differs from tick " << judged.error().tick
+              << " on: " << system::printable(judged.error().what) << '\n';
+    return exit_no;
+  }
+  const std::vector<replay::Difference>& differences = *judged;
 
   Json list = Json::array();
   for (const replay::Difference& d : differences) {

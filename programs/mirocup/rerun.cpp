@@ -2,6 +2,7 @@
 //
 // mirocup rerun RECORD: lets the teams play again and compares their commands with the record.
 #include "core/replay/recorded.hpp"
+#include "core/replay/verification.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "record/json_reader.hpp"
@@ -134,7 +135,11 @@ std::optional<CommandDifference> compare_ends(const replay::Recording& recording
                                               const match::Leg& again) {
   const std::string recorded = end_text(recording.outcome);
   const std::string now = end_text(again.outcome());
-  if (recorded == now && again.log().size() == recording.ticks.size()) return std::nullopt;
+  if (recorded == now && again.log().size() == recording.ticks.size()) {
+    const auto result = replay::compare_results(recording, again);
+    if (!result) return std::nullopt;
+    return CommandDifference{result->tick, std::nullopt, result->what};
+  }
   CommandDifference difference{again.tick(), std::nullopt,
                                "the recorded leg ends " + recorded + " after " +
                                    std::to_string(recording.ticks.size()) +

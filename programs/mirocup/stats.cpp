@@ -6,6 +6,7 @@
 #include "record/statistics/report.hpp"
 #include "system/child_process.hpp"
 #include "system/locations.hpp"
+#include "system/printable.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -47,7 +48,15 @@ Result<int> run_stats(const StatsOptions& options) {
   MIROCUP_TRY(const auto legs, statistics::count_records(disk, options.paths));
   MIROCUP_TRY(const auto text, statistics::report(legs, options));
   std::cout << text;
-  return exit_yes;
+  int result = exit_yes;
+  for (const statistics::LegReport& leg : legs) {
+    if (!leg.differs) continue;
+    std::cerr << "mirocup: " << system::printable(leg.record) << ": its result differs from its "
+              << "replay at tick " << leg.differs->tick << ": "
+              << system::printable(leg.differs->what) << '\n';
+    result = exit_no;
+  }
+  return result;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/statistics/leg_report.hpp"
 
+#include "core/replay/verification.hpp"
 #include "record/statistics/counter.hpp"
 
 #include <algorithm>
@@ -28,14 +29,17 @@ tl::expected<LegReport, replay::Divergence> count_leg(const std::string& path,
   LegCounter counter(playback.leg());
   while (playback.advance()) counter.add(playback.leg());
   if (playback.divergence()) return tl::unexpected(*playback.divergence());
-  return report_of(path, record, counter.statistics());
+  LegReport report = report_of(path, record, counter.statistics());
+  report.differs = replay::compare_results(record.recording, playback.leg());
+  return report;
 }
 
 Result<LegReport> count_record(system::Files& files, const std::string& path) {
   MIROCUP_TRY(const auto record, record::load(files, path));
   auto report = count_leg(path, record);
-  if (report) return *std::move(report);
-  const replay::Divergence& first = report.error();
+  const bool differs = report && report->differs;
+  if (report && !(differs && record::has_other_behaviour(record))) return *std::move(report);
+  const replay::Divergence& first = differs ? *report->differs : report.error();
   if (record::has_other_behaviour(record)) {
     return tl::unexpected(record::behaviour_mismatch(path, record, first.tick));
   }

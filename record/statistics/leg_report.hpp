@@ -8,6 +8,7 @@
 #include "record/match_record.hpp"
 #include "record/statistics/statistics.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct LegReport {
   double control_period = 0.033;
   std::uint64_t state_hash = 0;
   LegStatistics statistics;
+  // The first difference of the record's decisions and outcome from the leg that was counted.
+  std::optional<replay::Divergence> differs = {};
 };
 
 // Returns the report of a leg whose statistics are known.

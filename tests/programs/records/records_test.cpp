@@ -240,6 +240,48 @@ TEST(Records, AreNotAskedForInACircle) {
   EXPECT_EQ(test_support::read_file(calls), "call\n");
 }
 
+// Catches a command that plays a leg again and shows, counts or judges it under a result that
+// somebody has written into the record.
+TEST(Records, AreCalledForgedByEachCommandThatPlaysThemAgain) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "leg.json";
+  const std::string page = folder / "leg.html";
+  ASSERT_EQ(run({program("mirocup"), "match", "--blue", "striker", "--yellow", "chaser", "--half",
+                 "2", "--record", path})
+                .exit_code,
+            0);
+  system::Disk disk;
+  const auto whole = record::load(disk, path);
+  ASSERT_TRUE(test_support::is_ok(whole));
+  record::MatchRecord score = *whole;
+  score.recording.outcome.score = score.recording.outcome.played = {9, 0};
+  score.recording.outcome.winner = Team::blue;
+  record::MatchRecord call = *whole;
+  call.recording.decisions.pop_back();
+  const std::vector<std::vector<std::string>> commands{{"replay", path, "-o", page},
+                                                       {"stats", path},
+                                                       {"rerun", path},
+                                                       {"referee", "--record", path},
+                                                       {"verify", path}};
+  const auto expect_all = [&](const record::MatchRecord& record, int exit_code) {
+    ASSERT_TRUE(record::save(disk, path, record));
+    for (const auto& command : commands) {
+      std::vector<std::string> words{program("mirocup")};
+      words.insert(words.end(), command.begin(), command.end());
+      const Outcome outcome = run(words);
+      EXPECT_EQ(outcome.exit_code, exit_code) << command[0] << outcome.out << outcome.err;
+      EXPECT_EQ((outcome.out + outcome.err).find("differs") != std::string::npos, exit_code != 0)
+          << command[0] << outcome.out << outcome.err;
+    }
+  };
+  expect_all(score, 1);
+  expect_all(call, 1);
+  EXPECT_FALSE(std::filesystem::exists(page));
+  expect_all(*whole, 0);
+  score.software.behaviour_hash = "0123456789abcdef";
+  expect_all(score, 4);
+}
+
 TEST(Records, AreNotCalledWrongIfTheBehaviourHasChanged) {
   const TemporaryFolder folder;
   const std::string path = folder / "leg.json";

@@ -23,7 +23,9 @@ Recording played() {
 TEST(Rejudging, TheSameRulesGiveNoDifference) {
   const Recording recording = played();
   ASSERT_GT(recording.decisions.size(), 5u);
-  EXPECT_TRUE(rejudge(recording, recording.setup.rules).empty());
+  const auto differences = rejudge(recording, recording.setup.rules);
+  ASSERT_TRUE(differences);
+  EXPECT_TRUE(differences->empty());
 }
 
 TEST(Rejudging, EveryCallOfALawSwitchedOffIsADifference) {
@@ -40,10 +42,23 @@ TEST(Rejudging, EveryCallOfALawSwitchedOffIsADifference) {
   rules.charge_s = referee::off;
   rules.charge_speed_mps = referee::off;
   const auto differences = rejudge(recording, rules);
+  ASSERT_TRUE(differences);
   const auto missed =
-      std::count_if(differences.begin(), differences.end(),
+      std::count_if(differences->begin(), differences->end(),
                     [&](const Difference& d) { return d.given && is_foul(*d.given); });
   EXPECT_EQ(missed, calls);
+}
+
+// Catches a judgement of a leg that was not played as the recording says.
+TEST(Rejudging, ARecordingThatIsNotReproducedIsNotJudged) {
+  Recording score = played();
+  ++score.outcome.score[0];
+  EXPECT_FALSE(rejudge(score, score.setup.rules));
+  Recording hash = played();
+  hash.ticks[50].hash ^= 1;
+  const auto judged = rejudge(hash, hash.setup.rules);
+  ASSERT_FALSE(judged);
+  EXPECT_EQ(judged.error().tick, 50u);
 }
 
 TEST(Rejudging, AShorterHalfIsReportedOnce) {
@@ -51,7 +66,9 @@ TEST(Rejudging, AShorterHalfIsReportedOnce) {
   referee::Rules rules = recording.setup.rules;
   rules.half_s = 15.0;
   int ends = 0;
-  for (const Difference& d : rejudge(recording, rules)) {
+  const auto differences = rejudge(recording, rules);
+  ASSERT_TRUE(differences);
+  for (const Difference& d : *differences) {
     ends += d.would_be && d.would_be->decision.verdict == referee::Verdict::HALF_END ? 1 : 0;
   }
   EXPECT_EQ(ends, 1);

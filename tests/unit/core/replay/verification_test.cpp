@@ -106,6 +106,23 @@ TEST(Verification, FindsAForgedScoreAndAForgedDecision) {
   EXPECT_TRUE(verify(dropped));
 }
 
+// Catches a fault that nobody made, another fault than the one that ended the leg, and a call that
+// is counted for or against another team.
+TEST(Verification, FindsAnInventedFaultAndAForgedPartyOfADecision) {
+  Recording fault = played(2);
+  fault.outcome.faults.push_back({Team::blue, {match::FaultCode::crash, "signal 11"}});
+  EXPECT_TRUE(verify(fault));
+  Recording gainer = played(2);
+  gainer.decisions.front().parties.gainer.reset();
+  EXPECT_TRUE(verify(gainer));
+  Recording offender = played(2);
+  offender.decisions.front().parties.offender = Team::yellow;
+  EXPECT_TRUE(verify(offender));
+  Recording running = played(2);
+  running.decisions.front().score = match::ByTeam<int>{9, 0};
+  EXPECT_TRUE(verify(running));
+}
+
 // Catches a program that calls records from before reasons named colours forged.
 TEST(Verification, KnowsReasonsThatNameTheEnds) {
   Recording r = played(2);
