@@ -2,9 +2,9 @@
 //
 // mirocup league decisions: what the staff has decided.
 #include "programs/league/commands.hpp"
+#include "programs/league/publishing.hpp"
 #include "record/json_reader.hpp"
 #include "system/printable.hpp"
-#include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/exports.hpp"
 
@@ -22,6 +22,7 @@ struct DecisionsOptions {
 Result<int> run_decisions(const DecisionsOptions& options) {
   system::Disk disk;
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
+  MIROCUP_TRY_VOID(say_gaps(disk, store));
   const LeagueState& state = store.state();
   if (options.json) {
     std::cout << decisions_json(state) << '\n';

@@ -4,8 +4,8 @@
 #include "tournaments/publish/grades.hpp"
 
 #include "programs/league/commands.hpp"
+#include "programs/league/publishing.hpp"
 #include "tournaments/league/class_list.hpp"
-#include "tournaments/league/league_store.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/exports.hpp"
 
@@ -34,6 +34,8 @@ Result<int> run_grades(const GradesOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
+  MIROCUP_TRY(const auto found, say_gaps(disk, store));
+  const int result = found.lost.empty() ? exit_yes : exit_no;
   std::string drills;
   if (!options.drills.empty()) {
     MIROCUP_TRY(drills, disk.read_named(options.drills, system::size_limit::note));
@@ -45,11 +47,11 @@ Result<int> run_grades(const GradesOptions& options) {
               grades(overview(store.state()), people, drills, options.drills, layout_of(options)));
   if (options.output.empty()) {
     std::cout << file.bytes;
-    return exit_yes;
+    return result;
   }
   MIROCUP_TRY_VOID(disk.write(options.output, file.bytes, system::Readers::owner));
   std::cout << options.output << '\n';
-  return exit_yes;
+  return result;
 }
 
 }  // namespace

@@ -34,6 +34,8 @@ Result<int> run_prune(const PruneOptions& options) {
     return fail(Errc::input, "--before " + std::to_string(options.before) +
                                  ": the last night keeps its pages, so at most " +
                                  std::to_string(last) + " is possible");
+  MIROCUP_TRY(const auto found, gaps(disk, store, is_being_played(folder)));
+  if (!found.lost.empty()) return fail(Errc::damaged, found.lost);
   std::set<int> nights = state.pruned_nights;
   for (int night = 1; night < options.before; ++night) nights.insert(night);
   const DiskUse before = disk_use(store.folder());

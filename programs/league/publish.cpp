@@ -52,9 +52,10 @@ Result<int> run_publish(const PublishOptions& options) {
                       MIROCUP_TRY_VOID(copy_records(disk, store.folder(), shown, folder));
                       return publish_site(disk, folder, shown, {});
                     }));
-  const std::string page = folder.site() + "/index.html";
-  if (disk.exists(page))
-    std::cout << std::filesystem::absolute(page).lexically_normal().string() << '\n';
+  if (published == exit_yes)
+    std::cout
+        << std::filesystem::absolute(folder.site() + "/index.html").lexically_normal().string()
+        << '\n';
   return published;
 }
 

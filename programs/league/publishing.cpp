@@ -141,7 +141,10 @@ Result<int> publish_site(system::Files& files, const Folder& folder, const Leagu
 Result<int> publish_league(system::Files& files, const Folder& folder, int jobs) {
   MIROCUP_TRY(const auto store, LeagueStore::open(files, folder));
   MIROCUP_TRY(const auto found, say_gaps(files, store));
-  if (!found.lost.empty()) return exit_no;
+  if (!found.lost.empty()) {
+    std::cerr << "mirocup: the pages stay as they are\n";
+    return exit_no;
+  }
   MIROCUP_TRY(const auto shown, released_state(store.state(), store.journal()));
   MIROCUP_TRY(const auto news, news_for(shown, store));
   MIROCUP_TRY(const int published, publish_site(files, store.folder(), shown, news, jobs));

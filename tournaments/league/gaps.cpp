@@ -40,7 +40,7 @@ void look_at_records(const std::vector<std::string>& names, const LeagueState& s
     const int version = cut_number(id);
     const int leg = cut_number(id);
     if (version < 1 || leg < 1 || leg > max_legs) continue;
-    const auto index = state.find_fixture(id);
+    const auto index = state.is_started ? state.find_fixture(id) : std::nullopt;
     const FixtureState* f = index ? &state.fixtures[static_cast<std::size_t>(*index)] : nullptr;
     const auto was_voided = [&](const Decision& d) {
       const auto* voided = std::get_if<LegVoided>(&d.event);

@@ -176,6 +176,8 @@ class LostLines : public testing::Test {
     expect_said(league("health", folder_), 1, said);
     expect_said(league("health", folder_, {"--json"}), 1, "\"needs_person\":true");
     expect_said(league("status", folder_), 0, said);
+    expect_said(league("decisions", folder_), 0, said);
+    expect_said(league("grades", folder_), 1, said);
     expect_said(league("publish", folder_), 1, said);
     expect_said(league("publish", folder_, {"--through", "r1", "-o", temporary_ / "shown"}), 1,
                 said);

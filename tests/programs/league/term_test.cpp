@@ -675,7 +675,7 @@ TEST_F(Term, AFolderFromElsewhereRunsItsProgramsOnlyIfTheyAreTrusted) {
   ASSERT_TRUE(record::save(disk, record, *other));
   EXPECT_TRUE(contains(ask("verify", {}, 4).out, "--trust-programs"));
   fs::remove_all(folder_ + "/site");
-  EXPECT_TRUE(contains(ask("publish").err, "--trust-programs"));
+  EXPECT_TRUE(contains(ask("publish", {}, 1).err, "--trust-programs"));
   EXPECT_FALSE(fs::exists(notes)) << read_file(notes);
 
   const Outcome trusted = ask("verify", {"--trust-programs"}, 1);
@@ -686,7 +686,7 @@ TEST_F(Term, AFolderFromElsewhereRunsItsProgramsOnlyIfTheyAreTrusted) {
   write_file(record, read_file(record) + " ");
   fs::remove_all(folder_ + "/site");
   ask("verify", {}, 4);
-  ask("publish");
+  ask("publish", {}, 1);
   EXPECT_TRUE(contains(read_file(notes), "/records/r1-f1-1-1.json\n"));
   EXPECT_FALSE(contains(read_file(notes), "/records/r1-f1-2-1.json\n"));
 }
