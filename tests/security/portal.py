@@ -881,6 +881,7 @@ def hall(kind):
     """Half requests of one address, each of which comes again when it has ended, beside requests of a neighbour behind that address."""
     server = kind.server
     address = "127.0.7.1"
+    half = hello()[:100] if server.is_encrypted else b"GET / HTTP/1.1\r\nX: "
     for count in [300, 600]:
         halves = []
         for _ in range(20):
@@ -890,7 +891,7 @@ def hall(kind):
                 halves.append(end)
                 end.setblocking(False)
                 try:
-                    end.send(b"GET / HTTP/1.1\r\nX: ")
+                    end.send(half)
                 except OSError:
                     pass  # it has given way already
             kind.ask(f"a team beside {count} half requests", 200, request("GET", "/api/v1/team", bearer(server.tokens["alpha"])), source=address)
