@@ -3,6 +3,7 @@
 
 #include "record/json_reader.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace mirocup::league {
@@ -26,22 +27,26 @@ Result<Json> Entries::report(const std::string& team, int entry, bool is_whole) 
   return json;
 }
 
-// Returns the summaries of all entries of a team, the latest first.
-Result<Json> Entries::reports(const std::string& team) {
-  MIROCUP_TRY(const auto entries, entries_of(state_.files, state_.folder, team));
-  std::set<int> numbers(entries.begin(), entries.end());
+Result<Json> Entries::reports(const std::string& team, int before) {
+  MIROCUP_TRY(const auto stored, entries_of(state_.files, state_.folder, team));
+  std::set<int> numbers(stored.begin(), std::lower_bound(stored.begin(), stored.end(), before));
   {
     const std::lock_guard lock(state_.mutex);
-    for (const WaitingHandIn* handed : state_.book.queue().of_team(team))
+    // One more, which says that there are older ones.
+    for (const auto* handed : state_.book.queue().latest_of(team, listed_entries + 1, before))
       numbers.insert(handed->entry);
   }
-  Json list = Json::array();
+  Json page{{"team", team}, {"entries", Json::array()}, {"older", Json()}};
   for (auto number = numbers.rbegin(); number != numbers.rend(); ++number) {
+    if (page["entries"].size() == listed_entries) {
+      page["older"] = *std::prev(number);
+      break;
+    }
     auto one = report(team, *number, false);
     if (!one) return one;
-    if (!one->is_null()) list.push_back(std::move(*one));
+    if (!one->is_null()) page["entries"].push_back(std::move(*one));
   }
-  return list;
+  return page;
 }
 
 web::Reply Entries::events(const std::string& team, int entry) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 namespace mirocup::league {
 
@@ -69,10 +70,10 @@ const Friendly* Friendlies::find(const std::string& team, int number) const {
 }
 
 int Friendlies::last_number(const std::string& team) const {
-  int last = 0;
-  for (auto at = all_.lower_bound({team, 0}); at != all_.end() && at->first.first == team; ++at)
-    last = at->first.second;
-  return last;
+  const auto end = all_.upper_bound({team, std::numeric_limits<int>::max()});
+  if (end == all_.begin()) return 0;
+  const Key& last = std::prev(end)->first;
+  return last.first == team ? last.second : 0;
 }
 
 std::vector<const Friendly*> Friendlies::of_team(const std::string& team) const {

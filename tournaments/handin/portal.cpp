@@ -9,6 +9,7 @@
 #include "web/http/form.hpp"
 
 #include <array>
+#include <limits>
 
 namespace mirocup::league {
 
@@ -34,6 +35,12 @@ web::Reply page_reply(int status, std::string html) {
           .type = "text/html; charset=utf-8",
           .bytes = std::move(html),
           .headers = {{"Content-Security-Policy", page_policy}}};
+}
+
+// Returns the number in ?before=N, below which the entries of a list are.
+std::optional<int> before_of(const Call& call) {
+  const std::string asked = call.request.asked("before");
+  return asked.empty() ? std::numeric_limits<int>::max() : number_of(asked);
 }
 
 web::Reply go_to(const std::string& path, const std::string& cookie) {
@@ -188,7 +195,8 @@ web::Reply Portal::desk(const Call& call) {
                                     .given = {{"fixture", call.request.asked("fixture")},
                                               {"leg", call.request.asked("leg")}}});
   }
-  return team_page(known.team);
+  const auto before = before_of(call);
+  return before ? team_page(known.team, *before) : problem_reply(400, "?before=N is expected");
 }
 
 // The forms of the page of the staff.
@@ -252,12 +260,13 @@ web::Reply Portal::entry_replay(const Call& call) {
   return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
 }
 
-web::Reply Portal::team_page(const std::string& team) {
+web::Reply Portal::team_page(const std::string& team, int before) {
   TeamDesk desk;
   desk.team = team;
-  auto entries = entries_.reports(team);
-  if (!entries) return host_failed(entries.error());
-  desk.entries = std::move(*entries);
+  auto page = entries_.reports(team, before);
+  if (!page) return host_failed(page.error());
+  desk.entries = std::move((*page)["entries"]);
+  desk.older = std::move((*page)["older"]);
   desk.legs = own_legs_json(state_.files, state_.folder, state_.options.legs(team), state_.costs);
   desk.friendlies = friendlies_->list(team, state_.costs);
   desk.progress = progress(team, desk.friendlies);
@@ -298,9 +307,10 @@ web::Reply Portal::show_friendly(const Call& call) {
 }
 
 web::Reply Portal::list_entries(const Call& call) {
-  const auto entries = entries_.reports(call.team);
-  if (!entries) return host_failed(entries.error());
-  return json_reply(200, {{"team", call.team}, {"entries", *entries}});
+  const auto before = before_of(call);
+  if (!before) return problem_reply(400, "?before=N is expected");
+  const auto page = entries_.reports(call.team, *before);
+  return page ? json_reply(200, *page) : host_failed(page.error());
 }
 
 web::Reply Portal::show_entry(const Call& call) {

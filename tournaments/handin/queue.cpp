@@ -124,10 +124,13 @@ const WaitingHandIn* HandInQueue::find(const std::string& team, int entry) const
   return found == all_.end() ? nullptr : &found->second;
 }
 
-std::vector<const WaitingHandIn*> HandInQueue::of_team(const std::string& team) const {
+std::vector<const WaitingHandIn*> HandInQueue::latest_of(const std::string& team, std::size_t most,
+                                                         int before) const {
   std::vector<const WaitingHandIn*> own;
-  for (auto at = all_.lower_bound({team, 0}); at != all_.end() && at->first.first == team; ++at)
+  for (auto at = all_.lower_bound({team, before}); at != all_.begin() && own.size() < most;) {
+    if ((--at)->first.first != team) break;
     own.push_back(&at->second);
+  }
   return own;
 }
 
@@ -145,8 +148,8 @@ std::map<std::string, int> HandInQueue::accepted() const {
 }
 
 int HandInQueue::last_entry(const std::string& team) const {
-  const auto own = of_team(team);
-  return own.empty() ? 0 : own.back()->entry;
+  const auto own = latest_of(team, 1);
+  return own.empty() ? 0 : own.front()->entry;
 }
 
 }  // namespace mirocup::league

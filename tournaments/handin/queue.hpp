@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -132,7 +133,9 @@ class HandInQueue {
   int before(const std::string& team, int entry) const;
 
   const WaitingHandIn* find(const std::string& team, int entry) const;
-  std::vector<const WaitingHandIn*> of_team(const std::string& team) const;  // oldest first
+  // Returns at most `most` hand-ins of a team with numbers below `before`, the latest first.
+  std::vector<const WaitingHandIn*> latest_of(const std::string& team, std::size_t most,
+                                              int before = std::numeric_limits<int>::max()) const;
   int unanswered(const std::string& team) const;
   int unanswered() const { return static_cast<int>(waiting_.size()); }
 

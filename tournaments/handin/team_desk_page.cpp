@@ -161,6 +161,7 @@ std::string team_desk_page(const TeamDesk& desk) {
       filled_page("team_desk.html",
                   {{"has_entries", !desk.entries.empty()},
                    {"entries", entries_values(desk)},
+                   {"older", desk.older},
                    {"digest", desk.digest},
                    {"progress", progress_values(desk.progress)},
                    {"may_play", desk.playing > 0},

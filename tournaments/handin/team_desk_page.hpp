@@ -21,7 +21,8 @@ using TimeInWords = std::function<std::string(const std::string& utc)>;
 // The content of a team's private page.
 struct TeamDesk {
   std::string team;
-  Json entries;                        // entry_report() of each entry, the latest first
+  Json entries;                        // entry_report() of entries, the latest first
+  Json older;                          // Entries::reports()
   Json legs;                           // own_legs_json()
   Json friendlies;                     // FriendlyDesk::list()
   Json progress;                       // progress_of()

@@ -45,7 +45,8 @@ std::optional<web::Reply> Uploads::refused_now(const std::string& team) {
   auto known = read_hand_ins(state_.files, state_.folder, team);
   if (!known) return host_failed(known.error());
   int tries = tries_in_last_hour(*known, now, {});
-  for (const WaitingHandIn* handed : state_.book.queue().of_team(team)) {
+  const auto most = static_cast<std::size_t>(state_.options.quota.tries_per_hour);
+  for (const WaitingHandIn* handed : state_.book.queue().latest_of(team, most)) {
     if (!is_final(handed->state) && find_try(*known, handed->entry) == nullptr) ++tries;
   }
   if (tries < state_.options.quota.tries_per_hour) return std::nullopt;
@@ -121,9 +122,9 @@ web::Reply Uploads::keep(const std::string& team, const std::string& name,
   };
   const std::lock_guard lock(state_.mutex);
   // The same bytes again are the same hand-in, for example if the reply to the first was lost.
-  const auto own = state_.book.queue().of_team(team);
-  if (!own.empty() && own.back()->sha256 == sha256 && own.back()->state != HandInState::void_)
-    return taken(own.back()->entry);
+  const auto own = state_.book.queue().latest_of(team, 1);
+  if (!own.empty() && own.front()->sha256 == sha256 && own.front()->state != HandInState::void_)
+    return taken(own.front()->entry);
   if (auto refused = refused_now(team)) return std::move(*refused);
   WaitingHandIn handed{.team = team,
                        .file = name,

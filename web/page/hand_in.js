@@ -34,7 +34,7 @@ function isFinal({ state }) {
 
 // Takes the lists of the page anew from the server.
 async function showLists() {
-  const text = await (await fetch(location.pathname)).text();
+  const text = await (await fetch(location.pathname + location.search)).text();
   const page = new DOMParser().parseFromString(text, 'text/html');
   for (const id of ['entries', 'friendlies']) {
     const list = page.getElementById(id);
