@@ -16,6 +16,7 @@
 #include "tournaments/play/program.hpp"
 #include "tournaments/publish/night_pages.hpp"
 #include "tournaments/publish/site.hpp"
+#include "tournaments/publish/snapshot.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -178,7 +179,7 @@ Result<void> tell_program(system::Files& files, const NightlyOptions& options,
                           const std::string& home, const LeagueState& state) {
   const std::string& program = options.on_night;
   if (program.empty()) return {};
-  if (state.release.level == ReleaseLevel::hidden) {
+  if (!sees_all(Viewer::team, state)) {
     std::cerr << "mirocup: " << program << " is not started: this night is hidden from teams\n";
     return {};
   }

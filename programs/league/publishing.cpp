@@ -58,10 +58,8 @@ ModuleOfGame module_finder(system::Files& files, const Folder& folder, const Lea
   };
 }
 
-// In formats in which a night is no round, what is held back of a night would show in the news.
 Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store) {
-  const bool is_whole = is_all_released(store.state());
-  if (!is_whole && shown.file.format.kind != FormatKind::nightly) return NightNews{};
+  if (!sees_nights(Viewer::visitor, store.state())) return NightNews{};
   MIROCUP_TRY(auto night, last_night(shown, store.journal()));
   if (!night) return NightNews{};
   MIROCUP_TRY(auto feed, feed_xml(shown, store.journal()));

@@ -11,6 +11,7 @@
 #include "system/tls.hpp"
 #include "tournaments/handin/check_runner.hpp"
 
+#include <functional>
 #include <iostream>
 
 namespace mirocup::league {
@@ -47,24 +48,20 @@ Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOpt
                                             ServedLeague& league) {
   PortalOptions portal;
   portal.team_header = options.team_header;
-  portal.why_not = [&league](const std::string& team, const std::string& now) {
-    return league.why_not(team, now);
-  };
-  portal.legs = [&league](const std::string& team) { return league.legs_of(team); };
-  portal.digest = [&league](const std::string& team) { return league.digest_of(team); };
-  portal.replay = [&league](const std::string& name, const record::Whose& whose) {
-    return league.own_replay(name, whose);
-  };
-  portal.statistics = [&league](const std::string& team) { return league.statistics_of(team); };
-  portal.shown_name = [&league](const std::string& team) { return league.shown_name_of(team); };
-  portal.time_in_words = [&league](const std::string& utc) { return league.time_in_words(utc); };
-  portal.friendlies = {
-      .teams = [&league] { return league.entries_that_play(); },
-      .neighbours = [&league](const std::string& team) { return league.neighbours_of(team); },
-      .house = system::house_teams(),
-      .has_drills = league.has_drills(),
-      .replay = [&league](const std::string& record,
-                          const record::Whose& whose) { return league.replay_of(record, whose); }};
+  const auto of_league = [&league](auto function) { return std::bind_front(function, &league); };
+  portal.why_not = of_league(&ServedLeague::why_not);
+  portal.legs = of_league(&ServedLeague::legs_of);
+  portal.has_written = of_league(&ServedLeague::note_own_write);
+  portal.digest = of_league(&ServedLeague::digest_of);
+  portal.replay = of_league(&ServedLeague::own_replay);
+  portal.statistics = of_league(&ServedLeague::statistics_of);
+  portal.shown_name = of_league(&ServedLeague::shown_name_of);
+  portal.time_in_words = of_league(&ServedLeague::time_in_words);
+  portal.friendlies = {.teams = of_league(&ServedLeague::entries_that_play),
+                       .neighbours = of_league(&ServedLeague::neighbours_of),
+                       .house = system::house_teams(),
+                       .has_drills = league.has_drills(),
+                       .replay = of_league(&ServedLeague::replay_of)};
   portal.now = [] { return system::now_s(); };
   std::string notice;
   auto opened = Portal::open(files, Folder{options.folder}, std::move(portal), &notice);

@@ -3,6 +3,7 @@
 
 #include "programs/league/publishing.hpp"
 #include "record/match_record.hpp"
+#include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/submission.hpp"
@@ -99,30 +100,34 @@ bool ServedLeague::open_again() {
   if (!fresh) return false;
   store_ = std::move(*fresh);
   ++teams_version_;
-  version_ = version_ > 0 ? version_ + 1 : 0;
   return true;
 }
 
 // Requires mutex_. A file that cannot be read leaves the state as it was.
 void ServedLeague::poll() {
   const auto now = std::chrono::steady_clock::now();
-  if (version_ > 0 && now - polled_at_ < poll_interval) return;
+  const bool has_written = has_written_.exchange(false);
+  if (version_ > 0 && !has_written && now - polled_at_ < poll_interval) return;
   polled_at_ = now;
+  const Released release = store_.state().release;
   notice_edits();
   const std::size_t teams = store_.state().teams.size();
   (void)store_.refresh();
   if (store_.state().teams.size() != teams) open_again();  // with what people call the new ones
+  if (has_written || store_.state().release != release) {
+    pages_rest_until_ = {};
+    entries_looked_up_at_ = {};
+  }
   std::vector<LiveLeg> playing = find_live_legs();
-  if (version_ > 0 && store_.lines() == lines_ && playing == live_legs_) return;
   lines_ = store_.lines();
+  if (version_ == 0 || playing != live_legs_) ++version_;
   live_legs_ = std::move(playing);
-  ++version_;
 }
 
 std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
   const LeagueState& state = store_.state();
   std::vector<LiveLeg> playing;
-  if (!state.is_started || !is_all_released(state)) return playing;
+  if (!state.is_started || !sees_all(Viewer::visitor, state)) return playing;
   for (std::size_t i = state.first_open(); i < state.fixtures.size(); ++i) {
     const FixtureState& f = state.fixtures[i];
     for (const int number : open_legs(state, f)) {
@@ -158,6 +163,16 @@ bool ServedLeague::do_pages_rest() const {
   return site_ && std::chrono::steady_clock::now() < pages_rest_until_;
 }
 
+// Requires mutex_. The number of the journal's lines would tell how many hidden legs were played.
+void ServedLeague::note_what_is_shown() {
+  const LeagueState& state = site_->state();
+  const std::string shown = system::formatted(
+      "%d.%zu.%zu.%zu.%zu.%d.%ju", state.played(), state.decisions.size(), state.nights.size(),
+      state.fixtures.size(), state.teams.size(), state.is_started, version_of_pages_);
+  if (shown != shown_) ++version_;
+  shown_ = shown;
+}
+
 // Requires mutex_. Each page is made when it is asked for.
 void ServedLeague::begin_pages() {
   if (are_pages_fresh() || do_pages_rest()) return;
@@ -179,6 +194,7 @@ void ServedLeague::begin_pages() {
                                             .night = std::move(news.night),
                                             .feed = std::move(news.feed),
                                             .playground = playground_maker(files_)});
+  note_what_is_shown();
   records_.clear();
   for (const FixtureState& f : site_->state().fixtures) {
     for (int leg = 1; leg <= max_legs; ++leg) {
@@ -309,19 +325,23 @@ std::string ServedLeague::why_not(const std::string& team, const std::string& no
   return why_not_now(store_.state(), team, now);
 }
 
-std::vector<OwnLeg> ServedLeague::legs_of(const std::string& team) {
-  const std::lock_guard lock(mutex_);
+// Requires mutex_, and is valid as long as the caller holds it.
+SeenState ServedLeague::seen_by(Viewer viewer) {
   poll();
-  const bool is_hidden = store_.state().release.level == ReleaseLevel::hidden;
-  if (is_hidden) begin_pages();
-  return own_legs(is_hidden ? site_->state() : store_.state(), team);
+  begin_pages();
+  return league::seen_by(viewer, store_.state(), site_->state());
+}
+
+std::vector<OwnLeg> ServedLeague::legs_of(Viewer viewer, const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  return own_legs(seen_by(viewer), team);
 }
 
 std::string ServedLeague::digest_of(const std::string& team) {
   const std::lock_guard lock(mutex_);
-  poll();
-  const LeagueState& state = store_.state();
-  if (state.release.level == ReleaseLevel::hidden) return "";
+  const SeenState seen = seen_by(Viewer::team);
+  const LeagueState& state = *seen;
+  if (!sees_nights(Viewer::team, store_.state())) return "";
   const auto night = last_night(state, store_.journal());
   if (!night || !*night) return "";
   facts_ = read_facts(files_, store_.folder(), state, std::move(facts_));
@@ -373,8 +393,8 @@ std::map<std::string, int> ServedLeague::entries_that_play() {
 std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {
   constexpr std::ptrdiff_t reach = 2;  // ranks
   const std::lock_guard lock(mutex_);
-  poll();
-  const LeagueState& state = store_.state();
+  const SeenState seen = seen_by(Viewer::visitor);
+  const LeagueState& state = *seen;
   const auto index = state.find_team(team);
   if (!state.is_started || !index) return {};
   const std::vector<TableRow> table = state.table();
@@ -436,12 +456,13 @@ std::optional<std::string> ServedLeague::replay_of(const std::string& record,
 std::string ServedLeague::news(std::uint64_t& seen) {
   const std::lock_guard lock(mutex_);
   poll();
+  begin_pages();
   // A viewer that is told asks for the page at once, and would get the former one.
-  if (seen == version_ || (!are_pages_fresh() && do_pages_rest())) return "";
+  if (seen == version_ || !are_pages_fresh()) return "";
   seen = version_;
   Json playing = Json::array();
   for (const LiveLeg& leg : live_legs_) playing.push_back(leg.about);
-  return web::event_text("league", {{"version", lines_}, {"playing", playing}});
+  return web::event_text("league", {{"version", shown_}, {"playing", playing}});
 }
 
 std::optional<int> ServedLeague::match(const std::string& name) {

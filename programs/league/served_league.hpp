@@ -16,6 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -43,8 +44,12 @@ class ServedLeague {
   // entries.
   std::string why_not(const std::string& team, const std::string& now);
 
-  // Returns the decided legs of a team.
-  std::vector<OwnLeg> legs_of(const std::string& team);
+  // To be called when this program has written to the league's folder: what other functions return
+  // from now on shows it. Without this call they may return data of half a second ago.
+  void note_own_write() { has_written_ = true; }
+
+  // Returns the decided legs of a team that a viewer may see.
+  std::vector<OwnLeg> legs_of(Viewer viewer, const std::string& team);
 
   // Returns a team's digest of the last night as part of a page of the desk; "" if the night is
   // hidden, or if there was no night.
@@ -58,7 +63,8 @@ class ServedLeague {
   // at most a few seconds old.
   std::map<std::string, int> entries_that_play();
 
-  // Returns the neighbours of a team in the table, the team above first; none before the start.
+  // Returns the neighbours of a team in the table that visitors see, the team above first; none
+  // before the start.
   std::vector<std::string> neighbours_of(const std::string& team);
 
   // Returns the name that pages show for a team.
@@ -89,6 +95,8 @@ class ServedLeague {
   bool open_again();
   std::vector<LiveLeg> find_live_legs() const;
   void begin_pages();
+  void note_what_is_shown();
+  SeenState seen_by(Viewer viewer);
   const web::Page* page_of_site(const std::string& path);
   bool are_pages_fresh() const;
   bool do_pages_rest() const;
@@ -100,12 +108,13 @@ class ServedLeague {
   const std::optional<SiteModule>& module();
 
   system::Files& files_;
-  std::mutex mutex_;  // guards all members up to replaying_
+  std::atomic<bool> has_written_{false};  // since the last look at the folder
+  std::mutex mutex_;                      // guards all members up to replaying_
   LeagueStore store_;
   std::string config_;  // the last text of league.json
   bool takes_hand_ins_ = false;
   std::chrono::steady_clock::time_point polled_at_{};
-  std::uint64_t version_ = 0;  // grows with each change of the journal or of the live legs
+  std::uint64_t version_ = 0;  // grows with each change of the pages or of the live legs
   std::size_t lines_ = 0;      // number of lines of the journal
   std::vector<LiveLeg> live_legs_;
   std::uint64_t teams_version_ = 0;     // grows when teams or their names change
@@ -113,6 +122,7 @@ class ServedLeague {
   std::size_t lines_of_pages_ = 0;      // lines_ when the pages were made
   std::chrono::steady_clock::time_point pages_rest_until_{};
   std::unique_ptr<Site> site_;  // the site of the released part; null before the first page
+  std::string shown_;           // differs after each change of what the site shows
   std::string said_;            // the texts of teams.json and notice.txt
   FactsOfLegs facts_;
   KnownReports known_reports_;

@@ -31,8 +31,8 @@ struct PortalOptions {
   // Returns a sentence that says why the league takes no entry of a team at the time `now`; "" if
   // it takes entries.
   std::function<std::string(const std::string& team, const std::string& now)> why_not;
-  // Returns the decided legs of a team.
-  std::function<std::vector<OwnLeg>(const std::string& team)> legs;
+  // Returns the decided legs of a team that a viewer, the team or the staff, may see.
+  std::function<std::vector<OwnLeg>(Viewer viewer, const std::string& team)> legs;
   // Returns the team's digest of the last night as part of a page; "" if the team may not see its
   // digest.
   std::function<std::string(const std::string& team)> digest = {};
@@ -50,6 +50,9 @@ struct PortalOptions {
   TimeInWords time_in_words = [](const std::string& utc) { return utc; };
   FriendlyOptions friendlies;
   std::function<std::int64_t()> now;  // s since 1970
+  // Called when this program has written to the league, before anybody gets the answer: what the
+  // other functions return must show it.
+  std::function<void()> has_written = [] {};
 };
 
 struct DeskState {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/doorkeeper.hpp"
 
-#include "system/digest.hpp"
 #include "system/text.hpp"
 
 namespace mirocup::league {

@@ -12,6 +12,7 @@
 
 #include "tournaments/handin/sessions.hpp"
 #include "tournaments/handin/tokens.hpp"
+#include "tournaments/publish/snapshot.hpp"
 #include "web/http/request.hpp"
 
 #include <variant>
@@ -25,6 +26,7 @@ struct Visitor {
   std::string token_sha256 = {};  // of the sender's token; "": a proxy named the sender
 
   bool sees_all() const { return role != Role::team; }
+  Viewer viewer() const { return sees_all() ? Viewer::staff : Viewer::team; }
 };
 
 // Why a request is refused.

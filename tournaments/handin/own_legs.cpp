@@ -16,20 +16,20 @@ using record::JsonReader;
 
 constexpr std::size_t max_decisions = 100'000;
 
-OwnLeg seen_from(const LeagueState& state, const FixtureState& f, int leg, int team) {
+OwnLeg seen_from(const SeenState& seen, const FixtureState& f, int leg, int team) {
   const PlayedLeg& played = *f.legs[leg - 1].played;
   const bool is_home = f.fixture.home == team;
   OwnLeg own;
   own.fixture = f.fixture.id();
   own.leg = leg;
-  own.opponent = state.name(is_home ? f.fixture.away : f.fixture.home);
+  own.opponent = seen->name(is_home ? f.fixture.away : f.fixture.home);
   own.goals = is_home ? played.result.home_goals : played.result.away_goals;
   own.against = is_home ? played.result.away_goals : played.result.home_goals;
   own.result = played.result.both_lose    ? 'L'
                : played.winner == team    ? 'W'
                : played.winner == no_team ? 'D'
                                           : 'L';
-  if (played.fault && played.fault->team == state.name(team))
+  if (played.fault && played.fault->team == seen->name(team))
     own.own_fault = played.fault->code + ": " + played.fault->text;
   own.record = played.record;
   own.colour = blue_team(f.fixture, leg) == team ? "blue" : "yellow";
@@ -38,14 +38,14 @@ OwnLeg seen_from(const LeagueState& state, const FixtureState& f, int leg, int t
 
 }  // namespace
 
-std::vector<OwnLeg> own_legs(const LeagueState& state, const std::string& team) {
+std::vector<OwnLeg> own_legs(const SeenState& seen, const std::string& team) {
   std::vector<OwnLeg> legs;
-  const auto index = state.find_team(team);
+  const auto index = seen->find_team(team);
   if (!index) return legs;
-  for (const FixtureState& f : state.fixtures) {
+  for (const FixtureState& f : seen->fixtures) {
     if (f.fixture.home != *index && f.fixture.away != *index) continue;
     for (int leg = 1; leg <= max_legs; ++leg) {
-      if (f.legs[leg - 1].played) legs.push_back(seen_from(state, f, leg, *index));
+      if (f.legs[leg - 1].played) legs.push_back(seen_from(seen, f, leg, *index));
     }
   }
   return legs;

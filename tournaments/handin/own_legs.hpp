@@ -6,6 +6,7 @@
 
 #include "record/thoughts_file.hpp"
 #include "tournaments/league/folder.hpp"
+#include "tournaments/publish/snapshot.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -37,7 +38,7 @@ struct OwnLeg {
 
 // Returns the decided legs of a team in the order of the schedule; no legs if the league lacks the
 // team.
-std::vector<OwnLeg> own_legs(const LeagueState& state, const std::string& team);
+std::vector<OwnLeg> own_legs(const SeenState& seen, const std::string& team);
 
 // The time that a team's process took in a leg, and the team's fouls, from the record.
 struct LegCost {

@@ -150,6 +150,7 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
   if (auto refused = refused_role(route->who, call.visitor)) return refused;
   if (auto refused = name_team(call, route->about)) return refused;
   web::Reply reply = (this->*route->answer)(call);
+  if (!request.is_reading() && reply.status / 100 != 4) state_.options.has_written();
   reply.is_for_known = true;
   return reply;
 }
@@ -187,8 +188,9 @@ std::optional<web::Reply> Portal::name_team(Call& call, About about) {
 web::Reply Portal::desk(const Call& call) {
   const Visitor& known = call.visitor;
   if (const std::string team = call.request.asked("team"); known.sees_all() && !team.empty()) {
-    return is_good_name(team) ? staff_.legs_of(known.role, team, state_.options.legs(team))
-                              : problem_reply(404, "there is no such team");
+    return is_good_name(team)
+               ? staff_.legs_of(known.role, team, state_.options.legs(Viewer::staff, team))
+               : problem_reply(404, "there is no such team");
   }
   if (known.sees_all()) {
     return staff_.page(known.role, {.done = number_of(call.request.asked("done")).value_or(0),
@@ -216,8 +218,8 @@ web::Reply Portal::grades(const Call&) {
 // names the team, as for the API, and sees those of both.
 web::Reply Portal::own_replay(const Call& call) {
   const bool sees_all = call.visitor.sees_all();
-  for (const OwnLeg& leg :
-       state_.options.legs(sees_all ? call.request.asked("team") : call.visitor.team)) {
+  for (const OwnLeg& leg : state_.options.legs(
+           call.visitor.viewer(), sees_all ? call.request.asked("team") : call.visitor.team)) {
     if (leg.record.empty() || !state_.options.replay ||
         call.parts.front() != name_of_leg(leg) + ".html")
       continue;
@@ -267,7 +269,8 @@ web::Reply Portal::team_page(const std::string& team, int before) {
   if (!page) return host_failed(page.error());
   desk.entries = std::move((*page)["entries"]);
   desk.older = std::move((*page)["older"]);
-  desk.legs = own_legs_json(state_.files, state_.folder, state_.options.legs(team), state_.costs);
+  desk.legs = own_legs_json(state_.files, state_.folder, state_.options.legs(Viewer::team, team),
+                            state_.costs);
   desk.friendlies = friendlies_->list(team, state_.costs);
   desk.progress = progress(team, desk.friendlies);
   desk.opponents = friendlies_->opponents(team);
@@ -353,14 +356,16 @@ web::Reply Portal::pin(const Call& call) {
 }
 
 web::Reply Portal::list_legs(const Call& call) {
-  return json_reply(200, {{"team", call.team},
-                          {"legs", own_legs_json(state_.files, state_.folder,
-                                                 state_.options.legs(call.team), state_.costs)}});
+  return json_reply(
+      200, {{"team", call.team},
+            {"legs",
+             own_legs_json(state_.files, state_.folder,
+                           state_.options.legs(call.visitor.viewer(), call.team), state_.costs)}});
 }
 
 web::Reply Portal::show_log(const Call& call) {
   // Only a leg of the team has a name that is looked for; no path comes from the request.
-  for (const OwnLeg& leg : state_.options.legs(call.team)) {
+  for (const OwnLeg& leg : state_.options.legs(call.visitor.viewer(), call.team)) {
     if (leg.record.empty() || call.parts.front() != name_of_leg(leg)) continue;
     const std::string path = log_path(state_.folder, leg);
     const auto log = state_.files.read_if_there(path, {.max_size = system::size_limit::log});
@@ -436,17 +441,17 @@ void Portal::set_step(const std::string& team, int entry, const CheckStep& step)
 
 Result<void> Portal::close(const std::string& team, int entry, HandInState state,
                            const std::string& message) {
-  {
-    const std::lock_guard lock(state_.mutex);
-    auto answered = state_.book.answer(team, entry, state, message, state_.options.now());
-    state_.steps.erase({team, entry});
-    if (!answered) state_.book.wait_again(team, entry);
-    ++state_.version;
-    if (!answered) return answered;
-  }
-  // If the server dies here, the next one begins the burst.
-  if (state != HandInState::accepted) return {};
-  return friendlies_->entry_accepted(team, entry, state_.options.now());
+  const std::int64_t now = state_.options.now();
+  state_.options.has_written();  // the check may have let the team join
+  // Before the answer, so that a team that has it finds its friendlies.
+  Result<void> begun;
+  if (state == HandInState::accepted) begun = friendlies_->entry_accepted(team, entry, now);
+  const std::lock_guard lock(state_.mutex);
+  auto answered = state_.book.answer(team, entry, state, message, now);
+  state_.steps.erase({team, entry});
+  if (!answered) state_.book.wait_again(team, entry);
+  ++state_.version;
+  return answered ? begun : answered;
 }
 
 Result<void> Portal::wait_again(const std::string& team, int entry, NoAnswer why, double seconds) {

@@ -134,12 +134,23 @@ Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal&
   return state_up_to(whole, journal, {}, [](const std::string&, int) { return false; });
 }
 
-bool is_all_released(const LeagueState& state) {
-  return state.release.level == ReleaseLevel::all && state.release.through.empty();
+bool sees_all(Viewer viewer, const LeagueState& whole) {
+  const Released& release = whole.release;
+  return viewer == Viewer::staff ||
+         (viewer == Viewer::team && release.level == ReleaseLevel::teams) ||
+         (release.level == ReleaseLevel::all && release.through.empty());
+}
+
+bool sees_nights(Viewer viewer, const LeagueState& whole) {
+  return sees_all(viewer, whole) || whole.file.format.kind == FormatKind::nightly;
+}
+
+SeenState seen_by(Viewer viewer, const LeagueState& whole, const LeagueState& released) {
+  return SeenState(sees_all(viewer, whole) ? whole : released);
 }
 
 Result<LeagueState> released_state(const LeagueState& whole, const Journal& journal) {
-  if (is_all_released(whole)) return whole;
+  if (sees_all(Viewer::visitor, whole)) return whole;
   if (whole.release.through.empty()) return state_before_rounds(whole, journal);
   return state_through(whole, journal, whole.release.through);
 }

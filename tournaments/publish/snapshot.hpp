@@ -24,12 +24,36 @@ Result<LeagueState> state_through(const LeagueState& whole, const Journal& journ
 // Returns the state before the first round.
 Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal& journal);
 
-// True if the public sees every round.
-bool is_all_released(const LeagueState& state);
+// The people who look at a league. A team counts as a team if it looks at its own legs and its own
+// digest, and as a visitor if it looks at the league.
+enum class Viewer { visitor, team, staff };
 
-// Returns the state that the public sees: the rounds that the league's staff has released. The
-// errors are the ones that state_through() returns.
+// True if a viewer may see the legs of every round; otherwise the viewer sees released_state().
+bool sees_all(Viewer viewer, const LeagueState& whole);
+
+// True if a viewer may see the news of nights. If a night is not a round, the news would show what
+// is held back of the night.
+bool sees_nights(Viewer viewer, const LeagueState& whole);
+
+// Returns the state that visitors see: the rounds that the league's staff has released. The errors
+// are the ones that state_through() returns.
 Result<LeagueState> released_state(const LeagueState& whole, const Journal& journal);
+
+// The part of a league that a viewer may see. Only seen_by() makes one, so code that takes a
+// SeenState cannot read the whole league by mistake. It refers to the states that seen_by() got.
+class SeenState {
+ public:
+  const LeagueState& operator*() const { return *state_; }
+  const LeagueState* operator->() const { return state_; }
+
+ private:
+  friend SeenState seen_by(Viewer viewer, const LeagueState& whole, const LeagueState& released);
+  explicit SeenState(const LeagueState& state) : state_(&state) {}
+
+  const LeagueState* state_;
+};
+
+SeenState seen_by(Viewer viewer, const LeagueState& whole, const LeagueState& released);
 
 // A leg of the league: the id of its fixture and its number, from 1.
 using LegName = std::pair<std::string, int>;

@@ -26,7 +26,7 @@ class Checks : public testing::Test {
     EXPECT_TRUE(write_tokens(disk_, folder_, list));
     PortalOptions options;
     options.now = [this] { return now_; };
-    options.legs = [](const std::string&) { return std::vector<OwnLeg>(); };
+    options.legs = [](Viewer, const std::string&) { return std::vector<OwnLeg>(); };
     options.statistics = [](const std::string&) { return std::string(); };
     options.why_not = [](const std::string&, const std::string&) { return std::string(); };
     options.friendlies = {

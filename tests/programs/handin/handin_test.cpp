@@ -34,6 +34,33 @@ using test_support::Running;
 using test_support::TemporaryFolder;
 using test_support::write_file;
 
+// Sends bytes to the server and returns what it answers until it closes, or until `stop`.
+std::string talk(int port, const std::string& request, const std::string& stop = "") {
+  const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  std::string answer;
+  if (connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0) {
+    std::size_t sent = 0;
+    while (sent < request.size()) {
+      const ssize_t count =
+          send(socket, request.data() + sent, request.size() - sent, MSG_NOSIGNAL);
+      if (count <= 0) break;
+      sent += static_cast<std::size_t>(count);
+    }
+    char bytes[4096];
+    for (ssize_t count = 1;
+         count > 0 && (stop.empty() || answer.find(stop) == std::string::npos);) {
+      count = recv(socket, bytes, sizeof bytes, 0);
+      if (count > 0) answer.append(bytes, static_cast<std::size_t>(count));
+    }
+  }
+  close(socket);
+  return answer;
+}
+
 class HandIn : public testing::Test {
  protected:
   HandIn() { init_league(folder_, {"alpha=house:chaser", "beta=house:keeper"}); }
@@ -71,6 +98,21 @@ class HandIn : public testing::Test {
     const auto reply = client.Get("/api/v1/entries/" + std::to_string(entry),
                                   {{"Authorization", "Bearer " + token}});
     return reply && reply->status == 200 ? ordered_json::parse(reply->body) : ordered_json();
+  }
+
+  // Returns what the server answers to a visitor, or to the owner of a token.
+  std::string page(const std::string& path, const std::string& token = "") {
+    httplib::Headers headers;
+    if (!token.empty()) headers.emplace("Authorization", "Bearer " + token);
+    const auto reply = httplib::Client("127.0.0.1", port_).Get(path, headers);
+    return reply ? reply->body : "";
+  }
+
+  // Sends a form of the staff page.
+  int act(const std::string& token, const httplib::Params& form) {
+    const auto reply = httplib::Client("127.0.0.1", port_)
+                           .Post("/hand-in/staff", {{"Authorization", "Bearer " + token}}, form);
+    return reply ? reply->status : 0;
   }
 
   std::vector<ordered_json> book() {
@@ -156,6 +198,126 @@ TEST_F(HandIn, PlaysWithThePinnedVersion) {
     }
   }
   EXPECT_EQ(pin("2").exit_code, 2) << "the league has started";
+}
+
+// Each answer follows its act at once, and the page before it makes the caches fresh. Catches a
+// cache of the server that is not told of what the server itself has written.
+TEST_F(HandIn, ShowsInTheNextAnswerWhatItHasWritten) {
+  const Outcome made = run(league("token", folder_, {"--staff"}));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string staff = made.out.substr(0, made.out.find('\n'));
+  const std::string alpha = new_token("alpha");
+  new_token("gamma");
+  serve();
+  const auto opponents = [&] {
+    return ordered_json::parse(page("/api/v1/friendlies", alpha))["opponents"].dump();
+  };
+  const auto shows = [&](const std::string& path, const std::string& text) {
+    return page(path).find(text) != std::string::npos;
+  };
+  for (int i = 0; i < 5; ++i) {
+    const std::string text = "notice " + std::to_string(i);
+    EXPECT_FALSE(shows("/", text));
+    ASSERT_EQ(act(staff, {{"act", "notice"}, {"text", text}}), 303);
+    EXPECT_TRUE(shows("/", text)) << i;
+    const std::string colour = "#c03a2" + std::to_string(i);
+    EXPECT_FALSE(shows("/teams/beta.html", colour));
+    ASSERT_EQ(act(staff, {{"act", "colour"}, {"team", "beta"}, {"colour", colour}}), 303);
+    EXPECT_TRUE(shows("/teams/beta.html", colour)) << i;
+    const std::string name = "Rovers " + std::to_string(i);
+    EXPECT_FALSE(shows("/", name));
+    ASSERT_EQ(act(staff, {{"act", "people"}, {"team", "beta"}, {"display", name}}), 303);
+    EXPECT_TRUE(shows("/", name)) << i;
+  }
+  // A team joins by its check, and is an opponent as soon as it is told so.
+  EXPECT_FALSE(shows("/", "gamma"));
+  EXPECT_EQ(opponents().find("gamma"), std::string::npos);
+  const Outcome joined = hand_in("gamma", house("navigator"));
+  ASSERT_EQ(joined.exit_code, 0) << joined.err;
+  EXPECT_TRUE(shows("/", "gamma"));
+  EXPECT_NE(opponents().find("gamma"), std::string::npos);
+}
+
+// Of a night with ruled results. Catches friendlies, events and lists that tell a team its place in
+// a table that nobody may see; a staff that does not see what it has hidden.
+TEST_F(HandIn, PlaysWithNeighboursOfTheTableThatIsShown) {
+  folder_ = temporary_ / "nights";
+  init_league(folder_,
+              {"a=house:idle", "b=house:idle", "c=house:idle", "d=house:idle", "e=house:idle",
+               "f=house:idle"},
+              "1", "nightly");
+  const std::string token = new_token("a");
+  const Outcome made = run(league("token", folder_, {"--staff"}));
+  const std::string staff = made.out.substr(0, made.out.find('\n'));
+  ASSERT_EQ(run(league("nightly", folder_, {"--jobs", "2"})).exit_code, 0);
+  serve();
+  const auto release = [&](const char* level) {
+    return act(staff, {{"act", "release"}, {"level", level}, {"reason", "a test"}, {"go", "do"}});
+  };
+  ASSERT_EQ(release("hidden"), 303);
+  const auto is_told = [&] {
+    const std::string said = talk(port_, "GET /events HTTP/1.1\r\nHost: x\r\n\r\n", "]}");
+    return said.substr(0, said.find("]}"));
+  };
+  const std::string told = is_told();
+  EXPECT_NE(told.find("event: league"), std::string::npos) << told;
+  // The last teams of the list come first in the table, and a comes third.
+  const auto rule = [&](const std::string& winner, const std::string& loser, int goals) {
+    for (const auto& line : test_support::journal_of(folder_)) {
+      if (line["kind"] != "leg") continue;
+      const bool is_home = line["home"] == winner && line["away"] == loser;
+      if (!is_home && !(line["home"] == loser && line["away"] == winner)) continue;
+      const std::string won = std::to_string(goals);
+      EXPECT_EQ(act(staff, {{"act", "rule"},
+                            {"fixture", line["fixture"].get<std::string>()},
+                            {"leg", std::to_string(line["leg"].get<int>())},
+                            {"score", is_home ? won + ":0" : "0:" + won},
+                            {"reason", "for the test"},
+                            {"go", "do"}}),
+                303);
+    }
+  };
+  for (const char* loser : {"a", "b", "c", "d"}) {
+    rule("f", loser, 9);
+    rule("e", loser, 8);
+    if (loser != std::string("a")) rule("a", loser, 5);
+  }
+  const auto order_of = [](const std::string& csv) {
+    std::string order;
+    std::istringstream lines(csv);
+    std::string line;
+    for (std::getline(lines, line); std::getline(lines, line);)
+      order += line.substr(line.find(',') + 1, 1);
+    return order;
+  };
+  const std::string shown = order_of(page("/table.csv"));
+  EXPECT_EQ(is_told(), told) << "an event for each hidden decision";
+  ASSERT_EQ(release("all"), 303);
+  const std::string order = order_of(page("/table.csv"));
+  EXPECT_NE(is_told(), told);
+  ASSERT_EQ(order.find('a'), 2u) << order;
+  ASSERT_EQ(release("hidden"), 303);
+  EXPECT_EQ(order_of(page("/table.csv")), shown);
+  EXPECT_EQ(page("/api/v1/legs", token).find("\"fixture\""), std::string::npos);
+  EXPECT_NE(page("/api/v1/legs?team=a", staff).find("\"fixture\""), std::string::npos);
+
+  ASSERT_EQ(hand_in("a", house("keeper")).exit_code, 0);
+  std::set<char> met;
+  const auto told_of_friendlies = ordered_json::parse(page("/api/v1/friendlies", token));
+  for (const auto& leg : told_of_friendlies["friendlies"]) {
+    const std::string opponent = leg["opponent"].get<std::string>();
+    if (opponent.size() == 1) met.insert(opponent[0]);
+  }
+  const auto neighbours_in = [](const std::string& table) {
+    const std::size_t own = table.find('a');
+    const std::size_t first = own - std::min<std::size_t>(own, 2);
+    std::set<char> all;
+    for (const char team : table.substr(first, own + 3 - first)) all.insert(team);
+    all.erase('a');
+    return all;
+  };
+  EXPECT_EQ(met, neighbours_in(shown));
+  EXPECT_NE(met, neighbours_in(order)) << order;
 }
 
 TEST_F(HandIn, TakesNothingAfterTheStart) {
@@ -263,32 +425,6 @@ TEST_F(HandIn, IsEncrypted) {
   const Outcome swapped = run(league("serve", folder_, {"--tls", key, certificate}));
   EXPECT_EQ(swapped.exit_code, 2) << swapped.err;
   EXPECT_NE(swapped.err.find("key.pem"), std::string::npos) << swapped.err;
-}
-
-// Sends bytes to the server and returns what it answers until it closes.
-std::string talk(int port, const std::string& request) {
-  const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  std::string answer;
-  if (connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0) {
-    std::size_t sent = 0;
-    while (sent < request.size()) {
-      const ssize_t count =
-          send(socket, request.data() + sent, request.size() - sent, MSG_NOSIGNAL);
-      if (count <= 0) break;
-      sent += static_cast<std::size_t>(count);
-    }
-    char bytes[4096];
-    for (ssize_t count = 1; count > 0;) {
-      count = recv(socket, bytes, sizeof bytes, 0);
-      if (count > 0) answer.append(bytes, static_cast<std::size_t>(count));
-    }
-  }
-  close(socket);
-  return answer;
 }
 
 TEST_F(HandIn, SaysWhyBeforeAFileIsSentInVain) {

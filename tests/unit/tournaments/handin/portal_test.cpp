@@ -65,9 +65,11 @@ class Desk : public testing::Test {
     PortalOptions options;
     options.team_header = team_header;
     options.now = [this] { return now_; };
-    options.legs = [this](const std::string& team) {
+    options.legs = [this](Viewer viewer, const std::string& team) {
+      viewers_.insert(viewer);
       return team == "alpha" ? legs_ : std::vector<OwnLeg>();
     };
+    options.has_written = [this] { ++writes_; };
     options.statistics = [](const std::string&) { return std::string(); };
     options.time_in_words = [](const std::string& utc) { return "<local> " + utc; };
     options.friendlies = {.teams = [this] { return entries_; },
@@ -132,6 +134,8 @@ class Desk : public testing::Test {
   std::int64_t now_ = opening;
   std::string why_not_;
   std::vector<OwnLeg> legs_;            // of alpha
+  std::set<Viewer> viewers_;            // for whom legs were asked
+  int writes_ = 0;                      // that the portal has told
   std::map<std::string, int> entries_;  // that play
   std::vector<std::string> neighbours_;
   std::string alpha_, beta_, expired_, revoked_, staff_;
@@ -796,6 +800,90 @@ TEST_F(Desk, LimitsWhatATeamHandsIn) {
   EXPECT_EQ(json_of(ask(api("/api/v1/team", beta_)))["status"], 429);
   why_not_ = "entries are frozen";
   EXPECT_EQ(ask(put(beta_), "more").status, 403);
+}
+
+// Catches a list that grows without end with the tries of a team, an older entry that no list has,
+// and one that two lists have.
+TEST_F(Desk, ListsAHundredEntriesAtOnce) {
+  constexpr int count = 205;
+  {
+    portal_.reset();
+    auto book = HandInBook::open(disk_, folder_, nullptr);
+    ASSERT_TRUE(test_support::is_ok(book));
+    for (int i = 1; i <= count; ++i) {
+      WaitingHandIn handed{.team = i == count ? "beta" : "alpha", .file = "x.so", .sha256 = "s"};
+      const auto entry = book->take(handed, [](const std::string&) { return Result<void>(); });
+      ASSERT_TRUE(test_support::is_ok(entry));
+      ASSERT_TRUE(book->answer(handed.team, *entry, HandInState::refused, "no", now_));
+    }
+  }
+  open();
+  ASSERT_TRUE(add_entry(disk_, folder_, "alpha", 3, "library"));
+  const auto list = [&](const std::string& token, const std::string& before) {
+    web::Request request = api("/api/v1/entries", token);
+    if (!before.empty()) request.query.emplace("before", before);
+    return ask(request);
+  };
+  std::vector<int> seen;
+  std::string before;
+  for (const std::size_t expected : {100u, 100u, 4u}) {
+    const Json page = json_of(list(alpha_, before));
+    ASSERT_EQ(page["entries"].size(), expected) << page.dump();
+    for (const Json& entry : page["entries"]) seen.push_back(entry["entry"].get<int>());
+    EXPECT_EQ(page["older"].is_null(), expected == 4u);
+    before = page["older"].dump();
+  }
+  ASSERT_EQ(seen.size(), 204u);
+  for (int i = 0; i < 204; ++i) EXPECT_EQ(seen[static_cast<std::size_t>(i)], 204 - i);
+  EXPECT_TRUE(json_of(list(beta_, ""))["older"].is_null());
+  for (const char* wrong : {"0", "-1", "x", "1e3", "99999999999"})
+    EXPECT_EQ(list(alpha_, wrong).status, 400) << wrong;
+
+  web::Request desk = api("/hand-in", alpha_);
+  const std::string newest = ask(desk).bytes;
+  EXPECT_NE(newest.find("id=\"entry-105\""), std::string::npos);
+  EXPECT_EQ(newest.find("id=\"entry-104\""), std::string::npos);
+  EXPECT_NE(newest.find("href=\"/hand-in?before=105\""), std::string::npos);
+  desk.query.emplace("before", "5");
+  const std::string oldest = ask(desk).bytes;
+  EXPECT_NE(oldest.find("id=\"entry-4\""), std::string::npos);
+  EXPECT_EQ(oldest.find("id=\"entry-5\""), std::string::npos);
+  EXPECT_EQ(oldest.find("/hand-in?before="), std::string::npos);
+}
+
+// Catches a write of the server that its caches are not told of, so that the next answer is the
+// former one.
+TEST_F(Desk, TellsWhenItHasWritten) {
+  const auto writes_of = [&](const web::Request& request, int status) {
+    writes_ = 0;
+    EXPECT_EQ(ask(request, "ELF").status, status) << request.path;
+    return writes_;
+  };
+  ASSERT_TRUE(add_entry(disk_, folder_, "beta", 1, "library"));
+  EXPECT_EQ(writes_of(put(alpha_), 202), 1);
+  web::Request friendly = api("/api/v1/friendlies", beta_);
+  friendly.method = "POST";
+  friendly.query.emplace("opponent", "house:striker");
+  EXPECT_EQ(writes_of(friendly, 202), 1);
+  for (const char* path : {"/api/v1/entries", "/api/v1/legs", "/hand-in"})
+    EXPECT_EQ(writes_of(api(path, alpha_), 200), 0);
+  EXPECT_EQ(writes_of(put("wrong"), 401), 0);
+  ASSERT_TRUE(portal_->begin_next());
+  writes_ = 0;
+  ASSERT_TRUE(portal_->close("alpha", 1, HandInState::accepted, "alpha: entry 1 was accepted"));
+  EXPECT_EQ(writes_, 1) << "a check lets teams join";
+}
+
+// Catches a team that is given the legs of the staff, and a staff that is given those of a team.
+TEST_F(Desk, AsksForLegsAsTheOneWhoComes) {
+  for (const char* path : {"/api/v1/legs", "/api/v1/legs/x/log", "/hand-in", "/hand-in/replays/x"})
+    for (const std::string& token : {alpha_, staff_}) {
+      viewers_.clear();
+      web::Request request = api(path, token);
+      request.query.emplace("team", "alpha");
+      ask(request);
+      EXPECT_EQ(viewers_, std::set{token == staff_ ? Viewer::staff : Viewer::team}) << path;
+    }
 }
 
 TEST_F(Desk, RefusesFilesThatAreNone) {

@@ -42,7 +42,7 @@ class StaffPage : public testing::Test {
     EXPECT_TRUE(write_tokens(disk_, folder_, list));
     PortalOptions options;
     options.now = [] { return moment; };
-    options.legs = [this](const std::string& team) {
+    options.legs = [this](Viewer, const std::string& team) {
       return team == "alpha" ? legs_ : std::vector<OwnLeg>();
     };
     options.why_not = [](const std::string&, const std::string&) { return std::string(); };

@@ -161,6 +161,29 @@ TEST(Snapshot, ShowsANightWithoutTheTeamsThatJoinedAfterIt) {
   EXPECT_EQ(second->fixtures.size(), 4u);
 }
 
+// Who sees what is not released: docs/hosting.md. Catches a level that tells a team what nobody may
+// know, and one that hides the league from its staff.
+TEST(Snapshot, ShowsEachViewerWhatIsReleasedForIt) {
+  LeagueState whole = new_league(nine_teams(FormatKind::double_round_robin));
+  const LeagueState released = whole;
+  for (const char* through : {"", "r1"}) {
+    for (const auto level : {ReleaseLevel::all, ReleaseLevel::teams, ReleaseLevel::hidden}) {
+      whole.release.level = level;
+      whole.release.through = through;
+      const bool is_open = level == ReleaseLevel::all && whole.release.through.empty();
+      const auto sees_whole = [&](Viewer viewer) {
+        return &*seen_by(viewer, whole, released) == &whole;
+      };
+      EXPECT_EQ(sees_whole(Viewer::visitor), is_open) << to_string(level) << through;
+      EXPECT_EQ(sees_whole(Viewer::team), is_open || level == ReleaseLevel::teams);
+      EXPECT_TRUE(sees_whole(Viewer::staff));
+      EXPECT_EQ(sees_nights(Viewer::visitor, whole), is_open);
+    }
+  }
+  whole.file.format.kind = FormatKind::nightly;
+  EXPECT_TRUE(sees_nights(Viewer::visitor, whole)) << "a night is a round";
+}
+
 TEST(Snapshot, KnowsWhichRoundsThereAre) {
   const Season season(nine_teams(FormatKind::knockout));
   for (const char* round : {"", "k", "k0", "k9", "r1", "k1x", "k-1", "x1"}) {
