@@ -45,6 +45,17 @@ while IFS= read -r line; do
 done < <(grep -rn '^#include "core/referee/laws/law\.hpp"' "${product[@]}" 2>/dev/null |
   grep -vE '^core/referee/(laws/[^:]*|[^/:]*\.cpp):' || true)
 
+# What the portal tells teams and visitors comes from a SeenState. Only the staff's desk reads the whole league.
+while IFS= read -r line; do
+  complain "$line: the portal takes a SeenState (tournaments/publish/snapshot.hpp)"
+done < <(grep -rnE '\bLeague(State|Store)\b' tournaments/handin 2>/dev/null | grep -v '^tournaments/handin/staff_desk\.' || true)
+
+# The time of == would tell a stranger how much of a secret is right.
+while IFS= read -r line; do
+  complain "$line: secrets are compared by system::is_same_secret()"
+done < <(grep -rnE '\b(key_|secret|token|cookie|session\.sha256|token\.sha256)\)? *[!=]= *[^ n"]|[!=]= *(key_|trust\.secret|token\.sha256)\b' \
+  web tournaments/handin programs/league --include='*.cpp' --include='*.hpp' 2>/dev/null || true)
+
 # The product is built without the tests: it may name them in comments only.
 while IFS= read -r line; do
   complain "$line: the product reads nothing from tests/"

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+bool may_control(const std::string& sent) {
+  return sent == key_;
+}
