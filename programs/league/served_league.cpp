@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
 
 namespace mirocup::league {
@@ -158,11 +159,6 @@ bool ServedLeague::are_pages_fresh() const {
   return site_ && lines_of_pages_ == lines_ && version_of_pages_ == teams_version_;
 }
 
-// Requires mutex_.
-bool ServedLeague::do_pages_rest() const {
-  return site_ && std::chrono::steady_clock::now() < pages_rest_until_;
-}
-
 // Requires mutex_. The number of the journal's lines would tell how many hidden legs were played.
 void ServedLeague::note_what_is_shown() {
   const LeagueState& state = site_->state();
@@ -175,8 +171,8 @@ void ServedLeague::note_what_is_shown() {
 
 // Requires mutex_. Each page is made when it is asked for.
 void ServedLeague::begin_pages() {
-  if (are_pages_fresh() || do_pages_rest()) return;
   const auto begun = std::chrono::steady_clock::now();
+  if (are_pages_fresh() || (site_ && begun < pages_rest_until_)) return;
   lines_of_pages_ = lines_;
   version_of_pages_ = teams_version_;
   pages_.clear();
@@ -340,14 +336,13 @@ std::vector<OwnLeg> ServedLeague::legs_of(Viewer viewer, const std::string& team
 std::string ServedLeague::digest_of(const std::string& team) {
   const std::lock_guard lock(mutex_);
   const SeenState seen = seen_by(Viewer::team);
-  const LeagueState& state = *seen;
   if (!sees_nights(Viewer::team, store_.state())) return "";
-  const auto night = last_night(state, store_.journal());
+  const auto night = last_night(*seen, store_.journal());
   if (!night || !*night) return "";
-  facts_ = read_facts(files_, store_.folder(), state, std::move(facts_));
-  const Overview o = overview(state, facts_);
+  facts_ = read_facts(files_, store_.folder(), *seen, std::move(facts_));
+  const Overview o = overview(*seen, facts_);
   for (const TeamDigest& digest : digests(**night, o)) {
-    if (state.name(digest.team) == team) return digest_html(o, **night, digest, "/hand-in/");
+    if (seen->name(digest.team) == team) return digest_html(o, **night, digest, "/hand-in/");
   }
   return "";
 }
@@ -394,18 +389,15 @@ std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {
   constexpr std::ptrdiff_t reach = 2;  // ranks
   const std::lock_guard lock(mutex_);
   const SeenState seen = seen_by(Viewer::visitor);
-  const LeagueState& state = *seen;
-  const auto index = state.find_team(team);
-  if (!state.is_started || !index) return {};
-  const std::vector<TableRow> table = state.table();
+  const auto index = seen->find_team(team);
+  if (!seen->is_started || !index) return {};
+  const std::vector<TableRow> table = seen->table();
   const auto own = std::find_if(table.begin(), table.end(),
                                 [&](const TableRow& row) { return row.team == *index; });
   if (own == table.end()) return {};
   std::vector<std::string> names;
-  const auto first = own - std::min(reach, own - table.begin());
-  const auto end = own + std::min(reach + 1, table.end() - own);
-  for (auto row = first; row != end; ++row) {
-    if (row != own) names.push_back(state.name(row->team));
+  for (auto row = table.begin(); row != table.end(); ++row) {
+    if (row != own && std::abs(row - own) <= reach) names.push_back(seen->name(row->team));
   }
   return names;
 }

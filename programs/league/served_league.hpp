@@ -99,7 +99,6 @@ class ServedLeague {
   SeenState seen_by(Viewer viewer);
   const web::Page* page_of_site(const std::string& path);
   bool are_pages_fresh() const;
-  bool do_pages_rest() const;
   std::optional<web::Page> replay(const std::string& stem);
   std::string linked(std::string page, const std::string& record);
   std::optional<web::Page> module_page(const std::string& name);
