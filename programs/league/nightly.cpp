@@ -212,7 +212,7 @@ Result<int> run_nightly(const NightlyOptions& options) {
   MIROCUP_TRY_VOID(begin_night(disk, held.store, options, system::now_s()));
 
   auto progress = make_progress_reporter();
-  MIROCUP_TRY(const auto played, play_league(disk, std::move(held.store), *progress, options.play));
+  MIROCUP_TRY(const auto end, play_league(disk, std::move(held.store), *progress, options.play));
   progress->say("making pages");
   MIROCUP_TRY(const int published, publish_league(disk, folder, options.play.jobs));
   progress.reset();
@@ -227,7 +227,7 @@ Result<int> run_nightly(const NightlyOptions& options) {
   MIROCUP_TRY_VOID(disk.write(home + "/report.txt", text, system::Readers::owner));
   std::cout << text << std::flush;
   MIROCUP_TRY_VOID(tell_program(disk, options, home, after.state()));
-  if (after.state().played() == after.state().legs()) return published;
+  if (after.state().played() == after.state().legs()) return end.refused > 0 ? exit_no : published;
   say_what_is_left(after.state());
   return exit_no;
 }

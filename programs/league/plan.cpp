@@ -37,7 +37,7 @@ Result<int> run_plan(const PlanOptions& options) {
     }
   }
   for (const std::string& id : open_shards(recorder.state())) std::cout << id << '\n';
-  return exit_yes;
+  return recorder.refused() == 0 ? exit_yes : exit_no;
 }
 
 }  // namespace

@@ -22,21 +22,21 @@ Result<HeldLeague> hold_league(system::Files& files, const Folder& folder,
   return HeldLeague{std::move(store), std::move(*lock)};
 }
 
-Result<LeagueState> play_league(system::Files& files, LeagueStore store, ProgressReporter& progress,
-                                const PlayTerms& terms) {
-  const auto state_of = [](auto& runner, const Result<int>& left) -> Result<LeagueState> {
+Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
+                                 ProgressReporter& progress, const PlayTerms& terms) {
+  const auto end_of = [](auto& runner, const Result<int>& left) -> Result<PlayedLeague> {
     if (!left) return tl::unexpected(left.error());
-    return runner.state();
+    return PlayedLeague{runner.state(), runner.refused()};
   };
   const record::Software program = record::this_software();
   MIROCUP_TRY_VOID(expect_program(files, store, program, terms.accepts_other_program));
   MIROCUP_TRY_VOID(keep_program(files, store.folder(), program));
   if (terms.engine == "slurm") {
     SlurmRunner runner(files, std::move(store), progress);
-    return state_of(runner, runner.run(terms.jobs));
+    return end_of(runner, runner.run(terms.jobs));
   }
   Runner runner(files, std::move(store), progress);
-  return state_of(
+  return end_of(
       runner,
       runner.run({.jobs = terms.jobs, .watched = terms.watched, .dds_domain = terms.dds_domain}));
 }

@@ -33,10 +33,16 @@ struct PlayTerms {
   bool accepts_other_program = false;  // true: continues a league that another program began
 };
 
-// Plays until no leg can be played, and returns the state. Errors include those of
-// expect_program().
-Result<LeagueState> play_league(system::Files& files, LeagueStore store, ProgressReporter& progress,
-                                const PlayTerms& terms);
+// A league after play_league(), and the number of records from elsewhere that differ from their
+// replays, so that their legs were void.
+struct PlayedLeague {
+  LeagueState state;
+  int refused = 0;
+};
+
+// Plays until no leg can be played. Errors include those of expect_program().
+Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
+                                 ProgressReporter& progress, const PlayTerms& terms);
 
 // Adds the option --other-program to a subcommand.
 void add_other_program(const system::Command& command, bool& accepts_other_program);

@@ -90,7 +90,7 @@ static Result<void> open_site(system::Files& files, const Folder& folder) {
   return fail(Errc::input, named + " has other files than pages of a league: name an empty folder");
 }
 
-Result<int> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
+Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState shown,
                          const NightNews& news, int jobs) {
   MIROCUP_TRY_VOID(open_site(files, folder));
   // What was told before may not be released any more.
@@ -104,16 +104,17 @@ Result<int> publish_site(system::Files& files, const Folder& folder, const Leagu
   for (const std::string& path : {folder.path, folder.site()})
     MIROCUP_TRY_VOID(files.remove_unfinished(path));
   // First what takes long: the pages of league and teams show the statistics of every leg.
-  MIROCUP_TRY(const auto failed, make_replay_pages(files, folder, overview(shown), jobs,
+  MIROCUP_TRY(const auto failed, make_replay_pages(files, folder, shown, jobs,
                                                    module_finder(files, folder, shown.file)));
+  const bool has_refused = !failed.refused.empty();
   LegReports reports = kept_statistics(files, folder, shown);
   FactsOfLegs facts = read_facts(files, folder, shown);
   const auto uncounted = uncounted_records(shown, reports, facts);
   const Site site({.state = shown,
                    .reports = std::move(reports),
                    .facts = std::move(facts),
-                   .night = news.night,
-                   .feed = news.feed,
+                   .night = has_refused ? std::nullopt : news.night,
+                   .feed = has_refused ? "" : news.feed,
                    .playground = playground_maker(files)});
   const std::vector<std::string> names = site.names();
   for (const std::string& name : names) {
@@ -133,7 +134,12 @@ Result<int> publish_site(system::Files& files, const Folder& folder, const Leagu
               << " legs: " << listed(uncounted) << "; mirocup league verify says why\n";
   for (const std::string& reason : failed.reasons)
     std::cerr << "mirocup: " << system::printable(reason) << '\n';
-  return failed.records.empty() && uncounted.empty() ? exit_yes : exit_no;
+  for (const std::string& record : failed.refused) {
+    std::cerr << "mirocup: " << system::printable(folder.path + "/" + record)
+              << " differs from its replay or from the journal, so the pages lack its leg; mirocup "
+                 "league verify says more, and mirocup league void has the leg played again\n";
+  }
+  return failed.records.empty() && uncounted.empty() && !has_refused ? exit_yes : exit_no;
 }
 
 Result<int> publish_league(system::Files& files, const Folder& folder, int jobs) {

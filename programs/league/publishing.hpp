@@ -36,8 +36,9 @@ ModuleOfGame module_finder(system::Files& files, const Folder& folder, const Lea
 Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store);
 
 // Writes the pages of a state to the folder's site/; `jobs` replay pages are made at once (0: one
-// for each processor). Returns exit_no, and prints why, if a leg lacks its page or its numbers.
-Result<int> publish_site(system::Files& files, const Folder& folder, const LeagueState& shown,
+// for each processor). Returns exit_no, and prints why, if a leg lacks its page or its numbers, or
+// if the pages lack a leg whose record differs from its replay.
+Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState shown,
                          const NightNews& news, int jobs = 0);
 
 // Opens the league and writes the pages of its released part. Returns exit_no if something is

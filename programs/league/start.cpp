@@ -25,13 +25,14 @@ Result<int> run_start(const StartOptions& options) {
               hold_league(disk, folder, "; to stop that, call mirocup league stop " + folder.path));
 
   auto progress = make_progress_reporter();
-  MIROCUP_TRY(const auto played, play_league(disk, std::move(held.store), *progress, options.play));
+  MIROCUP_TRY(const auto end, play_league(disk, std::move(held.store), *progress, options.play));
+  const LeagueState& played = end.state;
   progress->say("making pages");
   const int jobs_here = options.play.engine == "local" ? options.play.jobs : 0;
   MIROCUP_TRY(const int published, publish_league(disk, folder, jobs_here));
   progress.reset();  // removes the bar before the table is printed
   std::cout << table_text(played);
-  if (played.legs() == played.played()) return published;
+  if (played.legs() == played.played()) return end.refused > 0 ? exit_no : published;
   say_what_is_left(played);
   if (options.play.engine != "local")
     std::cerr

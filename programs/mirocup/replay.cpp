@@ -172,7 +172,7 @@ Result<int> run_replay(const ReplayOptions& options) {
   if (!made) {
     std::cerr << "mirocup: " << system::printable(options.record)
               << ": cannot be shown, it differs from tick " << made.error().tick
-              << " on: " << made.error().what << '\n';
+              << " on: " << system::printable(made.error().what) << '\n';
     return exit_no;
   }
   MIROCUP_TRY_VOID(disk.write(output, *made));

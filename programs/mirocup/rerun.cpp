@@ -196,7 +196,7 @@ void report(const RerunOptions& options, const std::optional<CommandDifference>&
     const std::string team =
         difference->team ? std::string(to_string(*difference->team)) + ": " : std::string();
     std::cout << system::printable(options.record) << ": differs from tick " << difference->tick
-              << " on: " << team << difference->what << '\n';
+              << " on: " << team << system::printable(difference->what) << '\n';
   } else {
     std::cout << system::printable(options.record) << ": both teams give the recorded commands\n";
   }

@@ -130,7 +130,7 @@ Result<int> run_verify(const VerifyOptions& options) {
     std::cout << record::json_text(answer) << '\n';
   } else if (divergence) {
     std::cout << system::printable(options.path) << ": differs from tick " << divergence->tick
-              << " on: " << divergence->what << '\n';
+              << " on: " << system::printable(divergence->what) << '\n';
   } else {
     std::cout << system::printable(options.path) << ": reproduced, "
               << record.recording.ticks.size() << " ticks, state hash "

@@ -255,8 +255,10 @@ struct Applier {
     FixtureState& f = state.fixtures[at.fixture];
     LegState& leg = f.legs[at.leg];
     PlayedLeg played = played_leg(state, f.fixture, e);
-    if (leg.void_ruling) played.ruling = "what was played before is void: " + *leg.void_ruling;
-    if (leg.new_seeds > 0) played.ruling += "; played again with another seed";
+    if (leg.void_ruling) {
+      played.ruling = "what was played before is void: " + *leg.void_ruling;
+      if (leg.new_seeds > 0) played.ruling += "; played again with another seed";
+    }
     leg.played = std::make_shared<const PlayedLeg>(std::move(played));
     for (const int team : {f.fixture.home, f.fixture.away}) {
       const bool is_own_fault =
@@ -271,13 +273,11 @@ struct Applier {
     LegState& leg = state.fixtures[at.fixture].legs[at.leg];
     ++leg.voids;
     leg.played = nullptr;
-    if (e.cause == VoidCause::host) {
-      ++leg.host_faults;
-    } else {
-      // The next attempt must not overwrite this one's record, which is evidence.
-      ++leg.version;
-      leg.awaits_confirmation = e.cause == VoidCause::confirm;
-    }
+    const bool is_by_host = e.cause == VoidCause::host;
+    if (is_by_host) ++leg.host_faults;
+    // The next attempt must not overwrite this one's record, which is evidence.
+    if (!is_by_host || e.has_new_seed) ++leg.version;
+    if (!is_by_host) leg.awaits_confirmation = e.cause == VoidCause::confirm;
     leg.new_seeds += e.has_new_seed ? 1 : 0;
     if (e.cause == VoidCause::ruling) {
       leg.host_faults = 0;

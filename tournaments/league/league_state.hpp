@@ -43,9 +43,9 @@ struct LegState {
   int voids = 0;                            // number of attempts that count for nothing
   int host_faults = 0;                      // attempts that the host spoiled since the last ruling
   // Number of the next record, from 1. An attempt that the host spoiled leaves no record to keep,
-  // so its number is used again.
+  // so its number is used again, unless the record was there and differed from its replay.
   int version = 1;
-  int new_seeds = 0;                 // how often a person voided the leg with a new seed
+  int new_seeds = 0;                 // how often the leg was voided with a new seed
   bool awaits_confirmation = false;  // a team exceeded a time limit; the next attempt counts
   // Why a person voided the leg; null: no person did.
   std::shared_ptr<const std::string> void_ruling;

@@ -24,8 +24,8 @@ struct LegId {
 // it is not decided and both teams are known, not paused and not withdrawn.
 std::vector<int> open_legs(const LeagueState& state, const FixtureState& fixture);
 
-// Returns the seed of a leg: the seed of its fixture. A leg that decides a level tie, or that a
-// person has voided with a new seed, has another seed.
+// Returns the seed of a leg: the seed of its fixture. A leg that decides a level tie, or that was
+// voided with a new seed, has another seed.
 std::uint64_t leg_seed(const LeagueState& state, const LegId& id);
 
 // Returns the command line that plays a leg in any working folder. Teams that join over DDS find

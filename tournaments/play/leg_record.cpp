@@ -4,7 +4,10 @@
 #include "core/field/team.hpp"
 #include "core/match/leg.hpp"
 #include "record/json_reader.hpp"
+#include "record/match_record.hpp"
 #include "record/team_parameters_json.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace mirocup::league {
 
@@ -95,6 +98,19 @@ bool is_of_leg(const LeagueState& state, const LegId& id, const JsonReader& reco
   return record.at("result").at("end").text() != to_string(match::OutcomeKind::void_);
 }
 
+// Returns the setup of a leg that leg_command() plays.
+match::Setup setup_of(const LeagueState& state, const LegId& id) {
+  match::Setup setup;
+  setup.league = state.file.league;
+  setup.rules = state.file.rules;
+  if (id.leg > id.fixture.legs) setup.stage = referee::Stage::knockout;
+  setup.seed = leg_seed(state, id);
+  setup.control_period = match::control_period_of(setup.rules.preset);
+  match::set_pitch(setup, state.file.pitch.value_or(match::PitchSpec{}));
+  setup.conditions = state.conditions;
+  return setup;
+}
+
 }  // namespace
 
 Result<LegPlayed> leg_played(const LeagueFile& file, const LegId& id, const Json& record,
@@ -122,6 +138,26 @@ Result<std::optional<LegPlayed>> find_played_leg(system::Files& files, const Fol
         error.what += "; the leg may have been played: mend the file, or remove it to play again";
         return error;
       });
+}
+
+Result<std::string> impossible_key(system::Files& files, const Folder& folder,
+                                   const LeagueState& state, const LegId& id) {
+  const std::string path = folder.record(id.fixture, id.leg, id.version);
+  MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::record}));
+  MIROCUP_TRY(auto file, record::parse_record(text, path));
+  const Json found = record::parse_json(text).value;
+  file.record.recording.setup = setup_of(state, id);
+  file.record.from.reset();
+  const Json possible = record::to_json(file.record);
+  for (const char* key : {"league", "rules", "stage", "control_period", "conditions", "pitch",
+                          "situation", "from", "result", "decisions"}) {
+    const auto value_in = [key](const Json& json) {
+      const auto value = json.find(key);
+      return value == json.end() ? Json() : *value;
+    };
+    if (value_in(found) != value_in(possible)) return key;
+  }
+  return "";
 }
 
 }  // namespace mirocup::league

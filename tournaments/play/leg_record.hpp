@@ -25,4 +25,10 @@ Result<LegPlayed> leg_played(const LeagueFile& file, const LegId& id, const Json
 Result<std::optional<LegPlayed>> find_played_leg(system::Files& files, const Folder& folder,
                                                  const LeagueState& state, const LegId& id);
 
+// Returns the first key of a record that find_played_leg() has found which the leg cannot have:
+// rules, conditions, stage or pitch that are not the league's, another start, or a result or
+// decisions that contradict themselves. Returns "" if there is none.
+Result<std::string> impossible_key(system::Files& files, const Folder& folder,
+                                   const LeagueState& state, const LegId& id);
+
 }  // namespace mirocup::league

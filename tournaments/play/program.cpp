@@ -160,15 +160,15 @@ Result<void> keep_program(system::Files& files, const Folder& folder,
       .and_then([&] { return keep_module(files, folder, program.behaviour_hash); });
 }
 
-Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs) {
-  const Folder& folder = store.folder();
-  MIROCUP_TRY(const auto names, files.names_in(folder.path + "/records"));
+namespace {
+
+// Verifies the records at `paths` inside the league, and adds those that can be read to `legs`.
+Result<VerifiedRecords> verify(system::Files& files, const Folder& folder,
+                               const std::vector<std::string>& paths, int jobs,
+                               std::map<std::string, RecordedLeg>& legs) {
   VerifiedRecords done;
-  std::map<std::string, RecordedLeg> legs;
   std::vector<const RecordedLeg*> waiting;
-  for (const std::string& name : names) {
-    const std::string path = "records/" + name;
-    if (!name.ends_with(".json") || name.starts_with('.')) continue;
+  for (const std::string& path : paths) {
     ++done.records;
     auto leg = read_leg(files, folder, path);
     if (leg) {
@@ -176,13 +176,6 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
     } else {
       done.problems.push_back({path, leg.error().what, exit_code(leg.error().code)});
     }
-  }
-  compare_with_journal(store, legs, done);
-  MIROCUP_TRY(const auto found, gaps(files, store, is_being_played(folder)));
-  if (!found.lost.empty()) done.problems.push_back({"journal.jsonl", found.lost, exit_no});
-  for (const auto& paths : {found.unknown, found.not_booked}) {
-    for (const std::string& path : paths)
-      done.problems.push_back({path, "the journal has no line of it", exit_no});
   }
 
   const ScratchFolder output("mirocup-verify");  // of the children
@@ -220,6 +213,33 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
   for (const auto& [program, count] : by_program)
     done.programs.push_back(std::to_string(count) + " records of " + program);
   return done;
+}
+
+}  // namespace
+
+Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs) {
+  MIROCUP_TRY(const auto names, files.names_in(store.folder().path + "/records"));
+  std::vector<std::string> paths;
+  for (const std::string& name : names) {
+    if (name.ends_with(".json") && !name.starts_with('.')) paths.push_back("records/" + name);
+  }
+  std::map<std::string, RecordedLeg> legs;
+  auto done = verify(files, store.folder(), paths, jobs, legs);
+  if (!done) return done;
+  compare_with_journal(store, legs, *done);
+  MIROCUP_TRY(const auto found, gaps(files, store, is_being_played(store.folder())));
+  if (!found.lost.empty()) done->problems.push_back({"journal.jsonl", found.lost, exit_no});
+  for (const auto& unknown : {found.unknown, found.not_booked}) {
+    for (const std::string& path : unknown)
+      done->problems.push_back({path, "the journal has no line of it", exit_no});
+  }
+  return done;
+}
+
+Result<VerifiedRecords> verify_records(system::Files& files, const Folder& folder,
+                                       const std::vector<std::string>& paths, int jobs) {
+  std::map<std::string, RecordedLeg> legs;
+  return verify(files, folder, paths, jobs, legs);
 }
 
 }  // namespace mirocup::league

@@ -4,6 +4,7 @@
 #include "core/match/controller.hpp"
 #include "tournaments/league/start.hpp"
 #include "tournaments/play/leg_record.hpp"
+#include "tournaments/play/program.hpp"
 
 namespace mirocup::league {
 
@@ -20,12 +21,17 @@ std::string record_of(const LegId& leg) {
   return Folder::record_name(leg.fixture, leg.leg, leg.version);
 }
 
+std::string name_of(const LegId& leg) {
+  return leg.fixture.id() + " leg " + std::to_string(leg.leg);
+}
+
 }  // namespace
 
 ResultRecorder::ResultRecorder(system::Files& files, LeagueStore store, ProgressReporter& progress)
     : files_(files), store_(std::move(store)), progress_(progress) {}
 
-Result<void> ResultRecorder::start() {
+Result<void> ResultRecorder::start(int jobs) {
+  jobs_ = jobs;
   return start_league(files_, store_);
 }
 
@@ -38,17 +44,60 @@ std::optional<LegId> ResultRecorder::next_leg(const FixtureState& fixture) const
   for (const int leg : open_legs(state(), fixture)) {
     const LegState& now = fixture.legs[leg - 1];
     const LegId id{fixture.fixture, leg, now.version, now.voids + 1};
-    const auto failures = host_failures_.find(record_of(id));
+    const auto failures = host_failures_.find(name_of(id));
     if (failures == host_failures_.end() || failures->second < max_attempts) return id;
   }
   return std::nullopt;
 }
 
-Result<bool> ResultRecorder::book_if_played(const LegId& leg) {
+Result<bool> ResultRecorder::book_own(const LegId& leg) {
   MIROCUP_TRY(const auto played, find_played_leg(files_, folder(), state(), leg));
   if (!played) return false;
   MIROCUP_TRY_VOID(book_result(leg, *played));
   return true;
+}
+
+Result<bool> ResultRecorder::book_found(const LegId& leg) {
+  MIROCUP_TRY(const auto played, find_played_leg(files_, folder(), state(), leg));
+  if (!played) return false;
+  if (!checked_.contains(record_of(leg))) {
+    MIROCUP_TRY_VOID(check_found());
+  }
+  const std::string why = checked_[record_of(leg)];
+  checked_.erase(record_of(leg));
+  if (why.empty()) return book_own(leg);
+  ++refused_;
+  ++host_failures_[name_of(leg)];
+  MIROCUP_TRY_VOID(
+      write_void(leg, VoidCause::host, why + "; played again with another seed", true));
+  return true;
+}
+
+// Verifies the records of all legs that wait to be booked.
+Result<void> ResultRecorder::check_found() {
+  std::vector<std::string> records;
+  for (const FixtureState& f : state().fixtures) {
+    for (const int leg : open_legs(state(), f)) {
+      const LegId id{f.fixture, leg, f.legs[leg - 1].version};
+      const std::string record = record_of(id);
+      if (checked_.contains(record)) continue;
+      MIROCUP_TRY(const auto found, find_played_leg(files_, folder(), state(), id));
+      if (!found) continue;
+      MIROCUP_TRY(const auto key, impossible_key(files_, folder(), state(), id));
+      if (key.empty()) records.push_back(record);
+      checked_[record] = key.empty() ? "" : record + ": /" + key + " cannot be that of this leg";
+    }
+  }
+  MIROCUP_TRY(const auto verified, verify_records(files_, folder(), records, jobs_));
+  for (const VerifiedRecords::Problem& p : verified.problems) {
+    if (p.code != exit_no) {
+      return fail(p.code == exit_code(Errc::damaged) ? Errc::damaged : Errc::host,
+                  p.text + "; the leg may have been played: mend " + p.record +
+                      ", or remove it to play again");
+    }
+    checked_[p.record] = p.text;
+  }
+  return {};
 }
 
 Result<int> ResultRecorder::book_played(const std::string& fixture) {
@@ -56,7 +105,7 @@ Result<int> ResultRecorder::book_played(const std::string& fixture) {
     const FixtureState* now = find(fixture);
     const auto leg = now != nullptr ? next_leg(*now) : std::nullopt;
     if (!leg) return count;
-    MIROCUP_TRY(const auto booked, book_if_played(*leg));
+    MIROCUP_TRY(const auto booked, book_found(*leg));
     if (!booked) return count;
   }
 }
@@ -75,7 +124,7 @@ std::string ResultRecorder::last_output_line(const LegId& leg) const {
 }
 
 Result<void> ResultRecorder::book_void(const LegId& leg, const std::string& why) {
-  ++host_failures_[record_of(leg)];
+  ++host_failures_[name_of(leg)];
   return write_void(leg, VoidCause::host, why);
 }
 
@@ -102,15 +151,17 @@ Result<void> ResultRecorder::book_result(const LegId& leg, const LegPlayed& play
   return pause_after_strikes(leg.fixture);
 }
 
-Result<void> ResultRecorder::write_void(const LegId& leg, VoidCause cause, const std::string& why) {
-  const std::string fixture = leg.fixture.id();
-  progress_.say(fixture + " leg " + std::to_string(leg.leg) + ": void: " + why);
-  return drop_if_outdated(store_.write(LegVoided{.fixture = fixture,
+Result<void> ResultRecorder::write_void(const LegId& leg, VoidCause cause, const std::string& why,
+                                        bool has_new_seed) {
+  progress_.say(name_of(leg) + ": void: " + why);
+  return drop_if_outdated(store_.write(LegVoided{.fixture = leg.fixture.id(),
                                                  .leg = leg.leg,
                                                  .attempt = leg.attempt,
                                                  .cause = cause,
                                                  .why = why,
-                                                 .by = {}}));
+                                                 .by = {},
+                                                 .at = {},
+                                                 .has_new_seed = has_new_seed}));
 }
 
 Result<void> ResultRecorder::pause_after_strikes(const Fixture& fixture) {

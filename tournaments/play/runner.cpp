@@ -48,7 +48,7 @@ Runner::Runner(system::Files& files, LeagueStore store, ProgressReporter& progre
 
 Result<int> Runner::run(const RunOptions& options) {
   options_ = options;
-  MIROCUP_TRY_VOID(recorder_.start());
+  MIROCUP_TRY_VOID(recorder_.start(options.jobs));
   const std::vector<int> cpus = system::processors();
   const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cpus.size());
   workers_.resize(jobs);
@@ -144,7 +144,7 @@ Result<bool> Runner::start_next_leg(Worker& worker) {
     const LegId leg = *recorder_.next_leg(*next);
     // A shard may have played it, or an earlier run may have died before it booked it.
     if (checked_records_.insert(Folder::record_name(leg.fixture, leg.leg, leg.version)).second) {
-      const auto booked = recorder_.book_if_played(leg);
+      const auto booked = recorder_.book_found(leg);
       if (!booked) return booked;
       if (*booked) continue;
     }
@@ -235,7 +235,7 @@ Result<void> Runner::finish(Worker& worker, const system::Exit& exit) {
                                "the match server died of signal " + std::to_string(exit.signal));
   }
   if (exit.code != exit_yes) return recorder_.book_void(leg, recorder_.last_output_line(leg));
-  MIROCUP_TRY(const auto booked, recorder_.book_if_played(leg));
+  MIROCUP_TRY(const auto booked, recorder_.book_own(leg));
   if (booked) return {};
   return recorder_.book_void(leg, record + " is not there, or is not the record of this leg");
 }

@@ -41,6 +41,7 @@ class Runner {
   Result<int> run(const RunOptions& options);
 
   const LeagueState& state() const { return recorder_.state(); }
+  int refused() const { return recorder_.refused(); }
 
  private:
   // A processor that plays the legs of one fixture at a time.

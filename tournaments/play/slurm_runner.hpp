@@ -31,6 +31,7 @@ class SlurmRunner {
   Result<int> run(int jobs);
 
   const LeagueState& state() const { return recorder_.state(); }
+  int refused() const { return recorder_.refused(); }
 
  private:
   using PlanLines = std::vector<std::vector<std::string>>;  // the fixtures of each task of a plan

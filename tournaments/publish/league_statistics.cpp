@@ -56,7 +56,8 @@ std::vector<CountedLeg> counted_legs(const LeagueState& state) {
 
 // The report with the names that the league has for it, or nothing if it is of another leg.
 std::optional<LegReport> named(Result<LegReport> report, const CountedLeg& leg) {
-  if (!report || to_hex(report->state_hash) != leg.played->state_hash) return std::nullopt;
+  if (!report || report->differs) return std::nullopt;
+  if (to_hex(report->state_hash) != leg.played->state_hash) return std::nullopt;
   report->leg = leg.name;
   report->record = leg.played->record;
   return *std::move(report);
@@ -205,8 +206,10 @@ std::string statistics_file_of(const std::string& record) {
   return "statistics/" + std::filesystem::path(record).stem().string() + ".json";
 }
 
-bool has_statistics(system::Files& files, const Folder& folder, const std::string& record) {
-  return kept_report(files, folder, record).has_value();
+std::optional<std::string> counted_hash(system::Files& files, const Folder& folder,
+                                        const std::string& record) {
+  const auto report = kept_report(files, folder, record);
+  return report ? std::optional(to_hex(report->state_hash)) : std::nullopt;
 }
 
 LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state,
@@ -259,7 +262,7 @@ Result<LegReports> all_statistics(system::Files& files, const Folder& folder,
     auto report = named(std::move(counted[i]), leg);
     if (!report) {
       return fail(Errc::damaged, missing[i] + ": it is not the leg that the journal has as " +
-                                     leg.name + " (state hash)");
+                                     leg.name + " (state hash, or the result of its replay)");
     }
     reports[places[i]] = *std::move(report);
   }

@@ -24,8 +24,10 @@ using LegReports = std::vector<statistics::LegReport>;
 // Returns the path inside site/ of the statistics of a record ("records/x.json").
 std::string statistics_file_of(const std::string& record);
 
-// True if the statistics of a record are kept in a form that this program can read.
-bool has_statistics(system::Files& files, const Folder& folder, const std::string& record);
+// Returns the state hash of the leg whose statistics are kept for a record; nothing if this program
+// cannot read them.
+std::optional<std::string> counted_hash(system::Files& files, const Folder& folder,
+                                        const std::string& record);
 
 // The reports of legs, by the path of the record inside the league folder.
 using KnownReports = std::map<std::string, statistics::LegReport>;

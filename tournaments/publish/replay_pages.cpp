@@ -2,18 +2,22 @@
 #include "tournaments/publish/replay_pages.hpp"
 
 #include "record/json_reader.hpp"
+#include "record/match_record.hpp"
 #include "system/process_set.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/kept_program.hpp"
+#include "tournaments/league/schedule_growth.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/site.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace mirocup::league {
 
@@ -40,13 +44,36 @@ bool is_pruned(const LeagueState& state, const FixtureState& f) {
   return state.pruned_nights.contains(f.fixture.round);
 }
 
+// True if a record or its replay was changed after its statistics were made.
+bool has_changed(const Folder& folder, const std::string& record) {
+  namespace fs = std::filesystem;
+  const auto time_of = [](const std::string& path) {
+    std::error_code unknown;
+    return fs::last_write_time(path, unknown);
+  };
+  const auto made = time_of(folder.site() + "/" + statistics_file_of(record));
+  const std::string path = folder.path + "/" + record;
+  return time_of(path) > made || time_of(record::replay_path_of(path)) > made;
+}
+
+// True if the statistics that are kept for a record are of the leg that the journal has, as far as
+// they can be read and the leg counts.
+bool are_of_its_leg(system::Files& files, const Folder& folder, const FixtureState& f,
+                    const std::string& record) {
+  const auto hash = counted_hash(files, folder, record);
+  return std::none_of(f.legs.begin(), f.legs.end(), [&](const LegState& leg) {
+    return hash && leg.played && leg.played->record == record && leg.played->state_hash != *hash;
+  });
+}
+
 // True if the page of a record is there with statistics that can be read. Statistics of an earlier
 // version that cannot be read any more are not made again by the same program. Of a pruned leg the
 // statistics are enough.
 bool has_page(system::Files& files, const Folder& folder, MatchServers& servers,
-              const std::string& record, bool is_pruned) {
+              const FixtureState& f, const std::string& record, bool is_pruned) {
   if (!is_pruned && !files.exists(folder.site() + "/" + replay_page_of(record))) return false;
-  if (has_statistics(files, folder, record)) return true;
+  if (has_changed(folder, record) || !are_of_its_leg(files, folder, f, record)) return false;
+  if (counted_hash(files, folder, record)) return true;
   return files.exists(folder.site() + "/" + statistics_file_of(record)) &&
          servers.of_record(record).words != servers.own().words;
 }
@@ -109,7 +136,7 @@ Result<std::vector<MissingPage>> missing_pages(system::Files& files, const Folde
   std::vector<MissingPage> missing;
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
-      if (has_page(files, folder, servers, record, is_pruned(state, f))) continue;
+      if (has_page(files, folder, servers, f, record, is_pruned(state, f))) continue;
       // Its program, which may be of an earlier version, does not look at what is there.
       for (const auto& name :
            {replay_page_of(record), commands_file_of(record), statistics_file_of(record)})
@@ -158,6 +185,10 @@ Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folde
     if (!exit) return fail(Errc::interrupted, "interrupted while making replay pages");
     if (exit->code == exit_yes && exit->signal == 0) continue;
     const auto page = static_cast<std::size_t>(exit->tag);
+    if (exit->code == exit_no && exit->signal == 0) {
+      failed.refused.insert(missing[page].record);
+      continue;
+    }
     if (++attempts[page] < missing[page].programs.size()) {
       again.push_back(page);
     } else {
@@ -214,6 +245,34 @@ Result<void> remove_other_pages(system::Files& files, const Folder& folder,
   return {};
 }
 
+bool is_ruled(const LeagueState& state, const std::string& fixture, int leg) {
+  return std::any_of(state.decisions.begin(), state.decisions.end(), [&](const Decision& d) {
+    const auto* ruled = std::get_if<Ruled>(&d.event);
+    return ruled != nullptr && !d.undone_by && ruled->fixture == fixture && ruled->leg == leg;
+  });
+}
+
+// Takes the legs of these records out of the state, and legs that are not those of the journal.
+// Leaves in `records` those that count: the rest are of void attempts, or a person has decided.
+void take_out(system::Files& files, const Folder& folder, LeagueState& state,
+              std::set<std::string>& records) {
+  std::set<std::string> counting;
+  for (std::size_t i = 0; i < state.fixtures.size(); ++i) {
+    for (int leg = 0; leg < max_legs; ++leg) {
+      FixtureState& f = state.fixtures[i];
+      if (!f.legs[leg].played || f.legs[leg].played->record.empty()) continue;
+      PlayedLeg decided = *f.legs[leg].played;
+      const std::string record = std::exchange(decided.record, "");
+      if (!records.contains(record) && are_of_its_leg(files, folder, f, record)) continue;
+      const bool counts = !is_ruled(state, f.fixture.id(), leg + 1);
+      if (counts) counting.insert(record);
+      f.legs[leg].played = counts ? nullptr : std::make_shared<const PlayedLeg>(decided);
+      ScheduleGrowth(state).fixture_changed(static_cast<int>(i));
+    }
+  }
+  records = counting;
+}
+
 }  // namespace
 
 const FixtureState* fixture_of_record(const LeagueState& state, const std::string& record) {
@@ -238,16 +297,14 @@ std::string commands_file_of(const std::string& record) {
 }
 
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
-                                      const Overview& overview, int jobs,
-                                      const ModuleOfGame& module_of) {
-  MIROCUP_TRY_VOID(remove_other_pages(files, folder, overview.state));
-  const auto failed = make_missing_pages(files, folder, overview.state, jobs, module_of);
+                                      LeagueState& state, int jobs, const ModuleOfGame& module_of) {
+  MIROCUP_TRY_VOID(remove_other_pages(files, folder, state));
+  auto failed = make_missing_pages(files, folder, state, jobs, module_of);
   if (!failed) return failed;
-  // Statistics that were missing came with their pages.
-  if (!overview.state.pruned_nights.empty()) {
-    MIROCUP_TRY_VOID(remove_other_pages(files, folder, overview.state));
-  }
-  MIROCUP_TRY_VOID(link_pages(files, folder, overview));
+  take_out(files, folder, state, failed->refused);
+  // Statistics of pruned nights that were missing came with their pages.
+  MIROCUP_TRY_VOID(remove_other_pages(files, folder, state));
+  MIROCUP_TRY_VOID(link_pages(files, folder, overview(state)));
   return failed;
 }
 

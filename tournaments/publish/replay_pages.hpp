@@ -3,8 +3,8 @@
 // A replay page for every leg that was played. `mirocup replay` makes the pages, several at once.
 // It leaves out measured times, so that a page depends on its record only. Beside each page
 // `mirocup replay` writes the statistics of the leg (league_statistics.hpp), so a leg is simulated
-// again only once. An existing page stays, since records do not change; only its links to the
-// league are renewed.
+// again only once, and a record that differs from its replay gets no page. An existing page stays
+// unless its record was changed after it; only its links to the league are renewed.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
@@ -47,13 +47,15 @@ std::string page_of_record(const LeagueState& state, const std::string& root,
 struct FailedPages {
   std::vector<std::string> records;  // without a page: paths inside the league
   std::set<std::string> reasons;     // sentences: why a kept program was not run
+  std::set<std::string> refused;     // the records of the legs that were taken out
 };
 
 // Makes the missing pages, `jobs` at once (0: one for each processor), and removes pages of pruned
-// nights and of legs that the overview's state lacks. The statistics of pruned nights stay. A page
-// gets a proof if `module_of` has a module of the program that makes the page.
+// nights and of legs that the state lacks. The statistics of pruned nights stay. A page gets a
+// proof if `module_of` has a module of the program that makes the page. Takes each leg whose record
+// differs from its replay out of the state; if a person decided the leg, only the record.
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
-                                      const Overview& overview, int jobs,
+                                      LeagueState& state, int jobs,
                                       const ModuleOfGame& module_of = nullptr);
 
 // Returns the replay page of a record with links to the front page, the round, both teams and the

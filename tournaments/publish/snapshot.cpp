@@ -175,8 +175,11 @@ Result<void> copy_records(system::Files& files, const Folder& from, const League
       for (const std::string& name : {record, record::replay_path_of(record)}) {
         MIROCUP_TRY_VOID(
             files.read(from.path + "/" + name, {.max_size = system::size_limit::replay})
-                .and_then([&](const std::string& bytes) {
-                  return files.write(to.path + "/" + name, bytes);
+                .and_then([&](const std::string& bytes) -> Result<void> {
+                  const std::string copy = to.path + "/" + name;
+                  const auto there = files.read(copy, {.max_size = system::size_limit::replay});
+                  if (there && *there == bytes) return {};  // its page stays, too
+                  return files.write(copy, bytes);
                 }));
         copies.insert(name);
       }

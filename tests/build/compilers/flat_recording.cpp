@@ -109,7 +109,9 @@ void visit(File& file, R& r) {
     f.value(d.team);
     f.value(d.taker);
     f.value(d.robots);
+    f.value(d.parties);
     f.value(d.credit);
+    f.value(d.score);
   });
   file.value(r.outcome.score);
   file.value(r.outcome.played);

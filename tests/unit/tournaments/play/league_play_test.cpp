@@ -297,6 +297,20 @@ TEST(LeagueState, PlaysAVoidedLegAgainUnderANewRecord) {
   EXPECT_EQ(state.played(), 1);
 }
 
+// Catches an attempt that overwrites the record of a void one, and words of a ruling without one.
+TEST(LeagueState, PlaysALegAgainWhoseRecordWasRefused) {
+  LeagueState state = started(file_of(FormatKind::double_round_robin, 2));
+  LegVoided refused{.fixture = "r1-f1", .leg = 1, .attempt = 1, .why = "differs", .by = {}};
+  refused.has_new_seed = true;
+  take(state, refused);
+  const LegState& leg = state.fixtures[0].legs[0];
+  EXPECT_EQ(leg.version, 2) << "the record is evidence";
+  EXPECT_EQ(leg.host_faults, 1);
+  EXPECT_EQ(leg.new_seeds, 1);
+  take(state, leg_result(state, {0, 1}));
+  EXPECT_EQ(leg.played->ruling, "");
+}
+
 TEST(LeagueState, CountsOwnFaultsInARow) {
   LeagueState state = started(file_of(FormatKind::round_robin, 4));
   const auto play = [&state](const std::string& culprit) {
