@@ -10,7 +10,6 @@
 #include "system/number_of.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -188,9 +187,8 @@ std::optional<Column> column_of(const std::string& name) {
     if (!name.starts_with(team)) continue;
     const std::size_t bar = name.find('_');
     if (bar == std::string::npos) return std::nullopt;
-    Column column{team, -1, name.substr(bar + 1)};
-    const std::string digits = name.substr(team.size(), bar - team.size());
-    std::from_chars(digits.data(), digits.data() + digits.size(), column.robot);
+    const auto robot = system::number_of<int>(name.substr(team.size(), bar - team.size()));
+    Column column{team, robot.value_or(-1), name.substr(bar + 1)};
     const bool is_known = column.what == "x" || column.what == "y" || column.what == "heading" ||
                           column.what == "left" || column.what == "right";
     if (column.robot < 0 || column.robot >= max_robots_per_team || !is_known) return std::nullopt;
@@ -266,7 +264,7 @@ Result<Recording> parse_csv(std::string_view text, const std::string& path,
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (fields[i].empty()) continue;
       const auto value = system::number_of<double>(fields[i]);
-      if (!value || !std::isfinite(*value)) {
+      if (!value) {
         error = Error{Errc::input, where + "\"" + fields[i].substr(0, 40) + "\" is no number"};
         return false;
       }

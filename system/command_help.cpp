@@ -20,7 +20,7 @@ namespace {
 // The names that CLI11 gives to values whose option does not say one.
 constexpr std::array<std::string_view, 5> nameless{"TEXT", "INT", "UINT", "FLOAT", "BOOLEAN"};
 
-// "LEAGUE:{small,middle,large}" has the values of the option, "N:INT in [1 - 10]" their range.
+// "LEAGUE:{small,middle,large}" has the values of the option, "N:NUMBER in [1 - 10]" their range.
 std::string bounded(const std::string& type, std::string_view open, std::string_view close) {
   const std::size_t begin = type.find(open);
   const std::size_t end = type.find(close, begin == std::string::npos ? 0 : begin);
@@ -266,8 +266,7 @@ complete -c @P@ -f -a '(__@P@_complete)'
 // CLI11 puts a colon before each check, and some names have colons of their own.
 std::string own_value_name(const std::string& type) {
   for (std::size_t at = type.find(':'); at != std::string::npos; at = type.find(':', at + 1)) {
-    for (const char* check : {"{", "[", "(", "INT", "UINT", "FLOAT", "TEXT", "FILE", "DIR", "PATH",
-                              "POSITIVE", "NONNEGATIVE", "NUMBER", "SEED"}) {
+    for (const char* check : {"{", "NUMBER in", "DIR", "SEED"}) {
       if (type.compare(at + 1, std::strlen(check), check) == 0) return type.substr(0, at);
     }
   }

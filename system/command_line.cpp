@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <iostream>
 #include <numeric>
-#include <sstream>
 #include <vector>
 
 namespace mirocup::system {
@@ -87,55 +86,6 @@ std::string for_example(const CLI::App& command) {
   return example.empty() ? "" : "; for example: " + example;
 }
 
-// Returns what stands between two parts of a text; "" if it has not both.
-std::string between(const std::string& text, std::string_view before, std::string_view after) {
-  const std::size_t begin = text.find(before);
-  const std::size_t end = text.find(after, begin == std::string::npos ? 0 : begin + before.size());
-  if (begin == std::string::npos || end == std::string::npos) return "";
-  return text.substr(begin + before.size(), end - begin - before.size());
-}
-
-// "0.100000" as people write it.
-std::string short_number(std::string number) {
-  if (number.find('.') == std::string::npos) return number;
-  number.erase(number.find_last_not_of('0') + 1);
-  if (number.back() == '.') number.pop_back();
-  return number;
-}
-
-// A value that the option does not take. CLI11 says which, and this says which it takes.
-std::string about_value(const std::string& option, const std::string& text) {
-  const std::string range = text.substr(std::min(text.find(" not in range "), text.size()));
-  if (!range.empty()) {
-    const std::string value = between(text, "Value ", " not in range ");
-    const std::size_t to = range.find(" to ");
-    const std::size_t from = std::string_view(" not in range ").size();
-    // CLI11 writes out the largest double there is.
-    const bool has_end = range.size() - to < 300;
-    if (!has_end) {
-      return option + " " + value + ": a number of at least " +
-             short_number(range.substr(from, to - from)) + " is expected";
-    }
-    const std::size_t other = range.find(") OR (");  // a range or some words
-    const std::size_t end = other == std::string::npos ? range.size() : other;
-    const std::string word = between(range, "{", "}");
-    return option + " " + value + ": a number from " + short_number(range.substr(from, to - from)) +
-           " to " + short_number(range.substr(to + 4, end - to - 4)) +
-           (word.empty() ? "" : " or " + word) + " is expected";
-  }
-  const std::string set = between(text, "{", "}");
-  const std::string value = between(text, option + ": ", " not in ");
-  if (set.empty()) return text;
-  std::vector<std::string> values;
-  std::istringstream rest(set);
-  for (std::string one; std::getline(rest, one, ',');) values.push_back(one);
-  std::string list;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    list += (i == 0 ? "" : i + 1 == values.size() ? " or " : ", ") + values[i];
-  return option + " " + value + ": " + list + " is expected" +
-         or_meant(closest_word(value, values));
-}
-
 // Returns a sentence that says what to type.
 std::string sentence_of(const CLI::App& command, const CLI::ParseError& error) {
   const std::string text = error.what();
@@ -171,7 +121,8 @@ std::string sentence_of(const CLI::App& command, const CLI::ParseError& error) {
     const std::size_t middle = text.find(" requires ");
     return text.substr(0, middle) + " works only together with " + text.substr(middle + 10);
   }
-  return kind == "ValidationError" ? about_value(option, text) : text;
+  if (kind == "ValidationError") return option + text.substr(option.size() + 2);
+  return text;
 }
 
 int explain(const CLI::App& app, const CLI::ParseError& error) {

@@ -2,12 +2,43 @@
 #include "system/commands.hpp"
 
 #include "system/command_line.hpp"
+#include "system/number_of.hpp"
+#include "system/text.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 
 namespace mirocup::system {
+
+namespace {
+
+template <class Number>
+std::string number_text(Number number) {
+  return system::formatted("%.10g", static_cast<double>(number));
+}
+
+// What a check says follows the name of the option.
+template <class Number>
+CLI::Validator range(Number low, Number high, const std::string& word = "") {
+  const bool has_end = high < std::numeric_limits<Number>::max();
+  const std::string expected = (has_end ? "from " + number_text(low) + " to " + number_text(high)
+                                        : "of at least " + number_text(low)) +
+                               (word.empty() ? "" : " or " + word);
+  const auto problem = [=](const std::string& text) {
+    const auto number = number_of<Number>(text);
+    const bool is_good = number ? *number >= low && *number <= high : !word.empty() && text == word;
+    return is_good ? "" : " " + text + ": a number " + expected + " is expected";
+  };
+  const std::string words = word.empty() ? "" : " OR {" + word + "}";
+  return {problem, has_end
+                       ? "NUMBER in [" + number_text(low) + " - " + number_text(high) + "]" + words
+                       : ""};
+}
+
+}  // namespace
 
 Option Option::named(const std::string& value) const {
   option_->type_name(value);
@@ -25,38 +56,40 @@ Option Option::shows_default() const {
 }
 
 Option Option::between(int low, int high) const {
-  option_->check(CLI::Range(low, high));
+  option_->check(range(low, high));
   return *this;
 }
 
 Option Option::between(double low, double high) const {
-  option_->check(CLI::Range(low, high));
+  option_->check(range(low, high));
   return *this;
 }
 
 Option Option::between_or(int low, int high, const std::string& word) const {
-  option_->check(CLI::Range(low, high) | CLI::IsMember({word}));
-  return *this;
-}
-
-Option Option::at_least_0() const {
-  option_->check(CLI::NonNegativeNumber);
+  option_->check(range(low, high, word));
   return *this;
 }
 
 Option Option::one_of(const std::vector<std::string>& words) const {
-  option_->check(CLI::IsMember(words));
-  return *this;
-}
-
-Option Option::one_of_numbers(const std::vector<int>& numbers) const {
-  option_->check(CLI::IsMember(numbers));
+  const auto problem = [words](const std::string& text) -> std::string {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return "";
+    std::string list = joined(words, ", ");
+    if (const std::size_t last = list.rfind(", "); last != std::string::npos)
+      list.replace(last, 2, " or ");
+    const std::string meant = closest_word(text, words);
+    return " " + text + ": " + list + " is expected" +
+           (meant.empty() ? "" : "; did you mean " + meant + "?");
+  };
+  option_->check(CLI::Validator(problem, "{" + joined(words, ",") + "}"));
   return *this;
 }
 
 Option Option::checked(const std::string& value, std::string (*problem)(const std::string&)) const {
-  option_->check(
-      CLI::Validator([problem](const std::string& text) { return problem(text); }, value));
+  const auto check = [problem](const std::string& text) {
+    const std::string why = problem(text);
+    return why.empty() ? "" : ": " + why;
+  };
+  option_->check(CLI::Validator(check, value));
   return *this;
 }
 
@@ -95,7 +128,19 @@ Option Option::hidden() const {
 
 template <class T>
 Option Command::option(const std::string& names, T& value, const std::string& help) const {
-  return Option(app_->add_option(names, value, help));
+  using Number = typename decltype(std::optional(value))::value_type;
+  if constexpr (std::is_arithmetic_v<Number>) {
+    // The library's own conversion takes "nan", "0x1p3", " 5", "true", and "010" for 8.
+    const auto read = [&value](const CLI::results_t& words) {
+      const auto number = number_of<Number>(words.front());
+      if (number) value = *number;
+      return number.has_value();
+    };
+    const auto default_text = [&value] { return number_text(std::optional(value).value_or(0)); };
+    return Option(app_->add_option(names, read, help, false, default_text)->type_name("FLOAT"));
+  } else {
+    return Option(app_->add_option(names, value, help));
+  }
 }
 
 template Option Command::option(const std::string&, std::string&, const std::string&) const;

@@ -34,13 +34,11 @@ class Option {
   Option required() const;
   Option shows_default() const;
 
-  // Sets the range of accepted values; other values are wrong usage.
+  // Sets the range of accepted values; other values, NaN among them, are wrong usage.
   Option between(int low, int high) const;
   Option between(double low, double high) const;
   Option between_or(int low, int high, const std::string& word) const;
-  Option at_least_0() const;
   Option one_of(const std::vector<std::string>& words) const;
-  Option one_of_numbers(const std::vector<int>& numbers) const;
   Option is_a_seed() const;  // an integer of 64 bits
   // Sets the value's name in the help and its check: `problem` returns why a text is wrong, or "".
   Option checked(const std::string& value, std::string (*problem)(const std::string&)) const;
@@ -66,7 +64,7 @@ class Command {
 
   // Adds an option "-o,--output", or an argument "FILE". `value` is its default and gets the typed
   // value. T: std::string, an integer, double, a std::optional of one of these, or a list of
-  // std::string.
+  // std::string. A number is written as number_of() reads it.
   template <class T>
   Option option(const std::string& names, T& value, const std::string& help = "") const;
   // Adds an option whose value may be missing: then `value` becomes "".

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cmath>
 #include <concepts>
 #include <cstdlib>
 #include <optional>
@@ -17,12 +18,13 @@ template <class Number, class... Format>
 std::optional<Number> whole_number(std::string_view text, Format... format) {
   Number number{};
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number, format...);
-  const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
+  const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size() &&
+                         std::isfinite(static_cast<double>(number));
   return is_number ? std::optional(number) : std::nullopt;
 }
 
 // Returns the number that the whole text spells. Returns nothing for any other text, also with a
-// '+' or spaces, and for a number that is out of the range of its type.
+// '+' or spaces, for NaN and infinity, and for a number that is out of the range of its type.
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
   return whole_number<Number>(text);
@@ -37,7 +39,7 @@ inline std::optional<double> number_of<double>(std::string_view text) {
   if (copy.empty() || copy.front() == '+' || has_other_signs) return std::nullopt;
   char* end = nullptr;
   const double number = std::strtod(copy.c_str(), &end);
-  return *end == '\0' ? std::optional(number) : std::nullopt;
+  return *end == '\0' && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 #endif
 

@@ -337,7 +337,7 @@ void add_show(system::Commands& commands) {
                  "Round: r3, or k1 of a knockout (default: the last round that was played)");
   command.option("--at", o.at, "Where to listen (default: this host only, any free port)");
   command.option("--at-once", o.at_once, "Number of legs side by side: 1, 2 or 4")
-      .one_of_numbers({1, 2, 4});
+      .one_of({"1", "2", "4"});
 }
 
 }  // namespace mirocup::league

@@ -5,6 +5,7 @@
 #include "programs/league/commands.hpp"
 #include "programs/league/progress_bar.hpp"
 #include "record/json_reader.hpp"
+#include "system/number_of.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
 #include "tournaments/play/comparison_run.hpp"
@@ -58,13 +59,11 @@ std::string rounded(double number) {
 Result<TunedParameter> parameter_of(const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::size_t colon = text.find(':', equals == std::string::npos ? 0 : equals);
-  TunedParameter p;
-  char end = 0;
-  if (equals != std::string::npos && equals > 0 && colon != std::string::npos &&
-      std::sscanf(text.c_str() + equals + 1, "%lf:%lf%c", &p.low, &p.high, &end) == 2 &&
-      std::isfinite(p.low) && std::isfinite(p.high) && p.low < p.high) {
-    p.name = text.substr(0, equals);
-    return p;
+  if (equals != std::string::npos && equals > 0 && colon != std::string::npos) {
+    const auto low = system::number_of<double>(text.substr(equals + 1, colon - equals - 1));
+    const auto high = system::number_of<double>(text.substr(colon + 1));
+    if (low && high && *low < *high)
+      return TunedParameter{.name = text.substr(0, equals), .low = *low, .high = *high};
   }
   return fail(Errc::input,
               "--param " + text + ": KEY=LOW:HIGH is expected, with LOW less than HIGH");

@@ -88,20 +88,14 @@ std::vector<std::string> ffmpeg_command(const std::string& folder, double period
   return command;
 }
 
-bool read_seconds(std::string_view text, double& seconds) {
-  const auto read = system::number_of<double>(text);
-  seconds = read.value_or(-1.0);
-  return seconds >= 0.0;
-}
-
 }  // namespace
 
 Result<ClipSpan> parse_clip(const std::string& text) {
   const std::size_t colon = text.find(':');
-  ClipSpan span;
   const std::string_view all(text);
-  if (colon == std::string::npos || !read_seconds(all.substr(0, colon), span.from) ||
-      !read_seconds(all.substr(colon + 1), span.to)) {
+  const ClipSpan span{.from = system::number_of<double>(all.substr(0, colon)).value_or(-1.0),
+                      .to = system::number_of<double>(all.substr(colon + 1)).value_or(-1.0)};
+  if (colon == std::string::npos || span.from < 0.0 || span.to < 0.0) {
     return fail(
         Errc::input,
         "--clip " + text + ": two times in seconds are expected, as 12:18.5 for 12 s to 18.5 s");

@@ -25,6 +25,7 @@ Add add_match, add_drill, add_check, add_compile, add_hand_in, add_join, add_new
     add_validate, add_scene, add_referee, add_completion;
 
 // Options of several subcommands.
+inline constexpr double longest_wait_s = 1e6;  // for a team or a match
 void add_dds_domain(const system::Command& command, int& domain);
 // Adds an option KEY=VALUE for the parameters of a team, which the help calls `whose`: "the team".
 void add_parameters(const system::Command& command, const char* option,

@@ -246,8 +246,12 @@ void add_join(system::Commands& commands) {
       .required();
   command.option("--server", o.server, "Host on which the match runs").shows_default();
   add_dds_domain(command, o.dds_domain);
-  command.option("--join-within", o.join_within, "Seconds to wait for the match").shows_default();
-  command.option("--patience", o.join_within, "The older name of --join-within").hidden();
+  command.option("--join-within", o.join_within, "Seconds to wait for the match")
+      .between(0.0, longest_wait_s)
+      .shows_default();
+  command.option("--patience", o.join_within, "The older name of --join-within")
+      .between(0.0, longest_wait_s)
+      .hidden();
   command
       .option("--credentials", o.credentials,
               "Folder with the team's credentials, for a match that asks for them")

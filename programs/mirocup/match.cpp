@@ -14,15 +14,16 @@
 #include "record/team_parameters_json.hpp"
 #include "record/thoughts_file.hpp"
 #include "server/session.hpp"
+#include "system/number_of.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <optional>
 
 namespace mirocup::app {
@@ -121,12 +122,10 @@ Result<std::optional<double>> factor_of(const MatchOptions& options) {
       options.watch.has_value() || (any_firasim && !options.session.network.lockstep);
   if (speed.empty() && by_the_clock) return std::optional<double>(1.0);
   if (speed.empty() || speed == "max") return std::optional<double>();
-  char* end = nullptr;
-  const double factor = std::strtod(speed.c_str(), &end);
-  if (end == speed.c_str() || *end != '\0' || !(factor > 0.0) || factor > 1e6) {
+  const auto factor = system::number_of<double>(speed);
+  if (!factor || *factor <= 0.0 || *factor > 1e6)
     return fail(Errc::input, "--speed " + speed + ": \"max\" or a number above 0 is expected");
-  }
-  return std::optional<double>(factor);
+  return factor;
 }
 
 // Gives the teams their parameters, which a team on the network gets from its own program.
@@ -409,7 +408,7 @@ void add_match(system::Commands& commands) {
                                   .excludes(start);
   const system::Option tick =
       command.option("--tick", o.tick, "Tick of the record at which to continue")
-          .at_least_0()
+          .between(0, std::numeric_limits<int>::max())
           .needs(from);
   from.needs(tick);
   command
@@ -497,10 +496,13 @@ void add_match(system::Commands& commands) {
   command
       .option("--join-within", network.join_within,
               "Seconds that a team on the network has to join the match")
+      .between(0.0, longest_wait_s)
       .shows_default();
-  command.option("--away-limit", network.away_limit,
-                 "Seconds that a DDS team may be absent in total, or a firasim team may be silent "
-                 "(default: 10; 30 for a firasim team with --lockstep or --speed max)");
+  command
+      .option("--away-limit", network.away_limit,
+              "Seconds that a DDS team may be absent in total, or a firasim team may be silent "
+              "(default: 10; 30 for a firasim team with --lockstep or --speed max)")
+      .between(0.0, longest_wait_s);
   command
       .option("--credentials", network.credentials,
               "Folder with the server's credentials; then only teams of the league can join")

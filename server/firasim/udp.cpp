@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/firasim/udp.hpp"
 
+#include "system/number_of.hpp"
+
 #include <arpa/inet.h>
 #include <array>
 #include <cerrno>
@@ -79,13 +81,9 @@ Result<Endpoint> parse_endpoint(const std::string& text, const std::string& opti
   if (colon == std::string::npos) return bad();
   in_addr address{};
   if (inet_pton(AF_INET, text.substr(0, colon).c_str(), &address) != 1) return bad();
-  const std::string port = text.substr(colon + 1);
-  if (port.empty() || port.size() > 5 ||
-      port.find_first_not_of("0123456789") != std::string::npos || std::stoi(port) < 1 ||
-      std::stoi(port) > 65535) {
-    return bad();
-  }
-  return Endpoint{ntohl(address.s_addr), static_cast<std::uint16_t>(std::stoi(port))};
+  const auto port = system::number_of<std::uint16_t>(text.substr(colon + 1));
+  if (!port || *port == 0) return bad();
+  return Endpoint{ntohl(address.s_addr), *port};
 }
 
 Result<std::vector<Endpoint>> parse_endpoints(const std::string& text, const std::string& option) {

@@ -2,12 +2,13 @@
 #include "tournaments/league/acts.hpp"
 
 #include "system/file_lock.hpp"
+#include "system/number_of.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/league/submission.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 namespace mirocup::league {
 
@@ -51,14 +52,12 @@ std::string before_in_words(const FixtureState& f, int leg) {
 Result<HomeAway> score_of(const std::string& text) {
   HomeAway score;
   const std::size_t colon = text.find(':');
-  const auto read = [&text](std::size_t begin, std::size_t end, int& number) {
-    while (begin < end && text[begin] == ' ') ++begin;
-    while (end > begin && text[end - 1] == ' ') --end;
-    const auto done = std::from_chars(text.data() + begin, text.data() + end, number);
-    return begin < end && done.ec == std::errc() && done.ptr == text.data() + end && number >= 0;
+  const auto goals = [](const std::string& part) {
+    return system::number_of<int>(system::replaced(part, " ", "")).value_or(-1);
   };
-  if (colon == std::string::npos || !read(0, colon, score.home) ||
-      !read(colon + 1, text.size(), score.away))
+  if (colon != std::string::npos)
+    score = {goals(text.substr(0, colon)), goals(text.substr(colon + 1))};
+  if (colon == std::string::npos || std::min(score.home, score.away) < 0)
     return fail(Errc::input, text + " is no score: HOME:AWAY is expected, as in 2:1");
   if (std::max(score.home, score.away) > max_ruled_goals) {
     return fail(Errc::input, text + ": a ruling gives each team at most " +

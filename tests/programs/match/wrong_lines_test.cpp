@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <sstream>
 
 namespace mirocup {
@@ -47,6 +48,46 @@ TEST(WrongLines, AreAnsweredWithOneSentenceThatSaysWhatToType) {
     ++count;
   }
   EXPECT_GE(count, 100);
+}
+
+// Catches an option of any command that takes NaN, infinity or a number that people do not write so.
+TEST(WrongLines, NoOptionTakesForANumberWhatIsNone) {
+  const std::set<std::string> numbers{"SECONDS", "NUMBER", "SEED", "TICK", "MARKS", "MM",
+                                      "DEGREES", "SHARE",  "ELO",  "DAYS", "NIGHT", "K|auto"};
+  const auto between = [](const std::string& text, const std::string& begin) {
+    const std::size_t at = text.find(begin);
+    if (at == std::string::npos) return std::string();
+    const std::size_t from = at + begin.size();
+    std::string part = text.substr(from, text.find("\\fR", from) - from);
+    std::erase(part, '\\');
+    return part;
+  };
+  const test_support::TemporaryFolder folder;
+  for (const char* name : {"mirocup", "mirocup-league"})
+    EXPECT_EQ(test_support::run({test_support::program(name), "man", folder / ""}).exit_code, 0);
+  int options = 0;
+  for (const auto& page : std::filesystem::directory_iterator(folder / "")) {
+    std::string command = page.path().stem().string();
+    const bool is_of_league = command.starts_with("mirocup-league-");
+    command.erase(0, std::string(is_of_league ? "mirocup-league-" : "mirocup-").size());
+    std::istringstream lines(test_support::read_file(page.path()));
+    for (std::string line; std::getline(lines, line);) {
+      std::string option = between(line, "\\fB");
+      if (!line.starts_with("\\fB") || !numbers.contains(between(line, "\\fI"))) continue;
+      option.erase(0, option.find("--"));
+      ++options;
+      for (const char* wrong : {"nan", "-inf", "1e999", "0x1p3", " 5"}) {
+        std::vector<std::string> words{test_support::program("mirocup")};
+        if (is_of_league) words.emplace_back("league");
+        words.insert(words.end(), {command, option + "=" + wrong});
+        const auto told = test_support::run(words);
+        EXPECT_EQ(told.exit_code, 2) << command << ' ' << option << ' ' << wrong;
+        EXPECT_NE(told.err.find(": " + option), std::string::npos) << command << ' ' << told.err;
+        EXPECT_EQ(told.err.find("missing"), std::string::npos) << command << ' ' << told.err;
+      }
+    }
+  }
+  EXPECT_GE(options, 35);
 }
 
 // Catches the help of a whole program where that of one of its commands was asked for.

@@ -15,6 +15,15 @@ TEST(NumberOf, TakesTheWholeText) {
   }
 }
 
+// Catches NaN, which every comparison with a limit lets pass.
+TEST(NumberOf, IsFinite) {
+  EXPECT_EQ(number_of<double>("1e308"), 1e308);
+  for (const char* text : {"nan", "-nan", "nan(3)", "NAN", "inf", "-inf", "infinity", "1e999",
+                           "-1e999", "0x1p3", " 5", "5 ", "+5", "1e", ""}) {
+    EXPECT_EQ(number_of<double>(text), std::nullopt) << text;
+  }
+}
+
 TEST(NumberOf, ReadsHexadecimalDigits) {
   EXPECT_EQ(hexadecimal_of<unsigned>("00fF"), 255u);
   for (const char* text : {"", "0x1", "-1", "fg", "100000000"}) {
