@@ -35,8 +35,9 @@ class TimeZone {
  public:
   TimeZone() = default;  // UTC
 
-  // Finds a zone by its name, "Europe/Berlin". Errors: Errc::input if the computer has no zone of
-  // that name.
+  // Finds a zone by its name, "Europe/Berlin", with its changes of 150 years from 1970 on. Errors:
+  // Errc::input if the computer has no zone of that name. The first call with a name changes the
+  // environment for a moment, so call it before there are threads that read the environment.
   static Result<TimeZone> find(const std::string& name);
 
   // Returns the seconds by which local time is ahead of UTC at `time`, and the name of that offset:
@@ -44,6 +45,7 @@ class TimeZone {
   struct Offset {
     int seconds = 0;
     std::string name = "UTC";
+    bool operator==(const Offset&) const = default;
   };
   Offset at(std::int64_t time) const;
 
@@ -61,6 +63,7 @@ class TimeZone {
 
  private:
   struct Table;
+  static std::shared_ptr<const Table> table_of(const std::string& path);
   std::shared_ptr<const Table> table_;  // null: UTC
 };
 

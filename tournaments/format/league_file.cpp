@@ -212,11 +212,7 @@ match::Conditions default_conditions() {
 }
 
 bool is_time(const std::string& text) {
-  const std::string pattern = "dddd-dd-ddTdd:dd:ddZ";
-  return text.size() == pattern.size() &&
-         std::equal(text.begin(), text.end(), pattern.begin(), [](char c, char expected) {
-           return expected == 'd' ? c >= '0' && c <= '9' : c == expected;
-         });
+  return text.ends_with('Z') && system::parse_time(text);
 }
 
 std::string utc_text(std::int64_t at) {

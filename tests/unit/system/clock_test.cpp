@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // Times in UTC and in zones. Catches an offset that is added where it must be taken off, a day that
-// no calendar has, a summer time that begins on another day, a zone that is read from another
-// folder.
+// no calendar has, a summer time that begins on another day or ends with the last change that a
+// file of the database lists, a zone that is read from another folder.
 #include "system/clock.hpp"
 
 #include "tests/support/is_ok.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cstdlib>
 
 namespace mirocup::system {
 namespace {
@@ -27,7 +29,10 @@ TEST(Time, IsReadWithAnyOffset) {
   EXPECT_EQ(utc_text(utc("2024-02-29T23:59:59Z")), "2024-02-29T23:59:59Z");
   for (const char* bad :
        {"", "2026-02-29T00:00:00Z", "2026-13-01T00:00:00Z", "2026-11-30 18:00:00Z",
-        "2026-11-30T24:00:00Z", "2026-11-30T18:00:00z", "2026-11-30T18:00:00+1:00", "2026-11-30"})
+        "2026-11-30T24:00:00Z", "2026-11-30T18:00:00z", "2026-11-30T18:00:00+1:00", "2026-11-30",
+        "2026-11-31T18:00:00Z", "2026-1-30T018:00:00Z", "2026-11-30T 8:00:00Z",
+        "1969-11-30T18:00:00Z", "2026-11-30T18:00:60Z", "2026-11-30T18:00:00+15:00",
+        "2026-11-30T18:00:00 01:00", "2026-11-30T18:00:00+01:0", "2026-11-30T18:00:00+01:00Z"})
     EXPECT_FALSE(parse_time(bad)) << bad;
 }
 
@@ -67,8 +72,27 @@ TEST(Zone, KnowsHoursThatDoNotExist) {
   EXPECT_EQ(day->second, utc("2011-12-31T00:00:00"));
 }
 
+TEST(Zone, FollowsTheRuleBehindTheLastChangeOfItsFile) {
+  const auto berlin = TimeZone::find("Europe/Berlin");
+  ASSERT_TRUE(berlin);
+  EXPECT_EQ(berlin->text(utc("2061-07-01T18:00:00Z")), "2061-07-01 20:00 CEST");
+  EXPECT_EQ(berlin->text(utc("2061-11-30T18:00:00Z")), "2061-11-30 19:00 CET");
+}
+
+// Catches a process and its children that live in the zone of a league from then on.
+TEST(Zone, LeavesTheEnvironmentAsItWas) {
+  unsetenv("TZ");
+  ASSERT_TRUE(TimeZone::find("Asia/Kathmandu"));
+  EXPECT_EQ(std::getenv("TZ"), nullptr);
+  setenv("TZ", "UTC", 1);
+  ASSERT_TRUE(TimeZone::find("Asia/Tokyo"));
+  EXPECT_STREQ(std::getenv("TZ"), "UTC");
+  unsetenv("TZ");
+}
+
 TEST(Zone, IsNoPath) {
-  for (const char* bad : {"", "../../../etc/passwd", "/etc/localtime", "Europe", "Nowhere/Land"})
+  for (const char* bad :
+       {"", "../../../etc/passwd", "/etc/localtime", "Europe", "Nowhere/Land", "zone.tab"})
     EXPECT_FALSE(TimeZone::find(bad)) << bad;
 }
 
