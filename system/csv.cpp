@@ -125,10 +125,16 @@ Result<CsvTable> read_csv(std::string_view bytes) {
     at = std::min(text.find_first_of("\r\n"), text.size());
   }
   CsvRow row{.line = line, .cells = {""}};
-  const auto end_cell = [&row] { row.cells.back() = without_blanks(row.cells.back()); };
+  bool is_blank = true;  // the cell, up to here
+  const auto end_cell = [&] {
+    row.cells.back() = without_blanks(row.cells.back());
+    is_blank = true;
+  };
   const auto end_row = [&] {
     end_cell();
-    if (row.cells != std::vector<std::string>(row.cells.size())) table.rows.push_back(row);
+    const bool is_empty = std::all_of(row.cells.begin(), row.cells.end(),
+                                      [](const std::string& cell) { return cell.empty(); });
+    if (!is_empty) table.rows.push_back(std::move(row));
   };
   bool is_quoted = false;
   for (; at < text.size(); ++at) {
@@ -151,11 +157,15 @@ Result<CsvTable> read_csv(std::string_view bytes) {
     } else if (c == separator) {
       end_cell();
       row.cells.emplace_back();
-    } else if (c == '"' && without_blanks(cell).empty()) {
+    } else if (c == '"' && is_blank) {
       is_quoted = true;
     } else {
       cell += c;
     }
+    // In UTF-8, each of the two last bytes is of a no-break space, or beside a byte of a letter.
+    constexpr std::string_view blanks = " \t\n\xc2\xa0";
+    const std::string& now = row.cells.back();
+    is_blank = is_blank && (now.empty() || blanks.find(now.back()) != std::string_view::npos);
   }
   if (is_quoted) {
     return fail(Errc::input, "line " + std::to_string(row.line) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/drill_report.hpp"
 
+#include "system/csv.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
 #include "web/design/template.hpp"
@@ -45,14 +46,6 @@ Json json_of(const DrillReport& report) {
                       {"failed_seeds", failed_seeds(report.tries[i])}});
   }
   return {{"team", report.team}, {"drills", drills}, {"score", to_a_tenth(report.score())}};
-}
-
-// A field of CSV (RFC 4180).
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
 }
 
 // The faults of a team, each once.
@@ -115,23 +108,26 @@ Json json_of(const std::vector<DrillReport>& reports) {
 }
 
 std::string csv_of(const std::vector<DrillReport>& reports) {
-  std::string text = "team,drill,score,low,high,tries,failed_seeds,version\n";
+  using system::csv_line;
+  std::string text =
+      csv_line({"team", "drill", "score", "low", "high", "tries", "failed_seeds", "version"});
   for (const DrillReport& report : reports) {
     std::size_t tries = 0;
     for (std::size_t i = 0; i < report.drills.size(); ++i) {
       const Score score = score_of(report.tries[i]);
       tries += report.tries[i].size();
-      text += csv_field(report.team) + "," + csv_field(report.drills[i]->name) +
-              formatted(",%.1f,%.1f,%.1f,%zu,", score.value, score.low, score.high,
-                        report.tries[i].size());
       std::string seeds;
-      for (const std::uint64_t seed : failed_seeds(report.tries[i])) {
+      for (const std::uint64_t seed : failed_seeds(report.tries[i]))
         seeds += (seeds.empty() ? "" : " ") + std::to_string(seed);
-      }
-      text += seeds + "," + std::to_string(report.drills[i]->version) + "\n";
+      text += csv_line({report.team, report.drills[i]->name, formatted("%.1f", score.value),
+                        formatted("%.1f", score.low), formatted("%.1f", score.high),
+                        std::to_string(report.tries[i].size()), seeds,
+                        std::to_string(report.drills[i]->version)});
     }
-    text += csv_field(report.team) + formatted(",all,%.1f,,,%zu,,\n", report.score(), tries);
+    text += csv_line({report.team, "all", formatted("%.1f", report.score()), "", "",
+                      std::to_string(tries), "", ""});
   }
+  std::erase(text, '\r');
   return text;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/old_text.hpp"
 
+#include "system/printable.hpp"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -44,18 +46,6 @@ std::string from_utf16(const std::string& text, std::size_t low) {
   return out;
 }
 
-bool is_utf8(const std::string& text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const std::uint8_t c = byte_at(text, i++);
-    int more = c < 0x80 ? 0 : c >= 0xc2 && c < 0xe0 ? 1 : c >= 0xe0 && c < 0xf0 ? 2 : 3;
-    if (more == 3 && (c < 0xf0 || c > 0xf4)) return false;
-    for (; more > 0; --more) {
-      if ((byte_at(text, i++) & 0xc0) != 0x80) return false;
-    }
-  }
-  return true;
-}
-
 bool is_lead(std::uint8_t c) {
   return c >= 0x81 && c <= 0xfe;
 }
@@ -63,7 +53,7 @@ bool is_lead(std::uint8_t c) {
 // In GBK nearly all second bytes of Chinese text are above 127, in Latin-1 hardly a letter with an
 // accent stands beside another one.
 bool is_gbk(const std::string& text) {
-  if (is_utf8(text)) return false;
+  if (system::is_utf8(text)) return false;
   std::size_t high = 0, all = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!is_lead(byte_at(text, i))) continue;

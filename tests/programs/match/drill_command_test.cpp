@@ -105,6 +105,15 @@ TEST(DrillCommand, GradesSeveralTeamsIntoOneCsvEvenIfOneDies) {
   EXPECT_EQ(rows[3].rfind("gives up,mine,0.0,", 0), 0u) << rows[3];
 }
 
+// Catches a name of a team that becomes a formula in the computer of whoever grades.
+TEST(DrillCommand, WritesNoFormulaIntoCsv) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "mine.json") << own_drill;
+  const Outcome tried = drill({folder / "mine.json", "+x=idle", "--tries", "1", "--csv"});
+  EXPECT_NE(tried.out.find("\n'+x,mine,"), std::string::npos) << tried.out << tried.err;
+  EXPECT_EQ(tried.out.find('\r'), std::string::npos);
+}
+
 // The library of each project of `mirocup new` is team.so. Catches reports and replays that are
 // named after the file, and a name on the command line that gives way to the library's own.
 TEST(DrillCommand, CallsATeamAsItCallsItself) {

@@ -28,6 +28,25 @@ TEST(Csv, ReadsWhatSpreadsheetsWrite) {
   EXPECT_EQ(lines->rows[2].line, 6);
 }
 
+// Catches a cell that is looked through again for each of its quotation marks, which takes minutes.
+TEST(Csv, TakesQuotationMarksForLettersInABareCell) {
+  const std::size_t many = std::size_t{2} << 20;
+  std::string blanks;
+  for (std::size_t i = 0; i < many / 2; ++i) blanks += "\xc2\xa0";
+  for (const std::string& begin :
+       {std::string("a"), std::string(many, ' ') + "a", blanks + "\xc3\xa0"}) {
+    const auto table = read_csv(begin + std::string(many, '"'));
+    ASSERT_TRUE(table);
+    ASSERT_EQ(table->rows.size(), 1u);
+    EXPECT_EQ(table->rows[0].cells.size(), 1u);
+    EXPECT_TRUE(table->rows[0].cells[0].ends_with(std::string(many, '"')));
+  }
+  const auto closed = read_csv(" \xc2\xa0\t\"a\"\"\", \xc2\xa9\"b\"\n\xc2\xa0\"c,\"");
+  ASSERT_TRUE(closed);
+  EXPECT_EQ(closed->rows[0].cells, (Cells{"a\"", "\xc2\xa9\"b\""}));
+  EXPECT_EQ(closed->rows[1].cells, (Cells{"c,"}));
+}
+
 TEST(Csv, ReadsWindows1252) {
   const auto table = read_csv("M\xfcller;\x80;\x81");
   ASSERT_TRUE(table);
@@ -51,8 +70,8 @@ TEST(Csv, RefusesWhatIsNoTable) {
 
 // A name must not become a formula in the computer of whoever grades.
 TEST(Csv, MarksFormulas) {
-  EXPECT_EQ(csv_line({"=1+2", "@SUM(A1)", "-2+3", "+49 170", "\t=1"}),
-            "'=1+2,'@SUM(A1),'-2+3,'+49 170,'\t=1\r\n");
+  EXPECT_EQ(csv_line({"=1+2", "@SUM(A1)", "-2+3", "+49 170", "\t=1", "-inf"}),
+            "'=1+2,'@SUM(A1),'-2+3,'+49 170,'\t=1,'-inf\r\n");
   EXPECT_EQ(csv_line({"-5", "-0.25", "+3", "-", "", "a=b", "-1e3"}), "-5,-0.25,+3,-,,a=b,-1e3\r\n");
 }
 
