@@ -6,7 +6,10 @@
 
 #include <httplib.h>
 
-#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <thread>
 
 namespace mirocup::web {
 
@@ -14,8 +17,10 @@ namespace {
 
 constexpr int connect_seconds = 10;
 constexpr int answer_seconds = 60;
-constexpr std::size_t max_answer = 8u << 20;  // bytes
-constexpr std::size_t part = 64u << 10;       // bytes sent at once
+constexpr std::size_t max_answer = 8u << 20;  // bytes, with headers, also after decompression
+constexpr auto longest_answer = std::chrono::minutes(2);
+constexpr auto watch_interval = std::chrono::milliseconds(10);
+constexpr std::size_t slowest_upload = 32u << 10;  // bytes per second
 
 bool is_url(const std::string& url) {
   const std::size_t begin = url.starts_with("https://") ? 8 : url.starts_with("http://") ? 7 : 0;
@@ -41,20 +46,12 @@ std::string words_of(httplib::Error error) {
   }
 }
 
-DeskReply reply_of(const httplib::Result& result, const std::string& body) {
-  DeskReply reply;
-  if (!result) {
-    reply.error = "the server does not answer: " + words_of(result.error());
-    return reply;
-  }
-  reply.status = result->status;
-  record::ParsedJson parsed = record::parse_json(body);
-  if (!parsed.problem && parsed.value.is_object()) reply.json = std::move(parsed.value);
-  const bool has_error =
-      reply.json.is_object() && reply.json.contains("error") && reply.json["error"].is_string();
-  reply.error = has_error ? reply.json["error"].get<std::string>()
-                          : "the server answers with status " + std::to_string(reply.status);
-  return reply;
+// Returns how many bytes a connection has received.
+std::uint64_t received_by(int socket) {
+  // The 17th word of tcp_info in <linux/tcp.h>, which excludes <netinet/tcp.h> of the library.
+  std::array<std::uint64_t, 17> info{};
+  socklen_t size = sizeof info;
+  return getsockopt(socket, IPPROTO_TCP, TCP_INFO, info.data(), &size) == 0 ? info.back() : 0;
 }
 
 }  // namespace
@@ -62,13 +59,45 @@ DeskReply reply_of(const httplib::Result& result, const std::string& body) {
 struct HandInClient::Impl {
   explicit Impl(const std::string& url) : client(url) {}
 
-  DeskReply get(const std::string& path) {
-    std::string body;
-    const auto result = client.Get(path, headers, [&body](const char* bytes, std::size_t count) {
-      body.append(bytes, count);
-      return body.size() <= max_answer;
+  // Asks once. The library limits neither the headers nor the whole time, so a thread does.
+  DeskReply ask(const char* method, const std::string& path, const std::string& bytes = "") {
+    httplib::Request request;
+    request.method = method;
+    request.path = path;
+    request.headers = headers;
+    request.body = bytes;
+    if (!bytes.empty()) request.headers.emplace("Content-Type", "application/octet-stream");
+    DeskReply reply;
+    request.content_receiver = [&reply](const char* part, std::size_t count, auto, auto) {
+      reply.body.append(part, count);
+      return reply.body.size() <= max_answer;
+    };
+    const auto end = std::chrono::steady_clock::now() + longest_answer +
+                     std::chrono::seconds(bytes.size() / slowest_upload);
+    std::atomic<bool> is_cut = false;
+    std::jthread guard([&](const std::stop_token& is_over) {
+      for (; !is_over.stop_requested(); std::this_thread::sleep_for(watch_interval)) {
+        if (received_by(client.socket()) <= max_answer && std::chrono::steady_clock::now() < end)
+          continue;
+        is_cut = true;
+        client.stop();
+      }
     });
-    return reply_of(result, body);
+    const httplib::Result result = client.send(request);
+    guard.request_stop();
+    guard.join();
+    if (!result) {
+      const bool is_long = is_cut || reply.body.size() > max_answer;
+      reply.error = is_long ? "the server's answer is too long or takes too long"
+                            : "the server does not answer: " + words_of(result.error());
+      return reply;
+    }
+    reply.status = result->status;
+    reply.error = record::text_in(record::parse_json(reply.body).value, "error");
+    reply.is_refused = !reply.error.empty() && reply.status < 500;
+    if (reply.error.empty())
+      reply.error = "the server answers with status " + std::to_string(reply.status);
+    return reply;
   }
 
   httplib::Client client;
@@ -97,31 +126,23 @@ Result<std::unique_ptr<HandInClient>> HandInClient::open(const std::string& url,
 }
 
 DeskReply HandInClient::about() {
-  return impl_->get("/api/v1/team");
+  return impl_->ask("GET", "/api/v1/team");
 }
 
 DeskReply HandInClient::put(const std::string& name, const std::string& bytes) {
-  const auto give = [&bytes](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-    return sink.write(bytes.data() + offset, std::min(length, part));
-  };
-  const auto result =
-      impl_->client.Put("/api/v1/entries?name=" + system::percent_coded(name), impl_->headers,
-                        bytes.size(), give, "application/octet-stream");
-  return reply_of(result, result ? result->body : "");
+  return impl_->ask("PUT", "/api/v1/entries?name=" + system::percent_coded(name), bytes);
 }
 
 DeskReply HandInClient::pin(const std::string& entry) {
-  const auto result = impl_->client.Put("/api/v1/pin?entry=" + system::percent_coded(entry),
-                                        impl_->headers, "", "text/plain");
-  return reply_of(result, result ? result->body : "");
+  return impl_->ask("PUT", "/api/v1/pin?entry=" + system::percent_coded(entry));
 }
 
 DeskReply HandInClient::friendlies() {
-  return impl_->get("/api/v1/friendlies");
+  return impl_->ask("GET", "/api/v1/friendlies");
 }
 
 DeskReply HandInClient::entry(int number) {
-  return impl_->get("/api/v1/entries/" + std::to_string(number));
+  return impl_->ask("GET", "/api/v1/entries/" + std::to_string(number));
 }
 
 }  // namespace mirocup::web

@@ -6,24 +6,23 @@
 
 #include "core/base/error.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <memory>
 #include <string>
 
 namespace mirocup::web {
 
-using Json = nlohmann::ordered_json;
-
 // The answer of the server.
 struct DeskReply {
-  int status = 0;  // 0: no server has answered
-  Json json;       // null if the reply is not a JSON object
-  // The text of the key "error" in `json`. Without this key: a sentence with the status or, if no
+  int status = 0;    // 0: no server has answered
+  std::string body;  // at most 8 MiB
+  // The text of the key "error" in `body`. Without this key: a sentence with the status or, if no
   // server has answered, with the reason.
   std::string error;
+  bool is_refused = false;  // by a league, which says why in `error`
 };
 
+// A server's answer is cut off at 8 MiB, and after two minutes and the time for which a file is
+// sent at 32 KiB/s; then no server has answered.
 class HandInClient {
  public:
   // `url` is the address of the league, "https://host:8443". `authority` is a file with the

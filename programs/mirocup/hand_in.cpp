@@ -10,6 +10,7 @@
 #include "web/hand_in_client.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <iostream>
 #include <sys/stat.h>
@@ -30,46 +31,76 @@ struct HandInOptions {
 };
 
 using namespace std::chrono_literals;
-using record::text_in;
+using record::JsonReader;
 using web::DeskReply;
-using web::Json;
 
-constexpr auto shortest_pause = 500ms;  // between two questions
-constexpr auto pause_for_each = 100ms;  // check that comes before
+constexpr auto shortest_pause = 1000ms;  // between two questions
+constexpr auto pause_for_each = 100ms;   // check that comes before
 constexpr auto longest_pause = 10'000ms;
 constexpr auto patience = 120s;                 // with a server that does not answer
 constexpr std::uint64_t max_token_file = 4096;  // bytes
+constexpr int max_entries = 1'000'000;
 
-int number_in(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number_integer() ? found->get<int>() : 0;
+// The state of an entry, as the server tells it.
+struct Report {
+  std::string state;
+  bool is_final = false;
+  std::string text;  // for the user; of a final state, the whole answer in lines
+  std::chrono::milliseconds pause = shortest_pause;  // until the next question
+  std::string json;
+};
+
+// Returns the text at a key; "" if it is missing or null.
+std::string text_at(const JsonReader& json, const char* key) {
+  const auto found = json.find(key);
+  return found ? found->text() : "";
 }
 
-std::string state_in_words(const Json& report) {
-  const std::string state = text_in(report, "state");
-  if (state == "queued") {
-    const int before = number_in(report, "before");
-    return before == 0 ? "queued, the next" : "queued, " + std::to_string(before) + " before it";
+std::string answer_in_words(const JsonReader& json) {
+  const auto told = json.find("told");
+  const auto notes = json.find("notes");
+  std::string message = text_at(json, "message");
+  if (message.empty()) message = text_at(json, "reason");
+  std::string text;
+  const bool is_whole =
+      json.has("plays") && told && told->size() > 0;  // the message is the same chained
+  if (!is_whole) text += system::printable(message) + "\n";
+  for (const JsonReader& line : told ? told->elements() : std::vector<JsonReader>())
+    text += system::printable(line.text()) + "\n";
+  for (const JsonReader& note : notes ? notes->elements() : std::vector<JsonReader>())
+    text += "warning: " + system::printable(note.at("text").text()) + "\n";
+  const std::string log = text_at(json, "log");
+  if (!log.empty())
+    text += "--- log\n" + system::printable(log, system::LineEnds::kept) + "\n--- end of log\n";
+  return text;
+}
+
+Report read_report(const JsonReader& json) {
+  Report report;
+  report.json = record::json_text(json.json());
+  const std::string state = report.state = json.at("state").text();
+  report.is_final = state == "accepted" || state == "refused" || state == "void";
+  if (report.is_final) {
+    report.text = answer_in_words(json);
+  } else if (state == "queued") {
+    const int before = json.at("before").integer(0, max_entries);
+    report.text =
+        before == 0 ? "queued, the next" : "queued, " + std::to_string(before) + " before it";
+    // A class that waits together does not keep the server from checking.
+    report.pause = std::min<std::chrono::milliseconds>(longest_pause,
+                                                       shortest_pause + before * pause_for_each);
+  } else if (state == "compiling") {
+    report.text = "being compiled";
+  } else if (state == "checking") {
+    report.text = "being checked";
+    if (const auto step = json.find("step")) {
+      report.text = "check " + std::to_string(step->at("number").as<int>()) + " of " +
+                    std::to_string(step->at("of").as<int>()) + ": " + step->at("name").text();
+    }
+  } else {
+    json.at("state").complain("a state of an entry is expected, not " + json.at("state").quoted());
   }
-  if (state == "compiling") return "being compiled";
-  if (state == "checking") {
-    const Json step = report.value("step", Json());
-    if (!step.is_object()) return "being checked";
-    return "check " + std::to_string(number_in(step, "number")) + " of " +
-           std::to_string(number_in(step, "of")) + ": " + text_in(step, "name");
-  }
-  return state;
-}
-
-// A class that waits together does not keep the server from checking.
-std::chrono::milliseconds pause_after(const Json& report) {
-  return std::min<std::chrono::milliseconds>(
-      longest_pause, shortest_pause + number_in(report, "before") * pause_for_each);
-}
-
-bool is_final(const Json& report) {
-  const std::string state = text_in(report, "state");
-  return state == "accepted" || state == "refused" || state == "void";
+  return report;
 }
 
 Result<std::string> read_token(const std::string& path) {
@@ -81,31 +112,37 @@ Result<std::string> read_token(const std::string& path) {
   auto text = disk.read_named(path, max_token_file);
   if (!text) return text;
   std::erase_if(*text, [](char c) { return c == '\n' || c == '\r' || c == ' ' || c == '\t'; });
-  for (const char c : *text) {
-    const bool is_good = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    if (!is_good) return fail(Errc::input, path + ": a token is expected, letters and digits");
-  }
+  if (!std::all_of(text->begin(), text->end(), [](unsigned char c) { return std::isalnum(c); }))
+    return fail(Errc::input, path + ": a token is expected, letters and digits");
   if (text->empty()) return fail(Errc::input, path + " is empty; a token is expected");
   return text;
 }
 
+// Reads an answer of the server.
+template <class Value>
+Result<Value> read_answer(const HandInOptions& options, const DeskReply& reply,
+                          Value (*read)(const JsonReader&), int expected = 200) {
+  if (reply.status != expected)
+    return fail(reply.is_refused ? Errc::input : Errc::unavailable, reply.error);
+  return record::read_json<Value>(reply.body, options.url + " does not answer as a league",
+                                  Errc::unavailable, read);
+}
+
 // Asks until there is an answer. A server that is started again goes on with what it has taken.
-Result<Json> wait_for_answer(web::HandInClient& client, int entry) {
+Result<Report> wait_for_answer(const HandInOptions& options, web::HandInClient& client, int entry) {
   std::string told;
   std::chrono::milliseconds pause = shortest_pause;
   auto answered_at = std::chrono::steady_clock::now();
   while (true) {
     const DeskReply reply = client.entry(entry);
     const auto now = std::chrono::steady_clock::now();
-    const bool is_gone = reply.status == 0 || reply.status >= 500;
-    if (!is_gone && reply.status != 200) return fail(Errc::input, reply.error);
-    if (!is_gone) {
+    if (reply.status != 0 && reply.status < 500) {
       answered_at = now;
-      if (is_final(reply.json)) return reply.json;
-      const std::string words = state_in_words(reply.json);
-      if (words != told) std::cerr << system::printable(words) << std::endl;
-      told = words;
-      pause = pause_after(reply.json);
+      MIROCUP_TRY(auto report, read_answer(options, reply, read_report));
+      if (report.is_final) return report;
+      if (report.text != told) std::cerr << system::printable(report.text) << std::endl;
+      told = report.text;
+      pause = report.pause;
     } else if (now - answered_at > patience) {
       return fail(Errc::unavailable, reply.error + "; entry " + std::to_string(entry) +
                                          " was taken, and its page will have the answer");
@@ -114,99 +151,66 @@ Result<Json> wait_for_answer(web::HandInClient& client, int entry) {
   }
 }
 
-void print_answer(const Json& report) {
-  std::string message = text_in(report, "message");
-  if (message.empty()) message = text_in(report, "reason");
-  const Json told = report.value("told", Json::array());
-  const bool is_whole =
-      report.contains("plays") && !told.empty();  // the message is the same chained
-  if (!is_whole) std::cout << system::printable(message) << '\n';
-  for (const Json& line : told) std::cout << system::printable(line.get<std::string>()) << '\n';
-  for (const Json& note : report.value("notes", Json::array()))
-    std::cout << "warning: " << system::printable(text_in(note, "text")) << '\n';
-  const std::string log = text_in(report, "log");
-  if (!log.empty()) {
-    std::cout << "--- log\n"
-              << system::printable(log, system::LineEnds::kept) << "\n--- end of log\n";
-  }
-}
-
-Result<DeskReply> checked(DeskReply reply, int expected) {
-  if (reply.status == expected) return reply;
-  const bool is_gone = reply.status == 0 || reply.status >= 500;
-  return fail(is_gone ? Errc::unavailable : Errc::input, reply.error);
-}
-
-Result<int> pin_entry(const HandInOptions& options, const std::string& token) {
-  MIROCUP_TRY(auto client, web::HandInClient::open(options.url, token, options.authority));
-  MIROCUP_TRY(const auto pinned, checked(client->pin(options.pin), 200));
-  if (options.json) {
-    std::cout << record::json_text(pinned.json) << '\n';
-  } else {
-    std::cout << "entry " << number_in(pinned.json, "playing") << " plays\n";
-  }
-  return exit_yes;
+std::string pinned_in_words(const JsonReader& json) {
+  return "entry " + std::to_string(json.at("playing").integer(0, max_entries)) + " plays\n";
 }
 
 // A line for each version of the team, the latest first, and what the latest does otherwise.
-void print_progress(const Json& reply) {
-  const Json progress = reply.value("progress", Json::array());
-  if (progress.empty()) std::cout << "no entry has played a friendly against a house team yet\n";
-  for (const Json& entry : progress) {
-    std::cout << "entry " << number_in(entry, "entry")
-              << system::formatted(": rating %+.0f (%+.0f to %+.0f)", entry.value("rating", 0.0),
-                                   entry.value("low", 0.0), entry.value("high", 0.0));
-    const Json against = entry.value("against", Json::object());
-    for (const auto& [name, met] : against.items())
-      std::cout << ", " << system::printable(name) << ' ' << number_in(met, "goals") << " : "
-                << number_in(met, "against");
-    const Json drills = entry.value("drills", Json());
-    if (drills.is_object())
-      std::cout << system::formatted(", drills %.1f", drills.value("score", 0.0));
-    std::cout << '\n';
+std::string progress_in_words(const JsonReader& json) {
+  std::string text;
+  for (const JsonReader& entry : json.at("progress").elements()) {
+    text += "entry " + std::to_string(entry.at("entry").as<int>()) +
+            system::formatted(": rating %+.0f (%+.0f to %+.0f)", entry.at("rating").number(),
+                              entry.at("low").number(), entry.at("high").number());
+    for (const auto& [name, met] : entry.at("against").members())
+      text += ", " + system::printable(name) + ' ' + std::to_string(met.at("goals").as<int>()) +
+              " : " + std::to_string(met.at("against").as<int>());
+    if (const auto drills = entry.find("drills"))
+      text += system::formatted(", drills %.1f", drills->at("score").number());
+    text += '\n';
   }
-  const std::string change = text_in(reply, "change");
-  if (!change.empty()) std::cout << system::printable(change) << '\n';
+  if (text.empty()) text = "no entry has played a friendly against a house team yet\n";
+  const std::string change = text_at(json, "change");
+  return change.empty() ? text : text + system::printable(change) + "\n";
 }
 
-Result<int> show_progress(const HandInOptions& options, const std::string& token) {
-  MIROCUP_TRY(auto client, web::HandInClient::open(options.url, token, options.authority));
-  MIROCUP_TRY(const auto reply, checked(client->friendlies(), 200));
-  if (options.json) {
-    std::cout << record::json_text(reply.json) << '\n';
-  } else {
-    print_progress(reply.json);
-  }
+Result<int> print_answer(const HandInOptions& options, const DeskReply& reply,
+                         std::string (*in_words)(const JsonReader&)) {
+  if (options.json)
+    in_words = [](const JsonReader& json) { return record::json_text(json.json()) + "\n"; };
+  MIROCUP_TRY(const auto text, read_answer(options, reply, in_words));
+  std::cout << text;
   return exit_yes;
 }
 
 Result<int> run_hand_in(const HandInOptions& options) {
   MIROCUP_TRY(const auto token, read_token(options.token_file));
-  if (options.progress) return show_progress(options, token);
-  if (!options.pin.empty()) return pin_entry(options, token);
+  MIROCUP_TRY(auto client, web::HandInClient::open(options.url, token, options.authority));
+  if (options.progress) return print_answer(options, client->friendlies(), progress_in_words);
+  if (!options.pin.empty())
+    return print_answer(options, client->pin(options.pin), pinned_in_words);
   if (options.path.empty()) return fail(Errc::input, "name the file to hand in, or --pin N");
   system::Disk disk;
   MIROCUP_TRY(const auto bytes, disk.read_named(options.path, system::size_limit::entry));
-  MIROCUP_TRY(auto client, web::HandInClient::open(options.url, token, options.authority));
   // Asked first, so that nothing is sent in vain.
-  MIROCUP_TRY(const auto about, checked(client->about(), 200));
-  if (const std::string why = text_in(about.json, "why_not"); !why.empty())
-    return fail(Errc::input, why);
+  const auto why_not = [](const JsonReader& json) {
+    json.expect_object();
+    return text_at(json, "why_not");
+  };
+  MIROCUP_TRY(const auto why, read_answer<std::string>(options, client->about(), why_not));
+  if (!why.empty()) return fail(Errc::input, why);
   const std::size_t slash = options.path.rfind('/');
   const std::string name =
       slash == std::string::npos ? options.path : options.path.substr(slash + 1);
-  MIROCUP_TRY(const auto taken, checked(client->put(name, bytes), 202));
-  const int entry = number_in(taken.json, "entry");
+  const auto number = [](const JsonReader& json) {
+    return json.at("entry").integer(1, max_entries);
+  };
+  MIROCUP_TRY(const auto entry, read_answer<int>(options, client->put(name, bytes), number, 202));
   std::cerr << "entry " << entry << " was taken" << std::endl;
-  MIROCUP_TRY(const auto report, wait_for_answer(*client, entry));
-  if (options.json) {
-    std::cout << record::json_text(report) << '\n';
-  } else {
-    print_answer(report);
-  }
-  const std::string state = text_in(report, "state");
-  if (state == "void") return exit_code(Errc::host);
-  return state == "accepted" ? exit_yes : exit_no;
+  MIROCUP_TRY(const auto report, wait_for_answer(options, *client, entry));
+  std::cout << (options.json ? report.json + "\n" : report.text);
+  if (report.state == "void") return exit_code(Errc::host);
+  return report.state == "accepted" ? exit_yes : exit_no;
 }
 
 }  // namespace

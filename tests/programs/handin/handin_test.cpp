@@ -11,12 +11,15 @@
 
 #include <algorithm>
 #include <arpa/inet.h>
+#include <atomic>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <memory>
 #include <random>
 #include <set>
 #include <sys/socket.h>
+#include <thread>
 
 namespace mirocup {
 namespace {
@@ -454,6 +457,156 @@ TEST_F(HandIn, SaysWhyBeforeAFileIsSentInVain) {
       talk(port_,
            known + "Content-Length: 3\r\nTransfer-Encoding: chunked\r\n\r\n3\r\nELF\r\n0\r\n\r\n");
   EXPECT_EQ(twice.find("HTTP/1.1 400"), 0u) << twice;
+}
+
+// A server that answers `mirocup hand-in` as it likes.
+class OtherServer {
+ public:
+  OtherServer() {
+    write_file(temporary_ / "token", std::string(26, 'A'));
+    const auto give = [](std::string& body, int status) {
+      return [&body, status](const httplib::Request&, httplib::Response& response) {
+        response.status = status;
+        response.set_content(body, "application/json");
+      };
+    };
+    server_.Get("/api/v1/team", give(team, 200));
+    server_.Put("/api/v1/entries", give(taken, 202));
+    server_.Put("/api/v1/pin", give(pinned, 200));
+    server_.Get("/api/v1/friendlies", give(friendlies, 200));
+    server_.Get("/api/v1/entries/1", [this](const httplib::Request&, httplib::Response& response) {
+      if (asked++ > 0) shortest = std::min(shortest, std::chrono::steady_clock::now() - answered_);
+      response.set_content(asked <= waiting ? R"({"state": "queued", "before": 0})" : entry,
+                           "application/json");
+      answered_ = std::chrono::steady_clock::now();
+    });
+    url_ = "http://127.0.0.1:" + std::to_string(server_.bind_to_any_port("127.0.0.1"));
+    thread_ = std::thread([this] { server_.listen_after_bind(); });
+  }
+  ~OtherServer() {
+    server_.stop();
+    thread_.join();
+  }
+  OtherServer(const OtherServer&) = delete;
+  OtherServer& operator=(const OtherServer&) = delete;
+
+  Outcome hand_in(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{program("mirocup"), "hand-in", url_, "--token-file",
+                                   temporary_ / "token"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+
+  std::string team = R"({"team": "a", "why_not": null})";
+  std::string taken = R"({"entry": 1})";
+  std::string entry = R"({"state": "accepted", "message": "good"})";
+  std::string pinned = R"({"playing": 1})";
+  std::string friendlies = R"({"progress": [], "change": null})";
+  int waiting = 0;  // answers before `entry` that say to wait
+  int asked = 0;    // for the entry
+  // The shortest time from an answer about the entry to the next question.
+  std::chrono::steady_clock::duration shortest = std::chrono::hours(1);
+
+ private:
+  TemporaryFolder temporary_;
+  std::string url_;
+  httplib::Server server_;
+  std::thread thread_;
+  std::chrono::steady_clock::time_point answered_;
+};
+
+// Catches a value of another type that ends the client by an exception, and one that it believes.
+TEST(HandInAtAServerOfAnotherKind, IsAnsweredWithASentence) {
+  const std::string file = house("idle");
+  OtherServer server;
+  EXPECT_EQ(server.hand_in({file}).out, "good\n");
+  EXPECT_EQ(server.hand_in({"--pin", "1"}).out, "entry 1 plays\n");
+  EXPECT_EQ(server.hand_in({"--progress"}).exit_code, 0);
+  const auto expect_sentence = [&](std::string& body, const std::vector<std::string>& wrong,
+                                   const std::vector<std::string>& words) {
+    const std::string right = body;
+    for (const std::string& one : wrong) {
+      body = one;
+      const Outcome told = server.hand_in(words);
+      EXPECT_EQ(told.exit_code, 3) << one << told.err;
+      EXPECT_EQ(told.out, "") << one;
+      EXPECT_NE(told.err.find(" does not answer as a league: /"), std::string::npos)
+          << one << told.err;
+    }
+    body = right;
+  };
+  expect_sentence(server.team, {"<html>", "", "[1]", "7", R"({"why_not": 5})"}, {file});
+  expect_sentence(server.taken,
+                  {"<html>", "{}", R"({"entry": "x"})", R"({"entry": 0})", R"({"entry": 1.5})",
+                   R"({"entry": 99999999999999999999999})", "[[[[1]]]]"},
+                  {file});
+  expect_sentence(
+      server.entry,
+      {"<html>", "[]", "{}", R"({"state": 7})", R"({"state": "ready"})", R"({"state": "queued"})",
+       R"({"state": "queued", "before": -2000000000})", R"({"state": "queued", "before": 1e30})",
+       R"({"state": "checking", "step": {"name": 5, "number": "x"}})",
+       R"({"state": "checking", "step": [1]})", R"({"state": "refused", "reason": {"a": 1}})",
+       R"({"state": "accepted", "message": 5})", R"({"state": "accepted", "told": [1, {}]})",
+       R"({"state": "accepted", "told": "abc", "plays": 1})",
+       R"({"state": "accepted", "notes": {"a": 1}})",
+       R"({"state": "accepted", "notes": [1, "x", null]})", R"({"state": "accepted", "log": [1]})",
+       R"({"state": "accepted", "state": "void"})", std::string(300'000, '[')},
+      {file});
+  expect_sentence(server.pinned, {"<html>", "{}", R"({"playing": "x"})", R"({"playing": -1})"},
+                  {"--pin", "1"});
+  expect_sentence(server.friendlies,
+                  {"<html>", "{}", R"({"progress": "x"})", R"({"progress": [1, 2]})",
+                   R"({"progress": [{"entry": "a", "rating": "b", "low": {}, "high": []}]})",
+                   R"({"progress": [{"against": [1]}]})",
+                   R"({"progress": [{"entry": 1, "rating": 0, "low": 0, "high": 0,
+                                     "against": {"x": "z"}, "drills": null}]})",
+                   R"({"progress": [], "change": [1]})"},
+                  {"--progress"});
+}
+
+// Catches a client that asks as often as the server can answer.
+TEST(HandInAtAServerOfAnotherKind, AsksAtMostOnceASecond) {
+  OtherServer server;
+  server.waiting = 2;
+  EXPECT_EQ(server.hand_in({house("idle")}).exit_code, 0);
+  EXPECT_EQ(server.asked, 3);
+  EXPECT_GE(server.shortest, std::chrono::seconds(1));
+}
+
+// Catches an answer that fills the memory: to any request, in its body or in its headers.
+TEST(HandInAtAServerOfAnotherKind, ReadsNoEndlessAnswer) {
+  TemporaryFolder folder;
+  write_file(folder / "token", std::string(26, 'A'));
+  for (const bool in_headers : {false, true}) {
+    const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    ASSERT_EQ(bind(listener, reinterpret_cast<sockaddr*>(&address), size), 0);
+    ASSERT_EQ(listen(listener, 5), 0);
+    ASSERT_EQ(getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size), 0);
+    std::atomic<int> viewer = -1;
+    std::thread server([&] {
+      viewer = accept(listener, nullptr, nullptr);
+      const std::string begin = in_headers
+                                    ? "HTTP/1.1 200 OK\r\n"
+                                    : "HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n";
+      const std::string part = in_headers ? "X: " + std::string(4000, 'a') + "\r\n"
+                                          : "1000\r\n" + std::string(0x1000, '{') + "\r\n";
+      std::string bytes = begin;
+      while (send(viewer, bytes.data(), bytes.size(), MSG_NOSIGNAL) > 0) bytes = part;
+    });
+    const Outcome told = run({program("mirocup"), "hand-in",
+                              "http://127.0.0.1:" + std::to_string(ntohs(address.sin_port)),
+                              "--token-file", folder / "token", "--pin", "1"});
+    EXPECT_EQ(told.exit_code, 3);
+    EXPECT_NE(told.err.find("the server's answer is too long"), std::string::npos) << told.err;
+    shutdown(viewer, SHUT_RDWR);  // ends send(), which may wait for room
+    server.join();
+    close(viewer);
+    close(listener);
+  }
 }
 
 // The server, the check's own process, `mirocup check`, the processes of its strategies.
