@@ -144,9 +144,11 @@ void Game::take(Team team, int robot, std::optional<simulator::WheelSpeeds> whee
 Result<std::unique_ptr<Game>> Game::make(const Json& options) {
   std::unique_ptr<Game> game(new Game);
   MIROCUP_TRY(auto setup, setup_of(options));
-  Json teams = options.value("teams", Json::object());
-  if (const auto text = options.find("drill"); text != options.end() && text->is_string()) {
-    MIROCUP_TRY(game->drill_, drills::parse_drill(text->get<std::string>(), "the drill"));
+  Json teams = Json::object();
+  for (const char* colour : {"blue", "yellow"})
+    if (options.contains("teams")) teams[colour] = record::text_in(options["teams"], colour);
+  if (const std::string text = record::text_in(options, "drill"); !text.empty()) {
+    MIROCUP_TRY(game->drill_, drills::parse_drill(text, "the drill"));
     MIROCUP_TRY(setup, drills::setup_of(*game->drill_, setup.seed));
     teams["yellow"] = game->drill_->opponent;
   }

@@ -142,4 +142,14 @@ T read_fields(const JsonReader& json) {
   return value;
 }
 
+// Returns the value at a key of an object; `otherwise` if the object has no such value.
+template <class T>
+T value_in(const JsonReader::Json& object, const char* key, T otherwise = {}) {
+  std::optional<JsonProblem> problem;
+  const JsonReader json(object, "", problem);
+  T value = otherwise;
+  if (json.has(key)) FieldReader::read(json.at(key), value);
+  return problem ? otherwise : value;
+}
+
 }  // namespace mirocup::record

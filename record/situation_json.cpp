@@ -3,7 +3,7 @@
 
 #include "core/field/field.hpp"
 #include "core/simulator/scene.hpp"
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
 #include "record/motion_json.hpp"
 #include "system/text.hpp"
 
@@ -66,7 +66,7 @@ RobotStart read_robot(const JsonReader& json) {
                       pose.at(1).number(-max_position, max_position)};
     const JsonReader heading = pose.at(2);
     // A page saves headings of more than a turn; people write degrees as whole numbers.
-    if (heading.json().is_number_integer() && std::abs(heading.json().get<double>()) > full_turn) {
+    if (heading.json().is_number_integer() && std::abs(heading.number()) > full_turn) {
       heading.complain(
           "a heading is in radians, and this is more than a full turn; 90 degrees "
           "are 1.5708");
@@ -282,7 +282,7 @@ Json to_json(const Situation& situation) {
 
 DrawnJson drawn(const DrawnJson& json, Random& random) {
   if (is_range(json) && json["from"].is_number() && json["to"].is_number()) {
-    return random.uniform(json["from"].get<double>(), json["to"].get<double>());
+    return random.uniform(value_in(json, "from", 0.0), value_in(json, "to", 0.0));
   }
   DrawnJson result = json;
   for (auto& member : result) {

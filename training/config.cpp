@@ -253,10 +253,11 @@ std::string file_of(const std::string& word, const std::string& folder) {
 
 // The league that a document names, and the situation of a drill or the document itself.
 StartJson situation_of(const StartJson& document) {
-  const bool is_drill = document.is_object() && document.value("schema", "") == drill_schema;
-  if (!is_drill) return document;
-  StartJson situation = document.value("situation", StartJson::object());
-  if (document.contains("league")) situation["league"] = document["league"];
+  if (record::text_in(document, "schema") != drill_schema) return document;
+  StartJson situation =
+      document.contains("situation") ? document["situation"] : StartJson::object();
+  if (document.contains("league") && situation.is_object())
+    situation["league"] = document["league"];
   return situation;
 }
 

@@ -2,7 +2,7 @@
 #include "web/page.hpp"
 
 #include "core/replay/verification.hpp"
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
 #include "record/replay_file.hpp"
 #include "record/statistics/counter.hpp"
 #include "web/design/template.hpp"
@@ -45,8 +45,8 @@ std::string minutes(double seconds) {
 }
 
 std::string score_text(const Json& score) {
-  return std::to_string(score.at("blue").get<int>()) + " : " +
-         std::to_string(score.at("yellow").get<int>());
+  return std::to_string(record::value_in(score, "blue", 0)) + " : " +
+         std::to_string(record::value_in(score, "yellow", 0));
 }
 
 // The calls as text, for readers without scripts.
@@ -56,19 +56,19 @@ Json calls_as_text(const Json& decisions, const match::ByTeam<std::string>& name
   for (const Json& call : decisions) {
     const bool is_goal = call["decision"] == "GOAL";
     std::string gainer = record::text_in(call, call.contains("gainer") ? "gainer" : "team");
-    if (is_goal && !gainer.empty()) score[gainer] = score[gainer].get<int>() + 1;
+    if (is_goal && !gainer.empty()) score[gainer] = record::value_in(score, gainer.c_str(), 0) + 1;
     const std::string name = gainer.empty() ? "" : names[gainer == "blue" ? 0 : 1];
-    std::string what = words(call["decision"].get<std::string>());
-    if (is_goal && call.value("own_goal", false)) what += " (own goal)";
+    std::string what = words(record::text_in(call, "decision"));
+    if (is_goal && record::value_in(call, "own_goal", false)) what += " (own goal)";
     if (is_goal) what += " · " + name + " " + score_text(score);
     if (!is_goal && !name.empty()) what += " for " + name;
     const bool has_scorer = is_goal && call.contains("scorer") && !call["scorer"].is_null() &&
                             call.contains("own_goal");
-    const bool shows_scorer = has_scorer && !call["own_goal"].get<bool>();
+    const bool shows_scorer = has_scorer && call["own_goal"] == false;
     calls.push_back(
         {{"is_goal", is_goal},
          {"colour", gainer.empty() ? "nobody" : gainer},
-         {"when", minutes(call["clock"].get<double>())},
+         {"when", minutes(record::value_in(call, "clock", 0.0))},
          {"what", what},
          {"who", shows_scorer ? "robot " + call["scorer"]["robot"].dump() : std::string()},
          {"why", record::text_in(call, "reason")}});
@@ -100,7 +100,7 @@ std::string page(const match::Leg& first_moment, const match::ByTeam<std::string
               {"phase", "First half"}};
   if (data.contains("result")) {
     values["score"] = score_text(data["result"]["score"]);
-    values["phase"] = words(data["result"]["end"].get<std::string>());
+    values["phase"] = words(record::text_in(data["result"], "end"));
     values["calls"] = calls_as_text(data["decisions"], names);
   }
   return filled(asset, "page.html", values);
@@ -293,8 +293,7 @@ std::optional<Json> data_of_page(std::string_view html) {
   const std::size_t begin = tag + before.size();
   const std::string_view text = html.substr(begin, html.find("</script>", begin) - begin);
   record::ParsedJson parsed = record::parse_json(text, {.text = text.size()});  // the track is one
-  const bool is_data = !parsed.problem && parsed.value.is_object() &&
-                       parsed.value.value("schema", Json()) == "mirocup/page/1";
+  const bool is_data = record::text_in(parsed.value, "schema") == "mirocup/page/1";
   return is_data ? std::optional(std::move(parsed.value)) : std::nullopt;
 }
 

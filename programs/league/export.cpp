@@ -32,9 +32,7 @@ std::string name_of_file(system::Files& files, const Folder& folder, const std::
                          int entry) {
   const auto text = files.read(folder.verdict(team, entry), {.max_size = system::size_limit::note});
   if (!text) return "";
-  const auto verdict = record::parse_json(*text);
-  return verdict.problem || !verdict.value.is_object() ? ""
-                                                       : verdict.value.value("file", std::string());
+  return record::text_in(record::parse_json(*text).value, "file");
 }
 
 // Writes the sources of an entry into a folder of the team. Returns what was written, or why

@@ -83,7 +83,7 @@ void doubt_clock(const LeagueStore& store, std::int64_t now) {
   constexpr std::int64_t ahead_s = 90 * 24 * 3600;
   const auto& lines = store.journal().lines();
   const auto last =
-      lines.empty() ? std::nullopt : system::parse_time(lines.back().value("at", std::string()));
+      lines.empty() ? std::nullopt : system::parse_time(record::text_in(lines.back(), "at"));
   if (!last || (now >= last->at && now - last->at < ahead_s)) return;
   std::cerr << "mirocup: the clock of this computer says " << utc_text(now)
             << (now < last->at ? ", which is before the last line of the journal, "

@@ -117,7 +117,7 @@ void CheckRunner::book(const Running& check, const system::Exit& exit) {
     const bool is_accepted = exit.code == exit_yes;
     if (check.compile_seconds > 0)
       compile_time_.note(team, is_accepted || check.is_compiled, check.used.processor);
-    const std::string message = answer.value.value("message", "");
+    const std::string message = record::text_in(answer.value, "message");
     tell_(message);
     booked = portal_.close(team, entry, is_accepted ? HandInState::accepted : HandInState::refused,
                            message);

@@ -17,9 +17,9 @@ void next_card(Html& html, const std::string& heading, const std::string& id) {
 }
 
 std::string number_text(const Json& object, const char* key, const char* format) {
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_number()) return "";
-  const std::string text = system::formatted(format, found->get<double>());
+  const auto number = record::value_in<std::optional<double>>(object, key);
+  if (!number) return "";
+  const std::string text = system::formatted(format, *number);
   const bool is_minus_zero =
       text.starts_with('-') && text.find_first_of("123456789") == std::string::npos;
   return is_minus_zero ? text.substr(1) : text;

@@ -62,8 +62,7 @@ web::Reply Entries::events(const std::string& team, int entry) {
     std::string text = "event: state\ndata: " + record::json_text(now) + "\n\n";
     if (text == told) return {};
     told = text;
-    const auto state =
-        now.is_null() ? std::nullopt : from_string<HandInState>(now["state"].get<std::string>());
+    const auto state = from_string<HandInState>(record::text_in(now, "state"));
     return {std::move(text), !state || is_final(*state)};
   };
   return reply;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "record/json_fields.hpp"
 #include "tournaments/handin/desk_html.hpp"
 #include "tournaments/handin/team_desk_page.hpp"
 #include "tournaments/publish/page_values.hpp"
@@ -8,15 +9,15 @@ namespace mirocup::league {
 namespace {
 
 void add_word(Json& check) {
-  const Json passed = check.value("passed", Json());
+  const Json passed = check.contains("passed") ? check["passed"] : Json();
   check["word"] = !passed.is_boolean() ? "not reached" : passed == true ? "ok" : "no";
   check["style"] = !passed.is_boolean() ? "small" : passed == true ? "accepted" : "refused";
 }
 
 Json timing_rows(const Json& entry) {
-  const Json timing = entry.value("timing", Json::object());
+  const Json& timing = entry["timing"];
   constexpr double bytes_in_mib = 1 << 20;
-  const Json memory{{"memory", entry.value("peak_memory_bytes", 0.0) / bytes_in_mib}};
+  const Json memory{{"memory", record::value_in(entry, "peak_memory_bytes", 0.0) / bytes_in_mib}};
   Json rows;
   for (const auto& [what, value] : {
            std::pair("Slowest tick", number_text(timing, "slowest_tick_ms", "%.2f ms")),
@@ -37,7 +38,8 @@ std::string entry_page(const Json& entry, const TimeInWords& time_in_words) {
   values["when"] = time_in_words(text_in(entry, "handed_in"));
   values["has_checks"] = entry.contains("checks");
   if (entry.contains("checks"))
-    for (Json& check : values["checks"]) add_word(check);
+    for (Json& check : values["checks"])
+      if (check.is_object()) add_word(check);
   if (entry.contains("timing")) values["times"] = {{"rows", timing_rows(entry)}};
   return desk_page("Entry " + number_text(entry, "entry", "%.0f"),
                    filled_page("entry.html", values));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/entry_report.hpp"
 
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
+#include "system/number_of.hpp"
 #include "system/printable.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <vector>
 
 namespace mirocup::league {
@@ -20,28 +20,14 @@ constexpr std::string_view step_mark = "step ";
 constexpr std::size_t shown_lines = 50;      // of the beginning of a log, and of its end
 constexpr std::size_t shown_bytes = 16'384;  // of each
 
-// Reads a number at the beginning of the text, and removes it.
-std::optional<int> take_number(std::string_view& text) {
-  int number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (read.ec != std::errc()) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
-  return number;
-}
-
+// Reads "3 of 7: name".
 CheckStep read_step(std::string_view line) {
-  constexpr std::string_view of_mark = " of ";
-  constexpr std::string_view name_mark = ": ";
-  CheckStep step;
-  const auto number = take_number(line);
-  if (!number || !line.starts_with(of_mark)) return {};
-  line.remove_prefix(of_mark.size());
-  const auto of = take_number(line);
-  if (!of || !line.starts_with(name_mark)) return {};
-  step.number = *number;
-  step.of = *of;
-  step.name = line.substr(name_mark.size());
-  return step;
+  const std::size_t of = line.find(" of "), colon = line.find(": ");
+  if (colon == std::string_view::npos || of > colon) return {};
+  const auto number = system::number_of<int>(line.substr(0, of));
+  const auto all = system::number_of<int>(line.substr(of + 4, colon - of - 4));
+  if (!number || !all) return {};
+  return {.number = *number, .of = *all, .name = std::string(line.substr(colon + 2))};
 }
 
 // The verdict of an entry whose check has ended; null if there is none.
@@ -56,6 +42,13 @@ Result<Json> verdict_of(system::Files& files, const Folder& folder, const std::s
   });
 }
 
+// Returns the list at a key of an object; an empty list if the object has no such list.
+const Json& list_in(const Json& object, const char* key) {
+  static const Json none = Json::array();
+  const auto found = object.find(key);
+  return found != object.end() && found->is_array() ? *found : none;
+}
+
 // Returns what follows the reason of a refusal in its message: "entry 10 plays on".
 std::string plays_on(const std::string& message, const std::string& reason) {
   const std::size_t at = message.find(reason);
@@ -68,15 +61,15 @@ std::string plays_on(const std::string& message, const std::string& reason) {
 Json told_by(const Json& verdict, const std::string& plays) {
   Json lines = Json::array();
   if (!verdict.is_object()) return lines;
-  for (const Json& check : verdict.value("checks", Json::array())) {
+  for (const Json& check : list_in(verdict, "checks")) {
     if (text_in(check, "what").empty()) continue;
     return {"What: " + text_in(check, "what"), "Where: " + text_in(check, "where"),
             "Do: " + text_in(check, "cure"), "Plays: " + plays};
   }
-  for (const Json& leg : verdict.value("legs", Json::array())) {
-    const Json score = leg.value("score", Json::array());
+  for (const Json& leg : list_in(verdict, "legs")) {
+    const Json score = list_in(leg, "score");
     if (score.size() != 2) continue;
-    const int own_goals = leg.value("own_goals", 0);
+    const int own_goals = record::value_in(leg, "own_goals", 0);
     lines.push_back(score[0].dump() + " : " + score[1].dump() + " against " +
                     text_in(leg, "opponent") + " as " + text_in(leg, "colour") +
                     (own_goals > 0 ? ", own goals: " + std::to_string(own_goals) : ""));
@@ -88,17 +81,14 @@ Json told_by(const Json& verdict, const std::string& plays) {
 
 CheckStep last_step(std::string_view output) {
   // A line without its end is still being written.
-  const std::size_t end = output.rfind('\n');
-  if (end == std::string_view::npos) return {};
-  output = output.substr(0, end);
-  while (true) {
-    const std::size_t begin = output.rfind('\n');
-    const std::string_view line =
-        begin == std::string_view::npos ? output : output.substr(begin + 1);
+  output = output.substr(0, output.rfind('\n') + 1);
+  while (!output.empty()) {
+    output.remove_suffix(1);
+    const std::string_view line = output.substr(output.rfind('\n') + 1);
     if (line.starts_with(step_mark)) return read_step(line.substr(step_mark.size()));
-    if (begin == std::string_view::npos) return {};
-    output = output.substr(0, begin);
+    output.remove_suffix(line.size());
   }
+  return {};
 }
 
 Result<Json> entry_report(system::Files& files, const Folder& folder, const std::string& team,
@@ -125,7 +115,7 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
     report["reason"] = has_reason ? or_null(reason.empty() ? message : reason) : Json();
     report["message"] = or_null(message);
     if (has_reason) report["plays"] = plays_on(message, reason);
-    report["told"] = told_by(verdict, report.value("plays", ""));
+    report["told"] = told_by(verdict, text_in(report, "plays"));
     if (is_whole && verdict.is_object()) {
       for (const char* key : {"checks", "notes", "timing", "peak_memory_bytes", "isolation"}) {
         if (verdict.contains(key)) report[key] = verdict[key];

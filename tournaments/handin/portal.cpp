@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/portal.hpp"
 
+#include "record/json_reader.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
 #include "tournaments/handin/progress.hpp"
@@ -18,6 +19,11 @@ namespace {
 constexpr int max_failures = 10;  // of the host, until a hand-in is void
 constexpr int max_pins = 10;      // of a team in an hour
 constexpr int max_spent = 2;      // checks that used up their time, until it is refused
+
+// The sentence of a problem_reply().
+std::string reason_of(const web::Reply& refusal) {
+  return record::text_in(record::parse_json(refusal.bytes).value, "error");
+}
 
 constexpr const char* page_policy =
     "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'; "
@@ -165,8 +171,7 @@ std::optional<web::Reply> Portal::admit(Call& call, bool is_page) {
       visitor(call.request, call.request.is_reading() ? Purpose::reading : Purpose::changing);
   if (auto* refusal = std::get_if<web::Reply>(&who)) {
     if (!is_page) return std::move(*refusal);
-    const auto error = Json::parse(refusal->bytes, nullptr, false);
-    return page_reply(refusal->status, log_in_page(error.value("error", "")));
+    return page_reply(refusal->status, log_in_page(reason_of(*refusal)));
   }
   call.visitor = std::get<Visitor>(std::move(who));
   call.team = call.visitor.team;
@@ -408,7 +413,7 @@ web::Reply Portal::about_team(const Call& call) {
   if (visitor.sees_all()) return json_reply(200, json);
   const auto refused = uploads_.refused_now(visitor.team);
   if (!refused) return json_reply(200, json);
-  json["why_not"] = Json::parse(refused->bytes, nullptr, false).value("error", "");
+  json["why_not"] = reason_of(*refused);
   json["status"] = refused->status;
   return json_reply(200, json);
 }

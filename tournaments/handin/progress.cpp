@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/progress.hpp"
 
+#include "record/json_fields.hpp"
 #include "system/text.hpp"
 #include "tournaments/table/rating.hpp"
 
@@ -17,6 +18,8 @@ namespace mirocup::league {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using record::text_in;
+using record::value_in;
 
 constexpr std::string_view house = "house:";
 
@@ -45,12 +48,12 @@ struct HouseLeg {
 std::vector<HouseLeg> house_legs(const Json& friendlies, std::map<int, EntryLegs>& entries) {
   std::vector<HouseLeg> legs;
   for (const Json& one : friendlies) {
-    const std::string opponent = one.value("opponent", "");
-    if (!opponent.starts_with(house) || one.value("state", "") != "played") continue;
-    HouseLeg leg{.entry = one.value("entry", 0),
+    const std::string opponent = text_in(one, "opponent");
+    if (!opponent.starts_with(house) || text_in(one, "state") != "played") continue;
+    HouseLeg leg{.entry = value_in(one, "entry", 0),
                  .house_team = opponent.substr(house.size()),
-                 .goals = one.value("goals", 0),
-                 .against = one.value("against", 0)};
+                 .goals = value_in(one, "goals", 0),
+                 .against = value_in(one, "against", 0)};
     EntryLegs& entry = entries[leg.entry];
     ++entry.legs;
     HouseGoals& met = entry.against[leg.house_team];
@@ -59,8 +62,8 @@ std::vector<HouseLeg> house_legs(const Json& friendlies, std::map<int, EntryLegs
     met.against += leg.against;
     if (one.contains("fouls")) {
       ++entry.known;
-      entry.fouls += one.value("fouls", 0);
-      entry.slowest_ms = std::max(entry.slowest_ms, one.value("slowest_tick_ms", 0.0));
+      entry.fouls += value_in(one, "fouls", 0);
+      entry.slowest_ms = std::max(entry.slowest_ms, value_in(one, "slowest_tick_ms", 0.0));
     }
     legs.push_back(std::move(leg));
   }
@@ -107,9 +110,8 @@ Json entry_json(int number, const EntryLegs& entry, const Strength& rating) {
           {"slowest_tick_ms", is_known ? Json(entry.slowest_ms) : Json()}};
 }
 
-std::string after(const char* format, const Json& now, const Json& before) {
-  return system::formatted(format, now.get<double>()) + " after " +
-         system::formatted(format, before.get<double>());
+std::string after(const char* format, double now, double before) {
+  return system::formatted(format, now) + " after " + system::formatted(format, before);
 }
 
 // The marks of one drill in two entries.
@@ -119,7 +121,7 @@ struct Marks {
   double before = 0.0;
 
   double gain() const { return now - before; }
-  std::string text() const { return drill + " " + after("%.0f", Json(now), Json(before)); }
+  std::string text() const { return drill + " " + after("%.0f", now, before); }
 };
 
 std::vector<Marks> common_marks(const Json& now, const Json& before) {
@@ -127,8 +129,7 @@ std::vector<Marks> common_marks(const Json& now, const Json& before) {
   for (const Json& a : now["drills"]) {
     for (const Json& b : before["drills"]) {
       if (a["name"] == b["name"] && a["version"] == b["version"])
-        all.push_back(
-            {a["name"].get<std::string>(), a["score"].get<double>(), b["score"].get<double>()});
+        all.push_back({text_in(a, "name"), value_in(a, "score", 0.0), value_in(b, "score", 0.0)});
     }
   }
   return all;
@@ -145,7 +146,7 @@ std::string drills_in_words(const Json& now, const Json& before) {
     sums[1] += one.before;
   }
   const auto count = static_cast<double>(all.size());
-  std::string text = ", drills " + after("%.1f", Json(sums[0] / count), Json(sums[1] / count));
+  std::string text = ", drills " + after("%.1f", sums[0] / count, sums[1] / count);
   const auto [worst, best] = std::minmax_element(
       all.begin(), all.end(), [](const Marks& a, const Marks& b) { return a.gain() < b.gain(); });
   std::string most = best->gain() > 0.0 ? "better: " + best->text() : "";
@@ -179,19 +180,22 @@ std::string change_in_words(const Json& progress) {
     if (!before["against"].contains(name)) continue;
     const Json* const both[] = {&met, &before["against"][name]};
     for (int i = 0; i < 2; ++i) {
-      goals[i] += (*both[i])["goals"].get<int>();
-      against[i] += (*both[i])["against"].get<int>();
+      goals[i] += value_in(*both[i], "goals", 0);
+      against[i] += value_in(*both[i], "against", 0);
     }
   }
   const auto score = [&](int i) {
     return std::to_string(goals[i]) + " : " + std::to_string(against[i]);
   };
+  const auto change = [&](const char* format, const char* key) {
+    return after(format, value_in(now, key, 0.0), value_in(before, key, 0.0));
+  };
   std::string text = "Entry " + now["entry"].dump() + " after entry " + before["entry"].dump() +
-                     ": rating " + after("%+.0f", now["rating"], before["rating"]) + ", goals " +
-                     score(0) + " after " + score(1);
+                     ": rating " + change("%+.0f", "rating") + ", goals " + score(0) + " after " +
+                     score(1);
   if (now["fouls"].is_number() && before["fouls"].is_number()) {
-    text += ", fouls a leg " + after("%.1f", now["fouls"], before["fouls"]) + ", slowest tick " +
-            after("%.2f", now["slowest_tick_ms"], before["slowest_tick_ms"]) + " ms";
+    text += ", fouls a leg " + change("%.1f", "fouls") + ", slowest tick " +
+            change("%.2f", "slowest_tick_ms") + " ms";
   }
   if (now["drills"].is_object() && before["drills"].is_object())
     text += drills_in_words(now["drills"], before["drills"]);

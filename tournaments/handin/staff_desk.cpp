@@ -79,9 +79,10 @@ Json forms_values(const LeagueState& state, const Form& given) {
       form["chosen"][name][value] = true;
     }
     for (int i = 0; i < static_cast<int>(state.teams.size()); ++i)
-      form["teams"].push_back({{"name", state.name(i)},
-                               {"is_chosen", state.name(i) == form["given"].value("team", "")},
-                               {"shown", state.shown_name(i)}});
+      form["teams"].push_back(
+          {{"name", state.name(i)},
+           {"is_chosen", state.name(i) == record::text_in(form["given"], "team")},
+           {"shown", state.shown_name(i)}});
     values[act] = form;
   }
   return values;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/team_desk_page.hpp"
 
+#include "record/json_fields.hpp"
 #include "tournaments/handin/desk_html.hpp"
 #include "tournaments/handin/progress.hpp"
 #include "tournaments/publish/page_values.hpp"
@@ -11,6 +12,8 @@
 namespace mirocup::league {
 
 namespace {
+
+using record::value_in;
 
 // What is not folded of a list whose latest lines come first.
 constexpr std::ptrdiff_t shown_friendlies = 10;
@@ -30,7 +33,7 @@ std::string answer_in_words(const Json& entry) {
 Json entries_values(const TeamDesk& desk) {
   Json rows = desk.entries;
   for (Json& entry : rows) {
-    const bool plays = entry.value("entry", 0) == desk.playing;
+    const bool plays = value_in(entry, "entry", 0) == desk.playing;
     const bool is_pinned = plays && desk.is_pinned;
     entry["is_pinned"] = is_pinned;
     entry["plays"] = is_pinned ? "pinned " : plays ? "plays " : "";
@@ -55,7 +58,7 @@ Json times_values(const Json& legs) {
   double above = -1.0;
   for (const Range& range : ranges) {
     counts.push_back(std::count_if(legs.begin(), legs.end(), [&](const Json& leg) {
-      const double slowest = leg.value("slowest_tick_ms", -1.0);
+      const double slowest = value_in(leg, "slowest_tick_ms", -1.0);
       return slowest >= 0.0 && slowest > above && slowest <= range.up_to;
     }));
     above = range.up_to;
@@ -91,7 +94,7 @@ Json friendlies_values(const TeamDesk& desk) {
   for (Json& leg : rows) {
     add_leg_cells(leg, desk);
     const bool is_played = text_in(leg, "state") == "played";
-    const int difference = is_played ? leg.value("goals", 0) - leg.value("against", 0) : 0;
+    const int difference = is_played ? value_in(leg, "goals", 0) - value_in(leg, "against", 0) : 0;
     leg["letter"] = !is_played ? "" : difference > 0 ? "W" : difference < 0 ? "L" : "D";
     if (!is_played) leg["score"] = leg["state"];
     if (text_in(leg, "end") == "full_time") leg["end"] = "";
@@ -135,7 +138,7 @@ Json progress_values(const Json& progress) {
                                    number_text(entry, "low", "%+.0f") + " to " +
                                    number_text(entry, "high", "%+.0f") + ")"},
                     {"scores", scores},
-                    {"drills", number_text(entry.value("drills", Json()), "score", "%.1f")},
+                    {"drills", number_text(entry["drills"], "score", "%.1f")},
                     {"fouls", number_text(entry, "fouls", "%.1f")},
                     {"slowest", number_text(entry, "slowest_tick_ms", "%.2f")}});
   }

@@ -2,7 +2,7 @@
 #include "tournaments/league/apply.hpp"
 
 #include "core/base/assert.hpp"
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
 #include "tournaments/format/swiss.hpp"
 #include "tournaments/league/decisions.hpp"
 #include "tournaments/league/schedule_growth.hpp"
@@ -379,7 +379,7 @@ Result<void> apply_line(LeagueState& state, const Json& line, const std::string&
     return fail(Errc::damaged, journal_path + ": line " + record::json_text(line["n"]) +
                                    " does not fit the league: " + valid.error().what);
   }
-  apply(state, *event, line.value("n", 0));
+  apply(state, *event, record::value_in(line, "n", 0));
   return {};
 }
 
@@ -412,7 +412,7 @@ std::set<int> undone_lines(const Journal& journal, std::size_t count) {
   std::set<int> undone;
   for (std::size_t i = 0; i < count; ++i) {
     const Json& line = journal.lines()[i];
-    if (line.value("kind", Json()) != Undone::kind) continue;
+    if (record::text_in(line, "kind") != Undone::kind) continue;
     const auto event = read_event(line);
     if (const auto* e = event ? std::get_if<Undone>(&*event) : nullptr) undone.insert(e->line);
   }

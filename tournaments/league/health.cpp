@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/health.hpp"
 
+#include "record/json_reader.hpp"
 #include "system/clock.hpp"
 #include "system/memory.hpp"
 #include "tournaments/league/gaps.hpp"
@@ -83,9 +84,16 @@ Result<void> look_at_hand_ins(system::Files& files, const Folder& folder, std::i
   MIROCUP_TRY(const auto book, Journal::open(files, folder.hand_in_book()));
   std::map<std::pair<std::string, int>, std::int64_t> waiting;  // when they came
   for (const Json& line : book.lines()) {
-    const std::pair entry{line.value("team", std::string()), line.value("entry", 0)};
-    const std::string kind = line.value("kind", std::string());
-    if (kind == "hand_in") waiting[entry] = line.value("at", now);
+    std::optional<record::JsonProblem> problem;
+    const record::JsonReader json(line, "", problem);
+    const std::pair entry{json.at("team").text(), json.at("entry").integer(0, max_count)};
+    const auto at = json.at("at").integer<std::int64_t>(0, std::int64_t{1} << 40);
+    const std::string kind = json.at("kind").text();
+    if (problem) {
+      const std::string where = book.path() + ": line " + record::json_text(line["n"]);
+      return tl::unexpected(record::error_of(*problem, where, Errc::damaged));
+    }
+    if (kind == "hand_in") waiting[entry] = at;
     if (kind == "answer") waiting.erase(entry);
   }
   h.waiting = static_cast<int>(waiting.size());

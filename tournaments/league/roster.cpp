@@ -80,7 +80,7 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
 std::string last_leg_at(const Journal& journal) {
   for (std::size_t i = journal.lines().size(); i-- > 0;) {
     const Json& line = journal.lines()[i];
-    if (line.value("kind", Json()) != LegPlayed::kind) continue;
+    if (record::text_in(line, "kind") != LegPlayed::kind) continue;
     return record::text_in(line, "at");
   }
   return "";

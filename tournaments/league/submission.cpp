@@ -118,8 +118,8 @@ std::vector<int> played_entries(const LeagueStore& store, const std::string& tea
 void name_file(Json& value, const std::string& path, const std::string& name) {
   if (value.is_structured()) {
     for (Json& part : value) name_file(part, path, name);
-  } else if (value.is_string()) {
-    value = system::replaced(value.get<std::string>(), path, name);
+  } else if (auto* text = value.get_ptr<std::string*>()) {
+    *text = system::replaced(*text, path, name);
   }
 }
 
@@ -140,7 +140,8 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, const L
       check(files, stored, rules, handed.team, log, folder.gate_leg(handed.team, number));
   if (!verdict) return verdict;
   const std::string sha256 = system::sha256(library);
-  if (verdict->value("sha256", Json()).is_string() && (*verdict)["sha256"] != sha256)
+  const std::string checked = record::text_in(*verdict, "sha256");
+  if (!checked.empty() && checked != sha256)
     return fail(Errc::host, stored + " was changed while it was checked");
   name_file(*verdict, stored, handed.name.empty() ? handed.path : handed.name);
   MIROCUP_TRY_VOID(files.remove(log).and_then([&] {

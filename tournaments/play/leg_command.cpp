@@ -21,7 +21,7 @@ namespace {
 // Returns what differs from a preset as options of `mirocup match`: the preset, then KEY=VALUE.
 std::vector<std::string> options_of(const std::string& preset_option, const std::string& option,
                                     const Json& own, const Json& preset) {
-  std::vector<std::string> options{preset_option, own.at("preset").get<std::string>()};
+  std::vector<std::string> options{preset_option, record::text_in(own, "preset")};
   for (const auto& [key, value] : own.items()) {
     if (value == preset.at(key)) continue;
     options.push_back(option);

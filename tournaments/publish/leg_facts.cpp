@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/leg_facts.hpp"
 
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace mirocup::league {
 
 namespace {
+
+using record::value_in;
 
 const Json& member(const Json& object, const char* key) {
   static const Json none;
@@ -23,13 +25,10 @@ std::string gainer(const Json& decision) {
 
 GoalFact goal(const Json& decision, double period, const std::string& home) {
   GoalFact fact;
-  const Json& tick = member(decision, "tick");
-  fact.at = tick.is_number() ? tick.get<double>() * period : 0.0;
+  fact.at = value_in(decision, "tick", 0.0) * period;
   fact.is_home = gainer(decision) == home;
-  const Json& own = member(decision, "own_goal");
-  fact.is_own_goal = own.is_boolean() && own.get<bool>();
-  const Json& robot = member(member(decision, "scorer"), "robot");
-  if (robot.is_number_integer() && !fact.is_own_goal) fact.scorer = robot.get<int>();
+  fact.is_own_goal = value_in(decision, "own_goal", false);
+  if (!fact.is_own_goal) fact.scorer = value_in(member(decision, "scorer"), "robot", -1);
   return fact;
 }
 
@@ -39,25 +38,24 @@ std::optional<LegFacts> facts_of(const std::string& bytes, bool is_home_blue) {
   const record::ParsedJson parsed = record::parse_json(bytes);
   if (parsed.problem) return std::nullopt;
   const Json& json = parsed.value;
-  const Json& period = member(json, "control_period");
-  const Json& ticks = member(json, "ticks");
+  const auto period = value_in<std::optional<double>>(json, "control_period");
+  const auto ticks = value_in<std::optional<double>>(json, "ticks");
   const Json& decisions = member(json, "decisions");
-  if (!period.is_number() || !ticks.is_number() || !decisions.is_array()) return std::nullopt;
+  if (!period || !ticks || !decisions.is_array()) return std::nullopt;
   const std::string home = is_home_blue ? "blue" : "yellow";
   LegFacts facts;
-  facts.length = ticks.get<double>() * period.get<double>();
+  facts.length = *ticks * *period;
   for (const Json& decision : decisions) {
     if (record::text_in(decision, "decision") == "GOAL") {
-      facts.goals.push_back(goal(decision, period.get<double>(), home));
+      facts.goals.push_back(goal(decision, *period, home));
     } else if (const std::string by = record::text_in(decision, "offender"); !by.empty()) {
       ++(by == home ? facts.fouls.home : facts.fouls.away);
     }
   }
   const Json& shoot_out = member(member(json, "result"), "shoot_out");
-  const Json& own = member(shoot_out, home.c_str());
-  const Json& other = member(shoot_out, is_home_blue ? "yellow" : "blue");
-  if (own.is_number() && other.is_number())
-    facts.shoot_out = HomeAway{.home = own.get<int>(), .away = other.get<int>()};
+  const auto own = value_in<std::optional<int>>(shoot_out, home.c_str());
+  const auto other = value_in<std::optional<int>>(shoot_out, is_home_blue ? "yellow" : "blue");
+  if (own && other) facts.shoot_out = HomeAway{.home = *own, .away = *other};
   return facts;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/night.hpp"
 
+#include "record/json_fields.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/publish/page_values.hpp"
 
@@ -78,16 +79,16 @@ Result<std::optional<Night>> last_night(const LeagueState& shown, const Journal&
   const std::vector<Json>& lines = journal.lines();
   std::size_t begin = 0;
   for (; begin < lines.size(); ++begin) {
-    if (lines[begin].value("kind", Json()) == NightBegan::kind &&
-        lines[begin].value("number", Json()) == night.number)
+    if (record::text_in(lines[begin], "kind") == NightBegan::kind &&
+        record::value_in(lines[begin], "number", 0) == night.number)
       break;
   }
   MIROCUP_TRY(auto before, state_from_lines(shown.file, journal, begin));
   before.shown_names = shown.shown_names;
   night.before = std::move(before);
   for (std::size_t i = begin + 1; i < lines.size(); ++i) {
-    if (lines[i].value("kind", Json()) == NightBegan::kind) break;
-    if (lines[i].value("kind", Json()) != LegPlayed::kind) continue;
+    if (record::text_in(lines[i], "kind") == NightBegan::kind) break;
+    if (record::text_in(lines[i], "kind") != LegPlayed::kind) continue;
     const auto event = read_event(lines[i]);
     if (!event) return fail(Errc::damaged, journal.path() + ": " + event.error().what);
     night.records.insert(std::get<LegPlayed>(*event).record);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/night_pages.hpp"
 
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/publish/html.hpp"
@@ -223,14 +223,14 @@ Result<std::string> feed_xml(const LeagueState& shown, const Journal& journal) {
   std::vector<std::pair<int, std::size_t>> ends;
   const std::vector<Json>& lines = journal.lines();
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (lines[i].value("kind", Json()) != NightBegan::kind) continue;
+    if (record::text_in(lines[i], "kind") != NightBegan::kind) continue;
     if (!ends.empty()) {
       // Teams that join before the next night change nothing in the table of this one.
       std::size_t end = i;
-      while (lines[end - 1].value("kind", Json()) == TeamJoined::kind) --end;
+      while (record::text_in(lines[end - 1], "kind") == TeamJoined::kind) --end;
       ends.back().second = end;
     }
-    ends.emplace_back(lines[i].value("number", 0), lines.size());
+    ends.emplace_back(record::value_in(lines[i], "number", 0), lines.size());
   }
   std::string entries;
   const std::size_t count = shown.nights.size();

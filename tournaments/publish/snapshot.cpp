@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/snapshot.hpp"
 
+#include "record/json_fields.hpp"
 #include "record/match_record.hpp"
 #include "system/number_of.hpp"
 #include "tournaments/league/apply.hpp"
@@ -95,7 +96,7 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
     } else if (const std::string* team = team_of(*event); team != nullptr) {
       if (!state.find_team(*team)) continue;  // it is to join later
     }
-    const int number = line.value("n", 0);
+    const int number = record::value_in(line, "n", 0);
     if (const std::string* id = fixture_of(*event); id != nullptr) {
       // An unknown fixture follows from one that is left out.
       const auto index = state.find_fixture(*id);

@@ -27,9 +27,9 @@ data data_of(const Json& value) {
     for (const Json& element : value) list.push_back(data_of(element));
     return list;
   }
-  if (value.is_boolean()) return data(value.get<bool>());
-  if (value.is_string() && !value.get_ref<const std::string&>().empty())
-    return data(value.get<std::string>());
+  if (value == true) return data(true);
+  if (const auto* text = value.get_ptr<const std::string*>(); text && !text->empty())
+    return data(*text);
   if (value.is_number()) return data(value.dump());
   return data(false);
 }

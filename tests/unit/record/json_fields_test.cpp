@@ -63,6 +63,22 @@ TEST(JsonFields, KeepsTheLimits) {
   EXPECT_EQ(problem_with(R"({"count":1,"touches":[]})"), "f: /share: missing");
 }
 
+// Catches a value of another type that ends the program, or wraps around.
+TEST(JsonFields, ReadsSingleValuesOfAnyObject) {
+  const auto json =
+      parse_json(R"({"n": 3, "text": "a", "big": 1e300, "yes": true, "no": null})").value;
+  EXPECT_EQ(value_in(json, "n", 0), 3);
+  EXPECT_EQ(value_in(json, "text", std::string("b")), "a");
+  EXPECT_TRUE(value_in(json, "yes", false));
+  EXPECT_EQ(value_in(json, "big", 0.0), 1e300);
+  for (const char* key : {"big", "text", "yes", "no", "nothing"})
+    EXPECT_EQ(value_in(json, key, 7), 7) << key;
+  EXPECT_EQ(value_in<std::optional<double>>(json, "n"), 3.0);
+  EXPECT_EQ(value_in<std::optional<double>>(json, "no"), std::nullopt);
+  EXPECT_EQ(value_in(json["n"], "n", 7), 7);
+  EXPECT_EQ(value_in(JsonReader::Json(), "n", 7), 7);
+}
+
 }  // namespace
 
 }  // namespace mirocup::record

@@ -532,6 +532,8 @@ TEST(Training, RefusesWhatItDoesNotUnderstand) {
       {{{"observation", "relative"}}, "relative"},
       {{{"start", "no-such-drill"}}, "/start"},
       {{{"start", {{"bal", 1}}}}, "/bal"},
+      {{{"start", {{"schema", "mirocup/drill/1"}, {"league", "small"}, {"situation", 5}}}},
+       "no such key"},
       {{{"start", {{"score", {1, 0}}}}}, "level"},
       {{{"start", {{"ball", {{"position", {9, 9}}}}}}}, "outside"},
       {{{"pitch", {{"ball_mas", 1}}}}, "/ball_mas"},

@@ -11,6 +11,7 @@
 #include "tournaments/league/gaps.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace mirocup::league {
 namespace {
@@ -137,6 +138,30 @@ TEST_F(LeagueHealth, OfRecordsWithoutALine) {
   EXPECT_EQ(found({"r1-f1-1-1", "r1-f1-1-2"}), std::pair(Names{}, Names{second}));
   write(Undone{.line = 3, .why = "w", .by = "h"});
   EXPECT_EQ(found({"r1-f1-1-1", "r1-f1-1-2"}), std::pair(Names{}, Names{}));
+}
+
+// Catches an exception that nobody catches: the chain of hashes is right, and the value is of
+// another type.
+TEST_F(LeagueHealth, OfABookWithValuesOfOtherTypes) {
+  const std::pair<const char*, Json> wrong[] = {
+      {"team", 5},       {"team", Json::array()}, {"entry", "x"},
+      {"entry", Json()}, {"entry", 1e300},        {"at", "x"},
+      {"at", -1},        {"at", 1e300},
+  };
+  for (const auto& [key, value] : wrong) {
+    (void)disk_.remove(folder_.hand_in_book());
+    auto book = Journal::open(disk_, folder_.hand_in_book());
+    ASSERT_TRUE(book);
+    Json line{{"team", "a"}, {"entry", 1}, {"at", noon}};
+    line[key] = value;
+    ASSERT_TRUE(test_support::is_ok(book->append("hand_in", line)));
+    const auto found = health(disk_, *LeagueStore::open(disk_, folder_), noon);
+    ASSERT_FALSE(found) << line;
+    EXPECT_EQ(found.error().code, Errc::damaged);
+    EXPECT_NE(found.error().what.find("hand-ins.jsonl: line 1: /" + std::string(key)),
+              std::string::npos)
+        << found.error().what;
+  }
 }
 
 }  // namespace
