@@ -2,7 +2,6 @@
 #include "web/hand_in_client.hpp"
 
 #include "record/json_reader.hpp"
-#include "system/text.hpp"
 
 #include <httplib.h>
 
@@ -60,7 +59,7 @@ struct HandInClient::Impl {
   explicit Impl(const std::string& url) : client(url) {}
 
   // Asks once. The library limits neither the headers nor the whole time, so a thread does.
-  DeskReply ask(const char* method, const std::string& path, const std::string& bytes = "") {
+  DeskReply ask(const char* method, const std::string& path, const std::string& bytes) {
     httplib::Request request;
     request.method = method;
     request.path = path;
@@ -125,24 +124,12 @@ Result<std::unique_ptr<HandInClient>> HandInClient::open(const std::string& url,
   return std::unique_ptr<HandInClient>(new HandInClient(std::move(impl)));
 }
 
-DeskReply HandInClient::about() {
-  return impl_->ask("GET", "/api/v1/team");
+DeskReply HandInClient::get(const std::string& path) {
+  return impl_->ask("GET", path, "");
 }
 
-DeskReply HandInClient::put(const std::string& name, const std::string& bytes) {
-  return impl_->ask("PUT", "/api/v1/entries?name=" + system::percent_coded(name), bytes);
-}
-
-DeskReply HandInClient::pin(const std::string& entry) {
-  return impl_->ask("PUT", "/api/v1/pin?entry=" + system::percent_coded(entry));
-}
-
-DeskReply HandInClient::friendlies() {
-  return impl_->ask("GET", "/api/v1/friendlies");
-}
-
-DeskReply HandInClient::entry(int number) {
-  return impl_->ask("GET", "/api/v1/entries/" + std::to_string(number));
+DeskReply HandInClient::put(const std::string& path, const std::string& bytes) {
+  return impl_->ask("PUT", path, bytes);
 }
 
 }  // namespace mirocup::web

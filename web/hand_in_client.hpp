@@ -35,16 +35,9 @@ class HandInClient {
   HandInClient(const HandInClient&) = delete;
   HandInClient& operator=(const HandInClient&) = delete;
 
-  // Asks for the team of the token, and whether the team may hand in now.
-  DeskReply about();
-  // Hands in a file.
-  DeskReply put(const std::string& name, const std::string& bytes);
-  // Pins the entry with a number, or "latest".
-  DeskReply pin(const std::string& entry);
-  // Asks for the state of an entry.
-  DeskReply entry(int number);
-  // Asks for the team's friendlies, and for its progress in friendlies.
-  DeskReply friendlies();
+  DeskReply get(const std::string& path);
+  // Sends bytes, or only the path.
+  DeskReply put(const std::string& path, const std::string& bytes = "");
 
  private:
   struct Impl;  // keeps the HTTP library out of this header

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <sys/stat.h>
 #include <thread>
@@ -134,7 +135,7 @@ Result<Report> wait_for_answer(const HandInOptions& options, web::HandInClient& 
   std::chrono::milliseconds pause = shortest_pause;
   auto answered_at = std::chrono::steady_clock::now();
   while (true) {
-    const DeskReply reply = client.entry(entry);
+    const DeskReply reply = client.get("/api/v1/entries/" + std::to_string(entry));
     const auto now = std::chrono::steady_clock::now();
     if (reply.status != 0 && reply.status < 500) {
       answered_at = now;
@@ -186,9 +187,12 @@ Result<int> print_answer(const HandInOptions& options, const DeskReply& reply,
 Result<int> run_hand_in(const HandInOptions& options) {
   MIROCUP_TRY(const auto token, read_token(options.token_file));
   MIROCUP_TRY(auto client, web::HandInClient::open(options.url, token, options.authority));
-  if (options.progress) return print_answer(options, client->friendlies(), progress_in_words);
-  if (!options.pin.empty())
-    return print_answer(options, client->pin(options.pin), pinned_in_words);
+  if (options.progress)
+    return print_answer(options, client->get("/api/v1/friendlies"), progress_in_words);
+  if (!options.pin.empty()) {
+    const std::string path = "/api/v1/pin?entry=" + system::percent_coded(options.pin);
+    return print_answer(options, client->put(path), pinned_in_words);
+  }
   if (options.path.empty()) return fail(Errc::input, "name the file to hand in, or --pin N");
   system::Disk disk;
   MIROCUP_TRY(const auto bytes, disk.read_named(options.path, system::size_limit::entry));
@@ -197,15 +201,15 @@ Result<int> run_hand_in(const HandInOptions& options) {
     json.expect_object();
     return text_at(json, "why_not");
   };
-  MIROCUP_TRY(const auto why, read_answer<std::string>(options, client->about(), why_not));
+  MIROCUP_TRY(const auto why,
+              read_answer<std::string>(options, client->get("/api/v1/team"), why_not));
   if (!why.empty()) return fail(Errc::input, why);
-  const std::size_t slash = options.path.rfind('/');
-  const std::string name =
-      slash == std::string::npos ? options.path : options.path.substr(slash + 1);
+  const std::string name = std::filesystem::path(options.path).filename();
+  const std::string path = "/api/v1/entries?name=" + system::percent_coded(name);
   const auto number = [](const JsonReader& json) {
     return json.at("entry").integer(1, max_entries);
   };
-  MIROCUP_TRY(const auto entry, read_answer<int>(options, client->put(name, bytes), number, 202));
+  MIROCUP_TRY(const auto entry, read_answer<int>(options, client->put(path, bytes), number, 202));
   std::cerr << "entry " << entry << " was taken" << std::endl;
   MIROCUP_TRY(const auto report, wait_for_answer(options, *client, entry));
   std::cout << (options.json ? report.json + "\n" : report.text);
