@@ -5,8 +5,6 @@
 #include "system/printable.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <csignal>
 #include <iostream>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -35,6 +33,9 @@ constexpr double share_for_restarts = 1.5;
 // The numbers of matches on this host that find ports of their own (firasim_instance "auto").
 constexpr int first_free_instance = 1000;
 constexpr int most_instances = 1000;
+
+// Of what a program prints for a leg, and of each file that it writes, bytes.
+constexpr std::uint64_t max_program_output = std::uint64_t{1} << 30;
 
 void tell(const std::string& text) {
   std::cerr << "mirocup: " << system::printable(text) << '\n';
@@ -187,7 +188,8 @@ Result<TeamProgram> TeamProgram::start(const std::string& command, Team team, in
                          "MIROCUP_COMMAND=" + host + addresses.command,
                          "MIROCUP_REFEREE=" + addresses.referee,
                          "MIROCUP_PLACEMENT=" + addresses.placement, "/bin/sh", "-c", command},
-           .log = log}));
+           .log = log,
+           .max_bytes = max_program_output}));
   return TeamProgram(pid, command, log);
 }
 
@@ -198,17 +200,13 @@ TeamProgram::TeamProgram(TeamProgram&& other) noexcept
       log_(std::move(other.log_)) {}
 
 TeamProgram::~TeamProgram() {
-  if (pid_ == 0) return;
-  kill(-pid_, SIGKILL);  // it leads a process group
-  kill(pid_, SIGKILL);
-  while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  if (pid_ != 0) system::end_group(pid_);
 }
 
 bool TeamProgram::has_ended() {
   if (pid_ == 0) return true;
-  if (waitpid(pid_, &status_, WNOHANG) != pid_) return false;
-  kill(-pid_, SIGKILL);  // what it has started
+  if (!system::has_ended(pid_)) return false;
+  status_ = system::end_group(pid_);
   pid_ = 0;
   return true;
 }

@@ -10,6 +10,8 @@
 
 #include "core/base/error.hpp"
 
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -19,6 +21,15 @@ namespace mirocup::system {
 // The exit code of a child that could not become its program.
 inline constexpr int not_found = 127;
 
+// The limits of a program that mirocup does not vouch for. The program and all processes of its
+// group are killed when it ends, or when its time is over.
+struct ChildLimits {
+  double seconds = std::numeric_limits<double>::infinity();  // wall time
+  // Of its output, and of each other file that it or its children write; SIGXFSZ ends what writes
+  // more.
+  std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();
+};
+
 // The program of a child process, and its surroundings.
 struct ChildOptions {
   std::vector<std::string> arguments;  // [0]: the program, a path or a name on the PATH
@@ -27,7 +38,8 @@ struct ChildOptions {
   // log has no input and a separate process group, so that an interrupt at the terminal reaches
   // this process alone. "": the child has the input, output, errors and process group of this
   // process.
-  std::string log;
+  std::string log = {};
+  std::uint64_t max_bytes = ChildLimits().bytes;  // as in ChildLimits
 };
 
 // Starts a child and returns its process id. The caller must wait for it. If the program does not
@@ -38,6 +50,25 @@ Result<pid_t> start_child(const ChildOptions& options);
 // Starts a child and waits for its end. Returns its exit code, or 128 + the number of the signal
 // that ended it.
 Result<int> run_child(const ChildOptions& options);
+
+// What a program has answered.
+struct Answer {
+  int code = 0;        // as run_child() returns it
+  std::string output;  // its output and errors, in the order in which it wrote them
+};
+
+// Asks a program a question: runs it as a child with a log in memory, and waits for its end. A
+// process that the program leaves behind does not delay the answer. Errc::unavailable if the
+// program cannot be started, or has not ended in time.
+Result<Answer> ask(const std::vector<std::string>& arguments, const ChildLimits& limits);
+
+// True if a child has ended, for whose status nobody has waited yet.
+bool has_ended(pid_t pid);
+
+// Kills a child that leads a process group, such as one with a log, and all processes of its group.
+// The child may have ended, but nobody may have waited for it. Returns its status, as waitpid()
+// does.
+int end_group(pid_t leader);
 
 // Runs the program arguments[0], a path, in the place of this process. Returns only if the program
 // cannot be run, with the reason.

@@ -32,16 +32,19 @@ ProcessSet::~ProcessSet() {
 }
 
 Result<pid_t> ProcessSet::start(const std::vector<std::string>& arguments, int tag, int cpu,
-                                const std::string& log) {
-  const auto pid = start_child({.arguments = arguments, .cpu = cpu, .log = log});
-  if (pid) children_.push_back({.pid = *pid, .tag = tag});
+                                const std::string& log, const ChildLimits& limits) {
+  const auto pid =
+      start_child({.arguments = arguments, .cpu = cpu, .log = log, .max_bytes = limits.bytes});
+  const std::chrono::duration<double> time(limits.seconds);
+  if (pid)
+    children_.push_back({.pid = *pid, .tag = tag, .end = std::chrono::steady_clock::now() + time});
   return pid;
 }
 
 std::optional<Exit> ProcessSet::ended() {
   for (auto child = children_.begin(); child != children_.end(); ++child) {
-    int status = 0;
-    if (waitpid(child->pid, &status, WNOHANG) != child->pid) continue;
+    if (!has_ended(child->pid) && std::chrono::steady_clock::now() < child->end) continue;
+    const int status = end_group(child->pid);
     Exit exit{.tag = child->tag};
     if (WIFSIGNALED(status)) {
       exit.signal = WTERMSIG(status);
@@ -57,9 +60,10 @@ std::optional<Exit> ProcessSet::ended() {
 std::optional<Exit> ProcessSet::wait() {
   assert(!children_.empty());
   const sigset_t set = awaited_signals();
+  constexpr timespec look_interval{.tv_sec = 1, .tv_nsec = 0};  // for a child whose time is over
   while (true) {
     if (const auto exit = ended()) return exit;
-    const int signal = sigwaitinfo(&set, nullptr);
+    const int signal = sigtimedwait(&set, nullptr, &look_interval);
     if (signal == SIGINT || signal == SIGTERM) return std::nullopt;
   }
 }
@@ -92,9 +96,7 @@ void ProcessSet::kill(pid_t pid) {
   const auto found = std::find_if(children_.begin(), children_.end(),
                                   [pid](const Running& r) { return r.pid == pid; });
   if (found == children_.end()) return;
-  ::kill(pid, SIGKILL);
-  while (waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  end_group(pid);
   children_.erase(found);
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/error.hpp"
 #include "system/child_process.hpp"
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <sys/types.h>
@@ -34,9 +35,10 @@ class ProcessSet {
 
   // Starts the program arguments[0], a path or a name on the PATH, on processor `cpu` (-1: any).
   // Its output and errors go to the file `log`. If the program does not exist, the child ends with
-  // code not_found.
+  // code not_found. When the child ends, all processes of its group are killed. A child whose time
+  // is over ends by SIGKILL while the set waits.
   Result<pid_t> start(const std::vector<std::string>& arguments, int tag, int cpu,
-                      const std::string& log);
+                      const std::string& log, const ChildLimits& limits = {});
 
   std::size_t running() const { return children_.size(); }
 
@@ -55,13 +57,14 @@ class ProcessSet {
   // arrives. With 0 s, returns at once, true if a signal has arrived.
   bool is_asked_to_stop_within(double seconds);
 
-  // Kills one child, and waits for its end, which wait() will not report.
+  // Kills one child with its group, and waits for its end, which wait() will not report.
   void kill(pid_t pid);
 
  private:
   struct Running {
     pid_t pid;
     int tag;
+    std::chrono::time_point<std::chrono::steady_clock, std::chrono::duration<double>> end;
   };
   // Returns the end of a child that has ended already.
   std::optional<Exit> ended();

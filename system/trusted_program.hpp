@@ -15,6 +15,12 @@ namespace mirocup::system {
 // not start a third version.
 inline constexpr const char* asks_no_other = "MIROCUP_IS_ASKED";
 
+// Returns the time, s, in which another version has to simulate a leg again. A half of the leg has
+// `half_s` seconds, which a version simulates in some hundredths of this time.
+inline double limit_of_repeating(double half_s) {
+  return 60.0 + half_s;
+}
+
 // Returns the real path of a file or folder, at which strangers cannot put anything else. A
 // relative path begins at the working folder. Each name and each link on the way from / must belong
 // to root or to this user, and nobody else may write to it. Only a folder of root with the sticky

@@ -118,14 +118,16 @@ Result<void> write_clip(system::Files& files, const record::MatchRecord& record,
   const PictureFolder folder(output + ".pictures-" + std::to_string(getpid()));
   if (auto made = files.make_folder(folder.path, system::Readers::owner); !made) return made;
   MIROCUP_TRY_VOID(draw_pictures(files, record.recording, span, folder.path));
-  system::ChildOptions ffmpeg;
-  ffmpeg.arguments = ffmpeg_command(folder.path, record.recording.setup.control_period, output);
-  MIROCUP_TRY(const auto code, system::run_child(ffmpeg));
-  if (code == system::not_found)
+  MIROCUP_TRY(
+      const auto answer,
+      system::ask(ffmpeg_command(folder.path, record.recording.setup.control_period, output),
+                  {.seconds = 3600.0, .bytes = std::uint64_t{1} << 30}));
+  if (answer.code == system::not_found)
     return fail(Errc::unavailable, "--clip needs ffmpeg: apt-get install ffmpeg");
-  if (code != 0)
-    return fail(Errc::unavailable,
-                "ffmpeg could not write " + output + ": exit code " + std::to_string(code));
+  if (answer.code != 0)
+    return fail(Errc::unavailable, "ffmpeg could not write " + output + ": exit code " +
+                                       std::to_string(answer.code) + " " +
+                                       system::last_line(answer.output));
   return {};
 }
 

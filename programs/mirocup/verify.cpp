@@ -15,9 +15,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <string>
-#include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace mirocup::app {
 
@@ -61,46 +63,48 @@ std::vector<std::string> other_versions() {
   return found;
 }
 
-// Returns what the program prints of its version; "" if it does not answer.
-std::string version_of(const std::string& program) {
-  std::error_code none;
-  std::string path = (fs::temp_directory_path(none) / "mirocup-version-XXXXXX").string();
-  const system::Descriptor file(mkstemp(path.data()));
-  if (!file.is_open()) return "";
-  const auto code = system::run_child({.arguments = {program, "--version"}, .log = path});
-  system::Disk disk;
-  std::string text = disk.read(path, {.max_size = system::size_limit::note}).value_or("");
-  fs::remove(path, none);
-  if (!code || *code != exit_yes) return "";
-  return text.substr(0, text.find('\n'));
-}
-
-// Returns the path of a program that reproduces the record at `path`; "" if no such program exists.
-// Precondition: the record's checksum is right. The function looks for programs in the folders of
-// $MIROCUP_VERSIONS and in /opt/mirocup/*, each in bin/ and in the folder itself. It runs only
-// programs that are called mirocup and that no stranger can have put there
-// (system/trusted_program.hpp). `--version` must print the version that the record names. Standard
-// error names each program that a stranger might have put there.
-//
-// A version that is asked asks none itself: two that do not reproduce the record would ask each
-// other without end.
-std::string version_that_reproduces(const std::string& path, const record::MatchRecord& record) {
-  if (std::getenv(system::asks_no_other) != nullptr) return "";
-  setenv(system::asks_no_other, "1", 1);  // for all programs that this one starts from here on
-  for (const std::string& program : other_versions()) {
-    const std::string version = version_of(program);
-    if (version.empty() || version != record.software.version) continue;
-    const auto answer =
-        system::run_child({.arguments = {program, "verify", path}, .log = "/dev/null"});
-    if (answer && *answer == exit_yes) return program;
-  }
-  return "";
+// Returns the words of a program that ends with yes; nothing if it does not, or does not end.
+std::optional<std::string> words_of_yes(const std::vector<std::string>& command, double within_s) {
+  auto answer = system::ask(command, {.seconds = within_s, .bytes = system::size_limit::note});
+  if (!answer) std::cerr << "mirocup: " << system::printable(answer.error().what) << '\n';
+  if (!answer || answer->code != exit_yes) return std::nullopt;
+  return std::move(answer->output);
 }
 
 struct VerifyOptions {
   std::string path;
   bool json = false;
 };
+
+// Returns the answer of a program that reproduces the record; nothing if no such program exists.
+// Precondition: the record's checksum is right. The function looks for programs in the folders of
+// $MIROCUP_VERSIONS and in /opt/mirocup/*, each in bin/ and in the folder itself. It runs only
+// programs that are called mirocup and that no stranger can have put there
+// (system/trusted_program.hpp). `--version` must print the version that the record names. Standard
+// error names each program that a stranger might have put there or that did not end, and the
+// program that answers.
+//
+// A version that is asked asks none itself: two that do not reproduce the record would ask each
+// other without end.
+std::optional<std::string> answer_of_other_version(const VerifyOptions& options,
+                                                   const record::MatchRecord& record) {
+  if (std::getenv(system::asks_no_other) != nullptr) return std::nullopt;
+  setenv(system::asks_no_other, "1", 1);  // for all programs that this one starts from here on
+  for (const std::string& program : other_versions()) {
+    constexpr double version_limit_s = 5.0;
+    const auto version = words_of_yes({program, "--version"}, version_limit_s);
+    if (!version || version->substr(0, version->find('\n')) != record.software.version) continue;
+    std::vector<std::string> command{program, "verify", options.path};
+    if (options.json) command.emplace_back("--json");
+    auto answer =
+        words_of_yes(command, system::limit_of_repeating(record.recording.setup.rules.half_s));
+    if (!answer) continue;
+    std::cerr << "mirocup: the leg was played by another version; " << system::printable(program)
+              << " verifies it\n";
+    return answer;
+  }
+  return std::nullopt;
+}
 
 Result<int> run_verify(const VerifyOptions& options) {
   system::Disk disk;
@@ -112,13 +116,9 @@ Result<int> run_verify(const VerifyOptions& options) {
   const bool has_other_behaviour = record::has_other_behaviour(record);
   if (!whole && (!divergence || has_other_behaviour)) return tl::unexpected(whole.error());
   if (divergence && has_other_behaviour) {
-    const std::string program = version_that_reproduces(options.path, record);
-    if (!program.empty()) {
-      std::cerr << "mirocup: the leg was played by another version; " << system::printable(program)
-                << " verifies it\n";
-      std::vector<std::string> words{program, "verify", options.path};
-      if (options.json) words.emplace_back("--json");
-      return tl::unexpected(system::become_program(std::move(words)));
+    if (const auto answer = answer_of_other_version(options, record)) {
+      std::cout << system::printable(*answer, system::LineEnds::kept);
+      return exit_yes;
     }
     return tl::unexpected(record::behaviour_mismatch(options.path, record, divergence->tick));
   }

@@ -26,7 +26,7 @@ link=$(find "$folder" -type l -print -quit)
 
 quietly() { # runs a command; its output is shown only if it fails
   local said
-  said=$("$@" 2>&1) || { echo "$said" >&2; return 1; }
+  said=$(timeout 60 "$@" 2>&1) || { echo "$said" >&2; return 1; }
 }
 
 new_key() {

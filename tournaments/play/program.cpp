@@ -7,6 +7,7 @@
 #include "system/process_set.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/gaps.hpp"
+#include "system/trusted_program.hpp"
 #include "tournaments/league/kept_program.hpp"
 #include "tournaments/play/scratch_folder.hpp"
 
@@ -193,7 +194,10 @@ Result<VerifiedRecords> verify(system::Files& files, const Folder& folder,
       const int tag = static_cast<int>(next++);
       std::vector<std::string> words = server.words;
       words.insert(words.end(), {"verify", folder.path + "/" + leg.path});
-      MIROCUP_TRY_VOID(processes.start(words, tag, -1, output_of(tag)));
+      const double half_s = store.state().file.rules.half_s;
+      MIROCUP_TRY_VOID(processes.start(
+          words, tag, -1, output_of(tag),
+          {.seconds = system::limit_of_repeating(half_s), .bytes = system::size_limit::log}));
       continue;
     }
     const auto exit = processes.wait();

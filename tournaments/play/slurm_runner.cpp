@@ -98,21 +98,16 @@ Result<void> SlurmRunner::prepare(int jobs) {
   return {};
 }
 
-// Runs one of Slurm's programs to its end and returns its output. Interrupts are counted.
+// Runs one of Slurm's programs to its end and returns its output.
 Result<std::string> SlurmRunner::run_slurm(const CommandLine& command) {
-  const std::string answer = folder_ + "/answer";
-  MIROCUP_TRY_VOID(processes_.start(command, 0, -1, answer));
-  auto exit = processes_.wait();
-  for (; !exit; exit = processes_.wait()) ++interrupts_;
-  const auto text =
-      files_.read(answer, {.max_size = system::size_limit::log, .growth = system::Growth::ignored});
-  if (!text) return text;
-  if (exit->signal == 0 && exit->code == exit_yes) return text;
-  if (exit->code == system::not_found) {
+  MIROCUP_TRY(auto answer,
+              system::ask(command, {.seconds = 300.0, .bytes = system::size_limit::log}));
+  if (answer.code == exit_yes) return std::move(answer.output);
+  if (answer.code == system::not_found) {
     return fail(Errc::unavailable,
                 command[0] + " is not there: is this a host of a Slurm cluster?");
   }
-  return fail(Errc::unavailable, command[0] + ": " + first_line(*text));
+  return fail(Errc::unavailable, command[0] + ": " + first_line(answer.output));
 }
 
 // Reads the queue. False if squeue does not answer.

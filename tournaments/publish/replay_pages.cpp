@@ -5,6 +5,7 @@
 #include "record/match_record.hpp"
 #include "system/process_set.hpp"
 #include "system/text.hpp"
+#include "system/trusted_program.hpp"
 #include "tournaments/league/kept_program.hpp"
 #include "tournaments/league/schedule_growth.hpp"
 #include "tournaments/publish/league_statistics.hpp"
@@ -177,8 +178,11 @@ Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folde
     if ((next < missing.size() || !again.empty()) && processes.running() < at_once) {
       const std::size_t page = again.empty() ? next++ : again.back();
       if (!again.empty()) again.pop_back();
-      MIROCUP_TRY_VOID(processes.start(command_for(folder, missing[page], attempts[page]),
-                                       static_cast<int>(page), -1, "/dev/null"));
+      MIROCUP_TRY_VOID(
+          processes.start(command_for(folder, missing[page], attempts[page]),
+                          static_cast<int>(page), -1, "/dev/null",
+                          {.seconds = system::limit_of_repeating(state.file.rules.half_s),
+                           .bytes = system::size_limit::page}));
       continue;
     }
     const auto exit = processes.wait();

@@ -5,6 +5,7 @@
 // reported as wrong only because physics or laws have changed since.
 #include "core/replay/verification.hpp"
 #include "record/match_record.hpp"
+#include "system/descriptor.hpp"
 #include "tests/build/compilers/flat_recording.hpp"
 #include "tests/programs/records/endings.hpp"
 #include "tests/support/is_ok.hpp"
@@ -12,7 +13,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <filesystem>
+#include <poll.h>
+#include <sys/stat.h>
 
 namespace mirocup {
 namespace {
@@ -22,6 +26,7 @@ using test_support::Outcome;
 using test_support::program;
 using test_support::run;
 using test_support::TemporaryFolder;
+using test_support::write_file;
 
 const std::string source = MIROCUP_SOURCE_FOLDER;
 
@@ -181,6 +186,26 @@ TEST(Records, AreVerifiedByTheVersionThatPlayedThem) {
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
   EXPECT_EQ(verified.out, "fitting verify\n");
   EXPECT_NE(verified.err.find("played by another version"), std::string::npos) << verified.err;
+}
+
+// Catches a version that leaves a process which writes until the disk is full.
+TEST(Records, AreVerifiedThoughAVersionLeavesAProcessBehind) {
+  const TemporaryFolder versions;
+  const std::string held = versions / "held";  // by all processes of the version
+  ASSERT_EQ(mkfifo(held.c_str(), 0600), 0);
+  const system::Descriptor reader(open(held.c_str(), O_RDONLY | O_NONBLOCK));
+  const std::string path = add_version(versions, "fitting", software().version, 0);
+  for (const char* left : {"sleep 1000", "yes", "setsid yes"}) {
+    write_file(path + "/bin/mirocup", "#!/bin/sh\nexec 9>" + held +
+                                          "\n[ \"$1\" = --version ] && echo " + software().version +
+                                          " || echo fitting $1\n" + left + " &\n");
+    const Outcome verified = verify_with(path);
+    EXPECT_EQ(verified.exit_code, 0) << left << verified.err;
+    EXPECT_TRUE(verified.out.starts_with("fitting verify\n")) << left;
+    constexpr int patience = 60'000;  // ms, of a failure
+    pollfd end{.fd = reader.get(), .events = 0, .revents = 0};
+    EXPECT_EQ(poll(&end, 1, patience), 1) << left << " is left";
+  }
 }
 
 // Catches a verification that runs a program of any user beside the prefix, as in /tmp beside /usr.
