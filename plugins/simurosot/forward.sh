@@ -5,7 +5,8 @@
 # would not find, this makes a file of that very name which leads to the one that is meant: the team's own, or a stand-in. One more
 # file, which the prefix of all sources includes, gives other names to what the team calls like a function of the C library.
 #
-# forward.sh FORWARD STAND_IN SKIP ROOT FOLDER...: writes below FORWARD; looks for the team's files below ROOT, but not in SKIP; FOLDERs
+# forward.sh FORWARD STAND_IN SKIP ROOT FOLDER...: writes below FORWARD and, for names that begin with "../", below the five folders
+# above it, which are for nothing else; looks for the team's files below ROOT, but not in SKIP; FOLDERs
 # are those where the compiler looks anyway. Prints those of them that have a header with the name of one of the system's: the compiler
 # may look there only for #include "...".
 set -eu
@@ -52,12 +53,20 @@ stand_in_for() {
   esac
 }
 
+# True if a name leads out of the five folders above FORWARD, before its last part or with it.
+leaves() {
+  printf %s "$1" | LC_ALL=C awk -F / '
+    { for (i = 1; i <= NF; i++) { depth += $i == ".." ? -1 : $i != "" && $i != "."; if (depth < -5) leaves = 1 } }
+    END { exit !leaves }'
+}
+
 while IFS= read -r wanted; do
   plain=$(printf %s "$wanted" | tr '\\' / | sed 's://*:/:g; s:^ *::; s: *$::')
   name=${plain##*/}
   [ -n "$name" ] || continue
   case /$wanted/ in
-  //* | */../*/../*/../*/../*) continue ;;
+  //* | */./ | */../) continue ;;
+  */../*) ! leaves "$wanted" || continue ;;
   esac
   found=
   for folder in "$@"; do

@@ -11,6 +11,7 @@
 #include "system/printable.hpp"
 #include "system/text.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <utility>
@@ -56,9 +57,16 @@ using Words = std::vector<std::pair<std::string, std::string>>;
 // Copies a file of the installation into the folder, with other words in place of some.
 Result<void> write_filled(system::Disk& disk, const fs::path& file, const std::string& folder,
                           const Words& words) {
-  MIROCUP_TRY(auto text, disk.read_named(file.string(), system::size_limit::system_file));
-  std::string filled = std::move(text);
-  for (const auto& [word, by] : words) filled = system::replaced(std::move(filled), word, by);
+  MIROCUP_TRY(const auto text, disk.read_named(file.string(), system::size_limit::system_file));
+  // In one pass: the name of a file may look like one of the words.
+  std::string filled;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto found = std::find_if(words.begin(), words.end(), [&](const auto& word) {
+      return text.compare(at, word.first.size(), word.first) == 0;
+    });
+    filled += found != words.end() ? found->second : text.substr(at, 1);
+    at += found != words.end() ? found->first.size() : 1;
+  }
   const std::string path = (fs::path(folder) / file.filename()).string();
   if (auto written = disk.write(path, filled); !written) return written;
   // Scripts can be run.

@@ -9,8 +9,10 @@
 #include <array>
 #include <filesystem>
 #include <map>
-#include <regex>
+#include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mirocup::app {
@@ -20,6 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t max_files = 2000;
+constexpr std::size_t max_bytes = 32u << 20;  // of all files
+constexpr std::size_t max_line = 64u << 10;   // bytes
 
 bool ends_with_any(const std::string& path, std::initializer_list<const char*> endings) {
   const std::string ending = system::lower_case(fs::path(path).extension().string());
@@ -50,18 +54,69 @@ std::string code_of(const std::string& text) {
   return code;
 }
 
-bool has_word(const std::string& code, const std::string& word) {
-  const auto is_part = [](unsigned char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
-  };
-  for (std::size_t at = code.find(word); at != std::string::npos; at = code.find(word, at + 1)) {
-    const bool begins = at == 0 || !is_part(static_cast<unsigned char>(code[at - 1]));
-    const std::size_t end = at + word.size();
-    if (begins && (end == code.size() || !is_part(static_cast<unsigned char>(code[end])))) {
-      return true;
+bool is_part(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+}
+
+bool is_next(std::string_view rest, std::string_view chars) {
+  return !rest.empty() && chars.find(rest.front()) != chars.npos;
+}
+
+// Takes a pattern from the front of `rest`, and returns what its @ or `…` took; nothing if `rest`
+// begins otherwise. A blank is any number of blanks, _ also of line ends, ~ is & or * or nothing, @
+// is a word, and `abc` is any number of characters but these three. Nothing is tried twice.
+std::optional<std::string_view> take(std::string_view& rest, std::string_view pattern) {
+  std::string_view taken;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    const char kind = pattern[i];
+    const bool is_taken = kind == '@' || kind == '`';
+    std::size_t count = 1;
+    if (kind == ' ' || kind == '_') {
+      count = rest.find_first_not_of(kind == ' ' ? " \t" : " \t\r\n");
+    } else if (kind == '~') {
+      count = is_next(rest, "&*") ? 1 : 0;
+    } else if (kind == '`') {
+      const std::size_t begin = i + 1;
+      i = pattern.find('`', begin);
+      count = rest.find_first_of(pattern.substr(begin, i - begin));
+    } else if (kind == '@' && !rest.empty() && is_part(rest.front())) {
+      count = std::find_if_not(rest.begin(), rest.end(), is_part) - rest.begin();
+    } else if (kind == '@' || !rest.starts_with(kind)) {
+      return std::nullopt;
     }
+    if (is_taken) taken = rest.substr(0, count);
+    rest.remove_prefix(std::min(count, rest.size()));
+  }
+  return taken;
+}
+
+// Returns whether a word stands in front of the pattern, and `is_met` is true for what the pattern
+// took, for what follows it and for the byte in front of the word. A word that begins like a name
+// is the beginning of one.
+template <class Met>
+bool has(std::string_view text, std::string_view word, std::string_view pattern,
+         const Met& is_met) {
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at)) {
+    const char before = at == 0 ? '\0' : text[at - 1];
+    at += word.size();
+    std::string_view rest = text.substr(at);
+    if (is_part(word.front()) && is_part(before)) continue;
+    const auto taken = take(rest, pattern);
+    if (!taken) continue;
+    if (is_met(*taken, rest, before)) return true;
+    at = text.size() - rest.size();
   }
   return false;
+}
+
+bool has(std::string_view text, std::string_view word, std::string_view pattern) {
+  return has(text, word, pattern, [](auto...) { return true; });
+}
+
+bool has_word(std::string_view code, std::string_view word) {
+  return has(code, word, "", [](auto, std::string_view rest, char) {
+    return rest.empty() || !is_part(rest.front());
+  });
 }
 
 // True for the name of a project of Visual C++, which names the files to compile: .dsp of version
@@ -71,32 +126,41 @@ bool is_old_project(const std::string& path) {
   return ending == ".dsp" || ending == ".vcproj" || ending == ".vcxproj";
 }
 
-// Returns the files that the project compiles or shows, in the order of the text, relative to its
-// folder, with "/" between folders. Empty if the text names no file.
+// A name of a file as Visual C++ writes it, with "/" between folders.
+std::string with_slashes(std::string_view text) {
+  std::string name(text);
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
+// Returns the files that the project compiles or shows, in lower case and relative to its folder.
 // SOURCE=.\Move.cpp, RelativePath=".\Move.cpp", <ClCompile Include="Move.cpp" />
 std::vector<std::string> files_of_project(const std::string& text) {
-  static const std::regex one(
-      "(?:SOURCE=\"?|RelativePath[ \t\r\n]*=[ \t\r\n]*\"|<ClCompile[ \t\r\n]+Include=\")"
-      "([^\"\r\n<>|]+)");
   std::vector<std::string> files;
-  for (std::sregex_iterator at(text.begin(), text.end(), one), end; at != end; ++at) {
-    std::string name = (*at)[1];
-    std::replace(name.begin(), name.end(), '\\', '/');
+  const auto add = [&files](std::string_view text_of_name, auto...) {
+    std::string name = with_slashes(text_of_name);
     while (!name.empty() && name.back() == ' ') name.pop_back();
-    files.push_back(std::filesystem::path(name).lexically_normal().string());
-  }
+    files.push_back(system::lower_case(fs::path(name).lexically_normal().string()));
+    return false;
+  };
+  const std::string name = "`\"\r\n<>|`";
+  has(text, "SOURCE=", name, add);
+  has(text, "SOURCE=\"", name, add);
+  has(text, "RelativePath", "_=_\"" + name, add);
+  has(text, "<ClCompile", "_Include=\"" + name, add);
   return files;
 }
 
 // The names in the #include lines of the code, in lower case and without their folders.
 std::vector<std::string> included_by(const std::string& code) {
-  static const std::regex line("#[ \t]*include[ \t]*[\"<]([^\">\n]+)[\">]");
   std::vector<std::string> names;
-  for (std::sregex_iterator at(code.begin(), code.end(), line), end; at != end; ++at) {
-    std::string name = (*at)[1];
-    std::replace(name.begin(), name.end(), '\\', '/');
-    names.push_back(system::lower_case(fs::path(name).filename().string()));
-  }
+  const auto add = [&names](std::string_view text, std::string_view rest, char) {
+    if (!text.empty() && is_next(rest, "\">"))
+      names.push_back(system::lower_case(fs::path(with_slashes(text)).filename().string()));
+    return false;
+  };
+  has(code, "#", " include \"`\">\n`", add);
+  has(code, "#", " include <`\">\n`", add);
   return names;
 }
 
@@ -105,11 +169,22 @@ struct Folder {
   std::map<std::string, std::vector<std::string>> projects;  // what they name, by their paths
 };
 
+// CMake and make take these characters, and control characters, for signs of their language.
+Result<void> expect_plain(const std::string& folder, const std::string& path,
+                          std::string_view meant) {
+  const bool is_plain = std::none_of(path.begin(), path.end(), [&](char c) {
+    return (c >= '\0' && c < ' ') || meant.find(c) != meant.npos;
+  });
+  if (is_plain) return {};
+  return fail(Errc::input, folder + "/" + path + ": CMake cannot take this name; change it");
+}
+
 // Reads all sources, headers and projects of the folder.
 Result<Folder> read_all(const std::string& folder) {
   Folder all;
   std::map<std::string, std::string>& code = all.code;
   system::Disk disk;
+  std::size_t bytes = 0;
   std::error_code error;
   fs::recursive_directory_iterator at(folder, error), end;
   if (error) return fail(Errc::input, folder + ": " + error.message());
@@ -126,22 +201,51 @@ Result<Folder> read_all(const std::string& folder) {
     if (!at->is_regular_file(error) || (!is_source(path) && !is_header(path) && !is_project)) {
       continue;
     }
-    if (path.find_first_of("\"$;\\\n") != std::string::npos) {
-      return fail(Errc::input, folder + "/" + path + ": CMake cannot take this name; change it");
-    }
+    MIROCUP_TRY_VOID(expect_plain(folder, path, "\"$;\\|"));
     MIROCUP_TRY(auto text, disk.read(at->path().string(), {.max_size = system::size_limit::note}));
-    if (is_project) {
-      all.projects.emplace(path, files_of_project(readable(text)));
-      continue;
+    bytes += text.size();
+    text = readable(std::move(text));
+    for (std::string_view rest = text; !rest.empty();
+         rest.remove_prefix(is_next(rest, "\r\n") ? 1 : 0)) {
+      const auto line = take(rest, "`\r\n`");
+      if (line->size() > max_line)
+        return fail(Errc::input, folder + "/" + path + ": a line of more than 64 KiB; break it");
     }
-    code.emplace(path, code_of(readable(text)));
-    if (code.size() > max_files) {
-      return fail(Errc::input, folder + ": more than " + std::to_string(max_files) +
+    if (bytes > max_bytes || code.size() + all.projects.size() == max_files) {
+      return fail(Errc::input, folder + ": more than 32 MiB or " + std::to_string(max_files) +
                                    " sources; name the folder of one team");
+    }
+    if (is_project) {
+      all.projects.emplace(path, files_of_project(text));
+    } else {
+      code.emplace(path, code_of(text));
     }
   }
   if (error) return fail(Errc::unavailable, folder + " cannot be searched: " + error.message());
   return all;
+}
+
+// True if the code has loops over ranges, lambdas, enum class, "auto x =" or the like. "int x = 1"
+// of a member is left to g++.
+bool has_modern_forms(const std::string& code) {
+  const auto is_range = [](std::string_view loop, auto...) {
+    const std::size_t colon = loop.rfind(':');
+    return colon != loop.npos && colon > 0 && loop[colon - 1] != ':';
+  };
+  const auto is_class = [](std::string_view word, auto...) {
+    return word == "class" && !is_part(word.data()[-1]);
+  };
+  const auto is_variable = [](auto, std::string_view rest, char) { return is_next(rest, "=:"); };
+  const auto is_default = [](std::string_view word, auto...) {
+    return word == "default" || word == "delete";
+  };
+  const auto is_end_of_two = [](std::string_view word, std::string_view rest, char before) {
+    return is_part(before) && is_next(rest, ";(={") &&
+           word.find_first_of("0123456789") == word.npos;
+  };
+  return has(code, "for", " (`;(){}\n`)", is_range) || has(code, "]", " (`()\n`) {") ||
+         has(code, "enum", " @", is_class) || has(code, "auto", " ~ @ ", is_variable) ||
+         has(code, "=", " @ ;", is_default) || has(code, ">>", " @ ", is_end_of_two);
 }
 
 // A standard of C++ that has what the code uses.
@@ -152,12 +256,6 @@ std::string standard_of(const std::map<std::string, std::string>& all) {
       "stod",         "emplace_back", "static_assert", "decltype",         "noexcept",
       "thread_local", "chrono",       "tuple",         "initializer_list", "mt19937",
       "cbegin",       "all_of",       "any_of",        "random_device"};
-  // Loops over ranges, lambdas, enum class, "auto x =", "int x = 1" of a member is left to g++.
-  static const std::regex forms(
-      "\\bfor[ \t]*\\([^;(){}\n]*[^:;(){}\n]:[^:;(){}\n]*\\)|\\][ \t]*\\([^()\n]*\\)[ \t]*\\{|"
-      "\\benum[ \t]+class\\b|\\bauto[ \t]*[&*]?[ \t]*[A-Za-z_0-9]+[ \t]*[=:]|=[ "
-      "\t]*(default|delete)[ \t]*;|"
-      "[A-Za-z_0-9]>>[ \t]*[A-Za-z_]+[ \t]*[;(={]");
   std::string standard = "gnu++98";
   for (const auto& [path, code] : all) {
     const bool is_newest = has_word(code, "string_view") || has_word(code, "optional") ||
@@ -166,17 +264,10 @@ std::string standard_of(const std::map<std::string, std::string>& all) {
     const bool is_modern =
         std::any_of(words.begin(), words.end(),
                     [&code = code](const char* word) { return has_word(code, word); }) ||
-        std::regex_search(code, forms);
+        has_modern_forms(code);
     if (is_modern) standard = "gnu++14";
   }
   return standard;
-}
-
-// The case of a name does not count, as on Windows.
-bool is_named(const std::vector<std::string>& names, const std::string& path) {
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return system::lower_case(name) == system::lower_case(path);
-  });
 }
 
 // The project that counts: of several the one nearest to the top, and of those the one for the
@@ -200,13 +291,14 @@ std::string project_of(const Folder& folder) {
 std::vector<std::string> compiled_of(const Folder& folder, std::vector<std::string> sources) {
   const std::string project = project_of(folder);
   if (project.empty()) return sources;
-  const std::vector<std::string>& files = folder.projects.at(project);
-  const fs::path at = fs::path(project).parent_path();
-  std::vector<std::string> names;
-  for (const std::string& file : files) names.push_back((at / file).lexically_normal().string());
+  // The case of a name does not count, as on Windows.
+  const fs::path at = system::lower_case(fs::path(project).parent_path().string());
+  std::set<std::string> names;
+  for (const std::string& file : folder.projects.at(project))
+    names.insert((at / file).lexically_normal().string());
   std::vector<std::string> compiled;
   for (const std::string& source : sources) {
-    if (is_named(names, source)) compiled.push_back(source);
+    if (names.contains(system::lower_case(source))) compiled.push_back(source);
   }
   return compiled.empty() ? sources : compiled;
 }
@@ -230,12 +322,11 @@ Result<std::string> header_of(const std::string& folder, const Folder& all,
                               const std::vector<std::string>& headers,
                               const std::vector<std::string>& sources) {
   const std::string& first = headers.front();
+  const std::string first_code = without_blanks(all.code.at(first));
   std::vector<std::string> others;
   for (const std::string& other : headers) {
     if (fs::path(other).parent_path() == fs::path(first).parent_path()) continue;
-    if (without_blanks(all.code.at(other)) != without_blanks(all.code.at(first))) {
-      others.push_back(other);
-    }
+    if (without_blanks(all.code.at(other)) != first_code) others.push_back(other);
   }
   if (others.empty()) return first;
   for (const std::string& header : headers) {
@@ -263,10 +354,9 @@ std::vector<std::string> with_entry(const std::map<std::string, std::string>& so
   const std::string name = style == "v5"        ? "GetInstruction"
                            : style == "restart" ? "RunStrategy"
                                                 : "Strategy";
-  const std::regex definition("\\b" + name + "[ \t\r\n]*\\([^;{()]*\\)[ \t\r\n]*\\{");
   std::vector<std::string> paths;
   for (const auto& [path, code] : sources) {
-    if (std::regex_search(code, definition)) paths.push_back(path);
+    if (has(code, name, "_(`;{()`)_{")) paths.push_back(path);
   }
   return paths;
 }
@@ -330,6 +420,8 @@ Result<OldSources> find_old_sources(const std::string& folder) {
                                  "of them, or name the folder of one");
   }
   team.header = std::move(header);
+  MIROCUP_TRY_VOID(expect_plain(folder, team.header, ":[]"));
+  for (const std::string& path : team.sources) MIROCUP_TRY_VOID(expect_plain(folder, path, ":[]"));
   return team;
 }
 

@@ -3,6 +3,7 @@
 
 #include "system/printable.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -84,10 +85,10 @@ std::string with_plain_backslashes(const std::string& text) {
 std::string with_single_returns(const std::string& text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    std::size_t end = i;
-    while (end < text.size() && text[end] == '\r') ++end;
-    if (end > i + 1 && end < text.size() && text[end] == '\n') i = end - 1;
-    out.push_back(text[i]);
+    const std::size_t end = std::min(text.find_first_not_of('\r', i), text.size());
+    const bool is_line_end = end < text.size() && text[end] == '\n';
+    out.append(text, i, end == i || is_line_end ? 1 : end - i);
+    if (end > i) i = end - 1;
   }
   return out;
 }

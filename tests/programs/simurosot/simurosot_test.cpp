@@ -294,6 +294,34 @@ TEST(Simurosot, FindsIncludesAsWindowsDoes) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
+// Catches an #include that writes outside of the five folders, and one that ends the build.
+TEST(Simurosot, ForwardsNoNameThatLeadsOut) {
+  const TemporaryFolder folder;
+  const std::string forward = folder / "team/for/the/names/of/windows";
+  std::filesystem::create_directories(forward);
+  std::filesystem::create_directories(folder / "old/src/sub");
+  write_file(folder / "old/evil.h", "");
+  std::string code;
+  for (const char* name :
+       {"../../../../../../sub//Evil.h", ".././.././.././.././.././../Evil.h",
+        "..//..//..//..//..//..//Evil.h", "a/../../../../../../../Evil.h",
+        "../../../../../../../../../../tmp/Evil.h", "../team/../../../../../../Evil.h",
+        "../../../../../../Evil.h", "sub/..", "sub/.", "..", "/Evil.h", "../Evil.h",
+        "../../../../../Evil.h", "a/../b/../../Evil.h"}) {
+    code += "#include \"" + std::string(name) + "\"\n";
+  }
+  write_file(folder / "old/src/main.cpp", code);
+  const Outcome made = forwarded(forward, folder / "old", {folder / "old/src"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  std::vector<std::string> written;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "")) {
+    const std::string path = entry.path().lexically_relative(folder / "").string();
+    if (path.ends_with("Evil.h")) written.push_back(path);
+  }
+  std::sort(written.begin(), written.end());
+  EXPECT_EQ(written, (std::vector<std::string>{"team/Evil.h", "team/for/the/names/of/Evil.h"}));
+}
+
 // Catches a header of the team's own, beside its sources, that the C library's headers take for one
 // of theirs.
 TEST(Simurosot, LetsATeamHaveHeadersWithNamesOfTheLibrary) {
@@ -530,6 +558,72 @@ TEST(Simurosot, CompilesWhatTheProjectNamesThatCounts) {
       run({program("mirocup"), "new", folder / "older", "--from-simurosot", folder / "old"});
   ASSERT_EQ(older.exit_code, 0) << older.err;
   EXPECT_NE(older.out.find("2 sources"), std::string::npos) << older.out;
+}
+
+// Catches a line on which the reader's stack or time has no end, and sources that take all memory.
+TEST(Simurosot, BoundsLinesAndFiles) {
+  const TemporaryFolder folder;
+  const std::string old = folder / "old";
+  std::filesystem::create_directories(old);
+  const std::string sample = MIROCUP_SOURCE_FOLDER "/plugins/simurosot/samples/classic/";
+  for (const char* file : {"Strategy.h", "Strategy.cpp", "StdAfx.h"})
+    write_file(old + "/" + file, read_file(sample + file));
+  int count = 0;
+  const auto adopted = [&](const std::string& name, const std::string& text) {
+    write_file(old + "/" + name, text);
+    const Outcome made =
+        run({program("mirocup"), "new", folder / std::to_string(++count), "--from-simurosot", old});
+    std::filesystem::remove(old + "/" + name);
+    return made;
+  };
+  const std::string many(60'000, 'a');
+  std::string nested;
+  while (nested.size() < 60'000) nested += "#include <for(auto ](>>=SOURCE=RelativePath=\"x";
+  const std::string returns(std::size_t{3} << 20, '\r');
+  for (const std::string& text :
+       {"SOURCE=" + many, "#include \"" + many + "\"", "void f() { for (" + many + "}",
+        "int Strategy(" + many, "x = [](" + many, "RelativePath=" + std::string(60'000, ' '),
+        "<ClCompile Include=\"" + many, many + ">>" + many.substr(1) + ";", nested,
+        returns + "x"}) {
+    for (const char* name : {"Old.vcproj", "more.h"}) {
+      const Outcome made = adopted(name, text + "\n");
+      EXPECT_EQ(made.exit_code, text.size() > 65'536 && text.front() == 'a' ? 2 : 0)
+          << name << ' ' << text.substr(0, 20) << made.err;
+    }
+  }
+  const Outcome line = adopted("more.h", "int a;\n" + many + many + "\n");
+  EXPECT_EQ(line.exit_code, 2);
+  EXPECT_NE(line.err.find("more.h: a line of more than 64 KiB"), std::string::npos) << line.err;
+  std::string large;
+  while (large.size() < 3'900'000) large += "int x; // a line\n";
+  for (int i = 0; i < 8; ++i) write_file(old + "/" + std::to_string(i) + ".h", large);
+  const Outcome all = adopted("Old.dsp", large);
+  EXPECT_EQ(all.exit_code, 2);
+  EXPECT_NE(all.err.find("old: more than 32 MiB"), std::string::npos) << all.err;
+}
+
+// Catches a name that a makefile or a template takes for a word of its own.
+TEST(Simurosot, TakesNamesAsTheyAre) {
+  const TemporaryFolder folder;
+  const std::string sample = MIROCUP_SOURCE_FOLDER "/plugins/simurosot/samples/classic/";
+  std::filesystem::create_directories(folder / "old/@STANDARD@");
+  for (const char* file : {"Strategy.h", "StdAfx.h"})
+    write_file(folder / "old/@STANDARD@/" + file, read_file(sample + file));
+  write_file(folder / "old/@STANDARD@/@STYLE@ @SOURCES@.cpp", read_file(sample + "Strategy.cpp"));
+  const Outcome made =
+      run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  ASSERT_NO_FATAL_FAILURE(build_project(folder / "made", folder / "build"));
+  for (const char* bad : {"a|b.cpp", "a\tb.cpp", "d|e/x.h", "a:b.cpp", "d[e]/x.cpp"}) {
+    const std::string path = folder / "old/" + bad;
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+    write_file(path, "");
+    const Outcome refused =
+        run({program("mirocup"), "new", folder / "x", "--from-simurosot", folder / "old"});
+    EXPECT_EQ(refused.exit_code, 2) << bad;
+    EXPECT_NE(refused.err.find("cannot take this name"), std::string::npos) << refused.err;
+    std::filesystem::remove(path);
+  }
 }
 
 // Catches a folder of two teams that is taken for one, a copy of a source that is built in place of
