@@ -38,10 +38,7 @@ class Image {
 
   template <class T>
   std::optional<T> at_offset(std::uint64_t offset) const {
-    if (offset > bytes_.size() || bytes_.size() - offset < sizeof(T)) return std::nullopt;
-    T value;
-    std::memcpy(&value, bytes_.data() + offset, sizeof value);
-    return value;
+    return item_at<T>(bytes_, offset);
   }
 
   template <class T>

@@ -10,8 +10,13 @@
 // finds out.
 #pragma once
 
+#include "system/processor.hpp"
+
 #include <tl/expected.hpp>
 
+#include <cstdint>
+#include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +28,22 @@ struct SharedLibrary {
   std::string search_path;          // DT_RUNPATH or DT_RPATH; "" if the library has neither
   bool exports_entry = false;       // true: the library defines a function mirocup_entry
 };
+
+// Returns the least level of processors with the instructions of a library for x86-64: SSSE3 to
+// SSE4.2 (opcodes behind 0f 38 and 0f 3a) are of v2, AVX, AVX2 and BMI (prefix VEX) of v3, AVX-512
+// (prefix EVEX) of v4. Other instructions are not told apart. All code counts, also a function that
+// runs only if the processor has its instructions. Data between functions are taken for code, so a
+// single instruction of a level does not count. v1 for other files. Each byte is read at most once.
+system::Processor processor_for(std::string_view library);
+
+// Returns the item at an offset of a file; nothing if the file ends before the end of the item.
+template <class T>
+std::optional<T> item_at(std::string_view bytes, std::uint64_t offset) {
+  if (offset > bytes.size() || bytes.size() - offset < sizeof(T)) return std::nullopt;
+  T value;
+  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  return value;
+}
 
 // Reads the whole file in `bytes`. The error is a sentence with advice for the library's author.
 tl::expected<SharedLibrary, std::string> read_shared_library(std::string_view bytes);

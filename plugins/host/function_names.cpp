@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/function_names.hpp"
 
+#include "plugins/host/elf.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <elf.h>
@@ -14,14 +16,6 @@ constexpr std::size_t max_sections = 1024;
 constexpr std::size_t max_symbols = 1u << 21;  // of all tables
 constexpr std::size_t max_symbol_name = 511;   // bytes
 constexpr std::size_t max_parts = 8;           // of a name, as A::b
-
-template <class T>
-std::optional<T> item_at(std::string_view bytes, std::uint64_t offset) {
-  if (offset > bytes.size() || bytes.size() - offset < sizeof(T)) return std::nullopt;
-  T value;
-  std::memcpy(&value, bytes.data() + offset, sizeof value);
-  return value;
-}
 
 std::string_view part_of(std::string_view bytes, std::uint64_t offset, std::uint64_t size) {
   if (offset > bytes.size() || size > bytes.size() - offset) return {};

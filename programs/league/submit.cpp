@@ -35,6 +35,9 @@ struct SubmitOptions {
 void print(const std::string& path, const std::string& team, const Submission& done, bool json) {
   if (!json) {
     std::cout << system::printable(done.message) << '\n';
+    const bool has_notes = done.verdict.is_object() && done.verdict.contains("notes");
+    for (const Json& note : has_notes ? done.verdict["notes"] : Json::array())
+      std::cout << "warning: " << system::printable(record::text_in(note, "text")) << '\n';
     return;
   }
   std::cout << record::json_text({{"accepted", done.is_accepted},

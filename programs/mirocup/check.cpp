@@ -27,7 +27,8 @@ struct CheckOptions {
   std::string path;
   std::string league = "small";
   std::string rules = "mirosot";
-  std::optional<double> half_s;         // of the legs that the entry is for
+  std::optional<double> half_s;  // of the legs that the entry is for
+  std::string processor = "x86-64-v3";
   std::vector<std::string> parameters;  // KEY=VALUE
   std::string record_path;              // of a leg against striker; "": none is written
   bool json = false;
@@ -164,6 +165,7 @@ Result<int> run_check(const CheckOptions& options) {
   terms.rules = referee::make_rules(*from_string<referee::Preset>(options.rules), terms.league);
   if (options.half_s) terms.rules.half_s = *options.half_s;
   terms.parameters = parameters;
+  terms.processor = *from_string<system::Processor>(options.processor);
   server::stay_on_this_core();  // the teams and this process take turns
   MIROCUP_TRY(const auto report,
               check_entry(
@@ -200,6 +202,11 @@ void add_check(system::Commands& commands) {
               "depends on it (default: as in the rules)")
       .between(record::min_half_s, record::max_half_s);
   add_parameters(command, "--param", o.parameters, "the team");
+  command
+      .option("--processor", o.processor,
+              "Oldest processor on which the team may play; a warning names instructions beyond it")
+      .one_of(system::names_of<system::Processor>())
+      .shows_default();
   command
       .option("--record", o.record_path,
               "File to write the record of the team's leg against striker to, for mirocup replay")

@@ -4,6 +4,7 @@
 // league does, in a sandbox.
 #include "plugins/host/compile.hpp"
 
+#include "plugins/host/elf.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "record/json_reader.hpp"
 #include "system/files.hpp"
@@ -13,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <sstream>
 
 namespace mirocup::app {
 
@@ -39,6 +41,20 @@ plugins::SourceLanguage language_of(const CompileOptions& options) {
   return options.path.ends_with(".c") ? SourceLanguage::c : SourceLanguage::cpp;
 }
 
+// True if a line of the source has a pragma or an attribute `target` or `target_clones`.
+bool chooses_processor(const std::string& source) {
+  std::istringstream lines(source);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string code = line.substr(0, line.find("//"));
+    const std::size_t at = code.find("target");
+    if (at == std::string::npos || code.find('"', at) == std::string::npos) continue;
+    for (const char* word : {"pragma", "Pragma", "attribute", "gnu::"}) {
+      if (code.find(word) < at) return true;
+    }
+  }
+  return false;
+}
+
 Result<int> run_compile(const CompileOptions& options) {
   system::Disk disk;
   const plugins::SourceLanguage language = language_of(options);
@@ -58,7 +74,13 @@ Result<int> run_compile(const CompileOptions& options) {
   if (is_compiled) {
     MIROCUP_TRY_VOID(disk.write(options.output, done.library));
   }
-  const std::string said = system::printable(done.output, system::LineEnds::kept);
+  std::string said = system::printable(done.output, system::LineEnds::kept);
+  const system::Processor needs = plugins::processor_for(done.library);
+  if (needs > system::Processor::v1 || (!is_project && chooses_processor(source))) {
+    said += "warning: a pragma or an attribute \"target\" lets the compiler use instructions of " +
+            std::string(needs > system::Processor::v1 ? to_string(needs) : "newer processors") +
+            ", which end the team on a computer that lacks them: remove it\n";
+  }
   if (options.json) {
     using record::JsonReader;
     std::cout << record::json_text(

@@ -11,6 +11,7 @@
 #include "system/printable.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -130,6 +131,15 @@ void warn(Examination& e) {
           "it took " + system::mebibytes(e.grown) +
               " of memory while a leg was played, of 1 GiB that a team has in all: free what it "
               "does not need any more");
+  const auto oldest = std::string(to_string(e.terms.processor));
+  const std::array<const char*, 4> sets{"", "SSE4", "AVX", "AVX-512"};
+  warn_if(
+      e.needs > e.terms.processor, "processor",
+      std::string("it has instructions of ") + sets[static_cast<std::size_t>(e.needs)] +
+          ", which are for processors of " + std::string(to_string(e.needs)) +
+          ": on a computer of " + oldest +
+          ", such as the oldest of its league may be, they end the team. Build it with -march=" +
+          oldest + " in place of a newer -march or native, and without target attributes");
   std::set<std::string> told;
   std::istringstream lines(e.requests);
   for (std::string line; std::getline(lines, line);) {

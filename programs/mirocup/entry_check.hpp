@@ -11,6 +11,7 @@
 #include "core/replay/recording.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
 #include "programs/mirocup/leg_story.hpp"
+#include "system/processor.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -70,6 +71,7 @@ struct EntryTerms {
   League league = League::small;
   referee::Rules rules;  // the rules, with the length of a half in the league
   match::TeamParameters parameters;
+  system::Processor processor = system::Processor::v3;  // of the oldest computer that plays
 };
 
 // Called with each check as soon as its result is known.

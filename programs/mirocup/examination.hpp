@@ -38,6 +38,7 @@ struct Examination {
   std::set<MetRestart> restarts{};  // restarts in the legs so far
   double slept = 0.0;               // the entry's sleep, scaled to a leg of full length, s
   std::size_t grown = 0;            // largest growth of the entry's memory in a leg, bytes
+  system::Processor needs{};        // as the instructions in the file say
   std::string requests{};           // lines of ProcessController::requests()
   CheckPlan plan{};
   EntryReport report{};

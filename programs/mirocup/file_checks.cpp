@@ -78,6 +78,7 @@ Result<bool> examine_file(Examination& e) {
     return fail_with(e, known.empty() ? library.error() : known);
   }
   pass(e, "a complete shared library for this kind of processor");
+  e.needs = plugins::processor_for(e.entry->bytes());
   if (!library->exports_entry)
     return fail_with(e, plugins::advice_on_missing_entry(e.entry->bytes()));
   pass(e, "exports mirocup_entry()");

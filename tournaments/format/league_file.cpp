@@ -167,10 +167,10 @@ Points read_points(const JsonReader& json) {
 }
 
 LeagueFile read_league(const JsonReader& json, int rules_version) {
-  json.expect_object({"schema",        "title",  "format",  "league",  "rules",
-                      "conditions",    "pitch",  "seed",    "points",  "tie_breaks",
-                      "rules_version", "zone",   "freeze",  "strikes", "anonymous",
-                      "thoughts",      "proofs", "firasim", "site",    "teams"});
+  json.expect_object(
+      {"schema",    "title",    "format",     "league",        "rules",   "conditions", "pitch",
+       "seed",      "points",   "tie_breaks", "rules_version", "zone",    "freeze",     "strikes",
+       "anonymous", "thoughts", "proofs",     "processor",     "firasim", "site",       "teams"});
   json.expect_schema(schema);
   LeagueFile file;
   file.rules_version = rules_version;
@@ -196,6 +196,7 @@ LeagueFile read_league(const JsonReader& json, int rules_version) {
   json.read_if_present("anonymous", file.is_anonymous);
   json.read_if_present("thoughts", file.keeps_thoughts);
   json.read_if_present("proofs", file.has_proofs);
+  json.read_if_present("processor", file.processor);
   fields.since_later("strikes", file.strikes, 0, 1000);
   if (json.has("firasim")) file.firasim = read_firasim(json.at("firasim"));
   json.read_if_present("site", file.site);
@@ -307,6 +308,7 @@ std::string print_league_file(const LeagueFile& file) {
   if (file.keeps_thoughts) json["thoughts"] = true;
   if (!file.has_proofs) json["proofs"] = false;
   if (!file.site.empty()) json["site"] = file.site;
+  if (file.processor != LeagueFile().processor) json["processor"] = to_string(file.processor);
   if (const Json firasim = record::fields_json(file.firasim); !firasim.empty())
     json["firasim"] = firasim;
   json["teams"] = record::fields_json(file.teams);

@@ -10,6 +10,7 @@
 #include "core/match/team_parameters.hpp"
 #include "core/referee/rules.hpp"
 #include "system/clock.hpp"
+#include "system/processor.hpp"
 #include "tournaments/format/format.hpp"
 #include "tournaments/format/swiss.hpp"
 #include "tournaments/table/table.hpp"
@@ -106,6 +107,9 @@ struct LeagueFile {
   // The folder of the pages, an absolute path; "": site/ in the league's folder. The host may
   // change it at any time.
   std::string site;
+
+  // The oldest computer that plays: an entry with newer instructions is told so.
+  system::Processor processor = system::Processor::v3;
 
   // A team that loses this number of legs in a row by its own faults is paused; 0: never.
   int strikes = 3;

@@ -51,7 +51,9 @@ Result<Json> check(system::Files& files, const std::string& library, const Leagu
                                    "--league",
                                    std::string(to_string(rules.league)),
                                    "--half",
-                                   std::to_string(rules.rules.half_s)};
+                                   std::to_string(rules.rules.half_s),
+                                   "--processor",
+                                   std::string(to_string(rules.processor))};
   for (const TeamConfig& known : rules.teams) {
     if (known.name != team) continue;
     const auto parameters = record::parameter_options(known.parameters, "--param");

@@ -195,5 +195,32 @@ TEST(Check, ShowsTheLog) {
   EXPECT_NE(talking.report["log"].get<std::string>().find("\\x1b"), std::string::npos);
 }
 
+// Catches a library that a processor with AVX-512 has accepted, and that an older one will end.
+TEST(Check, NotesInstructionsBeyondTheOldestProcessor) {
+  const TemporaryFolder folder;
+  const std::string team = folder / "team.cpp";
+  write_file(team, read_file(MIROCUP_SOURCE_FOLDER "/plugins/template/c++/team.cpp") +
+                       "#include <immintrin.h>\n"
+                       "__attribute__((target(\"avx512f\"), used)) void add(double* x) {\n"
+                       "  _mm512_storeu_pd(x, _mm512_add_pd(_mm512_loadu_pd(x), "
+                       "_mm512_loadu_pd(x + 8)));\n}\n");
+  const Outcome built =
+      run({"/usr/bin/env", "g++", "-std=c++20", "-O2", "-shared", "-fPIC", "-I",
+           MIROCUP_SOURCE_FOLDER "/plugins/include", team, "-o", folder / "team.so"});
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  const auto notes = [&](const std::vector<std::string>& more) {
+    const Examined examined = check(folder / "team.so", more, "2");
+    EXPECT_EQ(examined.exit_code, 0) << examined.report.dump();
+    std::string texts;
+    for (const Json& note : examined.report["notes"])
+      if (note["code"] == "processor") texts += note["text"].get<std::string>();
+    return texts;
+  };
+  const std::string note = notes({});
+  for (const char* part : {"AVX-512", "x86-64-v4", "Build it with -march=x86-64-v3"})
+    EXPECT_NE(note.find(part), std::string::npos) << note;
+  EXPECT_EQ(notes({"--processor", "x86-64-v4"}), "");
+}
+
 }  // namespace
 }  // namespace mirocup

@@ -88,5 +88,40 @@ TEST_F(Compile, MakesALibraryOfTheProjectOfANewTeam) {
   EXPECT_NE(wrong.out.find("src/more.c:1:"), std::string::npos) << wrong.out;
 }
 
+// Catches a source that chooses its processor itself, of which nobody hears, and a warning of a
+// function with such a name.
+TEST_F(Compile, WarnsOfTargets) {
+  const std::string plain =
+      "struct Point { double x; };\nstatic double target(const char* name) { return *name; }\n"
+      "// __attribute__((target(\"avx2\")))\ndouble all() { return target(\"avx2\"); }\n";
+  const Outcome none = compile(plain);
+  EXPECT_EQ(none.exit_code, 0) << none.out;
+  EXPECT_EQ(none.out.find("warning"), std::string::npos) << none.out;
+  for (const char* line :
+       {"#pragma GCC target(\"avx512f\")", "#pragma GCC target \"avx2\"",
+        "_Pragma(\"GCC target(\\\"avx2\\\")\")",
+        "__attribute__((noinline, target(\"avx512f\"))) void f() {}",
+        "__attribute__((__target__ (\"avx2\"))) void f() {}",
+        "[[gnu::target(\"avx2\")]] void f() {}", "#define FAST __attribute__((target(\"avx2\")))",
+        "__attribute__((target_clones(\"avx512f\", \"default\"))) int f() { return 1; }"}) {
+    const Outcome warned = compile(plain + line + "\n");
+    EXPECT_EQ(warned.exit_code, 0) << line << '\n' << warned.out;
+    EXPECT_NE(warned.out.find("warning: a pragma or an attribute"), std::string::npos)
+        << line << '\n'
+        << warned.out;
+  }
+  fs::create_directories(temporary_ / "new");
+  write_file(temporary_ / "new/fast.h", "#pragma GCC target(\"avx2\")\n");
+  write_file(temporary_ / "new/team.cpp",
+             "#include \"fast.h\"\nvoid twice(double* x) { *x *= 2; *x += 1; }\n");
+  ASSERT_EQ(
+      run({"/usr/bin/tar", "-cf", temporary_ / "new.tar", "-C", temporary_ / ".", "new"}).exit_code,
+      0);
+  const Outcome project =
+      run({program("mirocup"), "compile", temporary_ / "new.tar", "-o", library_});
+  EXPECT_EQ(project.exit_code, 0) << project.out;
+  EXPECT_NE(project.out.find("x86-64-v3, which end the team"), std::string::npos) << project.out;
+}
+
 }  // namespace
 }  // namespace mirocup

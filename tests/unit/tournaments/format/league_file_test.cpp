@@ -77,6 +77,18 @@ TEST(LeagueFile, HasProofsUnlessItSaysNo) {
   }
 }
 
+TEST(LeagueFile, NamesTheOldestProcessor) {
+  EXPECT_NE(error_of(R"("processor":"pentium")").find("/processor: "), std::string::npos);
+  EXPECT_EQ(LeagueFile().processor, system::Processor::v3);
+  const auto file =
+      parse_league_file(R"({"schema":"mirocup/league/1","processor":"x86-64-v2"})", "league.json");
+  ASSERT_TRUE(test_support::is_ok(file));
+  EXPECT_EQ(file->processor, system::Processor::v2);
+  const auto again = parse_league_file(print_league_file(*file), "league.json");
+  ASSERT_TRUE(test_support::is_ok(again));
+  EXPECT_EQ(again->processor, system::Processor::v2);
+}
+
 // Catches settings of a program for FIRASim that are lost on the way, or that a library has.
 TEST(LeagueFile, KeepsHowAProgramForFirasimPlays) {
   const auto parse = [](const std::string& team) {
