@@ -104,9 +104,10 @@ Result<void> remove_former_pages(system::Files& files, const std::string& site,
   const std::string folder = site + "/" + part;
   MIROCUP_TRY(const auto present, files.names_if_there(folder));
   for (const std::string& name : present) {
-    const auto type = std::filesystem::symlink_status(folder + name).type();
-    const bool is_ours = is_name_of(part, name) && type != std::filesystem::file_type::directory;
-    if (!is_ours || names.contains(part + name)) continue;
+    std::error_code none;
+    const auto type = std::filesystem::symlink_status(folder + name, none).type();
+    if (type == std::filesystem::file_type::directory) continue;
+    if (names.contains(part + name) || !is_name_of(part, name)) continue;
     MIROCUP_TRY_VOID(files.remove(folder + name));
   }
   return {};
