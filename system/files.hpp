@@ -119,8 +119,7 @@ class Files {
 
   // Replaces the file: writes a temporary file in the same folder, flushes it to disk, renames it
   // and flushes the folder. The temporary file is always a new file, with a name that nobody can
-  // guess. If another user has put a link at `path`, the link is replaced and its target untouched;
-  // below a folder of follow_no_links_below() (links.hpp) it is refused.
+  // guess. If another user has put a link at `path`, the link is replaced and its target untouched.
   // If is_written_in_place(path), writes the bytes into `path` itself.
   virtual Result<void> write(const std::string& path, std::string_view bytes,
                              Readers readers = Readers::everybody) = 0;

@@ -70,8 +70,8 @@ class LeagueOfAStranger : public testing::Test {
     fs::copy(*played_ / "l", league_, fs::copy_options::recursive);
   }
 
-  // Puts a link in the place of that part of a folder, to a copy outside with files of the host, and
-  // gives the command.
+  // Puts a link in the place of that part of a folder, which leads to a copy outside with files of
+  // the host, and gives the command.
   void expect_refused(const std::string& part, const std::string& command,
                       const std::vector<std::string>& more = {}, const std::string& in = "") const {
     const std::string path = (in.empty() ? league_ : in) + "/" + part;
