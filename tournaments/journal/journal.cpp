@@ -109,13 +109,14 @@ Result<void> Journal::add_values(std::size_t more, const std::string& where) {
 
 Result<std::size_t> Journal::known_lines() const {
   if (head_path_.empty()) return lines_.size();
-  if (!head_) return tl::unexpected(head_.error());
-  if (!*head_) return 0;
   const auto lost = [](const std::string& why) {
     return fail(Errc::damaged, why + restore_journal +
                                    "; if there is no copy, remove journal.head to continue from "
                                    "the lines that are left");
   };
+  if (!head_ && head_.error().code == Errc::damaged) return lost(head_.error().what);
+  if (!head_) return tl::unexpected(head_.error());
+  if (!*head_) return 0;
   const auto head = record::read_json<Head>(
       **head_, head_path_, Errc::damaged, [](const record::JsonReader& json) {
         return Head{.lines = json.at("n").integer<std::size_t>(1), .hash = json.at("hash").text()};
