@@ -10,6 +10,8 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <type_traits>
 
 namespace mirocup {
 
@@ -17,6 +19,20 @@ namespace mirocup {
 [[noreturn]] inline void assertion_failed(const char* file, int line, const char* condition) {
   std::fprintf(stderr, "%s:%d: assertion failed: %s\n", file, line, condition);
   std::abort();
+}
+
+// Make scratch NaN (whole numbers: -1) in Debug builds and with MIROCUP_SPOIL, so that no number of
+// the last computation enters the next one unseen. In Release builds they cost nothing.
+template <class T>
+void spoil_n([[maybe_unused]] T* first, [[maybe_unused]] std::size_t count) {
+  static_assert(std::is_trivially_copyable_v<T>);
+#if !defined(NDEBUG) || defined(MIROCUP_SPOIL)
+  std::memset(static_cast<void*>(first), 0xff, count * sizeof(T));
+#endif
+}
+template <class... T>
+void spoil(T&... scratch) {
+  (spoil_n(&scratch, 1), ...);
 }
 
 }  // namespace mirocup

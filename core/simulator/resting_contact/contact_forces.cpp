@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/resting_contact/contact_forces.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/simulator/impact/delassus.hpp"
 #include "core/simulator/impact/friction.hpp"
 #include "core/simulator/impact/islands.hpp"
@@ -27,6 +28,7 @@ const solver::InverseMass& ContactForces::mass(
 
 bool ContactForces::decide(std::span<const trajectory::DriveReference> drives,
                            std::span<BodyState> bodies, std::span<collision::Contact> contacts) {
+  spoil(mass_, trial_, candidate_, wheels_, tangents_);
   // Candidates: the contacts whose gaps do not open. Members: the bodies that have one.
   candidate_count_ = 0;
   members_ = {};

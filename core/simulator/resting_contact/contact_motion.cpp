@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/resting_contact/contact_motion.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/simulator/impact/delassus.hpp"
 #include "core/simulator/impact/position_correction.hpp"
 #include "core/simulator/model/solver_settings.hpp"
@@ -18,6 +19,8 @@ void ContactMotion::move(const BodySet& cluster, const ContactForces& forces,
                          std::span<const trajectory::DriveReference> drives,
                          const SegmentRequest& request, std::span<BodyState> bodies,
                          std::span<trajectory::Segment> segments) {
+  spoil(members_, mass_, braking_, slip_sign_, grounding_, held_, held_index_, wheels_,
+        lateral_force_, rhs_);
   drives_ = drives;
   set_members(cluster, forces);
   select_active(contacts);
@@ -344,6 +347,7 @@ void ContactMotion::solve_for_forces(int k, std::span<trajectory::Segment> segme
 void ContactMotion::apply_redundant_forces(std::span<trajectory::Segment> segments) {
   for (int i = 0; i < held_count_; ++i) {
     if (!cholesky_.is_redundant(i)) continue;
+    rows_[i].force = {};
     rows_[i].force[0] = held_[i].resting.force;
     add_force(i, 0, rows_[i].force[0], segments);
   }

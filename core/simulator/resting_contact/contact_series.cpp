@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/resting_contact/contact_series.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/simulator/model/solver_settings.hpp"
 
 #include <algorithm>
@@ -170,6 +171,7 @@ bool is_on_corner(const collision::Contact& c) {
 
 void start_rows(const collision::StaticWorld& world, const collision::Contact& c,
                 std::span<const trajectory::Segment> segments, ContactSeries& rows) {
+  spoil(rows);
   rows.a = c.a == no_body ? nullptr : &segments[c.a];
   rows.b = c.b == no_body ? nullptr : &segments[c.b];
   if (!is_on_corner(c)) return start_on_edge(world, c, rows);

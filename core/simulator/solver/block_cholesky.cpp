@@ -38,6 +38,9 @@ std::array<Vec3, 3> transposed(const std::array<Vec3, 3>& block) {
 BlockCholesky::BlockCholesky() : blocks_(max_bodies * max_bodies), fronts_(max_bodies) {}
 
 void BlockCholesky::reset(const BodySet& bodies, std::span<const InverseMass> mass) {
+  spoil(coupled_, coupled_count_, order_);
+  spoil_n(blocks_.data(), blocks_.size());
+  spoil_n(fronts_.data(), fronts_.size());
   bodies_ = bodies.to_ulong();
   for_each_body(bodies_, [&](int i) {
     coupled_[i] = 0;

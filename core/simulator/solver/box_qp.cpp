@@ -17,6 +17,8 @@ BoxQp::BoxQp()
 void BoxQp::reset(int size) {
   MIROCUP_ASSERT(0 <= size && size <= max_unknowns);
   size_ = size;
+  spoil(b, low, high, x, target_, rhs_, pivot_, bound_, banned_, order_);
+  spoil_n(factor_.get(), size * size);
   warm_start_qp_.reset({});
   std::fill_n(a_.get(), size * size, 0.0);
   std::fill_n(b.begin(), size, 0.0);

@@ -17,6 +17,8 @@ PivotedCholesky::PivotedCholesky()
 void PivotedCholesky::reset(int n) {
   MIROCUP_ASSERT(0 <= n && n <= max_unknowns);
   size_ = n;
+  spoil(order_, pivot_, redundant_);
+  spoil_n(factor_.get(), n * n);
   std::fill_n(a_.get(), n * n, 0.0);
 }
 

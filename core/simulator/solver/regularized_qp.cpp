@@ -40,6 +40,8 @@ double inverse_mass_along(const JacobianRow& row, const InverseMass& m) {
 
 void RegularizedQp::reset(std::span<const InverseMass> mass) {
   MIROCUP_ASSERT(mass.size() <= mass_.size());
+  spoil(mass_, rows_, inverse_effective_mass_, bound_, prox_centre_, value_, gradient_, rates_,
+        x_at_rates_, x_at_start_, gradient_at_start_, direction_, velocities_, b, low, high, x);
   std::copy(mass.begin(), mass.end(), mass_.begin());
   size_ = 0;
   bodies_.reset();

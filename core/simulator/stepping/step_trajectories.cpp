@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulator/stepping/step_trajectories.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/simulator/impact/position_correction.hpp"
 #include "core/simulator/model/solver_settings.hpp"
 
@@ -75,6 +76,7 @@ StepTrajectories::StepTrajectories(const collision::StaticWorld& world,
 bool StepTrajectories::is_clear(const Step& step) {
   static_assert(std::tuple_size_v<decltype(near_contacts_)> >=
                 std::tuple_size_v<decltype(collision::ContactList::list)>);
+  spoil(largest_correction_, sampled_, near_contacts_);
   near_contact_count_ = 0;
   bool clear = true;
   for_each_pair(step.contacts, [&](std::span<const collision::Contact> contacts) {

@@ -113,6 +113,8 @@ TimeStepper::Step TimeStepper::take_step(const BodySet& candidates,
 // Makes one attempt at a step of step.length. Sets step.members and step.next_length. False if the
 // step is to be repeated with a shorter length: overlaps remain, or the bodies are too fast for it.
 bool TimeStepper::attempt(Attempt& step) {
+  spoil(contacts_.list, start_, end_, unconstrained_, allowed_overlap_, boxes_, row_, impulse_,
+        unconstrained_rate_, tangent_rows_, tangent_impulse_, normal_of_tangent_, wheel_impulse_);
   set_unconstrained_twists(step);
   predict_contacts(step);
   step.members.reset();
@@ -183,6 +185,7 @@ void TimeStepper::forget_forces() {
 }
 
 void TimeStepper::begin_tick() {
+  spoil(twist_before_);
   for (int i = 0; i < world_.bodies(); ++i) {
     if (!memory_.stepped[i]) memory_.proposed_length[i] = infinity;
   }
