@@ -87,6 +87,7 @@ void World::recall(const Memory& memory) {
     const Pair pair{memory.touch[i].a, memory.touch[i].partner};
     add_contacts(static_world_, pair, bodies_, static_world_.tolerances.contact_gap, contacts_);
   }
+  keep_first_contacts_exact();
   islands_.sort(contacts_);
   steps_->recall(memory.steps);
 }
@@ -146,6 +147,7 @@ const TickEvents& World::advance(std::span<const WheelCommand> commands, double 
 
 // Expects the contacts of the last tick's end in contacts_, unless bodies were set since then.
 void World::start_tick(std::span<const WheelCommand> commands, double duration) {
+  spoil(segments_, closed_form_end_, boxes_, bounds_, drives_);
   events_ = {};
   set_drives(commands);
   pairs_.clear();

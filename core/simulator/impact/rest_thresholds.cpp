@@ -36,6 +36,7 @@ RestThresholds::RestThresholds(const Tolerances& tolerances, int bodies)
       cost_of_meeting_(std::min(bodies, settings::rest_thresholds.bodies_of_least_budget) - 1) {}
 
 void RestThresholds::begin_tick(double duration) {
+  drop_touched_before(-settings::rest_thresholds.contact_memory);
   const double parts = std::max(1.0, duration / settings::rest_thresholds.budget_duration);
   budget_ =
       static_cast<int>(std::min(least_budget_ * parts, settings::rest_thresholds.most_budget));
@@ -49,7 +50,6 @@ void RestThresholds::begin_tick(double duration) {
 }
 
 void RestThresholds::end_tick(double duration) {
-  drop_touched_before(duration - settings::rest_thresholds.contact_memory);
   for (int i = 0; i < memory_.count; ++i) memory_.touched[i].time -= duration;
 }
 

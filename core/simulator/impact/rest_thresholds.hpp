@@ -42,7 +42,7 @@ class RestThresholds {
   RestThresholds(const Tolerances& tolerances, int bodies);
 
   // Starts a tick of `duration` seconds with the least min_duration(), an unspent budget and no
-  // impacts.
+  // impacts. Until then contacts are remembered as at the end of the last tick: for recall().
   void begin_tick(double duration);
   // Ends a tick of `duration` seconds. Afterwards, remembered times count from the end of that
   // tick.
@@ -78,7 +78,7 @@ class RestThresholds {
   // Counts an impact of two bodies at time t.
   void note_impact(double t);
 
-  // True if the contact was closed within the last contact_memory seconds.
+  // True if the contact was closed within the last contact_memory seconds before this tick.
   bool remembers(const collision::Contact& contact) const { return find(contact) != memory_.count; }
 
   // Remembers a contact that is closed at time t, with its last impact and its force.

@@ -157,13 +157,16 @@ TEST(RestThresholds, DoNotDependOnTheLengthOfTicks) {
               1.0, 1e-9);
 }
 
-// A contact that was left long ago, and one between bodies that were placed, is a new one.
+// A contact that was left long ago, and one between bodies that were placed, is a new one. Catches
+// contacts that are forgotten at a tick's end, when World::save() still needs them.
 TEST(RestThresholds, ContactsAreForgotten) {
   const collision::Contact contact = contact_of(pair_of(0, 1));
   RestThresholds thresholds = fresh();
   hit(thresholds, contact, 0.01, 0.0);
   EXPECT_TRUE(thresholds.remembers(contact));
   thresholds.end_tick(1.0);
+  EXPECT_TRUE(thresholds.remembers(contact));
+  thresholds.begin_tick(tick);
   EXPECT_FALSE(thresholds.remembers(contact));
   hit(thresholds, contact, 0.01, 0.0);
   thresholds.forget();
