@@ -17,7 +17,8 @@ using simulator::Parameters;
 using simulator::PerPair;
 
 constexpr double min_grip = 1e-6;
-constexpr double max_corner = 1e6;  // m
+constexpr double max_corner = 1.0;   // m
+constexpr double min_reach = 0.025;  // m, of the edges from the centre of mass
 constexpr double min_parameter = 1e-9;
 constexpr double max_parameter = 1e9;
 
@@ -56,6 +57,8 @@ geometry::OutlineCorners read_corners(const JsonReader& json) {
       json.complain("the corners must be those of a convex polygon, in their order");
     } else if (!(cross(corners[i], corners[(i + 1) % n]) > 0.0)) {
       json.complain("the centre of mass, [0, 0], is not inside the polygon");
+    } else if (cross(corners[i], edge) < min_reach * edge.norm()) {
+      json.complain("an edge is nearer to the centre of mass, [0, 0], than 0.025 m");
     }
     outline.x[i] = corners[i].x();
     outline.y[i] = corners[i].y();
@@ -65,7 +68,7 @@ geometry::OutlineCorners read_corners(const JsonReader& json) {
 }
 
 double read_grip(const JsonReader& json) {
-  if (!json.is_string()) return json.number(min_grip);
+  if (!json.is_string()) return json.number(min_grip, max_parameter);
   if (json.text() != "infinite") json.complain("a number or \"infinite\" is expected");
   return infinite_grip;
 }
@@ -91,30 +94,24 @@ void read_physics(const JsonReader& json, Parameters& p) {
                            "restitution", "contact_friction", "shape"})) {
     return;
   }
-  const auto positive = [&](const char* key, double& member) {
-    if (!json.has(key)) return;
-    const JsonReader value = plain_value(json.at(key));
-    member = value.positive_number();
-    if (member > 0.0) member = value.number(min_parameter, max_parameter);
+  const auto number = [&](const char* key, double& member, double min, double max = max_parameter) {
+    if (json.has(key)) member = plain_value(json.at(key)).number(min, max);
   };
-  const auto not_negative = [&](const char* key, double& member) {
-    if (json.has(key)) member = plain_value(json.at(key)).number(0.0, max_parameter);
-  };
-  positive("robot_side", p.robot_side);
-  positive("robot_mass", p.robot_mass);
-  positive("wheel_distance", p.wheel_distance);
-  positive("wheel_radius", p.wheel_radius);
-  positive("motor_time_constant", p.motor_time_constant);
-  not_negative("turn_time_constant", p.turn_time_constant);
-  not_negative("brake_time_constant", p.brake_time_constant);
-  not_negative("wheel_speed_limit", p.wheel_speed_limit);
+  number("robot_side", p.robot_side, 0.07, 2.0);
+  number("robot_mass", p.robot_mass, min_parameter);
+  number("wheel_distance", p.wheel_distance, min_parameter);
+  number("wheel_radius", p.wheel_radius, min_parameter);
+  number("motor_time_constant", p.motor_time_constant, min_parameter);
+  number("turn_time_constant", p.turn_time_constant, 0.0);
+  number("brake_time_constant", p.brake_time_constant, 0.0);
+  number("wheel_speed_limit", p.wheel_speed_limit, 0.0);
   if (json.has("grip")) p.grip = read_grip(plain_value(json.at("grip")));
-  positive("ball_radius", p.ball_radius);
-  positive("ball_mass", p.ball_mass);
-  not_negative("rolling_resistance", p.rolling_resistance);
-  not_negative("viscous_friction", p.viscous_friction);
+  number("ball_radius", p.ball_radius, 0.01, 0.022);
+  number("ball_mass", p.ball_mass, min_parameter);
+  number("rolling_resistance", p.rolling_resistance, 0.0, 10.0);
+  number("viscous_friction", p.viscous_friction, 0.0);
   json.read_if_present("rolling_friction", p.rolling_friction);
-  positive("k", p.k);
+  number("k", p.k, 1e-4);
   if (json.has("restitution")) read_per_pair(json.at("restitution"), 1.0, p.restitution);
   if (json.has("contact_friction")) {
     read_per_pair(json.at("contact_friction"), infinite_grip, p.contact_friction);

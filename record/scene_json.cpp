@@ -21,8 +21,11 @@ constexpr std::string_view result_schema = "mirocup/scene-result/1";
 
 // What a scene may ask for, so that every scene ends and its result fits into memory. scene.md
 // gives the reasons.
-constexpr double max_duration = 3600.0;              // s
-constexpr double max_size = 1e6;                     // of positions, m, speeds, m/s and rad/s
+constexpr double max_duration = 3600.0;   // s
+constexpr double max_away = 1000.0;       // m
+constexpr double max_scene_speed = 5.0;   // m/s
+constexpr double max_scene_turn = 100.0;  // rad/s
+constexpr double max_size = 1e6;  // of headings, rad, and of wheels before their limit, rad/s
 constexpr std::size_t max_sampled_states = 250'000;  // of all bodies in all samples
 
 void read_wheels(const JsonReader& json, SceneRobot& robot) {
@@ -42,11 +45,12 @@ SceneRobot read_robot(const JsonReader& json, const std::string& default_name) {
   if (!json.expect_object({"name", "pose", "twist", "wheels"})) return robot;
   json.read_if_present("name", robot.name);
   if (const JsonReader pose = json.at("pose"); pose.expect_array(3, 3)) {
-    robot.state.position = {pose.at(0).number(-max_size, max_size),
-                            pose.at(1).number(-max_size, max_size)};
+    robot.state.position = {pose.at(0).number(-max_away, max_away),
+                            pose.at(1).number(-max_away, max_away)};
     robot.state.heading = read_heading(pose.at(2), max_size);
   }
-  if (json.has("twist")) robot.state.twist = read_twist(json.at("twist"), max_size, max_size);
+  if (json.has("twist"))
+    robot.state.twist = read_twist(json.at("twist"), max_scene_speed, max_scene_turn);
   if (json.has("wheels")) read_wheels(json.at("wheels"), robot);
   return robot;
 }
@@ -87,8 +91,9 @@ Scene read_scene(const JsonReader& json) {
     const JsonReader ball = json.at("ball");
     if (ball.expect_object({"position", "velocity"})) {
       scene.ball =
-          BallState{.position = read_vector(ball.at("position"), max_size), .velocity = {0.0, 0.0}};
-      if (ball.has("velocity")) scene.ball->velocity = read_vector(ball.at("velocity"), max_size);
+          BallState{.position = read_vector(ball.at("position"), max_away), .velocity = {0.0, 0.0}};
+      if (ball.has("velocity"))
+        scene.ball->velocity = read_vector(ball.at("velocity"), max_scene_speed);
     }
   }
   if (json.has("robots")) read_robots(json.at("robots"), scene);
@@ -107,6 +112,12 @@ std::string name_of(const Scene& scene, int body) {
 }
 
 std::optional<JsonProblem> find_problem(const Scene& scene) {
+  const Parameters& p = scene.parameters;
+  const double limit = p.wheel_speed_limit;
+  if (p.speed_reference(limit, limit) > max_scene_speed ||
+      p.omega_reference(-limit, limit) > max_scene_turn)
+    return JsonProblem{"/parameters/wheel_speed_limit",
+                       "with it wheels drive a robot beyond 5 m/s or turn it beyond 100 rad/s"};
   const auto overlap = find_overlap(scene);
   if (!overlap) return std::nullopt;
   const std::string who = name_of(scene, overlap->first);

@@ -90,12 +90,18 @@ TEST(StrangeFiles, MayHaveNamesThatAreNotUtf8) {
   }
 }
 
-// A ball on its way for years, and wheels that hold a billionth of the weight, did not end.
+// A ball on its way for years, wheels that hold a billionth of the weight or any force, a resistance
+// that is linear for a nanometre per second only, and robots of 20 nm did not end. A row of robots
+// that is hit at 1e5 m/s overlapped.
 TEST(StrangeFiles, AreScenesThatEnd) {
   const TemporaryFolder folder;
   const std::string file = folder / "s.json";
-  for (const char* scene : {R"("duration":1e9)", R"("duration":1,"parameters":{"grip":1e-9})",
-                            R"("duration":1,"parameters":{"grip":0})"}) {
+  for (const char* scene :
+       {R"("duration":1e9)", R"("duration":1,"parameters":{"grip":1e-9})",
+        R"("duration":1,"parameters":{"grip":0})", R"("duration":1,"parameters":{"grip":1e300})",
+        R"("duration":1,"parameters":{"k":1e-9})",
+        R"("duration":1,"parameters":{"robot_side":2e-8})",
+        R"("duration":1,"robots":[{"pose":[0,0,0],"twist":[1e5,0,0]}])"}) {
     test_support::write_file(file, std::string("{\"schema\":\"mirocup/scene/1\",") + scene + "}");
     expect_sentence(run({program("mirocup"), "scene", file}), 2, file);
   }
