@@ -50,7 +50,7 @@ TEST(WrongLines, AreAnsweredWithOneSentenceThatSaysWhatToType) {
   EXPECT_GE(count, 100);
 }
 
-// Catches an option of any command that takes NaN, infinity or a number that people do not write so.
+// Catches an option of any command that takes NaN, infinity, or a number as people do not write it.
 TEST(WrongLines, NoOptionTakesForANumberWhatIsNone) {
   const std::set<std::string> numbers{"SECONDS", "NUMBER", "SEED", "TICK", "MARKS", "MM",
                                       "DEGREES", "SHARE",  "ELO",  "DAYS", "NIGHT", "K|auto"};
