@@ -52,8 +52,9 @@ std::optional<ParsedTime> parse_time(std::string_view text) {
   if (time.at < 0 || utc_text(time.at) != date + "Z") return std::nullopt;
   const std::string_view rest = text.substr(length);
   if (time.is_local || rest == "Z") return time;
+  if (rest.size() != 6 || (rest[0] != '+' && rest[0] != '-')) return std::nullopt;
   const auto offset = parse_time("1970-01-01T" + std::string(rest.substr(1)) + ":00Z");
-  if ((rest[0] != '+' && rest[0] != '-') || !offset || offset->at >= 15 * 3600) return std::nullopt;
+  if (!offset || offset->at >= 15 * 3600) return std::nullopt;
   time.at -= rest[0] == '+' ? offset->at : -offset->at;
   return time;
 }
