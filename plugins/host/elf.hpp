@@ -33,7 +33,8 @@ struct SharedLibrary {
 // SSE4.2 (opcodes behind 0f 38 and 0f 3a) are of v2, AVX, AVX2 and BMI (prefix VEX) of v3, AVX-512
 // (prefix EVEX) of v4. Other instructions are not told apart. All code counts, also a function that
 // runs only if the processor has its instructions. Data between functions are taken for code, so a
-// single instruction of a level does not count. v1 for other files. Each byte is read at most once.
+// single instruction of a level does not count. Returns v1 for other files. The function reads no
+// more bytes of code than the file has.
 system::Processor processor_for(std::string_view library);
 
 // Returns the item at an offset of a file; nothing if the file ends before the end of the item.

@@ -65,8 +65,10 @@ TEST(Instructions, AreNotFoundInsideOfOthers) {
 TEST(Instructions, AreReadOnceWhateverTheTablesClaim) {
   const std::string code(std::size_t{2} << 20, '\x90');
   EXPECT_EQ(processor_for(with_code(code, 60'000)), Processor::v1);
-  const std::string whole = with_code("\x62\xf1\xf5\x48\x58\xc2", 3);
-  for (std::size_t size = 0; size < whole.size(); ++size)
+  const std::string zmm = "\x62\xf1\xf5\x48\x58\xc2";
+  const std::string whole = with_code(zmm + zmm);
+  EXPECT_EQ(processor_for(whole), Processor::v4);
+  for (std::size_t size = 0; size <= whole.size() - zmm.size(); ++size)
     EXPECT_EQ(processor_for(std::string_view(whole).substr(0, size)), Processor::v1) << size;
 }
 
