@@ -145,7 +145,13 @@ Result<std::string> impossible_key(system::Files& files, const Folder& folder,
   const std::string path = folder.record(id.fixture, id.leg, id.version);
   MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::record}));
   MIROCUP_TRY(auto file, record::parse_record(text, path));
-  const Json found = record::parse_json(text).value;
+  Json found = record::parse_json(text).value;
+  if (record::has_other_behaviour(file.record)) {
+    // An earlier version may lack keys of the setup and of decisions.
+    Json complete = record::to_json(file.record);
+    complete["result"] = found["result"];
+    found = std::move(complete);
+  }
   file.record.recording.setup = setup_of(state, id);
   file.record.from.reset();
   const Json possible = record::to_json(file.record);

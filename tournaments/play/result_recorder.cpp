@@ -90,12 +90,12 @@ Result<void> ResultRecorder::check_found() {
   }
   MIROCUP_TRY(const auto verified, verify_records(files_, folder(), records, jobs_));
   for (const VerifiedRecords::Problem& p : verified.problems) {
-    if (p.code != exit_no) {
-      return fail(p.code == exit_code(Errc::damaged) ? Errc::damaged : Errc::host,
-                  p.text + "; the leg may have been played: mend " + p.record +
-                      ", or remove it to play again");
-    }
     checked_[p.record] = p.text;
+    if (p.code == exit_no) continue;
+    const std::size_t name = p.text.starts_with("mirocup: ") ? p.text.find(' ') + 1 : 0;
+    return fail(p.code == exit_code(Errc::damaged) ? Errc::damaged : Errc::host,
+                p.text.substr(name) + "; the leg may have been played: mend " + p.record +
+                    ", or remove it to play again");
   }
   return {};
 }

@@ -90,6 +90,11 @@ TEST_F(ForgedRecords, OfShardsAreVoidAndTheirLegsArePlayedAgain) {
       {"r1-f1-1", say_nine_goals},
       {"r1-f1-2", [](Json& json) { json["decisions"].erase(json["decisions"].size() - 2); }},
       {"r1-f2-1", exchange_replay(folder_, "r1-f2-2-1.replay.zst")},
+      {"r1-f2-2",
+       [](Json& json) {
+         json["software"]["game"] = "0123456789abcdef";  // which plays this leg alike
+         json["result"]["fault"] = {{"team", "blue"}, {"code", "crash"}, {"text", ""}};
+       }},
       {"r2-f1-1", invent_a_fault},
       {"r2-f1-2",
        [](Json& json) {
@@ -156,6 +161,17 @@ TEST_F(ForgedRecords, OfAnotherVersionAreToldAndNeitherBookedNorVoid) {
   EXPECT_NE(start.err.find("another version of the game"), std::string::npos) << start.err;
   EXPECT_NE(start.err.find("r1-f1-1-1.json"), std::string::npos) << start.err;
   EXPECT_EQ(count_kind(folder_, "void"), 0);
+  EXPECT_EQ(count_kind(folder_, "leg"), 0);
+}
+
+// Catches a replay file that nobody compares with its record.
+TEST_F(ForgedRecords, WithTheReplayOfAnotherLegAreTold) {
+  fs::copy_file(folder_ + "/records/r1-f2-1-1.replay.zst",
+                folder_ + "/records/r1-f1-1-1.replay.zst", fs::copy_options::overwrite_existing);
+  const Outcome start = run(league("start", folder_));
+  EXPECT_EQ(start.exit_code, 4) << start.err;
+  EXPECT_NE(start.err.find("r1-f1-1-1.replay.zst: it is not the replay"), std::string::npos)
+      << start.err;
   EXPECT_EQ(count_kind(folder_, "leg"), 0);
 }
 
