@@ -90,9 +90,9 @@ TEST(StrangeFiles, MayHaveNamesThatAreNotUtf8) {
   }
 }
 
-// A ball on its way for years, wheels that hold a billionth of the weight or any force, a resistance
-// that is linear for a nanometre per second only, and robots of 20 nm did not end. A row of robots
-// that is hit at 1e5 m/s overlapped.
+// A ball on its way for years, wheels that hold a billionth of the weight or any force, a rolling
+// resistance that is linear below a nanometre per second, and robots of 20 nm did not end. A row
+// of robots that is hit at 1e5 m/s overlapped.
 TEST(StrangeFiles, AreScenesThatEnd) {
   const TemporaryFolder folder;
   const std::string file = folder / "s.json";
