@@ -64,7 +64,9 @@ class Asked : public testing::Test {
   Asked() {
     EXPECT_EQ(mkfifo(held_.c_str(), 0600), 0);
     reader_.reset(open(held_.c_str(), O_RDONLY | O_NONBLOCK));
+    sigprocmask(SIG_SETMASK, nullptr, &mask_);
   }
+  ~Asked() override { sigprocmask(SIG_SETMASK, &mask_, nullptr); }  // a ProcessSet leaves another
   std::vector<std::string> command(const std::string& script) const {
     return {"sh", "-c", "exec 9>" + held_ + "; " + script};
   }
@@ -78,6 +80,7 @@ class Asked : public testing::Test {
   const test_support::TemporaryFolder folder_;
   const std::string held_ = folder_ / "held";
   Descriptor reader_;
+  sigset_t mask_{};
 };
 
 constexpr ChildLimits plenty{.seconds = 60.0, .bytes = 1'000'000};
