@@ -36,8 +36,10 @@ void print(const std::string& path, const std::string& team, const Submission& d
   if (!json) {
     std::cout << system::printable(done.message) << '\n';
     const bool has_notes = done.verdict.is_object() && done.verdict.contains("notes");
-    for (const Json& note : has_notes ? done.verdict["notes"] : Json::array())
-      std::cout << "warning: " << system::printable(record::text_in(note, "text")) << '\n';
+    for (const Json& note : has_notes ? done.verdict["notes"] : Json::array()) {
+      if (record::text_in(note, "code") == "processor")
+        std::cout << "warning: " << system::printable(record::text_in(note, "text")) << '\n';
+    }
     return;
   }
   std::cout << record::json_text({{"accepted", done.is_accepted},
