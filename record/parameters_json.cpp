@@ -97,7 +97,7 @@ void read_physics(const JsonReader& json, Parameters& p) {
   const auto number = [&](const char* key, double& member, double min, double max = max_parameter) {
     if (json.has(key)) member = plain_value(json.at(key)).number(min, max);
   };
-  number("robot_side", p.robot_side, 0.07, 2.0);
+  number("robot_side", p.robot_side, 0.05, 2.0);
   number("robot_mass", p.robot_mass, min_parameter);
   number("wheel_distance", p.wheel_distance, min_parameter);
   number("wheel_radius", p.wheel_radius, min_parameter);
@@ -106,7 +106,7 @@ void read_physics(const JsonReader& json, Parameters& p) {
   number("brake_time_constant", p.brake_time_constant, 0.0);
   number("wheel_speed_limit", p.wheel_speed_limit, 0.0);
   if (json.has("grip")) p.grip = read_grip(plain_value(json.at("grip")));
-  number("ball_radius", p.ball_radius, 0.01, 0.022);
+  number("ball_radius", p.ball_radius, 0.002, 0.2);
   number("ball_mass", p.ball_mass, min_parameter);
   number("rolling_resistance", p.rolling_resistance, 0.0, 10.0);
   number("viscous_friction", p.viscous_friction, 0.0);

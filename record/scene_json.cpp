@@ -7,6 +7,7 @@
 #include "record/parameters_json.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace mirocup::record {
@@ -23,8 +24,8 @@ constexpr std::string_view result_schema = "mirocup/scene-result/1";
 // gives the reasons.
 constexpr double max_duration = 3600.0;   // s
 constexpr double max_away = 1000.0;       // m
-constexpr double max_scene_speed = 5.0;   // m/s
-constexpr double max_scene_turn = 100.0;  // rad/s
+constexpr double max_scene_speed = 50.0;  // m/s
+constexpr double max_scene_turn = 300.0;  // rad/s
 constexpr double max_size = 1e6;  // of headings, rad, and of wheels before their limit, rad/s
 constexpr std::size_t max_sampled_states = 250'000;  // of all bodies in all samples
 
@@ -113,11 +114,17 @@ std::string name_of(const Scene& scene, int body) {
 
 std::optional<JsonProblem> find_problem(const Scene& scene) {
   const Parameters& p = scene.parameters;
-  const double limit = p.wheel_speed_limit;
-  if (p.speed_reference(limit, limit) > max_scene_speed ||
-      p.omega_reference(-limit, limit) > max_scene_turn)
-    return JsonProblem{"/parameters/wheel_speed_limit",
-                       "with it wheels drive a robot beyond 5 m/s or turn it beyond 100 rad/s"};
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    for (const WheelsFrom& row : scene.robots[i].wheels) {
+      const double limit = p.wheel_speed_limit;
+      const double left = std::clamp(row.speeds.left, -limit, limit);
+      const double right = std::clamp(row.speeds.right, -limit, limit);
+      if (std::abs(p.speed_reference(left, right)) > max_scene_speed ||
+          std::abs(p.omega_reference(left, right)) > max_scene_turn)
+        return JsonProblem{"/robots/" + std::to_string(i) + "/wheels",
+                           "they drive the robot beyond 50 m/s or turn it beyond 300 rad/s"};
+    }
+  }
   const auto overlap = find_overlap(scene);
   if (!overlap) return std::nullopt;
   const std::string who = name_of(scene, overlap->first);

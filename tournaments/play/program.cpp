@@ -6,8 +6,8 @@
 #include "system/printable.hpp"
 #include "system/process_set.hpp"
 #include "system/text.hpp"
-#include "tournaments/league/gaps.hpp"
 #include "system/trusted_program.hpp"
+#include "tournaments/league/gaps.hpp"
 #include "tournaments/league/kept_program.hpp"
 #include "tournaments/play/scratch_folder.hpp"
 
@@ -164,7 +164,8 @@ Result<void> keep_program(system::Files& files, const Folder& folder,
 namespace {
 
 // Verifies the records at `paths` inside the league, and adds those that can be read to `legs`.
-Result<VerifiedRecords> verify(system::Files& files, const Folder& folder,
+// `half_s`: of a half of the league, s, from which the limit of a verification follows.
+Result<VerifiedRecords> verify(system::Files& files, const Folder& folder, double half_s,
                                const std::vector<std::string>& paths, int jobs,
                                std::map<std::string, RecordedLeg>& legs) {
   VerifiedRecords done;
@@ -194,7 +195,6 @@ Result<VerifiedRecords> verify(system::Files& files, const Folder& folder,
       const int tag = static_cast<int>(next++);
       std::vector<std::string> words = server.words;
       words.insert(words.end(), {"verify", folder.path + "/" + leg.path});
-      const double half_s = store.state().file.rules.half_s;
       MIROCUP_TRY_VOID(processes.start(
           words, tag, -1, output_of(tag),
           {.seconds = system::limit_of_repeating(half_s), .bytes = system::size_limit::log}));
@@ -228,7 +228,7 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
     if (name.ends_with(".json") && !name.starts_with('.')) paths.push_back("records/" + name);
   }
   std::map<std::string, RecordedLeg> legs;
-  auto done = verify(files, store.folder(), paths, jobs, legs);
+  auto done = verify(files, store.folder(), store.state().file.rules.half_s, paths, jobs, legs);
   if (!done) return done;
   compare_with_journal(store, legs, *done);
   MIROCUP_TRY(const auto found, gaps(files, store, is_being_played(store.folder())));
@@ -240,10 +240,10 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
   return done;
 }
 
-Result<VerifiedRecords> verify_records(system::Files& files, const Folder& folder,
+Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store,
                                        const std::vector<std::string>& paths, int jobs) {
   std::map<std::string, RecordedLeg> legs;
-  return verify(files, folder, paths, jobs, legs);
+  return verify(files, store.folder(), store.state().file.rules.half_s, paths, jobs, legs);
 }
 
 }  // namespace mirocup::league

@@ -47,7 +47,7 @@ struct VerifiedRecords {
 Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs);
 
 // Verifies only the records at `paths` inside the league, and does not ask the journal.
-Result<VerifiedRecords> verify_records(system::Files& files, const Folder& folder,
+Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store,
                                        const std::vector<std::string>& paths, int jobs);
 
 }  // namespace mirocup::league

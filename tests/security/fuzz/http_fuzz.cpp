@@ -28,7 +28,7 @@ league::Portal& desk() {
     league::PortalOptions options;
     options.team_header = "x-team";
     options.why_not = [](const std::string&, const std::string&) { return std::string(); };
-    options.legs = [](const std::string&) { return std::vector<league::OwnLeg>(); };
+    options.legs = [](league::Viewer, const std::string&) { return std::vector<league::OwnLeg>(); };
     options.statistics = [](const std::string&) { return std::string(); };
     options.friendlies = {
         .teams =
