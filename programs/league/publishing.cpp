@@ -8,7 +8,6 @@
 #include "tournaments/league/kept_program.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/league_statistics.hpp"
-#include "tournaments/publish/night_pages.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
@@ -58,12 +57,9 @@ ModuleOfGame module_finder(system::Files& files, const Folder& folder, const Lea
   };
 }
 
-Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store) {
-  if (!sees_nights(Viewer::visitor, store.state())) return NightNews{};
-  MIROCUP_TRY(auto night, last_night(shown, store.journal()));
-  if (!night) return NightNews{};
-  MIROCUP_TRY(auto feed, feed_xml(shown, store.journal()));
-  return NightNews{.night = std::move(night), .feed = std::move(feed)};
+Result<std::optional<Night>> night_for(const LeagueState& shown, const LeagueStore& store) {
+  if (!sees_nights(Viewer::visitor, store.state())) return std::optional<Night>();
+  return last_night(shown, store.journal());
 }
 
 Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store) {
@@ -91,14 +87,14 @@ static Result<void> open_site(system::Files& files, const Folder& folder) {
 }
 
 Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState shown,
-                         const NightNews& news, int jobs) {
+                         const std::optional<Night>& night, int jobs) {
   MIROCUP_TRY_VOID(open_site(files, folder));
   // What was told before may not be released any more.
   // And this program may have no playground.
   for (const std::string part : {"", "digests/"})
     MIROCUP_TRY_VOID(remove_former_pages(files, folder.site(), part, {}));
   for (const char* part : {"/teams", "/rounds", "/digests"}) {
-    if (part == std::string("/digests") && !news.night) continue;
+    if (part == std::string("/digests") && !night) continue;
     MIROCUP_TRY_VOID(files.make_folder(folder.site() + part));
   }
   for (const std::string& path : {folder.path, folder.site()})
@@ -113,8 +109,7 @@ Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState
   const Site site({.state = shown,
                    .reports = std::move(reports),
                    .facts = std::move(facts),
-                   .night = has_refused ? std::nullopt : news.night,
-                   .feed = has_refused ? "" : news.feed,
+                   .night = has_refused ? std::nullopt : night,
                    .playground = playground_maker(files)});
   const std::vector<std::string> names = site.names();
   for (const std::string& name : names) {
@@ -150,8 +145,8 @@ Result<int> publish_league(system::Files& files, const Folder& folder, int jobs)
     return exit_no;
   }
   MIROCUP_TRY(const auto shown, released_state(store.state(), store.journal()));
-  MIROCUP_TRY(const auto news, news_for(shown, store));
-  MIROCUP_TRY(const int published, publish_site(files, store.folder(), shown, news, jobs));
+  MIROCUP_TRY(const auto night, night_for(shown, store));
+  MIROCUP_TRY(const int published, publish_site(files, store.folder(), shown, night, jobs));
   return found.is_whole() ? published : exit_no;
 }
 

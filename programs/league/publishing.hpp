@@ -14,14 +14,9 @@
 
 namespace mirocup::league {
 
-// The news of nights on the pages: the last night that may be shown, and the feed.
-struct NightNews {
-  std::optional<Night> night;
-  std::string feed;  // feed.xml; "": none
-};
-
-// Returns the news for pages that show `shown`: the whole league, or its released part.
-Result<NightNews> news_for(const LeagueState& shown, const LeagueStore& store);
+// Returns the last night that visitors may see on pages that show `shown`: the whole league, or its
+// released part.
+Result<std::optional<Night>> night_for(const LeagueState& shown, const LeagueStore& store);
 
 // Returns the function that makes the page in which visitors play by hand; null if the module for
 // browsers was not built. `files` must outlive the function.
@@ -39,7 +34,7 @@ Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store);
 // for each processor). Returns exit_no, and prints why, if a leg lacks its page or its numbers, or
 // if the pages lack a leg whose record differs from its replay.
 Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState shown,
-                         const NightNews& news, int jobs = 0);
+                         const std::optional<Night>& night, int jobs = 0);
 
 // Opens the league and writes the pages of its released part. Returns exit_no if something is
 // missing. If the journal has lost lines, the pages stay as they are.

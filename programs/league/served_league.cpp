@@ -47,7 +47,6 @@ std::string type_of(const std::string& path) {
   if (end == ".json") return "application/json";
   if (end == ".csv") return "text/csv; charset=utf-8";
   if (end == ".css") return "text/css; charset=utf-8";
-  if (end == ".xml") return "application/atom+xml";
   if (end == ".js") return "text/javascript; charset=utf-8";
   return "application/octet-stream";
 }
@@ -181,14 +180,13 @@ void ServedLeague::begin_pages() {
   auto released = released_state(store_.state(), store_.journal());
   LeagueState shown = released ? std::move(*released) : unplanned_league(store_.state().file);
   plan(shown);
-  NightNews news = news_for(shown, store_).value_or(NightNews{});
+  auto night = night_for(shown, store_).value_or(std::nullopt);
   facts_ = read_facts(files_, store_.folder(), shown, std::move(facts_));
   LegReports reports = kept_statistics(files_, store_.folder(), shown, &known_reports_);
   site_ = std::make_unique<Site>(SiteSource{.state = std::move(shown),
                                             .reports = std::move(reports),
                                             .facts = facts_,
-                                            .night = std::move(news.night),
-                                            .feed = std::move(news.feed),
+                                            .night = std::move(night),
                                             .playground = playground_maker(files_)});
   note_what_is_shown();
   records_.clear();

@@ -18,7 +18,7 @@ struct SiteContent {
   const LegReports& reports;
   std::vector<RoundView> rounds;
   StrengthHistory history;
-  bool has_night = false;  // true: the site has night.html and feed.xml
+  bool has_night = false;  // true: the site has night.html
   bool has_playground = false;
 };
 

@@ -19,7 +19,6 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr std::size_t nights_in_feed = 10;
 constexpr double run_up_s = 3.0;  // a moment is shown from a little before
 
 std::string page_of_moment(const Overview& o, const std::string& root, const WorstMoment& moment) {
@@ -100,12 +99,7 @@ std::string night_page(const Overview& o, const Night& night, const std::vector<
     html.close("tr");
   }
   html.close_table();
-  html.raw("<p class=\"small\"><a href=\"feed.xml\">Feed of all nights (Atom)</a></p>\n");
   return plain_page(o, "", title_of(night), when(o.state, night.at), html);
-}
-
-std::string tag_of(const LeagueState& state) {
-  return "urn:sha256:" + state.config_sha256;
 }
 
 }  // namespace
@@ -216,49 +210,6 @@ FileMakers night_pages(const Overview& o, const Night& night) {
     };
   }
   return files;
-}
-
-Result<std::string> feed_xml(const LeagueState& shown, const Journal& journal) {
-  // The line after which each night ends.
-  std::vector<std::pair<int, std::size_t>> ends;
-  const std::vector<Json>& lines = journal.lines();
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (record::text_in(lines[i], "kind") != NightBegan::kind) continue;
-    if (!ends.empty()) {
-      // Teams that join before the next night change nothing in the table of this one.
-      std::size_t end = i;
-      while (record::text_in(lines[end - 1], "kind") == TeamJoined::kind) --end;
-      ends.back().second = end;
-    }
-    ends.emplace_back(record::value_in(lines[i], "number", 0), lines.size());
-  }
-  std::string entries;
-  const std::size_t count = shown.nights.size();
-  for (std::size_t i = count; i-- > count - std::min(count, nights_in_feed);) {
-    const NightBegan& night = shown.nights[i];
-    const auto end = std::find_if(ends.begin(), ends.end(),
-                                  [&](const auto& e) { return e.first == night.number; });
-    if (end == ends.end()) continue;
-    MIROCUP_TRY(auto state, state_from_lines(shown.file, journal, end->second));
-    state.shown_names = shown.shown_names;
-    const auto table = state.table();
-    const std::string leader = table.empty() ? "" : state.shown_name(table.front().team);
-    entries +=
-        "<entry>\n<id>" + tag_of(shown) + ":night:" + std::to_string(night.number) +
-        "</id>\n<title>Night " + std::to_string(night.number) + ": " +
-        system::html_escaped(leader) + " leads</title>\n<updated>" + night.at +
-        "</updated>\n<link href=\"night.html\"/>\n<content type=\"html\">" +
-        system::html_escaped("<pre>" + system::html_escaped(table_text(state, true)) + "</pre>") +
-        "</content>\n</entry>\n";
-  }
-  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<feed "
-         "xmlns=\"http://www.w3.org/2005/Atom\">\n"
-         "<id>" +
-         tag_of(shown) + "</id>\n<title>" + system::html_escaped(shown.file.title) +
-         "</title>\n<updated>" + (count > 0 ? shown.nights.back().at : "1970-01-01T00:00:00Z") +
-         "</updated>\n<author><name>" + system::html_escaped(shown.file.title) +
-         "</name></author>\n<link href=\"index.html\"/>\n<link rel=\"self\" href=\"feed.xml\"/>\n" +
-         entries + "</feed>\n";
 }
 
 }  // namespace mirocup::league

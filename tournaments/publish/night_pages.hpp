@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A night as pages, as text for a mail, as JSON, and as an Atom feed (RFC 4287).
+// A night as pages, as text for a mail, and as JSON.
 #pragma once
 
 #include "tournaments/publish/night.hpp"
@@ -27,9 +27,5 @@ std::string digest_text(const Overview& overview, const Night& night, const Team
                         const std::string& address = "");
 
 nlohmann::ordered_json digest_json(const Overview& overview, const TeamDigest& digest);
-
-// Returns feed.xml of a nightly league: its last nights, the latest first, each with the table
-// after that night.
-Result<std::string> feed_xml(const LeagueState& shown, const Journal& journal);
 
 }  // namespace mirocup::league

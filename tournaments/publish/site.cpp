@@ -7,25 +7,20 @@
 #include "tournaments/publish/team_page.hpp"
 #include "web/design/template.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
 
 namespace mirocup::league {
 
-std::string table_text(const LeagueState& state, bool is_for_public) {
+std::string table_text(const LeagueState& state) {
   std::ostringstream out;
   const auto line = [&out](const std::string& rank, const std::string& team,
                            const std::string& numbers, const std::string& goals,
                            const std::string& points, const std::string& by) {
-    // As wide as it is read: no byte that goes on a letter of UTF-8 counts.
-    const auto width =
-        std::count_if(team.begin(), team.end(), [](char c) { return (c & 0xc0) != 0x80; });
-    out << std::setw(3) << rank << "  " << team
-        << std::string(std::max<std::ptrdiff_t>(20 - width, 0), ' ') << std::setw(20) << numbers
-        << std::setw(12) << goals << std::setw(8) << points << (by.empty() ? "" : "   ") << by
-        << '\n';
+    out << std::setw(3) << rank << "  " << std::left << std::setw(20) << team << std::right
+        << std::setw(20) << numbers << std::setw(12) << goals << std::setw(8) << points
+        << (by.empty() ? "" : "   ") << by << '\n';
   };
   line("", "Team", "legs  won drawn lost", "goals", "points", "ahead of the next by");
   const std::vector<TableRow> table = state.table();
@@ -35,9 +30,7 @@ std::string table_text(const LeagueState& state, bool is_for_public) {
     numbers << std::setw(4) << row.played << std::setw(5) << row.won << std::setw(6) << row.drawn
             << std::setw(5) << row.lost;
     const bool is_out = state.teams[row.team].status == TeamStatus::withdrawn;
-    line(std::to_string(i + 1),
-         (is_for_public ? state.shown_name(row.team) : state.name(row.team)) +
-             (is_out ? " (withdrawn)" : ""),
+    line(std::to_string(i + 1), state.name(row.team) + (is_out ? " (withdrawn)" : ""),
          numbers.str(), std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against),
          std::to_string(row.points),
          reason_in_words(row, i + 1 < table.size() ? &table[i + 1] : nullptr));
@@ -59,7 +52,6 @@ FileMakers Site::makers() {
   FileMakers files = exports(overview_);
   files.merge(statistics_exports(source_.reports));
   if (source_.night) files.merge(night_pages(overview_, *source_.night));
-  if (!source_.feed.empty()) files["feed.xml"] = [this] { return source_.feed; };
   if (source_.playground) files[playground_name] = source_.playground;
   files["index.html"] = [this] { return front_html(content_); };
   files["style.css"] = [] {
@@ -86,7 +78,7 @@ std::optional<std::string> Site::file(const std::string& name) const {
   return found == makers_.end() ? std::nullopt : std::optional(found->second());
 }
 
-// True if publishing gives files of that part of the site such names.
+// True if publishing gives files of that part of the site such names, or gave them in the past.
 static bool is_name_of(std::string_view part, std::string_view name) {
   if (part.empty()) return name == "night.html" || name == "feed.xml" || name == playground_name;
   const bool is_module = part == "module/";

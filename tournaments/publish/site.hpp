@@ -30,7 +30,6 @@ struct SiteSource {
   LegReports reports = {};                       // of the played legs; optional
   FactsOfLegs facts = {};                        // of the played legs; optional
   std::optional<Night> night = {};               // adds night.html and digests/
-  std::string feed = {};                         // the text of feed.xml; "": no feed.xml
   std::function<std::string()> playground = {};  // makes playground.html; null: no playground
 };
 
@@ -61,7 +60,7 @@ class Site {
 };
 
 // Returns the table as lines of text for a terminal.
-std::string table_text(const LeagueState& state, bool is_for_public = false);
+std::string table_text(const LeagueState& state);
 
 // To be called because the staff may have hidden rounds again: removes the files that `names` does
 // not list from the folder `part` ("rounds/") of the site. Each name begins with `part`. Files stay

@@ -488,10 +488,8 @@ TEST_F(Term, PeopleSeeDisplayNames) {
   EXPECT_TRUE(contains(first, "<span class=\"name\">Zoë &quot;&lt;&amp;, Co</span>")) << replay;
   EXPECT_TRUE(contains(first, R"("name":"Zoë \"\u003c&, Co","kind":)")) << replay;
   EXPECT_FALSE(contains(first, "\"name\":\"alpha\"") || contains(first, ">alpha<"));
-  for (const char* name : {"feed.xml", "index.html", "teams/alpha.html", "night.html"}) {
-    EXPECT_TRUE(contains(page(name), "Zoë &quot;&lt;&amp;, Co") ||
-                contains(page(name), "Zoë &amp;quot;&amp;lt;&amp;amp;, Co"))
-        << name;
+  for (const char* name : {"index.html", "teams/alpha.html", "night.html"}) {
+    EXPECT_TRUE(contains(page(name), "Zoë &quot;&lt;&amp;, Co")) << name;
     EXPECT_FALSE(contains(page(name), ">alpha<") || contains(page(name), "  alpha  ")) << name;
   }
   ask("team", {"alpha", "--display", "Löwen"});
@@ -529,7 +527,6 @@ TEST_F(Term, OfThreeWeeks) {
   EXPECT_TRUE(contains(first, "gamma: entry 2 was not accepted")) << first;
   EXPECT_TRUE(contains(page("index.html"), "Zoë &amp; Co"));
   EXPECT_TRUE(contains(page("teams/alpha.html"), "fill=\"#c03a2b\""));
-  EXPECT_TRUE(contains(page("feed.xml"), "<title>Night 1: "));
   expect_digests(folder_);
   ask("publish", {"--through", "r1", "-o", temporary_ / "first"});
   const int legs = count_kind(folder_, "leg");
