@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/json_reader.hpp"
 
+#include "system/printable.hpp"
 #include "system/text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -24,10 +25,6 @@ const JsonReader::Json& null_value() {
   return null;
 }
 
-std::string short_number(double value) {
-  return system::formatted("%g", value);
-}
-
 // The beginning of a text of at most `size` bytes, with whole characters.
 std::string cut(const std::string& text, std::size_t size) {
   if (text.size() <= size) return text;
@@ -38,32 +35,10 @@ std::string cut(const std::string& text, std::size_t size) {
   return text.substr(0, size) + "…";
 }
 
-// The beginning of a text in one line: a control character is written as in JSON.
-std::string printable(const std::string& text, std::size_t size) {
-  std::string line;
-  for (const char c : cut(text, size)) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-      line += system::formatted("\\u%04x", static_cast<unsigned>(c));
-    } else {
-      line += c;
-    }
-  }
-  return line;
-}
-
 // A key as a reference token of RFC 6901.
 std::string reference_token(const std::string& key) {
-  std::string text;
-  for (const char c : printable(key, max_key)) {
-    if (c == '~') {
-      text += "~0";
-    } else if (c == '/') {
-      text += "~1";
-    } else {
-      text += c;
-    }
-  }
-  return text;
+  const std::string text = system::printable(cut(key, max_key));
+  return system::replaced(system::replaced(text, "~", "~0"), "/", "~1");
 }
 
 }  // namespace
@@ -71,7 +46,7 @@ std::string reference_token(const std::string& key) {
 void JsonReader::complain(const std::string& reason) const {
   if (*problem_) return;
   *problem_ = JsonProblem{pointer_.empty() ? "/" : cut(pointer_, max_pointer),
-                          printable(reason, max_reason)};
+                          system::printable(cut(reason, max_reason))};
 }
 
 void JsonReader::complain_of_range(const std::string& value, bool is_below,
@@ -166,9 +141,12 @@ double JsonReader::number(double min, double max) const {
     complain("a finite number is expected");
     return std::clamp(0.0, min, max);
   }
-  if (number < min) complain_of_range(short_number(number), true, short_number(min));
-  if (number > max) complain_of_range(short_number(number), false, short_number(max));
-  return std::clamp(number, min, max);
+  const double nearest = std::clamp(number, min, max);
+  if (nearest != number) {
+    complain_of_range(system::formatted("%g", number), number < min,
+                      system::formatted("%g", nearest));
+  }
+  return nearest;
 }
 
 double JsonReader::positive_number() const {

@@ -167,7 +167,7 @@ TEST(JsonReader, RefusesWhatReadersMayTakeDifferently) {
   EXPECT_EQ(parse_json(R"({"a":{"b":1,"c":2,"b":3}})").problem->pointer, "/a/b");
   EXPECT_EQ(parse_json(R"({"a":{"b":1,"c":2,"b":3}})").problem->reason, "the key is there twice");
   EXPECT_EQ(parse_json(R"(["x\u0000y"])").problem->pointer, "/0");
-  EXPECT_EQ(parse_json(R"({"x\u0000y":1})").problem->pointer, "/x\\u0000y");
+  EXPECT_EQ(parse_json(R"({"x\u0000y":1})").problem->pointer, "/x\\x00y");
 }
 
 // Catches a text of the library in a message, and one that does not say where.
@@ -185,17 +185,21 @@ TEST(JsonReader, SaysWhereATextIsNotJson) {
   }
 }
 
-// Catches a message that repeats a document, or writes control characters to a terminal.
+// Catches a message that repeats a document, or writes to a terminal control characters or those
+// that turn the direction of writing.
 TEST(JsonReader, QuotesKeysAndReasonsInPart) {
   const std::string key(100'000, 'k');
   const std::string text = "{\"a\\u001b[31m\":{\"" + key + "\":1}}";
   const std::string error = error_text(text, [](const JsonReader& json) {
     for (const auto& [name, member] : json.members()) (void)member.expect_object({"b"});
   });
-  EXPECT_EQ(error.find("f.json: /a\\u001b[31m/kkk"), 0u) << error.substr(0, 100);
+  EXPECT_EQ(error.find("f.json: /a\\x1b[31m/kkk"), 0u) << error.substr(0, 100);
   EXPECT_LT(error.size(), 200u);
   EXPECT_LT(error_text("[]", [&](const JsonReader& json) { json.complain(key + "\x1b"); }).size(),
             1000u);
+  const std::string turned = R"({"a~\u202eb/":1})";
+  EXPECT_EQ(error_text(turned, [](const JsonReader& json) { (void)json.expect_object({"c"}); }),
+            "f.json: /a~0\\xe2\\x80\\xaeb~1: there is no such key; known are c");
 }
 
 // Catches an exception where a path or a name is not UTF-8.
