@@ -30,12 +30,6 @@ inline constexpr TopicQos team_command{.name = "TeamCommand",
                                        .kept_for_late = false,
                                        .written_depth = 1,
                                        .read_depth = 256};
-// A tick has one sample. A lost sample is not sent again.
-inline constexpr TopicQos thoughts{.name = "Thoughts",
-                                   .reliable = false,
-                                   .kept_for_late = false,
-                                   .written_depth = 1,
-                                   .read_depth = 64};
 inline constexpr TopicQos hello{
     .name = "Hello", .reliable = true, .kept_for_late = true, .written_depth = 1, .read_depth = 16};
 inline constexpr TopicQos welcome{.name = "Welcome",

@@ -131,11 +131,6 @@ dds::JoinTerms Network::dds_terms(const SeatTerms& terms) const {
     join.tick = answer_share * terms.period;
     join.notice = std::max(min_notice, ticks_to_notice * terms.period);
   }
-  if (terms.thoughts != nullptr) {
-    record::ThoughtsWriter& writer = *terms.thoughts;
-    join.thoughts = {.add = [&writer](auto tick, auto& shape) { writer.add(tick, shape); },
-                     .leave_out = [&writer](auto n) { writer.count_left_out(n); }};
-  }
   return join;
 }
 

@@ -6,7 +6,6 @@
 
 #include "core/field/team.hpp"
 #include "core/match/controller.hpp"
-#include "record/thoughts_file.hpp"
 #include "server/dds/match_server.hpp"
 #include "server/firasim/server.hpp"
 #include "server/seats.hpp"
@@ -73,8 +72,7 @@ struct SeatTerms {
   const match::Leg& leg;
   double period;  // wall time of a tick, s; 0: as fast as possible
   system::Interrupt& interrupt;
-  record::ThoughtsWriter* thoughts;  // gets the shapes of a DDS team; null: shapes are not kept
-  std::string log;                   // file for the output of the team's program
+  std::string log;  // file for the output of the team's program
 };
 
 class Network {

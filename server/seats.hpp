@@ -74,12 +74,6 @@ class TeamSeat {
   // Returns the shapes of the tick that the team answered last; null if shapes are not kept.
   const plugins::ThoughtsPage* thoughts();
 
-  // Returns the counts of the team's samples of thoughts; null unless the team plays over the
-  // network.
-  const dds::ThoughtCounts* thoughts_sent() const {
-    return network_ != nullptr ? &network_->thoughts() : nullptr;
-  }
-
   // Returns the team's budget without late_ticks and bad_commands, which the match counts.
   record::BudgetReport budget_report() const;
 

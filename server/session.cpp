@@ -47,7 +47,6 @@ Result<TeamSeat> take_seat(Session& s, const TeamChoice& choice, Team team) {
                                {.leg = s.leg,
                                 .period = s.pacer.period(),
                                 .interrupt = s.interrupt,
-                                .thoughts = s.terms.thoughts ? &s.thoughts[i] : nullptr,
                                 .log = s.terms.logs[i]});
   }
   const match::Briefing briefing = s.leg.briefing(team);

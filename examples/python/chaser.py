@@ -58,7 +58,6 @@ def decide(setup, now):
             y = max(-setup.goal_half_width, min(setup.goal_half_width, now.ball_y))
         else:
             x, y = behind_ball(setup, now, now.own[i], 0.1 * (i - 1))
-        mirocup_team.draw_line(setup, "targets", 0xffffffd0, (now.own[i].x, now.own[i].y), (x, y))
         commands.append(drive_to(setup, now.own[i], x, y))
     return commands
 

@@ -13,11 +13,6 @@ metres, radians, seconds; the team always attacks +x.
         placement.robots[1].y = 0.2
 
     print(mirocup_team.play("final", "blue", "mine", decide, place=place))
-
-What decide() and place() draw is in the replay of `mirocup match --thoughts` (docs/thoughts.md), in the
-team's own frame:
-
-    mirocup_team.draw_line(setup, "plan", 0xff8000ff, (now.ball_x, now.ball_y), (1.1, 0.0))
 """
 
 import ctypes
@@ -55,14 +50,7 @@ class Setup(ctypes.Structure):
         "penalty_area_depth", "penalty_area_half_width", "centre_circle_radius", "robot_side",
         "robot_mass", "wheel_distance", "wheel_radius", "wheel_speed_limit", "motor_time_constant",
         "grip", "ball_radius", "ball_mass")]
-    # The first members; the host fills in more.
-    _fields_ += [("host", c_void_p), ("log", c_void_p), ("parameter", c_void_p),
-                 ("draw_line", ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_uint32, *4 * [c_double])),
-                 ("draw_circle", ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_uint32, *3 * [c_double])),
-                 ("draw_polygon", ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_uint32,
-                                                   ctypes.POINTER(c_double), c_int32)),
-                 ("draw_text", ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_uint32, *2 * [c_double],
-                                                c_char_p))]
+    # These are the first members; the host fills in more.
 
 
 class Observation(ctypes.Structure):
@@ -137,27 +125,6 @@ def load(path=None):
     library.mirocup_team_close.restype = None
     library.mirocup_team_close.argtypes = [c_void_p]
     return library
-
-
-def draw_line(setup, layer, colour, start, end):
-    """Draws a line between two points (x, y), m; a colour is 0xRRGGBBAA."""
-    setup.draw_line(setup.host, layer.encode(), colour, *start, *end)
-
-
-def draw_circle(setup, layer, colour, centre, radius):
-    setup.draw_circle(setup.host, layer.encode(), colour, *centre, radius)
-
-
-def draw_polygon(setup, layer, colour, corners):
-    """Draws a polygon of 3 to 32 corners (x, y)."""
-    numbers = [number for corner in corners for number in corner]
-    setup.draw_polygon(setup.host, layer.encode(), colour, (c_double * len(numbers))(*numbers),
-                       len(corners))
-
-
-def draw_text(setup, layer, colour, at, text):
-    """Draws a text; one of the form "name = 1.5" is shown as a curve, too."""
-    setup.draw_text(setup.host, layer.encode(), colour, *at, text.encode())
 
 
 def standing(now):

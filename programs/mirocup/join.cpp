@@ -79,35 +79,6 @@ void warn_of_expiry(const std::string& credentials) {
             << system::TimeZone().text(*end) << " only\n";
 }
 
-// The host of a library that plays over the network: its parameters are those of the command line,
-// and what it draws goes to the match.
-struct RemoteHost : plugins::TeamHost {
-  const mirocup_setup* match = nullptr;  // of the connection
-};
-
-// Gives the setup the functions that pass a shape on to the match.
-void draw_in_match(mirocup_setup& setup) {
-  static constexpr auto match = [](void* host) -> const mirocup_setup& {
-    return *static_cast<const RemoteHost*>(static_cast<plugins::TeamHost*>(host))->match;
-  };
-  setup.draw_line = [](void* host, const char* layer, std::uint32_t colour, double x1, double y1,
-                       double x2, double y2) {
-    match(host).draw_line(match(host).host, layer, colour, x1, y1, x2, y2);
-  };
-  setup.draw_circle = [](void* host, const char* layer, std::uint32_t colour, double x, double y,
-                         double radius) {
-    match(host).draw_circle(match(host).host, layer, colour, x, y, radius);
-  };
-  setup.draw_polygon = [](void* host, const char* layer, std::uint32_t colour, const double* points,
-                          std::int32_t corners) {
-    match(host).draw_polygon(match(host).host, layer, colour, points, corners);
-  };
-  setup.draw_text = [](void* host, const char* layer, std::uint32_t colour, double x, double y,
-                       const char* text) {
-    match(host).draw_text(match(host).host, layer, colour, x, y, text);
-  };
-}
-
 // A team that answers the ticks that come over a connection.
 class RemoteTeam {
  public:
@@ -151,10 +122,10 @@ class RemoteTeam {
   // Loads the library afresh for every leg, as for a team with a process of its own.
   Result<void> take_seat() {
     plugin_.reset();
-    setup_ = match_.setup();
-    host_.match = &match_.setup();
-    plugins::give_host(setup_, host_);
-    draw_in_match(setup_);
+    setup_ = match_.setup();  // its drawing functions do nothing
+    setup_.host = &host_;
+    setup_.log = plugins::log_line;
+    setup_.parameter = plugins::parameter_of;
     const std::string path = library_path(options_);
     auto plugin = python_.empty() ? plugins::Plugin::load(path, setup_)
                                   : plugins::load_python(path, python_, setup_);
@@ -206,7 +177,7 @@ class RemoteTeam {
   const match::TeamParameters& given_;
   plugins::ParameterTable parameters_;
   plugins::AskedRows asked_{0};
-  RemoteHost host_{{&parameters_, &asked_}};
+  plugins::TeamHost host_{&parameters_, &asked_};
   mirocup_setup setup_{};  // while the plugin lives
   system::Interrupt& interrupt_;
   team::Connection& match_;

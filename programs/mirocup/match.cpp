@@ -181,14 +181,6 @@ server::SessionTerms session_terms(const MatchOptions& options) {
   return terms;
 }
 
-void warn_of_dropped_thoughts(const server::TeamSeat& seat, Team team) {
-  const dds::ThoughtCounts* counts = seat.thoughts_sent();
-  if (counts == nullptr || counts->late + counts->foreign + counts->malformed == 0) return;
-  std::cerr << "mirocup: warning: samples of the " << to_string(team)
-            << " team's thoughts were dropped: " << counts->late << " too late, " << counts->foreign
-            << " of other processes, " << counts->malformed << " malformed\n";
-}
-
 // Without --thoughts, those of an earlier leg in the same place are removed: they are of no use.
 Result<void> write_thoughts(const MatchOptions& options, server::Session& session, Team team) {
   const std::string path = record::thoughts_path(options.record_path, team);
@@ -197,7 +189,6 @@ Result<void> write_thoughts(const MatchOptions& options, server::Session& sessio
     std::filesystem::remove(path, none);
     return {};
   }
-  warn_of_dropped_thoughts(session.seats[index_of(team)], team);
   record::ThoughtsWriter& writer = session.thoughts[index_of(team)];
   if (writer.left_out() > 0) {
     std::cerr << "mirocup: warning: " << writer.left_out() << " shapes of the " << to_string(team)

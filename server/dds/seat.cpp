@@ -63,7 +63,6 @@ Result<void> Seat::open(const Entity& participant, const std::string& match_id,
   const Entity& p = participant;
   MIROCUP_TRY(publisher_, make_publisher(p, partition));
   MIROCUP_TRY(subscriber_, make_subscriber(p, partition));
-  MIROCUP_TRY_VOID(open_thoughts(p));
   MIROCUP_TRY(hello_topic_, make_topic(p, mirocup_v4_Hello_desc, idl::hello));
   MIROCUP_TRY(welcome_topic_, make_topic(p, mirocup_v4_Welcome_desc, idl::welcome));
   MIROCUP_TRY(command_topic_, make_topic(p, mirocup_v4_TeamCommand_desc, idl::team_command));
@@ -72,18 +71,6 @@ Result<void> Seat::open(const Entity& participant, const std::string& match_id,
   MIROCUP_TRY(command_reader_, make_reader(subscriber_, command_topic_, idl::team_command));
   MIROCUP_TRY_VOID(attach(waitset, hello_reader_));
   return attach(waitset, command_reader_);
-}
-
-// Comes before the reader of the Hello, so that the team knows of it in its first tick. The waitset
-// does not wake for thoughts. A match is played without them if it has to.
-Result<void> Seat::open_thoughts(const Entity& participant) {
-  if (!terms_.thoughts.add) return {};
-  auto opened = thoughts_.open(participant, subscriber_);
-  if (opened || opened.error().code != Errc::input) return opened;
-  tell(of_strangers_,
-       "its thoughts are not kept, because the server's credentials do not allow "
-       "it: mirocup league credentials renews them");
-  return {};
 }
 
 void Seat::tell(FewWords& of_its_kind, const std::string& what) const {
@@ -134,7 +121,6 @@ mirocup_v4_Welcome Seat::answer_to(const mirocup_v4_Hello& hello, dds_instance_h
   process_ = *process;
   hello_writer_ = writer;
   command_writer_ = 0;
-  thoughts_.admit(nonce_, process_);
   late_.reset();
   if (is_same) {
     tell(of_processes_, "the team's process has joined the network anew");
@@ -274,7 +260,6 @@ Fault Seat::disconnected() const {
 
 Answer Seat::collect() {
   link_.settle();
-  thoughts_.take(briefing_.team, tick_, terms_.thoughts);
   if (end_) return *end_;
   if (answer_) return *answer_;
   return late();

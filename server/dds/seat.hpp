@@ -18,7 +18,6 @@
 #include "server/dds/inbox.hpp"
 #include "server/dds/liveliness.hpp"
 #include "server/dds/round_trip.hpp"
-#include "server/dds/thoughts_sample.hpp"
 #include "server/dds/wall_time.hpp"
 
 #include <functional>
@@ -55,7 +54,6 @@ struct JoinTerms {
   double notice = 1.0;   // a team that is silent for this long is away
   double away = 10.0;    // limit of the sum of a team's absences in a leg
   double longest = 0.0;  // longest time from the construction of the seat to the end of the leg
-  ThoughtSink thoughts;  // gets the team's shapes; if `add` is empty, shapes are not kept
   std::function<bool()> interrupted = [] { return false; };  // called in waits; true ends the wait
   std::function<void(const std::string&)> tell = [](auto&) {};  // gets a sentence for the host
 };
@@ -119,7 +117,6 @@ class Seat final : public match::Controller {
   Team team() const { return briefing_.team; }
   std::uint64_t heard() const { return inbox_.heard(); }
   const CommandCounts& commands() const { return inbox_.counts(); }
-  const ThoughtCounts& thoughts() const { return thoughts_.counts(); }
   const std::vector<record::Absence>& absences() const { return liveliness_.absences(); }
   // Number of processes that have had the seat.
   int processes() const { return processes_; }
@@ -133,7 +130,6 @@ class Seat final : public match::Controller {
   std::string why_too_short() const;
   bool may_be_taken() const;
   bool has_left() const;
-  Result<void> open_thoughts(const Entity& participant);
   void take_late(const mirocup_v4_TeamCommand& command);
   match::Late late();
   double now() const { return seconds_since(begin_); }
@@ -159,7 +155,6 @@ class Seat final : public match::Controller {
   bool has_told_of_commands_ = false;
 
   Inbox inbox_;
-  ThoughtsInbox thoughts_;
   Liveliness liveliness_;
   bool is_ready_ = false;
   std::uint32_t tick_ = 0;

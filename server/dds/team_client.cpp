@@ -67,13 +67,6 @@ Result<void> TeamClient::connect() {
   return {};
 }
 
-// Comes before the Hello, so that the server knows this writer when the team plays its first tick.
-Result<void> TeamClient::open_thoughts(Link& l) {
-  MIROCUP_TRY(l.thoughts_topic, make_topic(l.participant, mirocup_v4_Thoughts_desc, idl::thoughts));
-  MIROCUP_TRY(l.thoughts_writer, make_writer(l.team_publisher, l.thoughts_topic, idl::thoughts));
-  return {};
-}
-
 Result<void> TeamClient::open_readers_and_writers(Link& l) const {
   const Entity& p = l.participant;
   const std::string match = match_partition(request_.match_id);
@@ -81,7 +74,6 @@ Result<void> TeamClient::open_readers_and_writers(Link& l) const {
   MIROCUP_TRY(l.match_subscriber, make_subscriber(p, match));
   MIROCUP_TRY(l.team_publisher, make_publisher(p, own));
   MIROCUP_TRY(l.team_subscriber, make_subscriber(p, own));
-  std::ignore = open_thoughts(l);
   MIROCUP_TRY(l.state_topic, make_topic(p, mirocup_v4_WorldState_desc, idl::world_state));
   MIROCUP_TRY(l.event_topic, make_topic(p, mirocup_v4_MatchEvent_desc, idl::match_event));
   MIROCUP_TRY(l.hello_topic, make_topic(p, mirocup_v4_Hello_desc, idl::hello));
@@ -214,18 +206,6 @@ void TeamClient::send_hello() {
   hello.nonce = link_.nonce;
   copy_text(hello.name, request_.name);
   dds_write(link_.hello_writer.get(), &hello);
-}
-
-bool TeamClient::keeps_thoughts() const {
-  dds_publication_matched_status_t readers{};
-  return dds_get_publication_matched_status(link_.thoughts_writer.get(), &readers) ==
-             DDS_RETCODE_OK &&
-         readers.current_count > 0;
-}
-
-void TeamClient::think(ThoughtsSample& thoughts, std::uint32_t tick) {
-  const mirocup_v4_Thoughts& sample = thoughts.stamped(request_.team, tick, link_.nonce);
-  dds_write(link_.thoughts_writer.get(), &sample);
 }
 
 void TeamClient::send(const match::Command& command, std::uint32_t tick) {

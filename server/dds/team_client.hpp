@@ -10,7 +10,6 @@
 
 #include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
-#include "server/dds/thoughts_sample.hpp"
 #include "server/dds/wall_time.hpp"
 
 #include <cassert>
@@ -60,14 +59,6 @@ class TeamClient {
   }
   int robots() const { return briefing().field->robots_per_team; }  // number of robots of each team
 
-  // True if the match keeps the shapes of the team. The value may be false for a moment after
-  // Seated.
-  bool keeps_thoughts() const;
-
-  // Sends the shapes that the team drew for the state of `tick`. Call this function before send(),
-  // so that the shapes arrive before the match continues. A lost sample is not sent again.
-  void think(ThoughtsSample& thoughts, std::uint32_t tick);
-
   // Answers the state of `tick`, which must be the last tick that wait() returned.
   void send(const match::Command& command, std::uint32_t tick);
 
@@ -81,8 +72,6 @@ class TeamClient {
     Entity match_subscriber, team_publisher, team_subscriber;
     Entity state_topic, event_topic, hello_topic, welcome_topic, command_topic;
     Entity state_reader, event_reader, hello_writer, welcome_reader, command_writer;
-    // Empty if the team's credentials do not allow thoughts.
-    Entity thoughts_topic, thoughts_writer;
     Entity waitset;
     std::uint64_t nonce = 0;
     std::uint64_t leg = 0;  // leg of the last Welcome; 0: no Welcome yet
@@ -93,7 +82,6 @@ class TeamClient {
       : request_(std::move(request)), domain_(std::move(domain)) {}
   Result<void> connect();
   Result<void> open_readers_and_writers(Link& link) const;
-  static Result<void> open_thoughts(Link& link);
   std::optional<News> poll();
   std::optional<News> take_welcome();
   std::optional<News> take_event();

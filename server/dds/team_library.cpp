@@ -18,8 +18,6 @@ struct mirocup_connection {
   mirocup_setup setup{};
   mirocup_observation observation{};
   std::optional<mirocup::match::PlacementRequest> poses;  // for the answer to the present tick
-  mirocup::dds::ThoughtsSample drawn;                     // for the present tick
-  bool keeps_thoughts = false;                            // what is drawn is sent
   mirocup::match::ByTeam<std::int32_t> score{};
   mutable std::string text;
   bool is_finished = false;  // `text` says how the match ended
@@ -38,11 +36,8 @@ double own_default(void*, const char*, double fallback) {
   return fallback;
 }
 
-// Puts a shape into the sample of the present tick, if the match keeps what is drawn.
-void draw(void* host, const match::Thought& shape) {
-  auto& c = *static_cast<mirocup_connection*>(host);
-  if (c.keeps_thoughts) c.drawn.add(shape);
-}
+// No shape leaves the program: a match keeps only what teams without a network draw.
+void draw_nothing(void*, const match::Thought&) {}
 
 // Stores one kind of news in the connection and returns its number in team.h.
 struct Receive {
@@ -54,14 +49,12 @@ struct Receive {
     c.setup.log = write_line;
     c.setup.host = &c;
     c.setup.parameter = own_default;
-    abi::give_drawing<draw>(c.setup);
+    abi::give_drawing<draw_nothing>(c.setup);
     return MIROCUP_TEAM_SEATED;
   }
   std::int32_t operator()(const match::Snapshot& scene) const {
     c.observation = abi::to_observation(match::observe(scene, c.team, c.client->robots()));
     c.poses.reset();
-    c.drawn.clear();
-    c.keeps_thoughts = c.client->keeps_thoughts();
     return MIROCUP_TEAM_TICK;
   }
   std::int32_t operator()(const MatchOver& over) const {
@@ -155,10 +148,7 @@ std::int32_t mirocup_team_send(mirocup_connection* connection, const mirocup_com
   if (connection->is_finished) return -1;
   mirocup::match::Command answer = mirocup::abi::to_command(*command);
   answer.placement = connection->poses;
-  const std::uint32_t tick = connection->observation.tick;
-  if (!connection->drawn.is_empty()) connection->client->think(connection->drawn, tick);
-  connection->drawn.clear();
-  connection->client->send(answer, tick);
+  connection->client->send(answer, connection->observation.tick);
   return 0;
 }
 

@@ -89,8 +89,8 @@ new_governance() {
   sign "$authority/governance.xml" "$authority/governance.p7s"
 }
 
-# Every participant needs a certificate, and its rights to read and write are checked. Commands and thoughts are encrypted; all
-# other topics are signed, so that a reader cannot forge their messages.
+# Every participant needs a certificate, and its rights to read and write are checked. Commands are encrypted; all other
+# topics are signed, so that a reader cannot forge their messages.
 governance() {
   topic() { # EXPRESSION PROTECTION
     cat <<XML
@@ -119,7 +119,6 @@ XML
       <rtps_protection_kind>NONE</rtps_protection_kind>
       <topic_access_rules>
 $(topic TeamCommand ENCRYPT)
-$(topic Thoughts ENCRYPT)
 $(topic '*' SIGN_WITH_ORIGIN_AUTHENTICATION)
       </topic_access_rules>
     </domain_rule>
@@ -140,11 +139,11 @@ rules_of() { # KIND WORD; WORD is the team's name as in partitions
   case $1 in
     server)
       rule publish 'match-*' WorldState MatchEvent MatchInfo Welcome
-      rule subscribe 'match-*' TeamCommand Hello Thoughts ;;
+      rule subscribe 'match-*' TeamCommand Hello ;;
     spectator)
       rule subscribe 'match-*' WorldState MatchEvent MatchInfo ;;
     team)
-      rule publish "match-*/$2" TeamCommand Hello Thoughts
+      rule publish "match-*/$2" TeamCommand Hello
       rule subscribe "match-*/$2" Welcome
       rule subscribe 'match-*' WorldState MatchEvent MatchInfo ;;
   esac
@@ -194,12 +193,10 @@ common_name() { # KIND WORD; a name that is too long for a certificate is replac
 }
 
 issue() { # KIND NAME INTO
-  local kind=$1 word into=$3 new newest
+  local kind=$1 word into=$3 new
   word=$(encoded "$2")
-  # Permissions that were made before there were thoughts, or a MatchInfo, are renewed; key and certificate stay.
-  newest=Thoughts
-  if [[ $kind == spectator ]]; then newest=MatchInfo; fi
-  if grep -qs "$newest" "$into/permissions.p7s"; then return 0; fi
+  # Permissions that were made before there was a MatchInfo are renewed; key and certificate stay.
+  if grep -qs MatchInfo "$into/permissions.p7s"; then return 0; fi
   new=$(mktemp -d "$folder/.new.XXXXXX")
   if [[ -e $into/certificate.pem ]]; then
     cp -a "$into/." "$new/"
@@ -243,7 +240,7 @@ update_revoked() {
 
 rm -rf "$folder"/.new.*   # of a call that was killed
 [[ -e $authority/complete ]] || new_authorities
-grep -qs Thoughts "$authority/governance.xml" || new_governance
+grep -qs "<max>230</max>" "$authority/governance.xml" || new_governance
 issue server server "$folder/server"
 issue spectator spectator "$folder/spectator"
 failed=()

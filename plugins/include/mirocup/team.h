@@ -16,8 +16,8 @@
  * your program crashes in the middle of a match, start it again and open the match: the new process
  * gets the seat once the old process has been silent for a moment.
  *
- * The replay of `mirocup match --thoughts` shows the shapes that a program draws with the functions
- * of its setup (strategy.h, "Thoughts") before the answer to a tick.
+ * A program draws nothing into the replay: the drawing functions of its setup (strategy.h,
+ * "Thoughts") have no effect.
  *
  * A connection may be used by one thread at a time. A process may have one connection at a time,
  * because credentials and the address of the server belong to the DDS domain of the whole process.

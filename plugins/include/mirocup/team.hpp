@@ -7,7 +7,6 @@
 //     switch (match.wait(1.0)) {
 //       case MIROCUP_TEAM_TICK: {
 //         const mirocup_observation& now = match.observation();
-//         match.draw_line("plan", 0xff8000ff, now.own[1].x, now.own[1].y, now.ball_x, now.ball_y);
 //         match.send(answer_to(now));
 //         break;
 //       }
@@ -26,7 +25,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace mirocup::team {
 
@@ -75,24 +73,6 @@ class Connection {
   }
   bool send(const mirocup_command& command) {
     return mirocup_team_send(connection_.get(), &command) == 0;
-  }
-
-  // Draw a shape into the replay of `mirocup match --thoughts`; see "Thoughts" in strategy.h. Call
-  // these functions after MIROCUP_TEAM_SEATED, and before the answer to a tick. The points of
-  // a polygon are x, y of each corner.
-  void draw_line(const char* layer, std::uint32_t colour, double x1, double y1, double x2,
-                 double y2) {
-    setup().draw_line(setup().host, layer, colour, x1, y1, x2, y2);
-  }
-  void draw_circle(const char* layer, std::uint32_t colour, double x, double y, double radius) {
-    setup().draw_circle(setup().host, layer, colour, x, y, radius);
-  }
-  void draw_polygon(const char* layer, std::uint32_t colour, const std::vector<double>& points) {
-    setup().draw_polygon(setup().host, layer, colour, points.data(),
-                         static_cast<std::int32_t>(points.size() / 2));
-  }
-  void draw_text(const char* layer, std::uint32_t colour, double x, double y, const char* text) {
-    setup().draw_text(setup().host, layer, colour, x, y, text);
   }
 
   std::string text() const { return mirocup_team_text(connection_.get()); }

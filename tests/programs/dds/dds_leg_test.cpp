@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Teams over real Cyclone DDS on the loopback interface.
+#include "record/thoughts_file.hpp"
 #include "tests/programs/dds/network.hpp"
 
 #include <gtest/gtest.h>
@@ -33,6 +34,31 @@ TEST(DdsTeam, PlaysTheSameLegAsItsLibrary) {
   EXPECT_TRUE(dds["pace"].is_null());
   EXPECT_EQ(dds["state_hash"], read_json(folder / "so.json")["state_hash"]);
   EXPECT_EQ(run({program("mirocup"), "verify", folder / "dds.json"}).exit_code, 0);
+}
+
+// Catches a program on the network whose library draws with functions that are not there, or is
+// told of shapes that nobody sees; and a library that plays another leg where nothing is drawn.
+TEST(DdsTeam, DrawsNothing) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("draws");
+  const auto played = [&](const std::string& blue, const std::string& record) {
+    return run({program("mirocup"), "match", "--blue", blue, "--yellow", "keeper", "--half", "5",
+                "--match", id, "--thoughts", "--record", folder / record});
+  };
+  auto words = join(id, "blue", "remote", program("teams/draws.so"));
+  words.insert(words.end(), {"--param", "shapes=500"});
+  Running remote(words);
+  const Outcome over_dds = played("dds:remote", "dds.json");
+  ASSERT_EQ(over_dds.exit_code, 0) << over_dds.err;
+  EXPECT_EQ(over_dds.err.find("thoughts"), std::string::npos) << over_dds.err;
+  const Outcome far = remote.wait();
+  EXPECT_EQ(far.exit_code, 0) << far.err;
+  EXPECT_EQ(far.err.find("the team draws"), std::string::npos) << far.err;
+  ASSERT_EQ(played(program("teams/draws.so"), "so.json").exit_code, 0);
+  EXPECT_EQ(read_json(folder / "dds.json")["state_hash"],
+            read_json(folder / "so.json")["state_hash"]);
+  const std::string path = folder / "dds.blue.thoughts.zst";
+  EXPECT_EQ(record::unpacked_thoughts(read_file(path), path).value_or("damaged"), "");
 }
 
 // Catches a program on the network that loads its library without the parameters.

@@ -4,9 +4,6 @@
 // NAME what any program on the network can do, until it is killed.
 //   imitate      writes the team's commands with its nonce; joins again when it receives nothing
 //   flood        the same, ten thousand a second
-//   think        draws as the team with its nonce, a hundred thousand shapes a second
-//   ramble       is the team, stands, and draws in each tick: a line; the same once more; samples
-//                that contradict themselves; a line of the tick before and one of a tick to come
 //   hellos       asks for the seat all the time, each time as another process
 //   wrong_types  writes other types under the names of the topics
 //   stuck        reads everything, and then stops
@@ -19,14 +16,11 @@
 #include "server/dds/convert.hpp"
 #include "server/dds/domain.hpp"
 #include "server/dds/nonce.hpp"
-#include "server/dds/thoughts_sample.hpp"
 #include "server/dds/wall_time.hpp"
 
 #include <csignal>
 #include <cstdlib>
-#include <functional>
 #include <iostream>
-#include <optional>
 #include <utility>
 
 namespace mirocup::dds {
@@ -97,91 +91,6 @@ void imitate(Stranger& s, int copies) {
     for (int i = 0; i < copies; ++i) dds_write(writer.get(), &command);
     dds_sleepfor(copies == 1 ? DDS_USECS(50) : DDS_MSECS(1));
   }
-}
-
-void draw_line(ThoughtsSample& drawn, const char* layer) {
-  constexpr double line[] = {0.0, 0.0, 0.25, 0.5};
-  drawn.add({.kind = match::ThoughtKind::line,
-             .colour = 0xff,
-             .layer = layer,
-             .numbers = line,
-             .text = {}});
-}
-
-// Acts for as long as it receives samples of the match.
-void think(Stranger& s) {
-  const Entity topic = need(make_topic(s.participant, mirocup_v4_Thoughts_desc, idl::thoughts));
-  const Entity welcomes = need(make_topic(s.participant, mirocup_v4_Welcome_desc, idl::welcome));
-  const Entity writer = need(make_writer(s.publisher, topic, idl::thoughts));
-  const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
-  ThoughtsSample drawn;
-  for (std::size_t i = 0; i < 10; ++i) draw_line(drawn, "intruder");
-  std::uint64_t nonce = 0;
-  bool is_there = false;
-  while (!s.is_cut_off()) {
-    mirocup_v4_Welcome welcome;
-    while (take(reader, welcome)) nonce = welcome.nonce;
-    if (s.take_state() && !std::exchange(is_there, true)) std::cerr << "there\n";
-    const mirocup_v4_Thoughts& sample = drawn.stamped(Team::blue, s.state.tick, nonce);
-    for (int i = 0; i < 10; ++i) dds_write(writer.get(), &sample);
-    dds_sleepfor(DDS_MSECS(1));
-  }
-}
-
-// Writes what the team "ramble" draws in a tick.
-void ramble_in(std::uint32_t tick, const Entity& writer, std::uint64_t nonce) {
-  const auto write = [&](std::uint32_t of, const std::function<void(mirocup_v4_Thoughts&)>& spoil) {
-    ThoughtsSample drawn;
-    draw_line(drawn, "own");
-    mirocup_v4_Thoughts sample = drawn.stamped(Team::blue, of, nonce);
-    spoil(sample);
-    dds_write(writer.get(), &sample);
-  };
-  const auto as_it_is = [](auto&) {};
-  write(tick, [](auto& sample) { sample.shapes._buffer[0].numbers = 3; });
-  write(tick, [](auto& sample) { sample.shapes._buffer[0].text = 1; });
-  write(tick, [](auto& sample) { sample.numbers._length = 3; });
-  write(tick, [](auto& sample) { sample.numbers._buffer[0] = 1.0 / 0.0; });
-  write(tick + 1, as_it_is);
-  write(tick, as_it_is);
-  write(tick, as_it_is);
-  if (tick > 0) write(tick - 1, as_it_is);
-}
-
-// Takes the seat of the team itself.
-int ramble(Stranger& s, const char* name) {
-  const Entity topic = need(make_topic(s.participant, mirocup_v4_Thoughts_desc, idl::thoughts));
-  const Entity thoughts = need(make_writer(s.publisher, topic, idl::thoughts));
-  const Entity hellos = need(make_topic(s.participant, mirocup_v4_Hello_desc, idl::hello));
-  const Entity welcomes = need(make_topic(s.participant, mirocup_v4_Welcome_desc, idl::welcome));
-  const Entity commands =
-      need(make_topic(s.participant, mirocup_v4_TeamCommand_desc, idl::team_command));
-  const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
-  const Entity answers = need(make_writer(s.publisher, commands, idl::team_command));
-  const Entity asks = need(make_writer(s.publisher, hellos, idl::hello));
-  mirocup_v4_Hello hello{};
-  hello.layout = mirocup_v4_LAYOUT_NUMBER;
-  hello.nonce = random_nonce();
-  copy_text(hello.name, name);
-  mirocup_v4_Welcome welcome{};
-  while (!take(reader, welcome) || welcome.answer != mirocup_v4_ADMISSION_ACCEPTED) {
-    dds_write(asks.get(), &hello);
-    dds_sleepfor(DDS_MSECS(20));
-  }
-  std::optional<std::uint32_t> last;
-  while (s.state.state != mirocup_v4_STATE_END) {
-    if (!s.take_state()) {
-      dds_sleepfor(DDS_USECS(50));
-      continue;
-    }
-    if (last != s.state.tick) ramble_in(s.state.tick, thoughts, hello.nonce);
-    last = s.state.tick;
-    mirocup_v4_TeamCommand command{};
-    command.nonce = hello.nonce;
-    command.tick = s.state.tick;
-    dds_write(answers.get(), &command);
-  }
-  return 0;
 }
 
 void say_hellos(Stranger& s, const char* name) {
@@ -289,12 +198,7 @@ int run(const std::string& kind, const char* match_id, const char* name, const c
     Stranger stranger(domain, match_id, name);
     imitate(stranger, kind == "flood" ? 10 : 1);
   }
-  while (kind == "think") {
-    Stranger stranger(domain, match_id, name);
-    think(stranger);
-  }
   Stranger stranger(domain, match_id, name);
-  if (kind == "ramble") return ramble(stranger, name);
   if (kind == "hellos") say_hellos(stranger, name);
   if (kind == "wrong_types") write_wrong_types(stranger);
   if (kind == "unreadable") return answer_unreadably(stranger, name);

@@ -53,7 +53,6 @@ class Filler {
   void put(mirocup_v4_RobotState& r) { fill(r.x, r.y, r.heading, r.vx, r.vy, r.turn); }
   void put(mirocup_v4_Pose& p) { fill(p.x, p.y, p.heading); }
   void put(mirocup_v4_NamedNumber& n) { fill(n.name, n.value); }
-  void put(mirocup_v4_Shape& s) { fill(s.kind, s.numbers, s.text, s.colour, s.layer); }
   void put(mirocup_v4_TeamCounts& c) {
     fill(c.two_defenders_s, c.four_defenders_s, c.two_attackers_s, c.keeper_hold_s, c.defenders,
          c.area_defenders, c.attackers, c.keeper, c.advantage_against);
@@ -134,15 +133,6 @@ TEST(TopicBytes, AreThoseOfTheLayout) {
   Filler().fill(event.layout, event.number, event.leg, event.tick, event.ends_match, event.clock,
                 event.score, event.decision, event.law, event.reason);
   expect_pinned(mirocup_v4_MatchEvent_desc, &event);
-
-  mirocup_v4_Shape shapes[2]{};
-  double numbers[3]{};
-  mirocup_v4_Thoughts thoughts{};
-  Filler().fill(thoughts.nonce, thoughts.tick, thoughts.team, thoughts.left_out, shapes, numbers,
-                thoughts.text);
-  thoughts.shapes = {2, 2, shapes, false};
-  thoughts.numbers = {3, 3, numbers, false};
-  expect_pinned(mirocup_v4_Thoughts_desc, &thoughts);
 }
 
 }  // namespace

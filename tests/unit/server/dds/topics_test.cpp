@@ -46,7 +46,6 @@ std::uint32_t bytes_of(const dds_topic_descriptor_t& type, const Sample& sample)
 TEST(Topics, HaveTheSizesOfTheirLayout) {
   EXPECT_EQ(bytes_of(mirocup_v4_WorldState_desc, mirocup_v4_WorldState{}), 1260U);
   EXPECT_EQ(bytes_of(mirocup_v4_TeamCommand_desc, mirocup_v4_TeamCommand{}), 472U);
-  EXPECT_EQ(bytes_of(mirocup_v4_Thoughts_desc, mirocup_v4_Thoughts{}), 33U);
   EXPECT_EQ(bytes_of(mirocup_v4_Hello_desc, mirocup_v4_Hello{}), 21U);
   EXPECT_EQ(bytes_of(mirocup_v4_Welcome_desc, mirocup_v4_Welcome{}), 616U);
   EXPECT_EQ(bytes_of(mirocup_v4_MatchInfo_desc, mirocup_v4_MatchInfo{}), 616U);
@@ -71,7 +70,7 @@ std::uint64_t hash_of_text(const std::string& idl) {
 }
 
 TEST(Topics, HaveTheTextOfTheirLayout) {
-  EXPECT_EQ(hash_of_text(text_of("mirocup.idl")), 18377645801679178304U)
+  EXPECT_EQ(hash_of_text(text_of("mirocup.idl")), 6426722041314551463U)
       << "if a structure was changed, give LAYOUT_NUMBER another one; then correct this one";
 }
 
@@ -88,8 +87,7 @@ TEST(Topics, AStateFitsOneEthernetFrame) {
 TEST(Topics, DoNotDescribeTheirTypesOnTheNetwork) {
   for (const auto* topic :
        {&mirocup_v4_WorldState_desc, &mirocup_v4_TeamCommand_desc, &mirocup_v4_Hello_desc,
-        &mirocup_v4_Welcome_desc, &mirocup_v4_MatchInfo_desc, &mirocup_v4_MatchEvent_desc,
-        &mirocup_v4_Thoughts_desc}) {
+        &mirocup_v4_Welcome_desc, &mirocup_v4_MatchInfo_desc, &mirocup_v4_MatchEvent_desc}) {
     EXPECT_EQ(topic->m_flagset & DDS_TOPIC_XTYPES_METADATA, 0U) << topic->m_typename;
   }
 }
