@@ -4,12 +4,10 @@
 #include "programs/league/commands.hpp"
 #include "record/json_reader.hpp"
 #include "system/clock.hpp"
-#include "system/file_lock.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
-#include "system/users.hpp"
 #include "tournaments/league/firasim_team.hpp"
-#include "tournaments/league/inbox.hpp"
+#include "tournaments/league/submission.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -24,16 +22,15 @@ struct SubmitOptions {
   std::string folder;
   std::string team;
   std::string file;
-  std::string inbox;
   std::string run;  // the command of a firasim team; "": people start it
   std::string run_folder = ".";
   bool lockstep = false;  // of a firasim team
   bool json = false;
 };
 
-// Prints the answer to one file.
-void print(const std::string& path, const std::string& team, const Submission& done, bool json) {
-  if (!json) {
+// Prints the answer.
+void print(const SubmitOptions& options, const Submission& done) {
+  if (!options.json) {
     std::cout << system::printable(done.message) << '\n';
     const bool has_notes = done.verdict.is_object() && done.verdict.contains("notes");
     for (const Json& note : has_notes ? done.verdict["notes"] : Json::array()) {
@@ -43,39 +40,12 @@ void print(const std::string& path, const std::string& team, const Submission& d
     return;
   }
   std::cout << record::json_text({{"accepted", done.is_accepted},
-                                  {"team", team.empty() ? Json() : Json(team)},
-                                  {"file", path},
+                                  {"team", options.team},
+                                  {"file", options.file},
                                   {"entry", done.entry > 0 ? Json(done.entry) : Json()},
                                   {"message", done.message},
                                   {"verdict", done.verdict}})
             << '\n';
-}
-
-// Hands in each TEAM.so of the inbox that is news. The answer is no if one was not accepted; a
-// fault of the host is told by its own code, after the other files.
-Result<int> collect(system::Files& files, const SubmitOptions& options) {
-  int result = exit_yes;
-  const auto tell = [&](const std::string& path, const std::string& team,
-                        const Result<Submission>& answer) {
-    Submission done;
-    if (answer) {
-      done = *answer;
-    } else {
-      done.message = (team.empty() ? path : team) + ": not taken: " + answer.error().what;
-    }
-    print(path, team, done, options.json);
-    if (!answer && answer.error().code == Errc::host) result = exit_code(Errc::host);
-    if (!done.is_accepted && result == exit_yes) result = exit_no;
-  };
-  MIROCUP_TRY(const auto writers, system::writers_of(options.inbox));
-  if (writers.others_remove) {
-    std::cerr << "mirocup: " << system::printable(options.inbox)
-              << ": users who can write into this folder can also remove and rename files of "
-                 "others; chmod +t prevents that\n";
-  }
-  MIROCUP_TRY_VOID(
-      submit_inbox(files, Folder{options.folder}, options.inbox, system::now_s(), tell));
-  return result;
 }
 
 // A program for FIRASim is no file to be checked: the team joins at once.
@@ -96,18 +66,16 @@ Result<int> enter_program(system::Files& files, const SubmitOptions& options) {
                   : team.is_started_by_people()
                       ? ": each leg waits until a person has started the team's program"
                       : ": the league starts the team's program for each leg: " + team.program.run);
-  print(options.file, options.team, done, options.json);
+  print(options, done);
   return done.is_accepted ? exit_yes : exit_no;
 }
 
 Result<int> run_submit(const SubmitOptions& options) {
   MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
-  if (options.inbox.empty() && options.file.empty())
-    return fail(Errc::input, "TEAM and FILE are expected, or --inbox DIR");
-  // Before anything is locked there, and although an inbox may be empty.
+  if (options.file.empty()) return fail(Errc::input, "\"\" names no file");
+  // Before anything is locked there.
   MIROCUP_TRY_VOID(expect_league(disk, Folder{options.folder}));
-  if (!options.inbox.empty()) return collect(disk, options);
   if (options.file.starts_with(TeamConfig::firasim_prefix)) return enter_program(disk, options);
   if (!options.run.empty() || options.lockstep) {
     return fail(Errc::input, std::string(options.run.empty() ? "--lockstep" : "--run") +
@@ -126,7 +94,7 @@ Result<int> run_submit(const SubmitOptions& options) {
   }
   handed.at = system::now_s();
   MIROCUP_TRY(const auto done, submit(disk, Folder{options.folder}, handed));
-  print(options.file, options.team, done, options.json);
+  print(options, done);
   return done.is_accepted ? exit_yes : exit_no;
 }
 
@@ -136,34 +104,26 @@ void add_submit(system::Commands& commands) {
   const auto [command, o] =
       commands.add(run_submit, "submit", to_take,
                    "Hand in an entry: store it, check it, and play with it if it passes",
-                   {"mirocup league submit spring alpha alpha.so",
-                    "mirocup league submit spring --inbox inbox"});
+                   {"mirocup league submit spring alpha alpha.so"});
   add_folder(command, o.folder);
-  const system::Option team = command.option("TEAM", o.team, "Name of the team");
-  const system::Option file =
-      command.option("FILE", o.file,
-                     "Library of the team (.so), its file of Python (.py), house:TEAM, or "
-                     "firasim:NAME for a program that speaks FIRASim's protocol");
-  const system::Option inbox =
-      command.option("--inbox", o.inbox, "Folder: hand in each new TEAM.so and TEAM.py in it")
-          .excludes(team)
-          .excludes(file);
-  const system::Option run = command
-                                 .option("--run", o.run,
-                                         "Command that starts a program for FIRASim in each leg; "
-                                         "without --run, a person starts the program")
-                                 .named("COMMAND")
-                                 .excludes(inbox);
+  command.option("TEAM", o.team, "Name of the team").required();
+  command
+      .option("FILE", o.file,
+              "Library of the team (.so), its file of Python (.py), house:TEAM, or "
+              "firasim:NAME for a program that speaks FIRASim's protocol")
+      .required();
+  const system::Option run =
+      command.option("--run", o.run,
+                     "Command that starts a program for FIRASim in each leg; "
+                     "without --run, a person starts the program");
   command
       .option("--folder", o.run_folder,
               "Folder in which the command of --run runs (default: the working folder)")
       .named("DIR")
       .needs(run);
-  command
-      .flag("--lockstep", o.lockstep,
-            "Let the legs of a program for FIRASim wait for its answers, not for the clock")
-      .excludes(inbox);
-  command.flag("--json", o.json, "Print one JSON object for each entry");
+  command.flag("--lockstep", o.lockstep,
+               "Let the legs of a program for FIRASim wait for its answers, not for the clock");
+  command.flag("--json", o.json, "Print the answer as a JSON object");
 }
 
 }  // namespace mirocup::league

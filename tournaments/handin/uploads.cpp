@@ -44,7 +44,7 @@ std::optional<web::Reply> Uploads::refused_now(const std::string& team) {
   }
   auto known = read_hand_ins(state_.files, state_.folder, team);
   if (!known) return host_failed(known.error());
-  int tries = tries_in_last_hour(*known, now, {});
+  int tries = tries_in_last_hour(*known, now);
   const auto most = static_cast<std::size_t>(state_.options.quota.tries_per_hour);
   for (const WaitingHandIn* handed : state_.book.queue().latest_of(team, most)) {
     if (!is_final(handed->state) && find_try(*known, handed->entry) == nullptr) ++tries;

@@ -27,17 +27,13 @@ bool has(const std::vector<int>& numbers, int number) {
 
 static void list_fields(auto& f, Try& one) {
   f("at", one.at, 0, max_time);
-  f("user", one.user);
   f("entry", one.entry, 0, max_count);
   f("accepted", one.is_accepted);
   f("message", one.message);
 }
 
 static void list_fields(auto& f, HandIns& known) {
-  f("owner", known.owner);
-  f("last_user", known.last_user);
   f.since_later("pinned", known.pinned, 0, max_count);
-  f("last_file", known.last_file);
   f("tries", known.tries);
 }
 
@@ -82,21 +78,10 @@ Try* find_try(HandIns& known, int entry) {
   return found == known.tries.rend() ? nullptr : &*found;
 }
 
-int tries_in_last_hour(const HandIns& known, std::int64_t now, const std::optional<uid_t>& user) {
-  return static_cast<int>(std::count_if(
-      known.tries.begin(), known.tries.end(),
-      [&](const Try& one) { return one.user == user && std::abs(now - one.at) < hour; }));
-}
-
-Result<int> teams_of_user(system::Files& files, const Folder& folder, uid_t user) {
-  MIROCUP_TRY(const auto teams, files.names_if_there(folder.entries()));
-  int count = 0;
-  for (const std::string& team : teams) {
-    if (!is_good_name(team)) continue;
-    MIROCUP_TRY(const auto known, read_hand_ins(files, folder, team));
-    if (known.owner ? known.owner == user : known.last_user == user) ++count;
-  }
-  return count;
+int tries_in_last_hour(const HandIns& known, std::int64_t now) {
+  return static_cast<int>(
+      std::count_if(known.tries.begin(), known.tries.end(),
+                    [now](const Try& one) { return std::abs(now - one.at) < hour; }));
 }
 
 Result<void> prune_versions(system::Files& files, const Folder& folder, const std::string& team,

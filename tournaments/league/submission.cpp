@@ -8,7 +8,6 @@
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
 #include "system/text.hpp"
-#include "system/users.hpp"
 #include "tournaments/league/apply.hpp"
 
 #include <algorithm>
@@ -240,56 +239,17 @@ Result<void> let_play(system::Files& files, LeagueStore& store, const HandIn& ha
 
 // A file as it was found, before any lock is taken.
 struct Found {
-  std::string why_not;  // a sentence; "": it was read
-  std::string library;
-  std::string identity;       // tells it from every other file and from its later versions
-  std::optional<uid_t> user;  // whose hand-in it is; nothing: the host's
+  std::string why_not = {};  // a sentence; "": it was read
+  std::string library = {};
 };
 
 // Errors: the file is not there, or the system does not let it be read.
-Result<Found> examine(const HandIn& handed) {
-  const auto user_of = [&handed](const std::optional<uid_t>& owner) {
-    const auto& trusted = handed.trusted;
-    const bool is_the_hosts = trusted.empty() || !owner ||
-                              std::find(trusted.begin(), trusted.end(), *owner) != trusted.end();
-    return is_the_hosts ? std::nullopt : owner;
-  };
-  Found found;
-  const auto file = system::open_file(handed.path, {.max_size = system::size_limit::entry});
-  if (!file) {
-    found.user = user_of(system::owner_of(handed.path));
-    if (file.error().code != Errc::input) return tl::unexpected(file.error());
-    found.why_not = file.error().what;
-    found.identity = file.error().what;
-    return found;
-  }
-  found.identity = std::to_string(file->inode) + " " + std::to_string(file->changed);
-  found.user = user_of(file->owner);
-  if (!handed.trusted.empty() && file->names > 1) {
-    found.why_not = handed.path + ": it has a second name (a hard link); copy it instead";
-    return found;
-  }
-  MIROCUP_TRY(found.library, system::read_file(*file));
-  return found;
-}
-
-// Returns why this user hands in nothing for the team; "" if the user may.
-Result<std::string> objection_to_user(system::Files& files, const Folder& folder,
-                                      const std::string& team, const HandIns& known,
-                                      const std::optional<uid_t>& user, const Quota& quota) {
-  if (!user || known.owner == user) return "";
-  if (known.owner) {
-    return "the file belongs to " + system::name_of_user(*user) + ", and " +
-           system::name_of_user(*known.owner) + " hands in for " + team +
-           "; league owner changes that";
-  }
-  if (known.last_user == user) return "";
-  MIROCUP_TRY(const auto teams, teams_of_user(files, folder, *user));
-  if (teams >= quota.teams_per_user) {
-    return system::name_of_user(*user) + " hands in for " + std::to_string(quota.teams_per_user) +
-           " teams already, which is the most for one user";
-  }
-  return "";
+Result<Found> examine(const std::string& path) {
+  const auto file = system::open_file(path, {.max_size = system::size_limit::entry});
+  if (!file && file.error().code == Errc::input) return Found{.why_not = file.error().what};
+  if (!file) return tl::unexpected(file.error());
+  MIROCUP_TRY(auto library, system::read_file(*file));
+  return Found{.library = std::move(library)};
 }
 
 // One hand-in, after its file was read. receive() and conclude() run while no other process does
@@ -303,23 +263,9 @@ class Desk {
   Result<std::optional<Submission>> receive(const Found& found) {
     MIROCUP_TRY(known_, read_hand_ins(files_, folder(), team()));
     if (has_verdict()) return std::nullopt;
-    if (found.why_not.empty() && handed_.is_from_inbox) {
-      MIROCUP_TRY(const auto last, last_entry(files_, folder(), team()).and_then([&](int number) {
-        return sha256_of_entry(files_, folder(), team(), number);
-      }));
-      if (last == system::sha256(found.library)) {
-        Submission nothing;
-        nothing.is_news = false;
-        return nothing;
-      }
-    }
-    MIROCUP_TRY(const auto why, objection(found));
+    const std::string why = why_not_now(store_.state(), team(), utc_text(handed_.at));
     if (!why.empty()) return not_taken(why);
-    // An inbox that is read each minute finds a file that is refused again and again: one try.
-    if (handed_.is_from_inbox && !found.why_not.empty() && known_.last_file == found.identity)
-      return not_taken(found.why_not);
-    if (!is_noted() &&
-        tries_in_last_hour(known_, handed_.at, found.user) >= quota_.tries_per_hour) {
+    if (!is_noted() && tries_in_last_hour(known_, handed_.at) >= quota_.tries_per_hour) {
       return not_taken("it has had " + std::to_string(quota_.tries_per_hour) +
                        " tries in the last hour; hand it in later");
     }
@@ -327,8 +273,8 @@ class Desk {
       MIROCUP_TRY(const auto next, next_entry(files_, folder(), team()));
       number_ = next;
     }
-    note_try(found);
-    if (!found.why_not.empty()) return refuse(found);
+    note_try();
+    if (!found.why_not.empty()) return refuse(found.why_not);
     // Written before the check, so that a library that stops the check is a try, too.
     MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_).and_then([&] {
       return files_.make_folder(folder().entry(team(), number_), system::Readers::owner);
@@ -356,11 +302,11 @@ class Desk {
   }
 
   // Books the verdict. The store has been opened again since receive().
-  Result<Submission> conclude(const Found& found, Json verdict) {
+  Result<Submission> conclude(Json verdict) {
     MIROCUP_TRY(known_, read_hand_ins(files_, folder(), team()));
     MIROCUP_TRY(const auto playing, playing_entry(files_, folder(), team()));
     // It may have been forgotten since.
-    if (find_try(known_, number_) == nullptr) note_try(found);
+    if (find_try(known_, number_) == nullptr) note_try();
     Submission result;
     result.entry = number_;
     result.verdict = std::move(verdict);
@@ -372,10 +318,6 @@ class Desk {
       if (playing > 0) result.message += "; entry " + std::to_string(playing) + " plays on";
     } else if (known_.pinned > 0 && playing == known_.pinned) {
       result.message += "; entry " + std::to_string(known_.pinned) + ", which is pinned, plays on";
-    } else if (found.user && !known_.owner) {
-      known_.owner = found.user;
-      result.message +=
-          "; from now on " + system::name_of_user(*found.user) + " hands in for " + team();
     }
     Try& noted = *find_try(known_, number_);
     noted.is_accepted = result.is_accepted;
@@ -401,9 +343,8 @@ class Desk {
     return verdict;
   }
 
-  Result<Submission> refuse(const Found& found) {
-    const Submission result = not_taken(found.why_not);
-    known_.last_file = found.identity;
+  Result<Submission> refuse(const std::string& why) {
+    const Submission result = not_taken(why);
     known_.tries.back().message = result.message;
     // A name under which nobody has handed in a library gets no folder.
     MIROCUP_TRY(const auto entries, entries_of(files_, folder(), team()));
@@ -412,11 +353,9 @@ class Desk {
     return result;
   }
 
-  void note_try(const Found& found) {
+  void note_try() {
     if (is_noted()) return;
-    if (found.user) known_.last_user = found.user;
     add_try(known_, {.at = handed_.at,
-                     .user = found.user,
                      .entry = number_,
                      .is_accepted = false,
                      .message = team() + ": the check has not come to its end"});
@@ -430,12 +369,6 @@ class Desk {
     Submission result;
     result.message = handed_.team + ": not taken: " + why;
     return result;
-  }
-
-  Result<std::string> objection(const Found& found) const {
-    std::string why = why_not_now(store_.state(), team(), utc_text(handed_.at));
-    if (!why.empty()) return why;
-    return objection_to_user(files_, folder(), team(), known_, found.user, quota_);
   }
 
   const std::string& team() const { return handed_.team; }
@@ -509,7 +442,7 @@ Result<std::string> pin_entry(system::Files& files, const Folder& folder, const 
   MIROCUP_TRY(const auto playing,
               number > 0 ? Result<int>(number) : last_accepted_entry(files, folder, team));
   const LeagueState& state = store.state();
-  std::string library;
+  std::string library = {};
   // The next night of a nightly league takes the entry.
   const bool plays_now = state.is_started && playing > 0 &&
                          state.file.format.kind != FormatKind::nightly &&
@@ -533,9 +466,7 @@ Result<Submission> submit(system::Files& files, const Folder& folder, const Hand
     return fail(Errc::input, "\"" + handed.team +
                                  "\" is no name: letters, digits, '-', '_' and '.', at most 40");
   }
-  HandIn looked_at = handed;
-  if (!handed.source.empty()) looked_at.path = handed.source;
-  MIROCUP_TRY(const auto found, examine(looked_at));
+  MIROCUP_TRY(const auto found, examine(handed.source.empty() ? handed.path : handed.source));
   // Hand-ins that waited have a queue of their own, which says how many checks run at once.
   std::optional<system::FileLock> alone;
   if (handed.entry == 0) {
@@ -555,7 +486,7 @@ Result<Submission> submit(system::Files& files, const Folder& folder, const Hand
   if (!*lock) return tl::unexpected(lock->error());
   // Another team may have joined in the meantime.
   MIROCUP_TRY(store, LeagueStore::open_unplanned(files, folder));
-  return desk.conclude(found, std::move(verdict));
+  return desk.conclude(std::move(verdict));
 }
 
 }  // namespace mirocup::league

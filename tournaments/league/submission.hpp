@@ -22,10 +22,6 @@ struct HandIn {
   std::string path;
   std::int64_t at = 0;  // s since 1970
 
-  // True for a file of an inbox. An inbox is read repeatedly, so a file of it that equals the
-  // team's last entry is not handed in again.
-  bool is_from_inbox = false;
-
   // The entry's number if the file was stored earlier and waited for its check. 0: the file gets
   // the next number now.
   int entry = 0;
@@ -36,15 +32,9 @@ struct HandIn {
   int compile_seconds = 60;   // limit of processor time for compiling the source
   std::string name = {};      // name of the file in the verdict; "": `path`
   bool is_house = false;      // the host hands in the house team `name`, "house:NAME"
-
-  // In an inbox that several users can write to, the users whose files count like files of the
-  // host. A file of another user counts only for teams of this user, and is refused if it has a
-  // second name (hard link). If empty, every file counts like a file of the host.
-  std::vector<uid_t> trusted;
 };
 
 struct Submission {
-  bool is_news = true;  // false: the file was handed in before, and this call had no effect
   bool is_accepted = false;
   int entry = 0;        // the entry's number; 0: not stored
   std::string message;  // a sentence for the team

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a team that hands in without a limit, one that is locked out by a clock or by another
-// user, and a version that is removed although it played or plays.
+// Catches a team that hands in without a limit, one that is locked out by a clock, and a version
+// that is removed although it played or plays.
 #include "tournaments/league/hand_ins.hpp"
 
 #include "tests/support/memory_files.hpp"
@@ -13,72 +13,47 @@ namespace {
 
 constexpr std::int64_t now = 1'795'000'000;  // s since 1970
 
-Try try_at(std::int64_t at, std::optional<uid_t> user = {}) {
+Try try_at(std::int64_t at) {
   Try one;
   one.at = at;
-  one.user = user;
   return one;
 }
 
-TEST(HandIns, CountsTheTriesOfOneUserInTheLastHour) {
+TEST(HandIns, CountsTheTriesOfTheLastHour) {
   HandIns known;
   add_try(known, try_at(now - 3600));
   add_try(known, try_at(now - 3599));
   add_try(known, try_at(now));
-  add_try(known, try_at(now, 1001));
-  EXPECT_EQ(tries_in_last_hour(known, now, {}), 2);
-  EXPECT_EQ(tries_in_last_hour(known, now, 1001), 1) << "nobody uses up the tries of another";
-  EXPECT_EQ(tries_in_last_hour(known, now, 1002), 0);
+  EXPECT_EQ(tries_in_last_hour(known, now), 2);
 }
 
 TEST(HandIns, IsNotLockedOutByAClockThatJumps) {
   HandIns known;
   for (int i = 0; i < 20; ++i) add_try(known, try_at(now + 86'400 * 365));
-  EXPECT_EQ(tries_in_last_hour(known, now, {}), 0) << "the clock was a year ahead";
+  EXPECT_EQ(tries_in_last_hour(known, now), 0) << "the clock was a year ahead";
   for (int i = 0; i < 20; ++i) add_try(known, try_at(now + 5));
-  EXPECT_EQ(tries_in_last_hour(known, now, {}), 20) << "set back by seconds, it frees nobody";
+  EXPECT_EQ(tries_in_last_hour(known, now), 20) << "set back by seconds, it frees nobody";
 }
 
 TEST(HandIns, AreReadAsTheyWereWrittenAndStayBounded) {
   test_support::MemoryFiles files;
   const Folder folder{"l"};
   HandIns known;
-  known.owner = 1001;
-  known.last_file = "7 9";
-  for (int i = 0; i < 1000; ++i) add_try(known, try_at(now + i, 1001));
+  known.pinned = 7;
+  for (int i = 0; i < 1000; ++i) add_try(known, try_at(now + i));
   known.tries.back().message = "bytes that are not UTF-8: \xff";
   ASSERT_TRUE(write_hand_ins(files, folder, "a", known));
   const auto read = read_hand_ins(files, folder, "a");
   ASSERT_TRUE(read);
-  EXPECT_EQ(read->owner, 1001u);
-  EXPECT_FALSE(read->last_user);
-  EXPECT_EQ(read->last_file, "7 9");
+  EXPECT_EQ(read->pinned, 7);
   ASSERT_EQ(read->tries.size(), 100u);
   EXPECT_EQ(read->tries.back().at, now + 999);
-  EXPECT_EQ(read->tries.back().user, 1001u);
   ASSERT_TRUE(files.write(folder.hand_ins("b"), R"({"schema": {}, "tries": 7})"));
   EXPECT_EQ(read_hand_ins(files, folder, "b").error().code, Errc::damaged);
   ASSERT_TRUE(files.write(folder.hand_ins("c"),
-                          R"({"schema": "mirocup/hand-ins/1", "owner": -1, "last_user": null,
-                              "last_file": "", "tries": []})"));
+                          R"({"schema": "mirocup/hand-ins/1", "pinned": -1, "tries": []})"));
   EXPECT_EQ(read_hand_ins(files, folder, "c").error().what,
-            "l/entries/c/hand-ins.json: /owner: -1 is not at least 0");
-}
-
-TEST(HandIns, CountTheTeamsOfAUser) {
-  test_support::MemoryFiles files;
-  const Folder folder{"l"};
-  const auto write = [&](const std::string& team, std::optional<uid_t> owner, uid_t last) {
-    HandIns known;
-    known.owner = owner;
-    known.last_user = last;
-    ASSERT_TRUE(write_hand_ins(files, folder, team, known));
-  };
-  write("a", 1001, 1001);
-  write("b", {}, 1001);  // refused until now
-  write("c", 1002, 1001);
-  EXPECT_EQ(teams_of_user(files, folder, 1001), 2);
-  EXPECT_EQ(teams_of_user(files, folder, 1002), 1);
+            "l/entries/c/hand-ins.json: /pinned: -1 is not at least 0");
 }
 
 class Pruning : public testing::Test {

@@ -12,6 +12,7 @@
 #include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/kept_program.hpp"
 #include "tournaments/league/people.hpp"
+#include "tournaments/league/roster.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/tune/tuning_file.hpp"
 
@@ -93,7 +94,6 @@ TEST_F(FileOfALeague, VerdictIsNoRefusalIfItCannotBeRead) {
 TEST_F(FileOfALeague, PinIsNotForgottenIfItCannotBeRead) {
   ASSERT_EQ(playing_entry(disk_, folder_, "a"), 1);
   expect_told(folder_.hand_ins("a"), [&] { return error_of(playing_entry(disk_, folder_, "a")); });
-  expect_told(folder_.hand_ins("a"), [&] { return error_of(teams_of_user(disk_, folder_, 1)); });
 }
 
 TEST_F(FileOfALeague, EntryStaysAnEntryIfItsFileCannotBeRead) {
@@ -106,7 +106,10 @@ TEST_F(FileOfALeague, EntryStaysAnEntryIfItsFileCannotBeRead) {
 TEST_F(FileOfALeague, FoldersAreNotEmptyIfTheyCannotBeRead) {
   const std::string entries = folder_.entries();
   expect_told_of_folder(entries + "/a", [&] { return error_of(next_entry(disk_, folder_, "a")); });
-  expect_told_of_folder(entries, [&] { return error_of(teams_of_user(disk_, folder_, 1)); });
+  EXPECT_TRUE(disk_.write(folder_.config(), print_league_file({})));
+  const auto store = LeagueStore::open(disk_, folder_);
+  ASSERT_TRUE(store) << store.error().what;
+  expect_told_of_folder(entries, [&] { return error_of(everybody(disk_, *store)); });
   const std::string site = folder_.site();
   expect_told_of_folder(site + "/replays",
                         [&] { return error_of(remove_former_pages(disk_, site, "replays/", {})); });
