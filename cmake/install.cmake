@@ -13,7 +13,10 @@ install(TARGETS mirocup-league COMPONENT mirocup)
 install(TARGETS mirocup-plugin-host mirocup-careful-host mirocup-project-compiler RUNTIME DESTINATION libexec/mirocup COMPONENT mirocup)
 install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup COMPONENT mirocup)
 install(FILES record/record.schema.json DESTINATION share/mirocup COMPONENT mirocup)
-install(FILES ${PROJECT_BINARY_DIR}/browser/mirocup.wasm browser/mirocup.js DESTINATION share/mirocup/browser COMPONENT mirocup OPTIONAL)
+install(FILES ${PROJECT_BINARY_DIR}/browser/mirocup.wasm browser/mirocup.js browser/verify.mjs browser/package.json
+  DESTINATION share/mirocup/browser COMPONENT mirocup OPTIONAL)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/browser/node_modules/fzstd DESTINATION share/mirocup/browser/node_modules
+  COMPONENT mirocup OPTIONAL FILES_MATCHING PATTERN index.js PATTERN package.json PATTERN LICENSE PATTERN esm EXCLUDE PATTERN umd EXCLUDE)
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team COMPONENT mirocup USE_SOURCE_PERMISSIONS)
 install(DIRECTORY plugins/drills DESTINATION share/mirocup COMPONENT mirocup PATTERN teams EXCLUDE)
 install(DIRECTORY plugins/simurosot DESTINATION share/mirocup COMPONENT mirocup USE_SOURCE_PERMISSIONS)

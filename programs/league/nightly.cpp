@@ -207,8 +207,7 @@ Result<int> run_nightly(const NightlyOptions& options) {
   system::Disk disk;
   const Folder folder{options.folder};
   MIROCUP_TRY(auto held, hold_league(disk, folder, ": this night is left out"));
-  MIROCUP_TRY_VOID(expect_program(disk, held.store, record::this_software(),
-                                  options.play.accepts_other_program));
+  MIROCUP_TRY_VOID(expect_program(held.store, record::this_software()));
   MIROCUP_TRY_VOID(begin_night(disk, held.store, options, system::now_s()));
 
   auto progress = make_progress_reporter();
@@ -257,7 +256,6 @@ void add_nightly(system::Commands& commands) {
               "Address of the league's pages, with which the links in digests begin, as "
               "https://league.example/")
       .named("URL");
-  add_other_program(command, o.play.accepts_other_program);
 }
 
 }  // namespace mirocup::league

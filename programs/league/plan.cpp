@@ -3,6 +3,7 @@
 // mirocup league plan: books what shards have played, and lists what may be played.
 #include "programs/league/commands.hpp"
 #include "programs/league/progress_bar.hpp"
+#include "record/kept_module.hpp"
 #include "tournaments/play/program.hpp"
 #include "tournaments/play/result_recorder.hpp"
 #include "tournaments/play/shard.hpp"
@@ -22,10 +23,8 @@ Result<int> run_plan(const PlanOptions& options) {
   MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
-  const record::Software software = record::this_software();
-  MIROCUP_TRY_VOID(expect_program(disk, store, software, false).and_then([&] {
-    return keep_program(disk, store.folder(), software);
-  }));
+  MIROCUP_TRY_VOID(expect_program(store, record::this_software()));
+  MIROCUP_TRY_VOID(record::keep_module(disk, store.folder().path));
   const auto progress = make_progress_reporter();
   ResultRecorder recorder(disk, std::move(store), *progress);
   MIROCUP_TRY_VOID(recorder.start());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "programs/league/playing.hpp"
 
-#include "record/match_record.hpp"
+#include "record/kept_module.hpp"
 #include "system/printable.hpp"
 #include "tournaments/play/program.hpp"
 #include "tournaments/play/runner.hpp"
@@ -28,9 +28,8 @@ Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
     if (!left) return tl::unexpected(left.error());
     return PlayedLeague{runner.state(), runner.refused()};
   };
-  const record::Software program = record::this_software();
-  MIROCUP_TRY_VOID(expect_program(files, store, program, terms.accepts_other_program));
-  MIROCUP_TRY_VOID(keep_program(files, store.folder(), program));
+  MIROCUP_TRY_VOID(expect_program(store, record::this_software()));
+  MIROCUP_TRY_VOID(record::keep_module(files, store.folder().path));
   if (terms.engine == "slurm") {
     SlurmRunner runner(files, std::move(store), progress);
     return end_of(runner, runner.run(terms.jobs));
@@ -39,12 +38,6 @@ Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
   return end_of(
       runner,
       runner.run({.jobs = terms.jobs, .watched = terms.watched, .dds_domain = terms.dds_domain}));
-}
-
-void add_other_program(const system::Command& command, bool& accepts_other_program) {
-  command.flag(
-      "--other-program", accepts_other_program,
-      "Continue with this program, although another program has played the league until now");
 }
 
 void say_what_is_left(const LeagueState& state) {

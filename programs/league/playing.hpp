@@ -26,11 +26,10 @@ Result<HeldLeague> hold_league(system::Files& files, const Folder& folder,
 
 // The settings with which a league is played.
 struct PlayTerms {
-  std::string engine = "local";        // "local" or "slurm"
-  int jobs = 0;                        // legs at once; 0: a leg for each processor
-  bool watched = false;                // true: league serve shows the legs of this host
-  int dds_domain = 0;                  // the DDS domain of legs with teams over DDS
-  bool accepts_other_program = false;  // true: continues a league that another program began
+  std::string engine = "local";  // "local" or "slurm"
+  int jobs = 0;                  // legs at once; 0: a leg for each processor
+  bool watched = false;          // true: league serve shows the legs of this host
+  int dds_domain = 0;            // the DDS domain of legs with teams over DDS
 };
 
 // A league after play_league(), and the number of records from elsewhere that differ from their
@@ -43,9 +42,6 @@ struct PlayedLeague {
 // Plays until no leg can be played. Errors include those of expect_program().
 Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
                                  ProgressReporter& progress, const PlayTerms& terms);
-
-// Adds the option --other-program to a subcommand.
-void add_other_program(const system::Command& command, bool& accepts_other_program);
 
 // Prints to standard error why the league has not ended.
 void say_what_is_left(const LeagueState& state);

@@ -5,7 +5,6 @@
 #include "record/match_record.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
-#include "tournaments/league/kept_program.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/page_values.hpp"
@@ -30,31 +29,11 @@ std::function<std::string()> playground_maker(system::Files& files) {
   };
 }
 
-namespace {
-
-std::optional<web::BrowserModule> kept_browser_module(system::Files& files, const Folder& folder,
-                                                      const std::string& game) {
-  std::vector<std::string> parts;
-  for (const char* file : kept_module_files) {
-    auto bytes =
-        files.read(kept_module(folder, game, file), {.max_size = system::size_limit::page});
-    if (!bytes || !is_trusted_program(*bytes).value_or(false)) return std::nullopt;
-    parts.push_back(std::move(*bytes));
-  }
-  return web::BrowserModule{.script = std::move(parts[0]), .wasm = std::move(parts[1])};
-}
-
-}  // namespace
-
-ModuleOfGame module_finder(system::Files& files, const Folder& folder, const LeagueFile& file) {
-  if (!file.has_proofs) return nullptr;
-  return [&files, folder](const std::string& game) -> std::optional<SiteModule> {
-    const auto module = game.empty() ? web::browser_module(files).value_or(std::nullopt)
-                                     : kept_browser_module(files, folder, game);
-    if (!module) return std::nullopt;
-    web::ScriptFile script = web::module_file(*module);
-    return SiteModule{std::move(script.name), std::move(script.text)};
-  };
+std::optional<SiteModule> site_module(system::Files& files) {
+  const auto module = web::browser_module(files).value_or(std::nullopt);
+  if (!module) return std::nullopt;
+  web::ScriptFile script = web::module_file(*module);
+  return SiteModule{std::move(script.name), std::move(script.text)};
 }
 
 Result<std::optional<Night>> night_for(const LeagueState& shown, const LeagueStore& store) {
@@ -100,8 +79,9 @@ Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState
   for (const std::string& path : {folder.path, folder.site()})
     MIROCUP_TRY_VOID(files.remove_unfinished(path));
   // First what takes long: the pages of league and teams show the statistics of every leg.
-  MIROCUP_TRY(const auto failed, make_replay_pages(files, folder, shown, jobs,
-                                                   module_finder(files, folder, shown.file)));
+  MIROCUP_TRY(const auto failed,
+              make_replay_pages(files, folder, shown, jobs,
+                                shown.file.has_proofs ? site_module(files) : std::nullopt));
   const bool has_refused = !failed.refused.empty();
   LegReports reports = kept_statistics(files, folder, shown);
   FactsOfLegs facts = read_facts(files, folder, shown);
@@ -127,8 +107,6 @@ Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState
   if (!uncounted.empty())
     std::cerr << "mirocup: statistics and goals lack " << uncounted.size()
               << " legs: " << listed(uncounted) << "; mirocup league verify says why\n";
-  for (const std::string& reason : failed.reasons)
-    std::cerr << "mirocup: " << system::printable(reason) << '\n';
   for (const std::string& record : failed.refused) {
     std::cerr << "mirocup: " << system::printable(folder.path + "/" + record)
               << " differs from its replay or from the journal, so the pages lack its leg; mirocup "

@@ -22,10 +22,9 @@ Result<std::optional<Night>> night_for(const LeagueState& shown, const LeagueSto
 // browsers was not built. `files` must outlive the function.
 std::function<std::string()> playground_maker(system::Files& files);
 
-// Returns the function that gives the modules with which browsers prove the legs of this league;
-// null if the host wants no proofs. A kept module that this host does not trust is not used.
-// `files` must outlive the function.
-ModuleOfGame module_finder(system::Files& files, const Folder& folder, const LeagueFile& file);
+// Returns the module of this program with which browsers prove the legs of a league; nothing if it
+// was not built.
+std::optional<SiteModule> site_module(system::Files& files);
 
 // Prints to standard error what journal and files of the league lack, and returns it.
 Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store);

@@ -247,10 +247,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
 }
 
 const std::optional<SiteModule>& ServedLeague::module() {
-  std::call_once(module_made_, [this] {
-    LeagueFile any;
-    module_ = module_finder(files_, store_.folder(), any)("");
-  });
+  std::call_once(module_made_, [this] { module_ = site_module(files_); });
   return module_;
 }
 

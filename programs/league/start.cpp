@@ -47,7 +47,6 @@ void add_start(system::Commands& commands) {
       commands.add(run_start, "start", to_play, "Play the league, or resume it",
                    {"mirocup league start spring --jobs 4"});
   add_folder(command, o.folder);
-  add_other_program(command, o.play.accepts_other_program);
   command
       .option("--engine", o.play.engine,
               "Where to play legs: on this host, or on the nodes of its Slurm cluster")

@@ -3,8 +3,8 @@
 // mirocup league verify: simulates all records again.
 #include "programs/league/commands.hpp"
 #include "record/json_reader.hpp"
+#include "record/kept_module.hpp"
 #include "system/printable.hpp"
-#include "tournaments/league/kept_program.hpp"
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/play/backup.hpp"
 #include "tournaments/play/program.hpp"
@@ -29,7 +29,7 @@ Result<int> run_verify_league(const VerifyOptions& options) {
   system::Disk disk;
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
   if (options.trusts_programs) {
-    MIROCUP_TRY(const auto trusted, trust_kept_programs(disk, store.folder()));
+    MIROCUP_TRY(const auto trusted, record::trust_modules(disk, options.folder));
     for (const std::string& path : trusted)
       std::cerr << "mirocup: " << system::printable(path) << " is trusted from now on\n";
   }
@@ -59,14 +59,13 @@ Result<int> run_verify_league(const VerifyOptions& options) {
 
 void add_verify(system::Commands& commands) {
   const auto [command, o] = commands.add(
-      run_verify_league, "verify", to_play,
-      "Simulate all records again, each record with the program that made it",
+      run_verify_league, "verify", to_play, "Simulate all records again",
       {"mirocup league verify spring", "mirocup league verify copied --trust-programs"});
   add_folder(command, o.folder);
   command.jobs(o.jobs, "records simulated");
   command.flag("--trust-programs", o.trusts_programs,
-               "Trust the programs in the league's folder from now on, and run them. They are not "
-               "from this host, so give this option only if you know where they come from");
+               "Trust the browser modules in the league's folder from now on: they verify records "
+               "of other versions. Give this option only if you know where they come from");
   command.flag("--json", o.json, "Print one JSON object");
 }
 

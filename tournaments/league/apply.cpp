@@ -112,8 +112,6 @@ struct Validator {
 
   Result<void> operator()(const Released&) const { return {}; }
 
-  Result<void> operator()(const ProgramChosen&) const { return {}; }
-
   Result<void> operator()(const Undone& e) const {
     for (const Decision& decision : state.decisions) {
       if (decision.line != e.line) continue;
@@ -220,7 +218,7 @@ struct Applier {
     state.is_started = true;
     state.config_sha256 = e.config_sha256;
     state.conditions = e.conditions;
-    state.program = {.version = e.version, .build = e.build, .game = e.game};
+    state.program = {.version = e.version, .build = e.build, .behaviour_hash = e.game};
   }
 
   void operator()(const NightBegan& e) const {
@@ -236,8 +234,6 @@ struct Applier {
   void operator()(const Released& e) const { state.release = e; }
 
   void operator()(const Undone&) const {}
-
-  void operator()(const ProgramChosen& e) const { state.program = e; }
 
   void operator()(const EntryBooked& e) const {
     const int index = *state.find_team(e.team);

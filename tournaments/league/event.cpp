@@ -137,13 +137,6 @@ static void list_fields(auto& f, Undone& e) {
   list_signature(f, e);
 }
 
-static void list_fields(auto& f, ProgramChosen& e) {
-  f("version", e.version);
-  f("build", e.build);
-  f("game", e.game);
-  f.if_set("at", e.at);
-}
-
 namespace {
 
 // Reads the line as the kind of event that it names.

@@ -266,21 +266,8 @@ struct Undone {
   bool operator==(const Undone&) const = default;
 };
 
-// From this event on the named program plays the league, and no longer the program before.
-struct ProgramChosen {
-  static constexpr std::string_view kind = "program";
-
-  std::string version;
-  std::string build;
-  std::string game;  // the hash of the program's behaviour, as in records
-  std::string at = {};
-
-  bool operator==(const ProgramChosen&) const = default;
-};
-
-using Event =
-    std::variant<Started, EntryBooked, LegPlayed, LegVoided, Ruled, Withdrawn, Paused, Resumed,
-                 NightBegan, Frozen, Closed, Released, Undone, ProgramChosen, TeamJoined>;
+using Event = std::variant<Started, EntryBooked, LegPlayed, LegVoided, Ruled, Withdrawn, Paused,
+                           Resumed, NightBegan, Frozen, Closed, Released, Undone, TeamJoined>;
 
 // Decodes a line of a journal. Keys that a later version may have added are ignored. The error
 // (Errc::damaged) names the line's number, the key and the reason: "line 7: /score/home: missing".

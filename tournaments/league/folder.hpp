@@ -29,10 +29,6 @@ struct Folder {
   std::string pruned() const { return path + "/pruned.json"; }
   std::string notice() const { return path + "/notice.txt"; }
 
-  // The folder of the programs that have played the league, with a folder for each program
-  // (play/program.hpp).
-  std::string programs() const { return path + "/programs"; }
-
   // The digests of each night for teams and host (publish/night.hpp). Only the host can read this
   // folder.
   std::string nights() const { return path + "/nights"; }

@@ -6,6 +6,7 @@
 // follow from the present results.
 #pragma once
 
+#include "record/match_record.hpp"
 #include "tournaments/format/knockout.hpp"
 #include "tournaments/format/league_file.hpp"
 #include "tournaments/format/schedule.hpp"
@@ -100,9 +101,7 @@ struct LeagueState {
   bool is_closed = false;
   std::string config_sha256;     // of league.json when the league was started
   match::Conditions conditions;  // of the league's legs, once the league has started
-
-  // The program that plays the league, from the last line of the journal that names a program.
-  ProgramChosen program;
+  record::Software program;      // the program with which the league was started
 
   // The round of a Swiss tournament that is not played because every pairing repeats a meeting; 0:
   // none.

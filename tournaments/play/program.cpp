@@ -2,20 +2,13 @@
 #include "tournaments/play/program.hpp"
 
 #include "record/json_reader.hpp"
+#include "record/kept_module.hpp"
 #include "system/locations.hpp"
-#include "system/printable.hpp"
 #include "system/process_set.hpp"
 #include "system/text.hpp"
-#include "system/trusted_program.hpp"
 #include "tournaments/league/gaps.hpp"
-#include "tournaments/league/kept_program.hpp"
 #include "tournaments/play/scratch_folder.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include <cstdlib>
-#include <filesystem>
-#include <iostream>
 #include <map>
 
 namespace mirocup::league {
@@ -32,6 +25,7 @@ struct RecordedLeg {
   std::string version;
   std::string game;
   std::string state_hash;
+  double half_s = 0.0;
 };
 
 Result<RecordedLeg> read_leg(system::Files& files, const Folder& folder, const std::string& path) {
@@ -44,8 +38,10 @@ Result<RecordedLeg> read_leg(system::Files& files, const Folder& folder, const s
         RecordedLeg leg{.path = path,
                         .version = software.at("version").text(),
                         .game = "",
-                        .state_hash = json.at("state_hash").text()};
+                        .state_hash = json.at("state_hash").text(),
+                        .half_s = 0.0};
         software.read_if_present("game", leg.game);
+        json.at("rules").read_if_present("half_s", leg.half_s);
         return leg;
       });
 }
@@ -68,104 +64,28 @@ void compare_with_journal(const LeagueStore& store, const std::map<std::string, 
   }
 }
 
-// Returns the behaviour of the program that played the last leg; "" if no record says so.
-Result<std::string> game_of_last_leg(system::Files& files, const LeagueStore& store) {
-  const std::vector<Json>& lines = store.journal().lines();
-  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-    const auto event = read_event(*line);
-    const auto* played = event ? std::get_if<LegPlayed>(&*event) : nullptr;
-    if (played != nullptr) return game_of_record(files, store.folder(), played->record);
-  }
-  return "";
-}
-
-Result<std::string> bytes_of_sibling(system::Files& files, const std::string& name) {
-  return files.read_named(system::sibling_program(name), max_program);
-}
-
-Result<void> write_program(system::Files& files, const std::string& path,
-                           const std::string& bytes) {
-  namespace fs = std::filesystem;
-  if (auto written = files.write(path, bytes); !written) return written;
-  std::error_code failed;
-  fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
-                  fs::perm_options::add, failed);
-  if (failed) return fail(Errc::unavailable, path + ": " + failed.message());
-  return {};
-}
-
-// Keeps the module for browsers, if this program has one. Pages of its legs are proved with it,
-// also after an upgrade. Without it, they are made without a proof.
-Result<void> keep_module(system::Files& files, const Folder& folder, const std::string& game) {
-  for (const char* file : kept_module_files) {
-    const auto bytes = files.read_named(system::browser_folder() + "/" + file, max_program);
-    if (!bytes || !trust_program(*bytes)) continue;
-    const std::string kept = kept_module(folder, game, file);
-    const auto there = files.read(kept, {.max_size = max_program});
-    if (there && is_trusted_program(*there).value_or(true)) continue;
-    MIROCUP_TRY_VOID(files.write(kept, *bytes));
-  }
-  return {};
-}
-
 }  // namespace
 
-Result<void> expect_program(system::Files& files, LeagueStore& store,
-                            const record::Software& program, bool accepts_other) {
+Result<void> expect_program(const LeagueStore& store, const record::Software& program) {
   const LeagueState& state = store.state();
-  ProgramChosen before = state.program;
+  const record::Software& before = state.program;
   if (!state.is_started) return {};
-  // Journals of earlier versions name the version only.
-  if (before.game.empty()) {
-    MIROCUP_TRY(const auto game, game_of_last_leg(files, store));
-    before.game = game;
-  }
-  const bool is_same = before.version == program.version &&
-                       (before.game.empty() || before.game == program.behaviour_hash);
+  const bool is_same =
+      before.version == program.version &&
+      (before.behaviour_hash.empty() || before.behaviour_hash == program.behaviour_hash);
   if (is_same) return {};
-  if (!accepts_other) {
-    return fail(Errc::input,
-                store.folder().path + " is played with " + in_words(before.version, before.game) +
-                    "; this program is " + in_words(program.version, program.behaviour_hash) +
-                    ", which may play other legs from the same seeds. Continue with the program "
-                    "that played before, or give --other-program to continue with this one");
-  }
-  return store.write(ProgramChosen{
-      .version = program.version, .build = program.build, .game = program.behaviour_hash});
-}
-
-Result<void> keep_program(system::Files& files, const Folder& folder,
-                          const record::Software& program) {
-  MIROCUP_TRY(const auto server, bytes_of_sibling(files, "mirocup"));
-  // Without the list, records are verified by other programs all the same.
-  if (const auto listed = trust_program(server); !listed)
-    std::cerr << "mirocup: the copy of this program in " << system::printable(folder.path)
-              << " will not be run after an upgrade: " << system::printable(listed.error().what)
-              << '\n';
-  const std::string kept = kept_program(folder, program.behaviour_hash);
-  // In a folder from elsewhere there may be another program in its place.
-  if (const auto there = files.read(kept, {.max_size = max_program});
-      there && is_trusted_program(*there).value_or(true))
-    return keep_module(files, folder, program.behaviour_hash);
-  MIROCUP_TRY(const auto host, bytes_of_sibling(files, "mirocup-plugin-host"));
-  const Json about{{"version", program.version},
-                   {"build", program.build},
-                   {"game", program.behaviour_hash},
-                   {"sha256", system::sha256(server)}};
-  const std::string home = std::filesystem::path(kept).parent_path();
-  return files.make_folder(home)
-      .and_then([&] { return write_program(files, home + "/mirocup-plugin-host", host); })
-      .and_then(
-          [&] { return files.write(home + "/program.json", record::json_text(about, 1) + "\n"); })
-      .and_then([&] { return write_program(files, kept, server); })
-      .and_then([&] { return keep_module(files, folder, program.behaviour_hash); });
+  return fail(Errc::input,
+              store.folder().path + " is played with " +
+                  in_words(before.version, before.behaviour_hash) + "; this program is " +
+                  in_words(program.version, program.behaviour_hash) +
+                  ", which may play other legs from the same seeds. Continue with mirocup " +
+                  before.version + ", which played before");
 }
 
 namespace {
 
 // Verifies the records at `paths` inside the league, and adds those that can be read to `legs`.
-// `half_s`: of a half of the league, s, from which the limit of a verification follows.
-Result<VerifiedRecords> verify(system::Files& files, const Folder& folder, double half_s,
+Result<VerifiedRecords> verify(system::Files& files, const Folder& folder,
                                const std::vector<std::string>& paths, int jobs,
                                std::map<std::string, RecordedLeg>& legs) {
   VerifiedRecords done;
@@ -182,7 +102,7 @@ Result<VerifiedRecords> verify(system::Files& files, const Folder& folder, doubl
 
   const ScratchFolder output("mirocup-verify");  // of the children
   if (output.path().empty()) return fail(Errc::unavailable, "no temporary folder can be made");
-  MatchServers servers(files, folder);
+  const std::string server = system::sibling_program("mirocup");
   system::ProcessSet processes;
   if (jobs <= 0) jobs = static_cast<int>(system::processors().size());
   std::map<std::string, int> by_program;
@@ -190,14 +110,11 @@ Result<VerifiedRecords> verify(system::Files& files, const Folder& folder, doubl
   for (std::size_t next = 0; next < waiting.size() || processes.running() > 0;) {
     if (next < waiting.size() && static_cast<int>(processes.running()) < jobs) {
       const RecordedLeg& leg = *waiting[next];
-      const MatchServer& server = servers.of_game(leg.game);
-      ++by_program[in_words(leg.version, leg.game) + ", verified by " + server.path];
+      ++by_program[in_words(leg.version, leg.game) + ", verified by " + server];
       const int tag = static_cast<int>(next++);
-      std::vector<std::string> words = server.words;
-      words.insert(words.end(), {"verify", folder.path + "/" + leg.path});
       MIROCUP_TRY_VOID(processes.start(
-          words, tag, -1, output_of(tag),
-          {.seconds = system::limit_of_repeating(half_s), .bytes = system::size_limit::log}));
+          {server, "verify", folder.path + "/" + leg.path}, tag, -1, output_of(tag),
+          {.seconds = record::limit_of_repeating(leg.half_s), .bytes = system::size_limit::log}));
       continue;
     }
     const auto exit = processes.wait();
@@ -208,8 +125,7 @@ Result<VerifiedRecords> verify(system::Files& files, const Folder& folder, doubl
       const std::string said =
           files.read(output_of(exit->tag), {.max_size = system::size_limit::log}).value_or("");
       const RecordedLeg& leg = *waiting[static_cast<std::size_t>(exit->tag)];
-      const std::string& why = servers.of_game(leg.game).why_not_kept;
-      done.problems.push_back({leg.path, system::last_line(said) + (why.empty() ? "" : "; ") + why,
+      done.problems.push_back({leg.path, system::last_line(said),
                                exit->signal != 0 ? exit_code(Errc::host) : exit->code});
     }
     (void)files.remove(output_of(exit->tag));
@@ -228,7 +144,7 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
     if (name.ends_with(".json") && !name.starts_with('.')) paths.push_back("records/" + name);
   }
   std::map<std::string, RecordedLeg> legs;
-  auto done = verify(files, store.folder(), store.state().file.rules.half_s, paths, jobs, legs);
+  auto done = verify(files, store.folder(), paths, jobs, legs);
   if (!done) return done;
   compare_with_journal(store, legs, *done);
   MIROCUP_TRY(const auto found, gaps(files, store, is_being_played(store.folder())));
@@ -240,10 +156,10 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
   return done;
 }
 
-Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store,
+Result<VerifiedRecords> verify_records(system::Files& files, const Folder& folder,
                                        const std::vector<std::string>& paths, int jobs) {
   std::map<std::string, RecordedLeg> legs;
-  return verify(files, store.folder(), store.state().file.rules.half_s, paths, jobs, legs);
+  return verify(files, folder, paths, jobs, legs);
 }
 
 }  // namespace mirocup::league

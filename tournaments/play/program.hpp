@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The program that plays a league. The journal names this program, and programs/ in the league's
-// folder keeps a copy of its match server. So after an upgrade the old program still verifies the
-// records that it has played, and no league continues with another program by accident.
+// The program that plays a league. The journal names this program, so that no league continues with
+// another program by accident.
 #pragma once
 
 #include "record/match_record.hpp"
@@ -13,18 +12,9 @@
 
 namespace mirocup::league {
 
-// Refuses to play a league that another program has begun to play. With `accepts_other`, instead
-// writes to the journal that this program continues the league. Another program is a program with
-// another version or another behaviour hash (`game`). The hash to compare with is in the journal
-// or, in old journals, in the last record. Errors: Errc::input.
-Result<void> expect_program(system::Files& files, LeagueStore& store,
-                            const record::Software& program, bool accepts_other);
-
-// Copies this match server, and the plugin host that a rerun needs, to the league's folder, unless
-// the folder has a copy of this server that this host trusts. Puts the match server on this host's
-// list (league/kept_program.hpp). If the list cannot be written, warns on standard error.
-Result<void> keep_program(system::Files& files, const Folder& folder,
-                          const record::Software& program);
+// Refuses to play a league that another program has begun to play: a program with another version
+// or another behaviour hash (`game`). Errors: Errc::input.
+Result<void> expect_program(const LeagueStore& store, const record::Software& program);
 
 // The result of verifying the records of a league.
 struct VerifiedRecords {
@@ -39,15 +29,15 @@ struct VerifiedRecords {
   std::vector<Problem> problems;
 };
 
-// Verifies all records of a league, `jobs` at once (0: one for each processor). The program that
-// played a record simulates the leg again. The record must be the record that the journal names,
+// Verifies all records of a league, `jobs` at once (0: one for each processor), each as
+// `mirocup verify` does. The record must be the record that the journal names,
 // and the journal must have the lines of all records and nights. If the text of a record is
-// damaged, no program is started. Errors: Errc::interrupted, or the reason why the verification
+// damaged, its leg is not simulated. Errors: Errc::interrupted, or the reason why the verification
 // cannot start.
 Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store, int jobs);
 
 // Verifies only the records at `paths` inside the league, and does not ask the journal.
-Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& store,
+Result<VerifiedRecords> verify_records(system::Files& files, const Folder& folder,
                                        const std::vector<std::string>& paths, int jobs);
 
 }  // namespace mirocup::league

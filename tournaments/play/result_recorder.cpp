@@ -88,7 +88,7 @@ Result<void> ResultRecorder::check_found() {
       checked_[record] = key.empty() ? "" : record + ": /" + key + " cannot be that of this leg";
     }
   }
-  MIROCUP_TRY(const auto verified, verify_records(files_, store_, records, jobs_));
+  MIROCUP_TRY(const auto verified, verify_records(files_, folder(), records, jobs_));
   for (const VerifiedRecords::Problem& p : verified.problems) {
     checked_[p.record] = p.text;
     if (p.code == exit_no) continue;

@@ -2,11 +2,11 @@
 #include "tournaments/publish/replay_pages.hpp"
 
 #include "record/json_reader.hpp"
+#include "record/kept_module.hpp"
 #include "record/match_record.hpp"
+#include "system/locations.hpp"
 #include "system/process_set.hpp"
 #include "system/text.hpp"
-#include "system/trusted_program.hpp"
-#include "tournaments/league/kept_program.hpp"
 #include "tournaments/league/schedule_growth.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/page_values.hpp"
@@ -67,92 +67,43 @@ bool are_of_its_leg(system::Files& files, const Folder& folder, const FixtureSta
   });
 }
 
-// True if the page of a record is there with statistics that can be read. Statistics of an earlier
-// version that cannot be read any more are not made again by the same program. Of a pruned leg the
+// True if the page of a record is there with statistics that can be read. Of a pruned leg the
 // statistics are enough.
-bool has_page(system::Files& files, const Folder& folder, MatchServers& servers,
-              const FixtureState& f, const std::string& record, bool is_pruned) {
+bool has_page(system::Files& files, const Folder& folder, const FixtureState& f,
+              const std::string& record, bool is_pruned) {
   if (!is_pruned && !files.exists(folder.site() + "/" + replay_page_of(record))) return false;
   if (has_changed(folder, record) || !are_of_its_leg(files, folder, f, record)) return false;
-  if (counted_hash(files, folder, record)) return true;
-  return files.exists(folder.site() + "/" + statistics_file_of(record)) &&
-         servers.of_record(record).words != servers.own().words;
+  return counted_hash(files, folder, record).has_value();
 }
 
-// A program that may make a page.
-struct Maker {
-  Arguments words;
-  std::string module;  // name of the file of its module; "": it has none
-};
-
-// A page that is not there, and the programs that may make it: the one that played the leg, and
-// this one if that fails, as one of an earlier version may, which knows other options.
-struct MissingPage {
-  std::string record;
-  std::vector<Maker> programs;
-  std::string why_not_kept;  // of the match server that played the leg
-};
-
-Arguments command_for(const Folder& folder, const MissingPage& missing, std::size_t attempt) {
-  const auto& [program, module] = missing.programs[attempt];
-  Arguments words = program;
-  words.insert(words.end(),
-               {"replay", folder.path + "/" + missing.record, "--no-times", "--public", "-o",
-                folder.site() + "/" + replay_page_of(missing.record), "--statistics",
-                folder.site() + "/" + statistics_file_of(missing.record)});
+// Returns the command that makes the page of a record. `module`: the name of the module's file; "":
+// the page has no proof.
+std::vector<std::string> command_for(const Folder& folder, const std::string& record,
+                                     const std::string& module) {
+  std::vector<std::string> words{system::sibling_program("mirocup"),
+                                 "replay",
+                                 folder.path + "/" + record,
+                                 "--no-times",
+                                 "--public",
+                                 "-o",
+                                 folder.site() + "/" + replay_page_of(record),
+                                 "--statistics",
+                                 folder.site() + "/" + statistics_file_of(record)};
   if (!module.empty()) words.insert(words.end(), {"--proof-module", "../" + module});
   return words;
 }
 
-// Writes the modules of the programs that make pages, each once, and knows their names.
-class SiteModules {
- public:
-  SiteModules(system::Files& files, const Folder& folder, const ModuleOfGame& module_of)
-      : files_(files), folder_(folder), module_of_(module_of) {}
-
-  // `game`: "" for this program.
-  Result<std::string> name_of(const std::string& game) {
-    if (!module_of_) return "";
-    const auto known = names_.find(game);
-    if (known != names_.end()) return known->second;
-    const auto module = module_of_(game);
-    if (module) {
-      MIROCUP_TRY_VOID(files_.make_folder(folder_.site() + "/module"));
-      MIROCUP_TRY_VOID(files_.write(folder_.site() + "/" + module->name, module->text));
-    }
-    return names_[game] = module ? module->name : "";
-  }
-
- private:
-  system::Files& files_;
-  const Folder& folder_;
-  const ModuleOfGame& module_of_;
-  std::map<std::string, std::string> names_;
-};
-
-Result<std::vector<MissingPage>> missing_pages(system::Files& files, const Folder& folder,
-                                               const LeagueState& state, MatchServers& servers,
-                                               const ModuleOfGame& module_of) {
-  SiteModules modules(files, folder, module_of);
-  std::vector<MissingPage> missing;
+Result<std::vector<std::string>> missing_pages(system::Files& files, const Folder& folder,
+                                               const LeagueState& state) {
+  std::vector<std::string> missing;
   for (const FixtureState& f : state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
-      if (has_page(files, folder, servers, f, record, is_pruned(state, f))) continue;
-      // Its program, which may be of an earlier version, does not look at what is there.
+      if (has_page(files, folder, f, record, is_pruned(state, f))) continue;
       for (const auto& name :
            {replay_page_of(record), commands_file_of(record), statistics_file_of(record)})
         MIROCUP_TRY_VOID(files.read_if_there(folder.site() + "/" + name,
                                              {.max_size = system::size_limit::page}));
-      const MatchServer& server = servers.of_record(record);
-      MissingPage page{.record = record, .programs = {}, .why_not_kept = server.why_not_kept};
-      if (server.words != servers.own().words) {
-        const std::string game = game_of_record(files, folder, record).value_or("");
-        MIROCUP_TRY(auto kept_module, modules.name_of(game));
-        page.programs.push_back({server.words, std::move(kept_module)});
-      }
-      MIROCUP_TRY(auto own_module, modules.name_of(""));
-      page.programs.push_back({servers.own().words, std::move(own_module)});
-      missing.push_back(std::move(page));
+      missing.push_back(record);
     }
   }
   return missing;
@@ -160,44 +111,35 @@ Result<std::vector<MissingPage>> missing_pages(system::Files& files, const Folde
 
 Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folder,
                                        const LeagueState& state, int jobs,
-                                       const ModuleOfGame& module_of) {
-  MatchServers servers(files, folder);
-  MIROCUP_TRY(const auto missing, missing_pages(files, folder, state, servers, module_of));
+                                       const std::optional<SiteModule>& module) {
+  MIROCUP_TRY(const auto missing, missing_pages(files, folder, state));
   FailedPages failed;
   if (missing.empty()) return failed;
-  for (const char* name : {"/replays", "/statistics"}) {
+  for (const char* name : {"/replays", "/statistics", "/module"}) {
+    if (name == std::string("/module") && !module) continue;
     MIROCUP_TRY_VOID(files.make_folder(folder.site() + name));
   }
+  if (module) MIROCUP_TRY_VOID(files.write(folder.site() + "/" + module->name, module->text));
   const std::size_t at_once =
       jobs > 0 ? static_cast<std::size_t>(jobs) : system::processors().size();
   system::ProcessSet processes;
-  std::vector<std::size_t> attempts(missing.size());  // of each page, those that failed
-  std::vector<std::size_t> again;                     // pages that another program is to make
-  std::size_t next = 0;
-  while (next < missing.size() || !again.empty() || processes.running() > 0) {
-    if ((next < missing.size() || !again.empty()) && processes.running() < at_once) {
-      const std::size_t page = again.empty() ? next++ : again.back();
-      if (!again.empty()) again.pop_back();
+  for (std::size_t next = 0; next < missing.size() || processes.running() > 0;) {
+    if (next < missing.size() && processes.running() < at_once) {
       MIROCUP_TRY_VOID(
-          processes.start(command_for(folder, missing[page], attempts[page]),
-                          static_cast<int>(page), -1, "/dev/null",
-                          {.seconds = system::limit_of_repeating(state.file.rules.half_s),
+          processes.start(command_for(folder, missing[next], module ? module->name : ""),
+                          static_cast<int>(next), -1, "/dev/null",
+                          {.seconds = record::limit_of_repeating(state.file.rules.half_s),
                            .bytes = system::size_limit::page}));
+      ++next;
       continue;
     }
     const auto exit = processes.wait();
     if (!exit) return fail(Errc::interrupted, "interrupted while making replay pages");
-    if (exit->code == exit_yes && exit->signal == 0) continue;
-    const auto page = static_cast<std::size_t>(exit->tag);
-    if (exit->code == exit_no && exit->signal == 0) {
-      failed.refused.insert(missing[page].record);
-      continue;
-    }
-    if (++attempts[page] < missing[page].programs.size()) {
-      again.push_back(page);
-    } else {
-      failed.records.push_back(missing[page].record);
-      if (!missing[page].why_not_kept.empty()) failed.reasons.insert(missing[page].why_not_kept);
+    const std::string& record = missing[static_cast<std::size_t>(exit->tag)];
+    if (exit->signal == 0 && exit->code == exit_no) {
+      failed.refused.insert(record);
+    } else if (exit->signal != 0 || exit->code != exit_yes) {
+      failed.records.push_back(record);
     }
   }
   return failed;
@@ -301,9 +243,10 @@ std::string commands_file_of(const std::string& record) {
 }
 
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
-                                      LeagueState& state, int jobs, const ModuleOfGame& module_of) {
+                                      LeagueState& state, int jobs,
+                                      const std::optional<SiteModule>& module) {
   MIROCUP_TRY_VOID(remove_other_pages(files, folder, state));
-  auto failed = make_missing_pages(files, folder, state, jobs, module_of);
+  auto failed = make_missing_pages(files, folder, state, jobs, module);
   if (!failed) return failed;
   take_out(files, folder, state, failed->refused);
   // Statistics of pruned nights that were missing came with their pages.

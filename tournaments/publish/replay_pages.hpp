@@ -10,7 +10,6 @@
 #include "tournaments/league/folder.hpp"
 #include "tournaments/publish/leg_view.hpp"
 
-#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,16 +17,11 @@
 
 namespace mirocup::league {
 
-// The module with which browsers prove the legs of one program, as a script file of the site.
+// The module with which browsers prove legs, as a script file of the site.
 struct SiteModule {
   std::string name;  // "module/HASH.js"
   std::string text;
 };
-
-// Returns the browser module of this host's program (`game` is ""), or of the kept program with the
-// behaviour `game`; nothing if no such module exists. If the function is null, the league has no
-// proofs.
-using ModuleOfGame = std::function<std::optional<SiteModule>(const std::string& game)>;
 
 // Returns the path of a record's page inside site/: "replays/x.html" for "records/x.json".
 std::string replay_page_of(const std::string& record);
@@ -46,17 +40,16 @@ std::string page_of_record(const LeagueState& state, const std::string& root,
 // The pages that could not be made. The league is published without them.
 struct FailedPages {
   std::vector<std::string> records;  // without a page: paths inside the league
-  std::set<std::string> reasons;     // sentences: why a kept program was not run
   std::set<std::string> refused;     // the records of the legs that were taken out
 };
 
 // Makes the missing pages, `jobs` at once (0: one for each processor), and removes pages of pruned
 // nights and of legs that the state lacks. The statistics of pruned nights stay. A page gets a
-// proof if `module_of` has a module of the program that makes the page. Takes each leg whose record
-// differs from its replay out of the state; if a person decided the leg, only the record.
+// proof by `module`, if there is one. Takes each leg whose record differs from its replay out of
+// the state; if a person decided the leg, only the record.
 Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
                                       LeagueState& state, int jobs,
-                                      const ModuleOfGame& module_of = nullptr);
+                                      const std::optional<SiteModule>& module = {});
 
 // Returns the replay page of a record with links to the front page, the round, both teams and the
 // legs before and after, and a note if the leg does not count; title, scoreboard and calls have the

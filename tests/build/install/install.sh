@@ -34,6 +34,9 @@ cd "$folder/team"
 env -i PATH=/usr/bin:/bin HOME=/ cmake --workflow --preset team
 mirocup match --blue build/team.so --yellow idle --half 40 --record leg.json
 mirocup verify leg.json
+if [[ -e $folder/prefix/share/mirocup/browser/mirocup.wasm ]] && command -v node >/dev/null; then
+  node "$folder/prefix/share/mirocup/browser/verify.mjs" leg.json
+fi
 grep -q '"winner": "blue"' leg.json
 # A team that predicts: the library needs nothing but its header, and the sandbox takes it.
 cat >predicts.cpp <<'END'

@@ -4,8 +4,9 @@
 // schema does not describe, a reader that no longer reads older records, and a record that is
 // reported as wrong only because physics or laws have changed since.
 #include "core/replay/verification.hpp"
+#include "record/kept_module.hpp"
 #include "record/match_record.hpp"
-#include "system/descriptor.hpp"
+#include "system/locations.hpp"
 #include "tests/build/compilers/flat_recording.hpp"
 #include "tests/programs/records/endings.hpp"
 #include "tests/support/is_ok.hpp"
@@ -13,10 +14,8 @@
 
 #include <gtest/gtest.h>
 
-#include <fcntl.h>
+#include <cstdlib>
 #include <filesystem>
-#include <poll.h>
-#include <sys/stat.h>
 
 namespace mirocup {
 namespace {
@@ -129,36 +128,6 @@ TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
   }
 }
 
-// The software that played the first sample, which plays otherwise than this one.
-record::Software software() {
-  system::Disk disk;
-  return record::load(disk, samples().front())->software;
-}
-
-// The line of a script that answers --version.
-std::string answers(const std::string& version) {
-  return "[ \"$1\" = --version ] && echo " + version + " && exit 0\n";
-}
-
-// Returns the folder of a version that verifies everything with that exit code.
-std::string add_version(const TemporaryFolder& versions, const std::string& name,
-                        const std::string& version, int code) {
-  const std::string folder = versions / name;
-  const std::string path = folder + "/bin/mirocup";
-  std::filesystem::create_directories(folder + "/bin");
-  test_support::write_file(path, "#!/bin/sh\n" + answers(version) + "echo " + name + " $1; exit " +
-                                     std::to_string(code) + "\n");
-  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
-  return folder;
-}
-
-Outcome verify_with(const std::string& versions, const std::string& record = samples().front()) {
-  setenv("MIROCUP_VERSIONS", versions.c_str(), 1);
-  Outcome verified = verify(record);
-  unsetenv("MIROCUP_VERSIONS");
-  return verified;
-}
-
 TEST(Records, AreReadIfEarlierVersionsWroteThem) {
   system::Disk disk;
   const std::string behaviour_hash = record::this_software().behaviour_hash;
@@ -175,94 +144,69 @@ TEST(Records, AreReadIfEarlierVersionsWroteThem) {
   expect_valid(samples());
 }
 
-// Catches a verification that does not look for the version that played the record, and one that
-// asks a version that does not reproduce it.
-TEST(Records, AreVerifiedByTheVersionThatPlayedThem) {
-  const TemporaryFolder versions;
-  const std::string path = add_version(versions, "unlike", "0.0.7", 0) + ":" +
-                           add_version(versions, "other", software().version, 4) + ":" +
-                           add_version(versions, "fitting", software().version, 0);
-  const Outcome verified = verify_with(path);
-  EXPECT_EQ(verified.exit_code, 0) << verified.err;
-  EXPECT_EQ(verified.out, "fitting verify\n");
-  EXPECT_NE(verified.err.find("played by another version"), std::string::npos) << verified.err;
-}
+// Catches a record of another version that no module verifies, a module that is used although this
+// host has not listed it or others may write to the list, a verdict that is not the module's, and
+// JavaScript of the folder that is run.
+TEST(Records, OfAnotherVersionAreVerifiedByItsModule) {
+  const std::string own = system::browser_folder() + "/mirocup.wasm";
+  if (!std::filesystem::exists(own)) GTEST_SKIP() << "the module was not built";
+  const TemporaryFolder folder;
+  setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);
+  const std::string league = folder / "league";
+  const std::string path = league + "/records/leg.json";
+  const std::string game = "0123456789abcdef";
+  const std::string home = league + "/programs/" + game;
+  std::filesystem::create_directories(league + "/records");
+  std::filesystem::create_directories(home + "/node_modules/fzstd");
+  record::MatchRecord played = record_of(leg_that_ends(match::OutcomeKind::forfeit));
+  played.software.behaviour_hash = game;
+  system::Disk disk;
+  ASSERT_TRUE(record::save(disk, path, played));
+  const auto refusal = [&] {
+    const auto found = record::verify_by_module(disk, path, played);
+    return found ? "" : found.error().what;
+  };
+  EXPECT_NE(refusal().find("does not exist"), std::string::npos) << refusal();
 
-// Catches a version that leaves a process which writes until the disk is full.
-TEST(Records, AreVerifiedThoughAVersionLeavesAProcessBehind) {
-  const TemporaryFolder versions;
-  const std::string held = versions / "held";  // by all processes of the version
-  ASSERT_EQ(mkfifo(held.c_str(), 0600), 0);
-  const system::Descriptor reader(open(held.c_str(), O_RDONLY | O_NONBLOCK));
-  const std::string path = add_version(versions, "fitting", software().version, 0);
-  for (const char* left : {"sleep 1000", "yes", "setsid yes"}) {
-    write_file(path + "/bin/mirocup", "#!/bin/sh\nexec 9>" + held +
-                                          "\n[ \"$1\" = --version ] && echo " + software().version +
-                                          " || echo fitting $1\n" + left + " &\n");
-    const Outcome verified = verify_with(path);
-    EXPECT_EQ(verified.exit_code, 0) << left << verified.err;
-    EXPECT_TRUE(verified.out.starts_with("fitting verify\n")) << left;
-    constexpr int patience = 60'000;  // ms, of a failure
-    pollfd end{.fd = reader.get(), .events = 0, .revents = 0};
-    EXPECT_EQ(poll(&end, 1, patience), 1) << left << " is left";
-  }
-}
+  // The module of that version is this one with another name.
+  std::string module = test_support::read_file(own);
+  const std::string own_game = record::this_software().behaviour_hash;
+  for (auto at = module.find(own_game); at != std::string::npos; at = module.find(own_game, at))
+    module.replace(at, game.size(), game);
+  write_file(home + "/mirocup.wasm", module);
+  const std::string script = "require('fs').writeFileSync('" + (folder / "ran") + "', '');\n";
+  for (const char* name : {"/mirocup.js", "/verify.mjs", "/node_modules/fzstd/index.js"})
+    write_file(home + name, script);
+  EXPECT_NE(refusal().find("--trust-programs"), std::string::npos) << refusal();
+  EXPECT_EQ(record::trust_modules(disk, league)->size(), 1u);
+  EXPECT_EQ(refusal(), "");
+  EXPECT_FALSE(*record::verify_by_module(disk, path, played)) << "it is reproduced";
 
-// Catches a verification that runs a program of any user beside the prefix, as in /tmp beside /usr.
-TEST(Records, AreVerifiedByNoProgramBesideThePrefix) {
-  const TemporaryFolder prefixes;
-  const std::string own = add_version(prefixes, "own", "", 0) + "/bin/mirocup";
-  add_version(prefixes, "other", software().version, 0);
-  std::filesystem::remove(own);
-  std::filesystem::copy_file(program("mirocup"), own);
-  const Outcome verified = run({own, "verify", samples().front()});
-  EXPECT_EQ(verified.exit_code, 4) << verified.err;
-  EXPECT_EQ(verified.out, "");
-}
+  played.recording.ticks[3].hash ^= 1;
+  ASSERT_TRUE(record::save(disk, path, played));
+  const Outcome differs = verify(path);
+  EXPECT_EQ(differs.exit_code, 1) << differs.err;
+  EXPECT_NE(differs.out.find("differs from tick 3 on"), std::string::npos) << differs.out;
+  EXPECT_NE(differs.err.find("whose module verifies it"), std::string::npos) << differs.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "ran"));
 
-// Catches a verification that runs a program in a folder that others can write to, another program
-// by a link, or any program for a record that was changed.
-TEST(Records, AreVerifiedByNoProgramThatOthersCanWrite) {
-  namespace fs = std::filesystem;
-  const TemporaryFolder versions;
-  const std::string version = add_version(versions, "v", software().version, 0);
-  EXPECT_EQ(verify_with(version).exit_code, 0);
-  for (const std::string& open : {version, version + "/bin", version + "/bin/mirocup"}) {
-    fs::permissions(open, fs::perms::group_write, fs::perm_options::add);
-    const Outcome verified = verify_with(version);
-    EXPECT_EQ(verified.exit_code, 4) << verified.out;
-    EXPECT_NE(verified.err.find(open + " may be written by others"), std::string::npos)
-        << verified.err;
-    fs::permissions(open, fs::perms::group_write, fs::perm_options::remove);
-  }
-  const std::string record = versions / "leg.json";
-  fs::copy_file(samples().front(), record);
-  fs::copy_file(record::replay_path_of(samples().front()), record::replay_path_of(record));
-  EXPECT_EQ(verify_with(version, record).exit_code, 0);
-  test_support::write_file(record, test_support::read_file(record) + " ");
-  EXPECT_EQ(verify_with(version, record).exit_code, 4) << "its text was changed";
-  fs::remove(version + "/bin/mirocup");
-  fs::create_symlink("/usr/bin/true", version + "/bin/mirocup");
-  EXPECT_EQ(verify_with(version).exit_code, 4) << "true verifies everything";
-}
+  std::filesystem::permissions(folder / "state/mirocup/programs", std::filesystem::perms::all);
+  const Outcome open = verify(path);
+  EXPECT_EQ(open.exit_code, 4);
+  EXPECT_NE(open.err.find("may be written by others"), std::string::npos) << open.err;
+  EXPECT_NE(open.err.find("use the program that played it"), std::string::npos) << open.err;
+  std::filesystem::remove_all(folder / "state");
+  write_file(home + "/mirocup.wasm", "no module");
+  EXPECT_TRUE(record::trust_modules(disk, league));
+  EXPECT_NE(refusal().find("does not verify it"), std::string::npos) << refusal();
 
-// Two versions of which neither reproduces the record used to ask each other without end.
-TEST(Records, AreNotAskedForInACircle) {
-  const test_support::TemporaryFolder versions;
-  std::filesystem::create_directories(versions / "other/bin");
-  const std::string program = versions / "other/bin/mirocup";
-  const std::string calls = versions / "calls";
-  test_support::write_file(program, "#!/bin/sh\n" + answers(software().version) + "echo call >> " +
-                                        calls + "\n[ $(wc -l < " + calls + ") -lt 4 ] && " +
-                                        test_support::program("mirocup") +
-                                        " verify \"$2\"\nexit 4\n");
-  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-  setenv("MIROCUP_VERSIONS", (versions / "other").c_str(), 1);
-  const auto verified =
-      test_support::run({test_support::program("mirocup"), "verify", samples().front()});
-  unsetenv("MIROCUP_VERSIONS");
-  EXPECT_EQ(verified.exit_code, 4) << verified.err;
-  EXPECT_EQ(test_support::read_file(calls), "call\n");
+  // A module of a stranger in the place of this program's one does not stay.
+  const std::string of_own = league + "/programs/" + own_game;
+  std::filesystem::create_directories(of_own);
+  write_file(of_own + "/mirocup.wasm", "of a stranger");
+  EXPECT_TRUE(record::keep_module(disk, league));
+  EXPECT_EQ(test_support::read_file(of_own + "/mirocup.wasm"), test_support::read_file(own));
+  unsetenv("XDG_STATE_HOME");
 }
 
 // Catches a command that plays a leg again and shows, counts or judges it under a result that

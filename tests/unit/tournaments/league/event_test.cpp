@@ -50,7 +50,6 @@ const std::vector<const char*> line_texts{
     R"({"n":1,"kind":"close","why":"w","by":"H"})",
     R"({"n":1,"kind":"release","level":"teams","through":"r3","why":"w"})",
     R"({"n":1,"kind":"undo","line":7,"why":"w","by":"H"})",
-    R"({"n":1,"kind":"program","version":"0.2.0","build":"g++","game":"5f"})",
     R"({"n":1,"kind":"join","team":"c","source":"house:striker"})"};
 
 std::string error_of_line(const Json& line) {

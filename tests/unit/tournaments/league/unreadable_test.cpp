@@ -4,13 +4,13 @@
 // there, and decides by that: a verdict, a pin, tokens, books, lists of versions.
 #include "tests/support/unreadable.hpp"
 
+#include "record/kept_module.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/handin/book.hpp"
 #include "tournaments/handin/entry_report.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/journal/journal.hpp"
 #include "tournaments/league/hand_ins.hpp"
-#include "tournaments/league/kept_program.hpp"
 #include "tournaments/league/people.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/site.hpp"
@@ -130,9 +130,9 @@ TEST_F(FileOfALeague, ListsOfPeopleAndTokensAreNotEmptyIfTheyCannotBeRead) {
   expect_told(folder_.people(), [&] { return error_of(read_people(disk_, folder_)); });
 }
 
-TEST_F(FileOfALeague, RecordNamesItsProgramOrIsAnError) {
-  expect_told(folder_.path + "/records/x.json",
-              [&] { return error_of(game_of_record(disk_, folder_, "records/x.json")); });
+TEST_F(FileOfALeague, ModuleIsTrustedOrIsAnError) {
+  expect_told(folder_.path + "/programs/5f/mirocup.wasm",
+              [&] { return error_of(record::trust_modules(disk_, folder_.path)); });
 }
 
 TEST_F(FileOfALeague, SearchIsNotBegunAnewIfItsFileCannotBeRead) {
