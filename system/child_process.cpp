@@ -2,8 +2,8 @@
 #include "system/child_process.hpp"
 
 #include "system/descriptor.hpp"
-#include "system/links.hpp"
 #include "system/files.hpp"
+#include "system/links.hpp"
 #include "system/process_set.hpp"
 #include "system/text.hpp"
 

@@ -98,7 +98,11 @@ Result<Gaps> gaps(system::Files& files, const LeagueStore& store, bool is_being_
   // Only the host may look at the nights.
   const auto nights = files.names_if_there(store.folder().nights());
   for (const std::string& name : nights.value_or(std::vector<std::string>{})) {
-    if (system::number_of<int>(name).value_or(0) > static_cast<int>(store.state().nights.size()))
+    std::error_code failed;
+    const bool is_night = fs::symlink_status(store.folder().nights() + "/" + name, failed).type() ==
+                          fs::file_type::directory;
+    const int number = system::number_of<int>(name).value_or(0);
+    if (is_night && number > static_cast<int>(store.state().nights.size()))
       gaps.unknown.push_back("nights/" + name);
   }
   MIROCUP_TRY(const auto records, files.names_if_there(path + "/records"));

@@ -218,7 +218,7 @@ TEST(League, IsMadeByOneOfTwoCommands) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";
   // Both look for a league before one of them has made it, if they start at once.
-  const std::string init = test_support::program("mirocup") + " league init " + folder;
+  const std::string init = "'" + test_support::program("mirocup") + "' league init " + folder;
   const std::string both = "for team in chaser keeper; do " + init +
                            " --team a=house:$team >/dev/null 2>&1 && echo $team & done; wait";
   const Outcome outcome = run({"/bin/sh", "-c", both});

@@ -185,9 +185,9 @@ TEST_F(Submit, KeepsTheBytesThatWereChecked) {
 }
 
 TEST_F(Submit, NumbersEachEntryThoughSeveralAreHandedInAtOnce) {
-  Running first(league("submit", folder_, {"alpha", house("idle")}));
+  Running first(league("submit", folder_, {"alpha", house("keeper")}));
   Running second(league("submit", folder_, {"alpha", house("chaser")}));
-  Running third(league("submit", folder_, {"beta", house("idle")}));
+  Running third(league("submit", folder_, {"beta", house("keeper")}));
   std::set<std::string> told;
   for (Running* const one : {&first, &second, &third}) {
     const Outcome outcome = one->wait();

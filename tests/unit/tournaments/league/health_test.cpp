@@ -107,7 +107,8 @@ TEST_F(LeagueHealth, OfRecordsWithoutALine) {
   LeagueFile file;
   for (const char* name : {"a", "b"})
     file.teams.push_back({.name = name, .source = "house:idle", .over_dds = false});
-  ASSERT_TRUE(disk_.remove(folder_.path) && init_folder(disk_, folder_, file));
+  std::filesystem::remove_all(folder_.path);
+  ASSERT_TRUE(init_folder(disk_, folder_, file));
   const auto found = [this](const std::vector<std::string>& records) {
     for (const std::string& record : records)
       EXPECT_TRUE(disk_.write(folder_.path + "/records/" + record + ".json", "{}"));
