@@ -128,7 +128,7 @@ std::string program(const std::string& name) {
 
 std::string program_for_all(const std::string& name) {
   const std::filesystem::path original = program(name);
-  if (is_for_all(original)) return original;
+  if (is_for_all(original) && original.string().find(' ') == std::string::npos) return original;
   static const TemporaryFolder copies(place_for_all);
   const std::filesystem::path copy = copies / name;
   if (!std::filesystem::exists(copy)) {

@@ -59,8 +59,9 @@ std::string program(const std::string& name);
 // to a home that others may not enter.
 inline constexpr const char* place_for_all = "/tmp";
 
-// Returns program(name) if every user can reach and read it, and otherwise the path of a copy that
-// every user can. The copies of a process lie in one folder, as they do in the build.
+// Returns program(name) if every user can reach and read it and its path has no blank, at which
+// LD_PRELOAD ends a path; otherwise the path of such a copy. The copies of a process lie in one
+// folder, as they do in the build.
 std::string program_for_all(const std::string& name);
 
 // Returns the words that run `mirocup` as the system's user `nobody`; only root may do that. The

@@ -82,7 +82,7 @@ inline Outcome run_until_said(const std::string& what,
 inline std::vector<std::string> preloaded(const std::string& library,
                                           const std::vector<std::string>& arguments,
                                           std::vector<std::string> how) {
-  how.insert(how.begin(), {"/usr/bin/env", "LD_PRELOAD=" + program(library),
+  how.insert(how.begin(), {"/usr/bin/env", "LD_PRELOAD=" + program_for_all(library),
                            "ASAN_OPTIONS=verify_asan_link_order=0"});
   how.insert(how.end(), arguments.begin(), arguments.end());
   return how;
