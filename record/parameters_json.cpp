@@ -18,7 +18,7 @@ using simulator::PerPair;
 
 constexpr double min_grip = 1e-6;
 constexpr double max_corner = 1.0;   // m
-constexpr double min_reach = 0.025;  // m, of the edges from the centre of mass
+constexpr double min_reach = 0.005;  // m, of the edges from the centre of mass
 constexpr double min_parameter = 1e-9;
 constexpr double max_parameter = 1e9;
 
@@ -58,7 +58,7 @@ geometry::OutlineCorners read_corners(const JsonReader& json) {
     } else if (!(cross(corners[i], corners[(i + 1) % n]) > 0.0)) {
       json.complain("the centre of mass, [0, 0], is not inside the polygon");
     } else if (cross(corners[i], edge) < min_reach * edge.norm()) {
-      json.complain("an edge is nearer to the centre of mass, [0, 0], than 0.025 m");
+      json.complain("an edge is nearer to the centre of mass, [0, 0], than 0.005 m");
     }
     outline.x[i] = corners[i].x();
     outline.y[i] = corners[i].y();
@@ -97,7 +97,7 @@ void read_physics(const JsonReader& json, Parameters& p) {
   const auto number = [&](const char* key, double& member, double min, double max = max_parameter) {
     if (json.has(key)) member = plain_value(json.at(key)).number(min, max);
   };
-  number("robot_side", p.robot_side, 0.05, 2.0);
+  number("robot_side", p.robot_side, 0.02, 2.0);
   number("robot_mass", p.robot_mass, min_parameter);
   number("wheel_distance", p.wheel_distance, min_parameter);
   number("wheel_radius", p.wheel_radius, min_parameter);

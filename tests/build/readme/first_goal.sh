@@ -27,7 +27,7 @@ mapfile -t results < <(grep '^first (blue) ' "$page")
 for step in {1..8}; do
   cp "$step.cpp" first.cpp
   cp "$step.py" first.py
-  eval "${build_line/-Iplugins/-I$root/plugins} -Wall -Wextra -Werror"
+  eval "${build_line/-Iplugins/-I'$root'/plugins} -Wall -Wextra -Werror"
   for team in ./first.so ./first.py; do
     command=${matches[step - 1]/.\/first.so/$team}
     played=$("$build/mirocup" ${command#build/mirocup } | tail -1)

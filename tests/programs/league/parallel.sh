@@ -24,7 +24,7 @@ make here
 make there
 rounds=0
 while "$build/mirocup" league plan "$base/there/l" >"$base/plan" 2>/dev/null && [[ -s $base/plan ]]; do
-  parallel "$build/mirocup-league" run-shard "$base/there/l" {} <"$base/plan"
+  parallel "'$build/mirocup-league'" run-shard "$base/there/l" {} <"$base/plan"
   rounds=$((rounds + 1))
 done
 [[ $rounds -ge 3 ]]

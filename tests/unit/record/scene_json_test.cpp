@@ -121,9 +121,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"/parameters/shape", "[[1e-8,1e-8],[-1e-8,1e-8],[-1e-8,-1e-8],[1e-8,-1e-8]]",
                 "/parameters/shape: an edge is nearer to the centre of mass"},
         Mistake{"/parameters/shape", "[[1.1,1],[-1,1],[-1,-1],[1,-1]]", "/parameters/shape/0/0: "},
-        Mistake{"/parameters/wheel_radius", "2",
+        Mistake{"/parameters/wheel_radius", "20",
                 "/robots/0/wheels: they drive the robot beyond 50 m/s or turn it beyond 300 rad/s"},
-        Mistake{"/parameters/wheel_distance", "0.0001", "/robots/0/wheels: they drive the robot"},
+        Mistake{"/parameters/wheel_distance", "0.00001", "/robots/0/wheels: they drive the robot"},
         Mistake{"/robots/0/twist/0", "1e5", "/robots/0/twist/0: 100000 is not at most 50"},
         Mistake{"/robots/0/twist/1", "-51", "/robots/0/twist/1: -51 is not at least -50"},
         Mistake{"/robots/0/twist/2", "301", "/robots/0/twist/2: 301 is not at most 300"},
@@ -168,7 +168,8 @@ struct Ends {
 // turn as fast as they may.
 ordered_json extreme(const Ends& ends, double radius, double side, bool is_row,
                      double restitution) {
-  ordered_json json = {{"schema", "mirocup/scene/1"}, {"duration", 0.5}, {"walls", side < 0.1}};
+  ordered_json json = {
+      {"schema", "mirocup/scene/1"}, {"duration", 0.5}, {"walls", side < 0.1 && radius < 0.1}};
   ordered_json& p = json["parameters"];
   p = {{"robot_side", side}, {"ball_radius", radius}};
   for (const char* pair : {"ball_wall", "ball_robot", "robot_wall", "robot_robot"})

@@ -48,8 +48,8 @@ TEST(TeamParameters, AreRefusedWithTheOptionAndTheReason) {
   EXPECT_EQ(error_of("wait"), "--param wait: KEY=VALUE with a number is expected");
   EXPECT_EQ(error_of("wait=far"), "--param wait=far: KEY=VALUE with a number is expected");
   EXPECT_EQ(error_of("wait=1 "), "--param wait=1 : KEY=VALUE with a number is expected");
-  EXPECT_EQ(error_of("wait=nan"), "--param wait=nan: wait: a finite number is expected");
-  EXPECT_EQ(error_of("wait=inf"), "--param wait=inf: wait: a finite number is expected");
+  EXPECT_EQ(error_of("wait=nan"), "--param wait=nan: KEY=VALUE with a number is expected");
+  EXPECT_EQ(error_of("wait=inf"), "--param wait=inf: KEY=VALUE with a number is expected");
   const std::string name =
       "a name of letters, digits, '_', '-' and '.' is expected, which begins "
       "with a letter and has at most 31 bytes, not ";
