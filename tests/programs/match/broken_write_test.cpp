@@ -45,7 +45,7 @@ bool is_there(const std::string& record) {
 // Catches marks or a table in a file that is cut off, with an exit code that says they are whole.
 TEST(BrokenWrite, OfTheAnswerIsNoSuccess) {
   const auto shell = [](const std::string& words) {
-    return run({"/bin/bash", "-c", "set -o pipefail; " + program("mirocup") + " " + words});
+    return run({"/bin/bash", "-c", "set -o pipefail; '" + program("mirocup") + "' " + words});
   };
   for (const char* command : {"drill list", "help match", "league init --help"}) {
     const Outcome full = shell(std::string(command) + " >/dev/full");
