@@ -18,6 +18,6 @@ if [[ -z $sources ]]; then
 fi
 # A group includes sources, which nothing else may: layering/check.sh. The commands may be those of g++, which knows warnings
 # that clang does not know.
-xargs --max-args="$at_once" --max-procs="$(nproc)" <<<"$sources" \
+xargs --delimiter='\n' --max-args="$at_once" --max-procs="$(nproc)" <<<"$sources" \
   clang-tidy -p "$build" --quiet --checks=-bugprone-suspicious-include --warnings-as-errors='*' \
     --extra-arg=-Wno-unknown-warning-option 2>/dev/null
