@@ -6,6 +6,7 @@
 set -euo pipefail
 root=$(realpath "$1")
 build=$(realpath "$2")
+headers="-I'$root'/plugins"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 page=$root/docs/first-goal.md
@@ -27,7 +28,7 @@ mapfile -t results < <(grep '^first (blue) ' "$page")
 for step in {1..8}; do
   cp "$step.cpp" first.cpp
   cp "$step.py" first.py
-  eval "${build_line/-Iplugins/-I'$root'/plugins} -Wall -Wextra -Werror"
+  eval "${build_line/-Iplugins/$headers} -Wall -Wextra -Werror"
   for team in ./first.so ./first.py; do
     command=${matches[step - 1]/.\/first.so/$team}
     played=$("$build/mirocup" ${command#build/mirocup } | tail -1)
