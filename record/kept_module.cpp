@@ -116,7 +116,7 @@ Result<std::optional<replay::Divergence>> verify_by_module(system::Files& files,
                     " is not used, since this host's list of modules does not have it; if "
                     "you trust the modules of this folder: mirocup league verify " +
                     league.lexically_normal().string() + " --trust-programs");
-  // What was looked at is what runs.
+  // Node gets the bytes that were checked, also if the file changes meanwhile.
   MIROCUP_TRY(const auto copy, system::sealed_copy(*bytes));
   const std::string sealed =
       "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(copy.get());

@@ -34,7 +34,7 @@ constexpr double share_for_restarts = 1.5;
 constexpr int first_free_instance = 1000;
 constexpr int most_instances = 1000;
 
-// Of what a program prints for a leg, and of each file that it writes, bytes.
+// The most bytes that a program may print for a leg, and write into each file.
 constexpr std::uint64_t max_program_output = std::uint64_t{1} << 30;
 
 void tell(const std::string& text) {

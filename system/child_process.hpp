@@ -25,8 +25,8 @@ inline constexpr int not_found = 127;
 // group are killed when it ends, or when its time is over.
 struct ChildLimits {
   double seconds = std::numeric_limits<double>::infinity();  // wall time
-  // Of its output, and of each other file that it or its children write; SIGXFSZ ends what writes
-  // more.
+  // The size of its output, and of each other file that it or its children write. SIGXFSZ ends a
+  // process that writes more.
   std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();
 };
 

@@ -14,9 +14,10 @@ namespace {
 
 using system::Processor;
 
-// What follows each opcode in 64-bit mode: . nothing, m the byte ModRM, b a byte, M both, z 4 bytes
-// (2 behind 66), Z ModRM and these, g and G like M and Z if the instruction is TEST, else like m,
-// i 4 bytes, h 2, q 8, w 8 or as z. p and r are prefixes. 32 opcodes a line.
+// The bytes behind each opcode in 64-bit mode, a letter for each opcode, 32 opcodes a line: . none,
+// m the byte ModRM, b one byte, M both, z 4 bytes (2 behind the prefix 66), Z ModRM and these. g
+// and G are like M and Z if the instruction is TEST, and otherwise like m. i has 4 bytes, h 2, q 8,
+// and w 8 or as many as z. p and r are prefixes.
 constexpr std::string_view one_byte_opcodes =
     "mmmmbz..mmmmbz..mmmmbz..mmmmbz.."
     "mmmmbzp.mmmmbzp.mmmmbzp.mmmmbzp."
