@@ -44,10 +44,10 @@ if(MIROCUP_SANITIZE)
   target_compile_options(mirocup_options INTERFACE
     "$<${sanitized}:-fsanitize=${MIROCUP_SANITIZE};-fno-sanitize-recover=all;-fno-omit-frame-pointer>")
   target_link_options(mirocup_options INTERFACE "$<${sanitized}:-fsanitize=${MIROCUP_SANITIZE}>")
-  find_program(MIROCUP_LLD ld.lld)
-  if(MIROCUP_LLD)  # it links a sanitized program in a quarter of the time
-    target_link_options(mirocup_options INTERFACE $<${sanitized}:-fuse-ld=lld>)
-  endif()
+endif()
+find_program(MIROCUP_LLD ld.lld)
+if(MIROCUP_LLD AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)  # it links code that is not optimized in a quarter of the time
+  target_link_options(mirocup_options INTERFACE -fuse-ld=lld)
 endif()
 
 # Code whose speed does not matter is compiled for a short build: g++ needs half of the time without optimization (tests), and a

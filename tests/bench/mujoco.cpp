@@ -23,9 +23,13 @@ class Xml {
  public:
   template <class... Numbers>
   void add(const char* format, Numbers... numbers) {
-    char line[512];
-    std::snprintf(line, sizeof line, format, numbers...);
-    text_ += line;
+    if constexpr (sizeof...(numbers) == 0) {
+      text_ += format;
+    } else {
+      char line[512];
+      std::snprintf(line, sizeof line, format, numbers...);
+      text_ += line;
+    }
   }
   const std::string& text() const { return text_; }
 
