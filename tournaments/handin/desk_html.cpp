@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/desk_html.hpp"
 
+#include "record/json_fields.hpp"
 #include "system/text.hpp"
 #include "tournaments/publish/page_values.hpp"
 
