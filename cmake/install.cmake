@@ -8,7 +8,7 @@ set(MIROCUP_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Folder of the pac
 
 # mirocup: the programs, the house teams, and what they read.
 install(TARGETS mirocup EXPORT mirocup COMPONENT mirocup)
-install(TARGETS mirocup_team mirocup_training EXPORT mirocup LIBRARY COMPONENT mirocup NAMELINK_COMPONENT mirocup-dev)
+install(TARGETS mirocup_team EXPORT mirocup LIBRARY COMPONENT mirocup NAMELINK_COMPONENT mirocup-dev)
 install(TARGETS mirocup-league COMPONENT mirocup)
 install(TARGETS mirocup-plugin-host mirocup-careful-host mirocup-project-compiler RUNTIME DESTINATION libexec/mirocup COMPONENT mirocup)
 install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup COMPONENT mirocup)
@@ -19,7 +19,6 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/browser/node_modules/fzstd DESTINATION s
   COMPONENT mirocup OPTIONAL FILES_MATCHING PATTERN index.js PATTERN package.json PATTERN LICENSE PATTERN esm EXCLUDE PATTERN umd EXCLUDE)
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team COMPONENT mirocup USE_SOURCE_PERMISSIONS)
 install(DIRECTORY plugins/drills DESTINATION share/mirocup COMPONENT mirocup PATTERN teams EXCLUDE)
-install(DIRECTORY plugins/simurosot DESTINATION share/mirocup COMPONENT mirocup USE_SOURCE_PERMISSIONS)
 # The manual and what shells complete: made by the programs themselves, from their options.
 install(DIRECTORY ${PROJECT_BINARY_DIR}/share/man/man1 DESTINATION share/man COMPONENT mirocup OPTIONAL)
 install(FILES ${PROJECT_BINARY_DIR}/share/completions/mirocup.bash
@@ -29,19 +28,24 @@ install(FILES ${PROJECT_BINARY_DIR}/share/completions/mirocup.zsh
 install(FILES ${PROJECT_BINARY_DIR}/share/completions/mirocup.fish
   DESTINATION share/fish/vendor_completions.d COMPONENT mirocup OPTIONAL)
 set(pages ${PROJECT_BINARY_DIR}/share/made)
+# Pages that the package mirocup-labs has, with all options.
+set(labs_pages)
+if(MIROCUP_LABS)
+  set(labs_pages "mirocup-bench.1 mirocup-export.1 mirocup-identify.1 mirocup-record-as-seen.1 mirocup-tune.1 mirocup-validate.1")
+endif()
 set(date $ENV{SOURCE_DATE_EPOCH})
 if(NOT date)
   set(date 1795737600)  # of this version: 27 November 2026
 endif()
-set(man ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=${date})
+set(mirocup_man ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=${date})
 add_custom_command(OUTPUT ${pages}
   COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/share/man/man1 ${PROJECT_BINARY_DIR}/share/completions
-  COMMAND ${man} $<TARGET_FILE:mirocup> man ${PROJECT_BINARY_DIR}/share/man/man1
-  COMMAND ${man} $<TARGET_FILE:mirocup-league> man ${PROJECT_BINARY_DIR}/share/man/man1
+  COMMAND ${mirocup_man} $<TARGET_FILE:mirocup> man ${PROJECT_BINARY_DIR}/share/man/man1
+  COMMAND ${mirocup_man} $<TARGET_FILE:mirocup-league> man ${PROJECT_BINARY_DIR}/share/man/man1
   COMMAND mirocup completion bash > ${PROJECT_BINARY_DIR}/share/completions/mirocup.bash
   COMMAND mirocup completion zsh > ${PROJECT_BINARY_DIR}/share/completions/mirocup.zsh
   COMMAND mirocup completion fish > ${PROJECT_BINARY_DIR}/share/completions/mirocup.fish
-  COMMAND sh -c "rm -f share/man/man1/*.gz && gzip -9n share/man/man1/*.1"
+  COMMAND sh -c "cd share/man/man1 && rm -f *.gz ${labs_pages} && gzip -9n *.1"
   COMMAND ${CMAKE_COMMAND} -E touch ${pages}
   WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
   DEPENDS mirocup mirocup-league VERBATIM)
@@ -54,16 +58,15 @@ install(FILES tournaments/units/tmpfiles.conf DESTINATION lib/tmpfiles.d RENAME 
 
 # mirocup-dev: what a team in C or C++ is built with.
 install(TARGETS mirocup_strategy mirocup_predict EXPORT mirocup ARCHIVE COMPONENT mirocup-dev)
-install(DIRECTORY plugins/include/ training/include/ TYPE INCLUDE COMPONENT mirocup-dev)
+install(DIRECTORY plugins/include/ TYPE INCLUDE COMPONENT mirocup-dev)
 install(EXPORT mirocup NAMESPACE mirocup:: FILE mirocup-targets.cmake DESTINATION ${package_folder} COMPONENT mirocup-dev)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
   COMPATIBILITY SameMinorVersion)
-install(FILES cmake/mirocup-config.cmake cmake/mirocup_simurosot.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
+install(FILES cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config-version.cmake
   DESTINATION ${package_folder} COMPONENT mirocup-dev)
 
-# python3-mirocup: teams in Python, and teams that learn.
-install(DIRECTORY training/python/ DESTINATION ${MIROCUP_PYTHON_DIR} COMPONENT python3-mirocup PATTERN __pycache__ EXCLUDE)
-install(FILES plugins/python/team.py DESTINATION ${MIROCUP_PYTHON_DIR}/mirocup COMPONENT python3-mirocup)
+# python3-mirocup: teams in Python.
+install(FILES plugins/python/__init__.py plugins/python/team.py DESTINATION ${MIROCUP_PYTHON_DIR}/mirocup COMPONENT python3-mirocup)
 install(TARGETS mirocup_skills LIBRARY COMPONENT python3-mirocup NAMELINK_SKIP)
 if(TARGET mirocup-python)
   install(TARGETS mirocup-python-host RUNTIME DESTINATION libexec/mirocup COMPONENT python3-mirocup)
@@ -84,13 +87,11 @@ install(FILES tournaments/journal/format.md DESTINATION ${doc_folder}/tournament
 # platforms: its teams are in the build tree.
 install(DIRECTORY tournaments/examples DESTINATION ${doc_folder}/tournaments COMPONENT mirocup-doc PATTERN platforms EXCLUDE)
 # The build tree looks like a prefix to find_package and to `mirocup new`.
-export(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team mirocup_training NAMESPACE mirocup::
+export(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team NAMESPACE mirocup::
   FILE ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-targets.cmake)
 configure_file(cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config.cmake COPYONLY)
-configure_file(cmake/mirocup_simurosot.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup_simurosot.cmake COPYONLY)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include ${PROJECT_BINARY_DIR}/share/mirocup)
-foreach(link plugins/include/mirocup:include/mirocup plugins/template:share/mirocup/team plugins/drills:share/mirocup/drills
-    plugins/simurosot:share/mirocup/simurosot)
+foreach(link plugins/include/mirocup:include/mirocup plugins/template:share/mirocup/team plugins/drills:share/mirocup/drills)
   string(REPLACE ":" ";" ends ${link})
   list(GET ends 0 from)
   list(GET ends 1 to)

@@ -1,4 +1,4 @@
-# `cpack -G DEB` in the build tree of the preset "packages" makes the four packages of Debian; docs/installing.md.
+# `cpack -G DEB` in the build tree of the preset "packages" makes the five packages of Debian; docs/installing.md.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME mirocup)
 set(CPACK_PACKAGE_VENDOR mirocup)
@@ -6,6 +6,9 @@ set(CPACK_PACKAGE_CONTACT "mirocup maintainers <mirocup@localhost>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL mirocup mirocup-dev python3-mirocup mirocup-doc)
+if(MIROCUP_LABS)
+  list(APPEND CPACK_COMPONENTS_ALL mirocup-labs)
+endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -21,18 +24,22 @@ set(CPACK_DEBIAN_MIROCUP_PACKAGE_NAME mirocup)
 set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_NAME mirocup-dev)
 set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_NAME python3-mirocup)
 set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_NAME mirocup-doc)
+set(CPACK_DEBIAN_MIROCUP-LABS_PACKAGE_NAME mirocup-labs)
 set(CPACK_DEBIAN_MIROCUP_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_MIROCUP-LABS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_MIROCUP_PACKAGE_DEPENDS "tzdata")
 set(CPACK_DEBIAN_MIROCUP_PACKAGE_RECOMMENDS "mirocup-dev, ffmpeg, openssl")
-set(CPACK_DEBIAN_MIROCUP_PACKAGE_SUGGESTS "python3-mirocup, mirocup-doc, nodejs, xdg-utils")
+set(CPACK_DEBIAN_MIROCUP_PACKAGE_SUGGESTS "python3-mirocup, mirocup-labs, mirocup-doc, nodejs, xdg-utils")
 set(same_version "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_DEPENDS "mirocup ${same_version}, g++, cmake, make")
 set(CPACK_DEBIAN_MIROCUP-DEV_PACKAGE_RECOMMENDS "gdb")
 set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_DEPENDS "mirocup ${same_version}, python3")
-set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_RECOMMENDS "python3-numpy")
+set(CPACK_DEBIAN_PYTHON3-MIROCUP_PACKAGE_SUGGESTS "mirocup-labs")
+set(CPACK_DEBIAN_MIROCUP-LABS_PACKAGE_DEPENDS "mirocup ${same_version}, python3-mirocup ${same_version}")
+set(CPACK_DEBIAN_MIROCUP-LABS_PACKAGE_RECOMMENDS "mirocup-dev, python3-numpy")
 set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_MIROCUP-DOC_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_MIROCUP_DESCRIPTION "tournament platform for MiroSot robot soccer
@@ -45,10 +52,14 @@ set(CPACK_DEBIAN_MIROCUP-DEV_DESCRIPTION "headers to build a team for mirocup
 Headers in C and C++, a library that predicts what the simulator will do,
 and the files for find_package(mirocup) of CMake. With it, the command
 mirocup new makes a team that builds as it is.")
-set(CPACK_DEBIAN_PYTHON3-MIROCUP_DESCRIPTION "teams in Python for mirocup, and environments to learn in
+set(CPACK_DEBIAN_PYTHON3-MIROCUP_DESCRIPTION "teams in Python for mirocup
 The module mirocup.team and the program that plays a team in Python in the
-sandbox of a library; and environments with the interface of Gymnasium in
-which thousands of matches are played at once.")
+sandbox of a library.")
+set(CPACK_DEBIAN_MIROCUP-LABS_DESCRIPTION "research with mirocup: learning, tuning, other pitches and platforms
+Environments with the interface of Gymnasium in which thousands of matches
+are played at once, the search for better numbers of a team, the numbers of
+a pitch from recordings of it, and teams from sources that were written for
+SimuroSot.")
 set(CPACK_DEBIAN_MIROCUP-DOC_DESCRIPTION "pages, laws and examples of mirocup
 What hosts of leagues and students read: the laws, the conditions of a hall,
 how to host a league, exercises, formats of files, and examples: a league,

@@ -4,6 +4,7 @@
 #include "system/descriptor.hpp"
 #include "system/files.hpp"
 #include "system/links.hpp"
+#include "system/locations.hpp"
 #include "system/process_set.hpp"
 #include "system/text.hpp"
 
@@ -154,6 +155,20 @@ Error become_program(std::vector<std::string> arguments) {
   assert(!arguments.empty());
   execv(arguments[0].c_str(), pointers_to(arguments).data());
   return {Errc::unavailable, arguments[0] + " cannot be run: " + std::strerror(errno)};
+}
+
+Error become_sibling_program(const std::string& name, std::vector<std::string> arguments,
+                             const std::string& options) {
+  const std::string program = sibling_program(name);
+  if (access(program.c_str(), F_OK) != 0) {
+    const std::string build = shell_word(build_folder());
+    return {Errc::unavailable, program + ": this program is not built; cmake " +
+                                   (options.empty() ? "" : options + " ") + build +
+                                   " && cmake --build " + build + " --target " + name +
+                                   " builds it"};
+  }
+  arguments.insert(arguments.begin(), program);
+  return become_program(std::move(arguments));
 }
 
 }  // namespace mirocup::system

@@ -74,4 +74,10 @@ int end_group(pid_t leader);
 // cannot be run, with the reason.
 Error become_program(std::vector<std::string> arguments);
 
+// Runs another program of the same build or installation in the place of this process, with
+// arguments after its name. Returns only if the program cannot be run: Errc::unavailable; if it is
+// missing, with the command that builds it, in which CMake gets `options`: "-D MIROCUP_LABS=ON".
+Error become_sibling_program(const std::string& name, std::vector<std::string> arguments,
+                             const std::string& options = "");
+
 }  // namespace mirocup::system

@@ -36,6 +36,11 @@ std::string sibling_program(const std::string& name) {
   return is_there(here / name) ? (here / name).string() : installed.string();
 }
 
+std::string build_folder() {
+  const fs::path here = program_folder();
+  return here.filename() == "bin" ? "build" : here.string();
+}
+
 TeamKit team_kit() {
   const fs::path program = fs::read_symlink("/proc/self/exe");
   // A build tree has its programs at the top.
@@ -47,7 +52,7 @@ TeamKit team_kit() {
     if (python.empty() && is_there(prefix / folder / "mirocup" / "team.py"))
       python = prefix / folder;
   }
-  return {.program = program.string(),
+  return {.program = (program.parent_path() / "mirocup").string(),
           .prefix = prefix.string(),
           .headers = (prefix / "include" / "mirocup").string(),
           .templates = (prefix / "share" / "mirocup" / "team").string(),

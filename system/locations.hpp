@@ -12,9 +12,13 @@ namespace mirocup::system {
 // Returns the path of another program of the same build or installation.
 std::string sibling_program(const std::string& name);
 
+// Returns the folder that CMake builds into: that of this program, or, for an installed program,
+// the name "build".
+std::string build_folder();
+
 // The locations from which `mirocup new` takes the parts of a new team.
 struct TeamKit {
-  std::string program;    // path of this program
+  std::string program;    // path of `mirocup`
   std::string prefix;     // for find_package(mirocup)
   std::string headers;    // folder of strategy.h, for people to read
   std::string templates;  // has a folder for each language, with the files of a new team

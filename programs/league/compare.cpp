@@ -344,20 +344,6 @@ Result<int> run_compare(const CompareOptions& options) {
 
 }  // namespace
 
-void add_terms(const system::Command& command, std::string& league, ComparisonRun& run) {
-  command
-      .option("--league", league,
-              "Field and number of robots: small (3 a side), middle (5), large (11)")
-      .one_of({"small", "middle", "large"})
-      .shows_default();
-  command.option("--half", run.half_s, "Length of a half in seconds")
-      .between(record::min_half_s, record::max_half_s);
-  command
-      .option("--conditions", run.conditions,
-              "Conditions: exact, hall or camera (default: as in a match)")
-      .one_of({"exact", "hall", "camera"});
-}
-
 void add_compare(system::Commands& commands) {
   const auto [command, o] = commands.add(run_compare, "compare", to_make,
                                          "Play teams against each other until one is found to be "

@@ -17,20 +17,14 @@ namespace {
 
 // The names of values that the help prints for options which declare no such name.
 const system::ValueNames value_names{
-    {"--config", "FILE"},       {"--team", "NAME"},
-    {"--half", "SECONDS"},      {"--seed", "SEED"},
-    {"--run", "COMMAND"},       {"--jobs", "NUMBER"},
-    {"--dds-domain", "NUMBER"}, {"--output", "DIR"},
-    {"--through", "ROUND"},     {"--round", "ROUND"},
-    {"--at", "[HOST:]PORT"},    {"--leg", "NUMBER"},
-    {"--reason", "TEXT"},       {"--by", "NAME"},
-    {"--score", "HOME:AWAY"},   {"--expires", "TIME"},
-    {"--most", "NUMBER"},       {"--equal", "ELO"},
-    {"--keep", "DIR"},          {"--revoke", "TEAM"},
-    {"--days", "DAYS"},         {"--display", "NAME"},
-    {"--member", "NAME"},       {"--param", "KEY=LOW:HIGH"},
-    {"--against", "TEAM,TEAM"}, {"--generations", "NUMBER"},
-    {"--fixtures", "NUMBER"},   {"--test", "NUMBER"},
+    {"--config", "FILE"},       {"--team", "NAME"},      {"--half", "SECONDS"},
+    {"--seed", "SEED"},         {"--run", "COMMAND"},    {"--jobs", "NUMBER"},
+    {"--dds-domain", "NUMBER"}, {"--output", "DIR"},     {"--through", "ROUND"},
+    {"--round", "ROUND"},       {"--at", "[HOST:]PORT"}, {"--leg", "NUMBER"},
+    {"--reason", "TEXT"},       {"--by", "NAME"},        {"--score", "HOME:AWAY"},
+    {"--expires", "TIME"},      {"--most", "NUMBER"},    {"--equal", "ELO"},
+    {"--keep", "DIR"},          {"--revoke", "TEAM"},    {"--days", "DAYS"},
+    {"--display", "NAME"},      {"--member", "NAME"},
 };
 
 }  // namespace
@@ -53,11 +47,12 @@ static std::variant<system::Run, int> read_command_line(int argc, char** argv) {
       "mirocup league", "Leagues of MiroSot robot soccer: a league is a folder.",
       record::software_version(), "mirocup league help COMMAND explains a command, with examples.");
   for (Add* const add :
-       {add_init,   add_submit,    add_nightly,       add_start,         add_stop,    add_status,
-        add_health, add_stats,     add_publish,       add_prune,         add_serve,   add_show,
-        add_export, add_token,     add_check_hand_in, add_play_friendly, add_acts,    add_decisions,
-        add_verify, add_backup,    add_grades,        add_team,          add_compare, add_tune,
-        add_plan,   add_run_shard, add_credentials})
+       {add_init,          add_submit, add_nightly,   add_start,   add_stop,
+        add_status,        add_health, add_stats,     add_publish, add_prune,
+        add_serve,         add_show,   add_export,    add_token,   add_check_hand_in,
+        add_play_friendly, add_acts,   add_decisions, add_verify,  add_backup,
+        add_grades,        add_team,   add_compare,   add_plan,    add_run_shard,
+        add_credentials})
     add(commands);
   return commands.read(argc, argv, value_names, system::house_teams());
 }

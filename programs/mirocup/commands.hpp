@@ -20,9 +20,8 @@ inline constexpr const char* for_shells = "Shells";
 
 // Each declares its subcommand.
 using Add = void(system::Commands& commands);
-Add add_match, add_drill, add_check, add_compile, add_hand_in, add_join, add_new, add_export,
-    add_verify, add_rerun, add_replay, add_stats, add_playground, add_record_as_seen, add_identify,
-    add_validate, add_scene, add_referee, add_completion;
+Add add_match, add_drill, add_check, add_compile, add_hand_in, add_join, add_new, add_verify,
+    add_rerun, add_replay, add_stats, add_playground, add_scene, add_referee, add_completion;
 
 // Options of several subcommands.
 inline constexpr double longest_wait_s = 1e6;  // for a team or a match
@@ -31,9 +30,7 @@ void add_dds_domain(const system::Command& command, int& domain);
 void add_parameters(const system::Command& command, const char* option,
                     std::vector<std::string>& changes, const std::string& whose);
 
-// Runs another program in the place of this process, with the arguments from argv[first] on:
-// mirocup-league for `mirocup league …` and `mirocup tune …`, mirocup-bench for `mirocup bench …`
-// and `mirocup validate --against …`. Returns only if the program cannot be run.
-Result<int> become_sibling_program(const std::string& name, int argc, char** argv, int first = 2);
+// Runs mirocup-labs in the place of this process. Returns only if it cannot be run.
+Error become_labs(std::vector<std::string> arguments);
 
 }  // namespace mirocup::app

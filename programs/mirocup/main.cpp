@@ -10,9 +10,9 @@
 #include "system/locations.hpp"
 #include "system/printable.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <string_view>
-#include <unistd.h>
 #include <variant>
 #include <vector>
 
@@ -27,8 +27,7 @@ const system::ValueNames value_names{
     {"--away-limit", "SECONDS"}, {"--dds-domain", "NUMBER"}, {"--tries", "NUMBER"},
     {"--jobs", "NUMBER"},        {"--at-least", "MARKS"},    {"--name", "NAME"},
     {"--server", "HOST"},        {"--entries", "DIR"},       {"--at", "SECONDS"},
-    {"--clip", "FROM:TO"},       {"--noise-mm", "MM"},       {"--noise-deg", "DEGREES"},
-    {"--gaps", "SHARE"},         {"--outliers", "SHARE"},    {"--record", "RECORD"},
+    {"--clip", "FROM:TO"},       {"--record", "RECORD"},
 };
 
 }  // namespace
@@ -48,16 +47,47 @@ void add_parameters(const system::Command& command, const char* option,
       .named("KEY=VALUE");
 }
 
-Result<int> become_sibling_program(const std::string& name, int argc, char** argv, int first) {
-  std::vector<std::string> arguments{system::sibling_program(name)};
-  if (access(arguments[0].c_str(), F_OK) != 0) {
-    return fail(
-        Errc::unavailable,
-        arguments[0] +
-            ": this program is not built; cmake --build --preset release builds everything");
-  }
-  arguments.insert(arguments.end(), argv + first, argv + argc);
-  return tl::unexpected(system::become_program(std::move(arguments)));
+Error become_labs(std::vector<std::string> arguments) {
+  Error error =
+      system::become_sibling_program("mirocup-labs", std::move(arguments), "-D MIROCUP_LABS=ON");
+  error.what += "; an installation has it in the package mirocup-labs";
+  return error;
+}
+
+// The commands that mirocup-labs runs.
+static const std::vector<system::CommandHelp>& commands_of_labs() {
+  static const std::vector<system::CommandHelp> commands{
+      {"export",
+       for_teams,
+       "Write a learned network as the source of a team",
+       {"mirocup export policy.npz -o learned.cpp"}},
+      {"tune",
+       for_teams,
+       "Find better values for a team's parameters",
+       {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker -o tuned"}},
+      {"record-as-seen",
+       for_engineers,
+       "Write what a camera would have seen of a played match, as a recording",
+       {"mirocup record-as-seen leg.json -o seen.jsonl"}},
+      {"identify",
+       for_engineers,
+       "Find the numbers of a pitch from recordings: floor, walls, motors, camera",
+       {"mirocup identify seen.jsonl -o ours.json --page ours.html"}},
+      {"validate",
+       for_engineers,
+       "Print how well the simulator predicts recordings",
+       {"mirocup validate seen.jsonl --pitch ours.json -o validation.html"}},
+      {"bench",
+       for_engineers,
+       "Compare speed and error with other engines",
+       {"mirocup bench --quick"}}};
+  return commands;
+}
+
+static bool is_of_labs(const std::string& name) {
+  const auto& commands = commands_of_labs();
+  return std::any_of(commands.begin(), commands.end(),
+                     [&](const system::CommandHelp& help) { return help.name == name; });
 }
 
 // Returns the subcommand with its options. If the command line asks for help or is wrong, prints
@@ -66,9 +96,8 @@ static std::variant<system::Run, int> read_command_line(int argc, char** argv) {
   system::Commands commands("mirocup", "A tournament platform for MiroSot robot soccer.",
                             record::software_version(),
                             "mirocup help COMMAND explains a command, with examples.");
-  for (Add* const add :
-       {add_match, add_drill, add_check, add_compile, add_hand_in, add_join, add_new, add_export,
-        add_verify, add_rerun, add_replay, add_playground, add_stats})
+  for (Add* const add : {add_match, add_drill, add_check, add_compile, add_hand_in, add_join,
+                         add_new, add_verify, add_rerun, add_replay, add_playground, add_stats})
     add(commands);
   commands.add_other(
       {"league",
@@ -76,17 +105,8 @@ static std::variant<system::Run, int> read_command_line(int argc, char** argv) {
        "Make, play and show leagues: mirocup help league",
        {"mirocup league init spring --team alpha=alpha.so --team house=house:striker",
         "mirocup league start spring"}});
-  for (Add* const add : {add_record_as_seen, add_identify, add_validate, add_scene, add_referee})
-    add(commands);
-  commands.add_other(
-      {"tune",
-       for_teams,
-       "Find better values for a team's parameters: mirocup tune --help",
-       {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker -o tuned"}});
-  commands.add_other({"bench",
-                      for_engineers,
-                      "Compare speed and error with other engines: mirocup help bench",
-                      {"mirocup bench --quick"}});
+  for (const system::CommandHelp& help : commands_of_labs()) commands.add_other(help);
+  for (Add* const add : {add_scene, add_referee}) add(commands);
   add_completion(commands);
   return commands.read(argc, argv, value_names, system::house_teams());
 }
@@ -105,19 +125,19 @@ int report(const Result<int>& result) {
 
 int run(int argc, char** argv) {
   if (const auto begun = system::begin(); !begun) return report(tl::unexpected(begun.error()));
-  const std::string_view command = argc > 1 ? argv[1] : "";
-  // `complete league WORD…` asks the other program.
-  if (command == "complete" && argc > 3 && std::string_view(argv[2]) == "league") {
-    std::vector<char*> words{argv[0], argv[2], argv[1]};
-    words.insert(words.end(), argv + 3, argv + argc);
-    return report(app::become_sibling_program("mirocup-league", static_cast<int>(words.size()),
-                                              words.data()));
+  // `complete COMMAND WORD…` asks the program that runs the command.
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  const bool completes = words.size() > 2 && words[0] == "complete";
+  const auto command = words.begin() + (completes ? 1 : 0);
+  const bool is_tune_of_league = words.size() > 1 && words[0] == "league" && words[1] == "tune";
+  if (is_tune_of_league || (command != words.end() && *command == "league")) {
+    words.erase(command);
+    return report(tl::unexpected(is_tune_of_league
+                                     ? app::become_labs(words)
+                                     : system::become_sibling_program("mirocup-league", words)));
   }
-  if (command == "league") return report(app::become_sibling_program("mirocup-league", argc, argv));
-  // The subcommand itself is one of that program.
-  if (command == "tune")
-    return report(app::become_sibling_program("mirocup-league", argc, argv, 1));
-  if (command == "bench") return report(app::become_sibling_program("mirocup-bench", argc, argv));
+  if (command != words.end() && app::is_of_labs(*command))
+    return report(tl::unexpected(app::become_labs(words)));
 
   const auto chosen = app::read_command_line(argc, argv);
   if (const int* done = std::get_if<int>(&chosen)) return *done;

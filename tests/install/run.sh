@@ -41,7 +41,7 @@ fi
 rm -f "$build"/*.deb
 (cd "$build" && cpack -G DEB)
 packages=("$build"/*.deb)
-[[ ${#packages[@]} -eq 4 ]]
+[[ ${#packages[@]} -eq 5 ]]
 
 step "lintian"
 lintian --allow-root --fail-on error,warning "${packages[@]}"
@@ -89,13 +89,13 @@ done
 tests/build/units/check.sh "$debian/usr/lib/systemd/system"
 
 step "the manual and completion"
-inside sh -ec 'man -w mirocup mirocup-match mirocup-league-start'
+inside sh -ec 'man -w mirocup mirocup-match mirocup-league-start mirocup-tune'
 inside bash -ec '. /usr/share/bash-completion/completions/mirocup
   COMP_WORDS=(mirocup match --league ""); COMP_CWORD=3; _mirocup; [[ "${COMPREPLY[*]}" == *middle* ]]'
 
 step "uninstall"
 umount "$debian/usr"
-inside sh -ec 'apt-get -qq -y purge mirocup mirocup-dev python3-mirocup mirocup-doc >/dev/null'
+inside sh -ec 'apt-get -qq -y purge mirocup mirocup-dev python3-mirocup mirocup-labs mirocup-doc >/dev/null'
 [[ -f $debian/home/1500/spring/journal.jsonl ]]
 left=$(find "$debian/usr" "$debian/etc" -name '*mirocup*' -not -path '*/etc/mirocup')  # ports that the host has chosen
 [[ -z $left ]] || { echo "left behind: $left" >&2; exit 1; }

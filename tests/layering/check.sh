@@ -6,7 +6,7 @@
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 cd "${1:-$here/../..}"
-product=(core system plugins idl record web pitch server training tournaments programs)
+product=(core system plugins idl record web server tournaments programs)
 bad=0
 
 complain() {

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Fails on an include, a link or a path in a CMakeLists.txt against layers.txt, and on a table in docs/tree.md that is another.
+"""Fails on an include, a link or a path in a CMakeLists.txt against layers.txt, on a use of labs/ outside of it, in tests, too, and on a
+table in docs/tree.md that is another.
 
 Usage: layers.py [ROOT]; layers.py --write makes the table in docs/tree.md. The order is that of this project in any ROOT.
 """
@@ -9,7 +10,7 @@ import sys
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
-INCLUDE_ROOTS = ["", "plugins/include", "training/include"]
+INCLUDE_ROOTS = ["", "plugins/include", "labs/training/include"]
 BEGIN, END = "<!-- made of layers.txt -->\n", "<!-- end -->\n"
 
 
@@ -180,6 +181,22 @@ def bad_links_and_paths(root):
                     yield f"{f.path}: {command[0]} may not use {path}"
 
 
+def uses_of_labs(root):
+    """What layers.txt says of rooms holds for tests and examples, too: they are built without labs/."""
+    names = {command[1] for file in (PROJECT / "labs").rglob("CMakeLists.txt") for command in Folder(PROJECT, file).commands
+             if command[0] in ("add_library", "add_executable")}
+    in_cmake = re.compile(r"\blabs/|(?<![\w:-])(" + "|".join(map(re.escape, names)) + r")(?![\w:-])")
+    for top in ("browser", "examples", "tests"):
+        for path in sorted((root / top).rglob("*")):
+            file = str(path.relative_to(root))
+            is_cmake = path.name == "CMakeLists.txt" or path.suffix == ".cmake"
+            if below(file, "tests/layering") or not (is_cmake or path.suffix in (".c", ".cpp", ".h", ".hpp")):
+                continue
+            for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+                if in_cmake.search(re.sub("#.*", "", line)) if is_cmake else line.startswith('#include "labs/'):
+                    yield f"{file}:{number}:{line}: only labs/ uses labs/"
+
+
 def table():
     rows = ["| room | its subject | it may use |\n", "| --- | --- | --- |\n"]
     for room, (subject, names) in ROOMS.items():
@@ -197,7 +214,9 @@ def main():
     root = Path(sys.argv[1]).resolve() if sys.argv[1:] else PROJECT
     complaints = [f"layers.txt: {room} uses a room that uses it" for room, (_, names) in ROOMS.items()
                   if any(name in ROOMS and room in ALLOWED[name][0] for name in names)]
-    complaints += [*bad_includes(root), *bad_links_and_paths(root)]
+    complaints += [f"layers.txt: {room} uses labs" for room in ROOMS
+                   if not below(room, "labs") and any(below(name, "labs") for name in ROOMS[room][1])]
+    complaints += [*bad_includes(root), *bad_links_and_paths(root), *uses_of_labs(root)]
     if BEGIN not in text or made != text:
         complaints.append("docs/tree.md: its table is not that of layers.txt; tests/layering/layers.py --write makes it")
     for complaint in complaints:

@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 names=$(sed 's/#.*//; s/[[:space:]]//g; /^$/d' "$list")
 [[ -n $names ]] || exit 0
 code=0
-git grep -nwFf <(echo "$names") -- core plugins record web pitch server training tournaments programs tests docs \
+git grep -nwFf <(echo "$names") -- core plugins record web server tournaments programs labs tests docs \
   ':!tests/style/retired_identifiers.txt' ':!CHANGELOG.md' || code=$?
 case $code in
   0) echo "these names are retired: tests/style/retired_identifiers.txt" >&2; exit 1 ;;

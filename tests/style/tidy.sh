@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${1:-build}
 shift || true
-[[ $# -gt 0 ]] || set -- core plugins record web pitch server training tournaments programs
+[[ $# -gt 0 ]] || set -- core plugins record web server tournaments programs labs
 sources=$(find "${@/#/$build/}" -path '*/Unity/*_cxx.cxx' 2>/dev/null | sort)
 at_once=1
 if [[ -z $sources ]]; then

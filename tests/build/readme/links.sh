@@ -53,7 +53,7 @@ done < <(pages)
 for page in docs/changing.md docs/algorithm.md; do
   while IFS= read -r span; do
     [[ -e $span ]] || complain "$page: no file $span"
-  done < <(grep -oE '`(core|plugins|idl|server|tournaments|tests|docs|examples|cmake)/[^` {*]+`' "$page" | tr -d '`')
+  done < <(grep -oE '`(core|plugins|idl|server|tournaments|labs|tests|docs|examples|cmake)/[^` {*]+`' "$page" | tr -d '`')
 done
 
 # Programs that a reader starts by typing their paths.

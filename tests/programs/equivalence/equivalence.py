@@ -15,7 +15,6 @@ and end by extra time or a shoot-out where they are level. Each is played again 
   dds         one team over the network
   play_on     from a tick on, by teams without a memory: the same leg; by others: a leg that verifies and is played again
   late        in real time with a team whose answers are late: a leg that verifies
-  training    by the library of training, with an agent that stands
 
 known_failures.txt lists what is known to fail, with the reason. A way that passes and is listed there is a failure, too: strike it.
 """
@@ -151,26 +150,9 @@ class Leg:
         self.tests.late += record["budget"]["blue"]["late_ticks"]
         self.run([f"{self.build}/mirocup", "verify", self.file("late")])
 
-    def training(self):
-        sys.path.insert(0, f"{self.build}/python")
-        import numpy
-        from mirocup._library import Batch
-        first = self.record("first")
-        config = {"matches": 1, "threads": 1, "blue": "agent", "yellow": self.yellow, "rules": first["rules"],
-                  "conditions": first["conditions"], "control_period": first["control_period"], "skip_stops": False,
-                  "autoreset": "disabled", "episode": {"seconds": None, "ends_at_goal": False}}
-        batch = Batch(config)
-        batch.reset(seeds=numpy.array([self.seed], numpy.uint64))
-        batch.actions[:] = 0.0
-        while not (batch.terminations.all() or batch.truncations.all()):
-            batch.step()
-        batch.record(0, False, self.file("episode"))
-        match = self.play("stands", "idle", self.yellow, stage="group", start=False)
-        self.expect_same(self.record("episode"), match)
 
-
-ways = ["verify", "rerun", "trusted", "browser", "dds", "play_on", "late", "training"]
-dear = {"dds": 3, "late": 3, "browser": 3, "training": 3}  # one leg of so many, another one each day
+ways = ["verify", "rerun", "trusted", "browser", "dds", "play_on", "late"]
+dear = {"dds": 3, "late": 3, "browser": 3}  # one leg of so many, another one each day
 
 
 class Tests:

@@ -20,7 +20,7 @@ readers=("$@")
 cmake --preset fuzz >/dev/null
 cmake --build --preset fuzz --target "${readers[@]/%/_fuzz}"
 cmake --preset release >/dev/null
-cmake --build --preset release --target fuzz_corpus mirocup house_idle mirocup-plugin-host
+cmake --build --preset release --target fuzz_corpus labs_fuzz_corpus mirocup house_idle mirocup-plugin-host
 corpus=build/fuzz/corpus
 mkdir -p build/fuzz/finds
 tests/security/fuzz/seeds.py build "$corpus"
@@ -36,5 +36,7 @@ for reader in "${readers[@]}"; do
   "${alone[@]}" "build/fuzz/${reader}_fuzz" -max_total_time="$seconds" -max_len="$max_len" -timeout=30 -rss_limit_mb=2048 \
     -artifact_prefix="build/fuzz/finds/$reader-" -print_final_stats=1 "$corpus/$reader" || found=1
 done
-build/fuzz_corpus "$corpus" || found=1
+for program in fuzz_corpus labs_fuzz_corpus; do
+  "build/$program" "$corpus" || found=1
+done
 exit $found

@@ -14,7 +14,6 @@
 #include "tournaments/league/people.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/site.hpp"
-#include "tournaments/tune/tuning_file.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -133,12 +132,6 @@ TEST_F(FileOfALeague, ListsOfPeopleAndTokensAreNotEmptyIfTheyCannotBeRead) {
 TEST_F(FileOfALeague, ModuleIsTrustedOrIsAnError) {
   expect_told(folder_.path + "/programs/5f/mirocup.wasm",
               [&] { return error_of(record::trust_modules(disk_, folder_.path)); });
-}
-
-TEST_F(FileOfALeague, SearchIsNotBegunAnewIfItsFileCannotBeRead) {
-  expect_told(temporary_ / "tune/tune.json", [&] {
-    return error_of(TuningFile::open(disk_, temporary_ / "tune", nlohmann::ordered_json::object()));
-  });
 }
 
 }  // namespace
