@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Recordings of a pitch whose numbers are known: two robots that play the recipe of
-// labs/docs/pitches.md (chase the ball, rush about, stop from full speed, run against walls and against each other),
-// seen by a camera. For tests of identification, and for its bars.
+// labs/docs/pitches.md (chase the ball, rush about, stop from full speed, run against walls and
+// against each other), seen by a camera. For tests of identification, and for its bars.
 #pragma once
 
 #include "core/base/random.hpp"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A learned network that plays as a team: its observation, its action, and its layers. The file of
-// a policy, "mirocup/policy/1", is an .npz of numpy.savez; labs/docs/training.md describes its arrays.
+// a policy, "mirocup/policy/1", is an .npz of numpy.savez; labs/docs/training.md describes its
+// arrays.
 //
 // The file may come from a stranger: the program reads it with limits, and runs nothing in it.
 #pragma once
