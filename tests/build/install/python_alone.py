@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """The package mirocup of Python without mirocup-labs: mirocup.team works, and what is missing says where to get it. Catches a module
-of plugins/python that needs one of labs, and an environment that ends in "No module named mirocup.vector_env".
+of plugins/python that needs one of labs, and an environment that ends in "No module named mirocup.vector_env". Usage: python_alone.py BUILD
 """
 import pathlib
 import shutil
@@ -10,11 +10,12 @@ import tempfile
 
 source = pathlib.Path(__file__).resolve().parents[3] / "plugins" / "python"
 with tempfile.TemporaryDirectory() as folder:
-    package = pathlib.Path(folder) / "mirocup"
-    package.mkdir()
+    package = pathlib.Path(folder) / "python" / "mirocup"
+    package.mkdir(parents=True)
+    shutil.copy(pathlib.Path(sys.argv[1]) / "libmirocup_skills.so.0", folder)
     for name in ("__init__.py", "team.py"):
         shutil.copy(source / name, package)
-    sys.path.insert(0, folder)
+    sys.path.insert(0, str(package.parent))
     import mirocup
     import mirocup.team
 
