@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup check FILE.so: prints whether the library would be accepted as an entry, and why.
+#include "programs/check/entry_check.hpp"
 #include "programs/mirocup/commands.hpp"
-#include "programs/mirocup/entry_check.hpp"
 #include "record/json_reader.hpp"
 #include "record/match_record.hpp"
 #include "record/rules_json.hpp"

@@ -3,8 +3,8 @@
 // mirocup match: plays one leg and writes its record.
 #include "core/match/call_text.hpp"
 #include "plugins/host/sandbox/probe.hpp"
+#include "programs/check/entry_advice.hpp"
 #include "programs/mirocup/commands.hpp"
-#include "programs/mirocup/entry_advice.hpp"
 #include "programs/mirocup/output_folder.hpp"
 #include "record/conditions_json.hpp"
 #include "record/json_reader.hpp"

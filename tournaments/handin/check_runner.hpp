@@ -24,7 +24,7 @@ namespace mirocup::league {
 
 struct CheckLimits {
   // Processor time of a check, s. The check of a source gets the time of CompileTime in addition. A
-  // check plans to take half of its limit (programs/mirocup/entry_check.hpp).
+  // check plans to take half of its limit (programs/check/entry_check.hpp).
   double processor = 40.0;
   // Wall time, s. If a check takes longer, the host gave it too little processor time, which counts
   // as the host's fault.

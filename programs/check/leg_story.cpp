@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "programs/mirocup/leg_story.hpp"
+#include "programs/check/leg_story.hpp"
 
 #include "system/text.hpp"
 

@@ -2,7 +2,7 @@
 //
 // The checks in which the entry plays the same legs again in other surroundings, where a careful
 // heap watches its memory.
-#include "programs/mirocup/examination.hpp"
+#include "programs/check/examination.hpp"
 
 #include <algorithm>
 #include <utility>

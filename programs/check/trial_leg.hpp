@@ -6,9 +6,9 @@
 #include "core/match/leg.hpp"
 #include "core/replay/recording.hpp"
 #include "plugins/host/process_controller.hpp"
-#include "programs/mirocup/check_plan.hpp"
-#include "programs/mirocup/entry_advice.hpp"
-#include "programs/mirocup/leg_story.hpp"
+#include "programs/check/check_plan.hpp"
+#include "programs/check/entry_advice.hpp"
+#include "programs/check/leg_story.hpp"
 
 #include <cstddef>
 #include <cstdint>

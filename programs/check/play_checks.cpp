@@ -2,8 +2,8 @@
 //
 // The checks in which the entry plays: a first answer, whole legs, a knock-out leg.
 #include "core/field/field.hpp"
-#include "programs/mirocup/entry_advice.hpp"
-#include "programs/mirocup/examination.hpp"
+#include "programs/check/entry_advice.hpp"
+#include "programs/check/examination.hpp"
 #include "system/text.hpp"
 
 #include <algorithm>

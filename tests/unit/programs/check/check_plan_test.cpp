@@ -2,7 +2,7 @@
 //
 // Catches a check that gives a slow team as long legs as a quick one, and then takes a minute of a
 // processor.
-#include "programs/mirocup/check_plan.hpp"
+#include "programs/check/check_plan.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "core/referee/rules.hpp"
 #include "core/replay/recording.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
-#include "programs/mirocup/leg_story.hpp"
+#include "programs/check/leg_story.hpp"
 #include "system/processor.hpp"
 
 #include <cstddef>

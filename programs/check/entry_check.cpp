@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "programs/mirocup/entry_check.hpp"
+#include "programs/check/entry_check.hpp"
 
 #include "core/field/field.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "plugins/host/team_host.hpp"
 #include "plugins/host/team_log.hpp"
-#include "programs/mirocup/examination.hpp"
+#include "programs/check/examination.hpp"
 #include "system/locations.hpp"
 #include "system/memory.hpp"
 #include "system/printable.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "programs/mirocup/entry_advice.hpp"
+#include "programs/check/entry_advice.hpp"
 
 #include "plugins/host/function_names.hpp"
 

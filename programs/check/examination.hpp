@@ -6,9 +6,9 @@
 #pragma once
 
 #include "plugins/host/sealed_entry.hpp"
-#include "programs/mirocup/check_plan.hpp"
-#include "programs/mirocup/entry_check.hpp"
-#include "programs/mirocup/trial_leg.hpp"
+#include "programs/check/check_plan.hpp"
+#include "programs/check/entry_check.hpp"
+#include "programs/check/trial_leg.hpp"
 
 #include <array>
 #include <cstddef>

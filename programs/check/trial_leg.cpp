@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "programs/mirocup/trial_leg.hpp"
+#include "programs/check/trial_leg.hpp"
 
 #include "plugins/host/host_program.hpp"
 #include "server/pace/pacer.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "programs/mirocup/examination.hpp"
+#include "programs/check/examination.hpp"
 
 #include "plugins/host/file_advice.hpp"
-#include "programs/mirocup/entry_advice.hpp"
+#include "programs/check/entry_advice.hpp"
 
 #include <algorithm>
 #include <utility>

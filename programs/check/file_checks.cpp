@@ -5,7 +5,7 @@
 #include "plugins/host/file_advice.hpp"
 #include "plugins/host/host_program.hpp"
 #include "plugins/host/sandbox/private_root.hpp"
-#include "programs/mirocup/examination.hpp"
+#include "programs/check/examination.hpp"
 #include "system/digest.hpp"
 #include "system/files.hpp"
 #include "system/printable.hpp"
