@@ -89,6 +89,14 @@ void TlsConnection::say_end() {
   SSL_shutdown(session_->ssl);
 }
 
+bool TlsConnection::attach(void* context, int socket) {
+  session_->socket = socket;
+  session_->ssl = SSL_new(static_cast<SSL_CTX*>(context));
+  const int flags = fcntl(socket, F_GETFL);
+  return session_->ssl != nullptr && flags >= 0 &&
+         fcntl(socket, F_SETFL, flags | O_NONBLOCK) == 0 && SSL_set_fd(session_->ssl, socket) == 1;
+}
+
 struct TlsServer::Context {
   SSL_CTX* handle = SSL_CTX_new(TLS_server_method());
   ~Context() { SSL_CTX_free(handle); }
@@ -118,15 +126,52 @@ Result<TlsServer> TlsServer::load(const std::string& certificate, const std::str
 
 std::optional<TlsConnection> TlsServer::accept(int socket, int ms) const {
   TlsConnection connection;
+  if (!connection.attach(context_->handle, socket)) return std::nullopt;
   TlsConnection::Session& session = *connection.session_;
-  session.socket = socket;
-  session.ssl = SSL_new(context_->handle);
-  const int flags = fcntl(socket, F_GETFL);
-  if (session.ssl == nullptr || flags < 0 || fcntl(socket, F_SETFL, flags | O_NONBLOCK) != 0 ||
-      SSL_set_fd(session.ssl, socket) != 1)
-    return std::nullopt;
   if (session.repeat(ms, [&] { return SSL_accept(session.ssl); }) != 1) return std::nullopt;
   return connection;
+}
+
+struct TlsClient::Context {
+  SSL_CTX* handle = SSL_CTX_new(TLS_client_method());
+  ~Context() { SSL_CTX_free(handle); }
+};
+
+TlsClient::TlsClient() : context_(std::make_unique<Context>()) {}
+TlsClient::TlsClient(TlsClient&&) noexcept = default;
+TlsClient& TlsClient::operator=(TlsClient&&) noexcept = default;
+TlsClient::~TlsClient() = default;
+
+Result<TlsClient> TlsClient::load(const std::string& authority) {
+  TlsClient client;
+  SSL_CTX* const context = client.context_->handle;
+  ERR_clear_error();
+  SSL_CTX_set_min_proto_version(context, TLS1_2_VERSION);
+  SSL_CTX_set_mode(context, SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
+  SSL_CTX_set_options(context, SSL_OP_NO_RENEGOTIATION);
+  SSL_CTX_set_verify(context, SSL_VERIFY_PEER, nullptr);
+  if (authority.empty()) {
+    SSL_CTX_set_default_verify_paths(context);
+  } else if (SSL_CTX_load_verify_file(context, authority.c_str()) != 1) {
+    return fail(Errc::input, authority + " is no certificate in a PEM file: " + reason());
+  }
+  return client;
+}
+
+tl::expected<TlsConnection, TlsRefusal> TlsClient::connect(int socket, const std::string& host,
+                                                           int ms) const {
+  TlsConnection connection;
+  const tl::unexpected not_tls(TlsRefusal::not_tls);
+  if (!connection.attach(context_->handle, socket)) return not_tls;
+  TlsConnection::Session& session = *connection.session_;
+  X509_VERIFY_PARAM* const terms = SSL_get0_param(session.ssl);
+  if (X509_VERIFY_PARAM_set1_ip_asc(terms, host.c_str()) != 1 &&
+      (SSL_set1_host(session.ssl, host.c_str()) != 1 ||
+       SSL_set_tlsext_host_name(session.ssl, host.c_str()) != 1))
+    return not_tls;
+  if (session.repeat(ms, [&] { return SSL_connect(session.ssl); }) == 1) return connection;
+  if (SSL_get_verify_result(session.ssl) == X509_V_OK) return not_tls;
+  return tl::unexpected(TlsRefusal::not_trusted);
 }
 
 std::optional<std::int64_t> certificate_end(std::string_view pem) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// TLS for a server: its certificate, and one encrypted connection. TLS 1.2 or later.
+// TLS for a server and for a client: their certificates, and one encrypted connection. TLS 1.2 or
+// later.
 //
-// Threads: a TlsServer may accept in several threads at once; one thread uses a TlsConnection.
+// Threads: a TlsServer and a TlsClient may be used in several threads at once; one thread uses a
+// TlsConnection.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -37,8 +39,11 @@ class TlsConnection {
 
  private:
   friend class TlsServer;
+  friend class TlsClient;
   struct Session;
   TlsConnection();
+  // Attaches the session to the socket, which then does not wait. Returns false after an error.
+  bool attach(void* context, int socket);
 
   std::unique_ptr<Session> session_;
 };
@@ -59,6 +64,30 @@ class TlsServer {
  private:
   struct Context;
   TlsServer();
+
+  std::unique_ptr<Context> context_;
+};
+
+// Why a TlsClient does not trust a server or cannot talk to it.
+enum class TlsRefusal { not_tls, not_trusted };
+
+class TlsClient {
+ public:
+  // Reads the certificates that may sign for a server: those in the PEM file `authority`, or the
+  // system's if `authority` is "". The error (Errc::input) names the file and the reason.
+  static Result<TlsClient> load(const std::string& authority);
+  TlsClient(TlsClient&&) noexcept;
+  TlsClient& operator=(TlsClient&&) noexcept;
+  ~TlsClient();
+
+  // Agrees on the encryption of a new connection with the server `host`, a name or an IP address,
+  // within `ms`. The server's certificate must be valid for `host`.
+  tl::expected<TlsConnection, TlsRefusal> connect(int socket, const std::string& host,
+                                                  int ms) const;
+
+ private:
+  struct Context;
+  TlsClient();
 
   std::unique_ptr<Context> context_;
 };

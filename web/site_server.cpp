@@ -1,39 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "web/site_server.hpp"
 
-#include <httplib.h>
+#include "web/http/client.hpp"
+
+#include <chrono>
+#include <limits>
 
 namespace mirocup::web {
 
 namespace {
 
-constexpr const char* this_host = "127.0.0.1";
-constexpr int match_timeout_s = 5;  // for a match that sends nothing
 constexpr std::string_view live = "/live/";
 constexpr std::string_view events = "/events";
 
-httplib::Client client_of(int port) {
-  httplib::Client client(this_host, port);
-  client.set_connection_timeout(1);
-  client.set_read_timeout(match_timeout_s);
-  return client;
+// A client of the server of a match on this host.
+HttpClient client_of(int port, ClientOptions limits = {}) {
+  limits.connect_time = std::chrono::seconds(1);
+  limits.patience = std::chrono::seconds(5);
+  return HttpClient::open("http://127.0.0.1:" + std::to_string(port), limits).value();
 }
 
 // Answers with the live page of a match, from the server of that match.
 Reply page_of_match(int port) {
-  auto client = client_of(port);
-  auto answer = client.Get("/");
-  if (!answer || answer->status != 200) return {.status = 404};
-  return {.type = "text/html; charset=utf-8", .bytes = std::move(answer->body)};
+  Answer page = client_of(port).ask("GET", "/");
+  if (page.status != 200) return {.status = 404};
+  return {.type = "text/html; charset=utf-8", .bytes = std::move(page.body)};
 }
 
 // Passes the events of a match on until the match or the viewer is gone.
 Reply events_of_match(int port) {
   return {.passed_events = [port](const std::function<bool(std::string_view)>& write) {
-    auto client = client_of(port);
-    (void)client.Get("/events", [&write](const char* bytes, std::size_t count) {
-      return write(std::string_view(bytes, count));
-    });
+    const ClientOptions whole_match{.max_answer = std::numeric_limits<std::size_t>::max(),
+                                    .time = std::chrono::hours(1000)};
+    (void)client_of(port, whole_match).ask("GET", "/events", "", write);
   }};
 }
 
@@ -113,9 +112,7 @@ std::string SiteServer::url() const {
 }
 
 bool is_watched_at(int port) {
-  auto client = client_of(port);
-  const auto answer = client.Head("/");
-  return answer && answer->status == 200;
+  return client_of(port).ask("HEAD", "/").status == 200;
 }
 
 }  // namespace mirocup::web

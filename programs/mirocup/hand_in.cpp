@@ -7,7 +7,7 @@
 #include "system/files.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
-#include "web/hand_in_client.hpp"
+#include "web/http/client.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -33,7 +33,7 @@ struct HandInOptions {
 
 using namespace std::chrono_literals;
 using record::JsonReader;
-using web::DeskReply;
+using web::Answer;
 
 constexpr auto shortest_pause = 1000ms;  // between two questions
 constexpr auto pause_for_each = 100ms;   // check that comes before
@@ -119,33 +119,43 @@ Result<std::string> read_token(const std::string& path) {
   return text;
 }
 
+// Returns the league's reason for a status, and without one what is known of the server.
+Error unexpected_answer(const Answer& answer) {
+  if (answer.status == 0) return {Errc::unavailable, answer.error};
+  const std::string told = record::text_in(record::parse_json(answer.body).value, "error");
+  if (told.empty())
+    return {Errc::unavailable, "the server answers with status " + std::to_string(answer.status)};
+  return {answer.status < 500 ? Errc::input : Errc::unavailable, told};
+}
+
 // Reads an answer of the server.
 template <class Value>
-Result<Value> read_answer(const HandInOptions& options, const DeskReply& reply,
+Result<Value> read_answer(const HandInOptions& options, const Answer& answer,
                           Value (*read)(const JsonReader&), int expected = 200) {
-  if (reply.status != expected)
-    return fail(reply.is_refused ? Errc::input : Errc::unavailable, reply.error);
-  return record::read_json<Value>(reply.body, options.url + " does not answer as a league",
+  if (answer.status != expected) return tl::unexpected(unexpected_answer(answer));
+  return record::read_json<Value>(answer.body, options.url + " does not answer as a league",
                                   Errc::unavailable, read);
 }
 
 // Asks until there is an answer. A server that is started again goes on with what it has taken.
-Result<Report> wait_for_answer(const HandInOptions& options, web::HandInClient& client, int entry) {
+Result<Report> wait_for_answer(const HandInOptions& options, const web::HttpClient& client,
+                               int entry) {
   std::string told;
   std::chrono::milliseconds pause = shortest_pause;
   auto answered_at = std::chrono::steady_clock::now();
   while (true) {
-    const DeskReply reply = client.get("/api/v1/entries/" + std::to_string(entry));
+    const Answer answer = client.ask("GET", "/api/v1/entries/" + std::to_string(entry));
     const auto now = std::chrono::steady_clock::now();
-    if (reply.status != 0 && reply.status < 500) {
+    if (answer.status != 0 && answer.status < 500) {
       answered_at = now;
-      MIROCUP_TRY(auto report, read_answer(options, reply, read_report));
+      MIROCUP_TRY(auto report, read_answer(options, answer, read_report));
       if (report.is_final) return report;
       if (report.text != told) std::cerr << system::printable(report.text) << std::endl;
       told = report.text;
       pause = report.pause;
     } else if (now - answered_at > patience) {
-      return fail(Errc::unavailable, reply.error + "; entry " + std::to_string(entry) +
+      return fail(Errc::unavailable, unexpected_answer(answer).what + "; entry " +
+                                         std::to_string(entry) +
                                          " was taken, and its page will have the answer");
     }
     std::this_thread::sleep_for(pause);
@@ -175,23 +185,24 @@ std::string progress_in_words(const JsonReader& json) {
   return change.empty() ? text : text + system::printable(change) + "\n";
 }
 
-Result<int> print_answer(const HandInOptions& options, const DeskReply& reply,
+Result<int> print_answer(const HandInOptions& options, const Answer& answer,
                          std::string (*in_words)(const JsonReader&)) {
   if (options.json)
     in_words = [](const JsonReader& json) { return record::json_text(json.json()) + "\n"; };
-  MIROCUP_TRY(const auto text, read_answer(options, reply, in_words));
+  MIROCUP_TRY(const auto text, read_answer(options, answer, in_words));
   std::cout << text;
   return exit_yes;
 }
 
 Result<int> run_hand_in(const HandInOptions& options) {
   MIROCUP_TRY(const auto token, read_token(options.token_file));
-  MIROCUP_TRY(auto client, web::HandInClient::open(options.url, token, options.authority));
+  MIROCUP_TRY(const auto client,
+              web::HttpClient::open(options.url, {.token = token, .authority = options.authority}));
   if (options.progress)
-    return print_answer(options, client->get("/api/v1/friendlies"), progress_in_words);
+    return print_answer(options, client.ask("GET", "/api/v1/friendlies"), progress_in_words);
   if (!options.pin.empty()) {
     const std::string path = "/api/v1/pin?entry=" + system::percent_coded(options.pin);
-    return print_answer(options, client->put(path), pinned_in_words);
+    return print_answer(options, client.ask("PUT", path), pinned_in_words);
   }
   if (options.path.empty()) return fail(Errc::input, "name the file to hand in, or --pin N");
   system::Disk disk;
@@ -202,16 +213,17 @@ Result<int> run_hand_in(const HandInOptions& options) {
     return text_at(json, "why_not");
   };
   MIROCUP_TRY(const auto why,
-              read_answer<std::string>(options, client->get("/api/v1/team"), why_not));
+              read_answer<std::string>(options, client.ask("GET", "/api/v1/team"), why_not));
   if (!why.empty()) return fail(Errc::input, why);
   const std::string name = std::filesystem::path(options.path).filename();
   const std::string path = "/api/v1/entries?name=" + system::percent_coded(name);
   const auto number = [](const JsonReader& json) {
     return json.at("entry").integer(1, max_entries);
   };
-  MIROCUP_TRY(const auto entry, read_answer<int>(options, client->put(path, bytes), number, 202));
+  MIROCUP_TRY(const auto entry,
+              read_answer<int>(options, client.ask("PUT", path, bytes), number, 202));
   std::cerr << "entry " << entry << " was taken" << std::endl;
-  MIROCUP_TRY(const auto report, wait_for_answer(options, *client, entry));
+  MIROCUP_TRY(const auto report, wait_for_answer(options, client, entry));
   std::cout << (options.json ? report.json + "\n" : report.text);
   if (report.state == "void") return exit_code(Errc::host);
   return report.state == "accepted" ? exit_yes : exit_no;

@@ -18,7 +18,6 @@ using std::chrono::duration_cast;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr auto send_patience = 5000ms;         // for a viewer that takes nothing
 constexpr std::size_t max_drained = 1u << 20;  // bytes that nobody reads
 constexpr std::size_t tls_record = 16u << 10;  // bytes
 
@@ -35,6 +34,20 @@ void Connection::allow(std::size_t bytes, std::chrono::seconds time,
   patience_ = patience;
 }
 
+void Connection::allow_sending(std::chrono::seconds patience, steady_clock::time_point end) {
+  send_patience_ = patience;
+  send_end_ = end;
+}
+
+bool Connection::is_at_limit() const {
+  return left_ == 0 || duration_cast<milliseconds>(deadline_ - steady_clock::now()) <= 0ms;
+}
+
+milliseconds Connection::send_time() const {
+  return std::clamp(duration_cast<milliseconds>(send_end_ - steady_clock::now()), 0ms,
+                    send_patience_);
+}
+
 bool Connection::waits_for(short event, milliseconds most) const {
   pollfd waiting{.fd = socket_, .events = event, .revents = 0};
   int ready = 0;
@@ -49,9 +62,9 @@ bool Connection::waits_for(short event, milliseconds most) const {
 bool Connection::is_taking() const {
   int before = 0;
   if (ioctl(socket_, SIOCOUTQ, &before) != 0) return false;
-  while (!waits_for(POLLOUT, send_patience)) {
+  while (!waits_for(POLLOUT, send_time())) {
     int held = 0;
-    if (ioctl(socket_, SIOCOUTQ, &held) != 0 || held >= before) return false;
+    if (ioctl(socket_, SIOCOUTQ, &held) != 0 || held >= before || send_time() == 0ms) return false;
     before = held;
   }
   return true;
@@ -77,7 +90,7 @@ bool Connection::send(std::string_view bytes) {
   while (!bytes.empty()) {
     if (!is_taking()) return false;
     const ssize_t count =
-        tls_ ? tls_->write(bytes.substr(0, tls_record), in_ms(send_patience))
+        tls_ ? tls_->write(bytes.substr(0, tls_record), in_ms(send_time()))
              : ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count <= 0) return false;
     bytes.remove_prefix(static_cast<std::size_t>(count));

@@ -21,11 +21,18 @@ class Connection {
   // the longest silence of the other end.
   void allow(std::size_t bytes, std::chrono::seconds time, std::chrono::seconds patience);
 
+  // Sets the longest time for which the other end may take nothing (otherwise 5 s), and the moment
+  // at which sending ends (otherwise never).
+  void allow_sending(std::chrono::seconds patience, std::chrono::steady_clock::time_point end);
+
+  // True if no byte may come any more, because of the limits of allow().
+  bool is_at_limit() const;
+
   // Returns the number of bytes received, at least one; 0 at the end of the connection, after an
   // error, or at a limit.
   std::size_t receive(char* bytes, std::size_t size);
 
-  // Sends all bytes. Returns false after an error, or if the other end takes nothing for 5 s.
+  // Sends all bytes. Returns false after an error, or at a limit.
   bool send(std::string_view bytes);
 
   // Tells the other end that nothing more is sent, and receives its remaining bytes for at most 1
@@ -34,6 +41,7 @@ class Connection {
   void drain();
 
  private:
+  std::chrono::milliseconds send_time() const;
   bool waits_for(short event, std::chrono::milliseconds most) const;
   bool is_taking() const;
 
@@ -42,6 +50,8 @@ class Connection {
   std::size_t left_ = 0;  // bytes that may still come
   std::chrono::steady_clock::time_point deadline_{};
   std::chrono::milliseconds patience_{};
+  std::chrono::milliseconds send_patience_{5000};
+  std::chrono::steady_clock::time_point send_end_ = std::chrono::steady_clock::time_point::max();
 };
 
 }  // namespace mirocup::web

@@ -4,10 +4,12 @@
 // hand-in that is lost or checked twice when something is killed, a wrong exit code of
 // `mirocup hand-in`, and a client that is not told why its file is not taken. A few kills here;
 // MIROCUP_KILLS=200 build/handin_tests --gtest_filter='*Kills*' for many.
+#include "system/text.hpp"
 #include "tests/programs/league/league_command.hpp"
+#include "web/http/client.hpp"
+#include "web/http/server.hpp"
 
 #include <gtest/gtest.h>
-#include <httplib.h>
 
 #include <algorithm>
 #include <arpa/inet.h>
@@ -15,6 +17,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <random>
 #include <set>
@@ -96,26 +99,27 @@ class HandIn : public testing::Test {
     return run(words);
   }
 
-  ordered_json state_of(const std::string& token, int entry) {
-    httplib::Client client("127.0.0.1", port_);
-    const auto reply = client.Get("/api/v1/entries/" + std::to_string(entry),
-                                  {{"Authorization", "Bearer " + token}});
-    return reply && reply->status == 200 ? ordered_json::parse(reply->body) : ordered_json();
+  // What the server answers to a visitor, or to the owner of a token.
+  web::Answer ask(const std::string& method, const std::string& path, const std::string& token = "",
+                  const std::string& body = "") {
+    const std::string url = "http://127.0.0.1:" + std::to_string(port_);
+    return web::HttpClient::open(url, {.token = token}).value().ask(method, path, body);
   }
 
-  // Returns what the server answers to a visitor, or to the owner of a token.
+  ordered_json state_of(const std::string& token, int entry) {
+    const auto reply = ask("GET", "/api/v1/entries/" + std::to_string(entry), token);
+    return reply.status == 200 ? ordered_json::parse(reply.body) : ordered_json();
+  }
+
   std::string page(const std::string& path, const std::string& token = "") {
-    httplib::Headers headers;
-    if (!token.empty()) headers.emplace("Authorization", "Bearer " + token);
-    const auto reply = httplib::Client("127.0.0.1", port_).Get(path, headers);
-    return reply ? reply->body : "";
+    return ask("GET", path, token).body;
   }
 
   // Sends a form of the staff page.
-  int act(const std::string& token, const httplib::Params& form) {
-    const auto reply = httplib::Client("127.0.0.1", port_)
-                           .Post("/hand-in/staff", {{"Authorization", "Bearer " + token}}, form);
-    return reply ? reply->status : 0;
+  int act(const std::string& token, const std::multimap<std::string, std::string>& form) {
+    std::string text;
+    for (const auto& [key, value] : form) text += key + '=' + system::percent_coded(value) + '&';
+    return ask("POST", "/hand-in/staff", token, text).status;
   }
 
   std::vector<ordered_json> book() {
@@ -141,8 +145,7 @@ TEST_F(HandIn, TellsTheVerdictByOneCommand) {
   EXPECT_NE(accepted.out.find("alpha: entry 2 was accepted"), std::string::npos) << accepted.out;
   EXPECT_NE(accepted.out.find(" against striker as yellow"), std::string::npos) << accepted.out;
   EXPECT_EQ(read_file(folder_ + "/entries/alpha/2/strategy.so"), read_file(house("striker")));
-  const auto icon = httplib::Client("127.0.0.1", port_).Get("/favicon.ico");
-  EXPECT_TRUE(icon && icon->status == 200) << "each page of a browser asks for it";
+  EXPECT_EQ(ask("GET", "/favicon.ico").status, 200) << "each page of a browser asks for it";
   // A team with a token joins with its first good entry.
   const Outcome joined = hand_in("gamma", house("navigator"), {"--json"});
   EXPECT_EQ(joined.exit_code, 0) << joined.err;
@@ -359,12 +362,8 @@ TEST_F(HandIn, ShowsThoughtsToTheirTeamAndTheStaffOnly) {
   ASSERT_EQ(run(league("start", folder_, {"--jobs", "1"})).exit_code, 0);
   ASSERT_EQ(run(league("publish", folder_)).exit_code, 0);
   serve();
-  httplib::Client client("127.0.0.1", port_);
   const auto get = [&](const std::string& path, const std::string& token) {
-    httplib::Headers headers;
-    if (!token.empty()) headers.emplace("Authorization", "Bearer " + token);
-    const auto reply = client.Get(path, headers);
-    return reply ? *reply : httplib::Response{};
+    return ask("GET", path, token);
   };
   const auto legs = ordered_json::parse(get("/api/v1/legs", alpha).body)["legs"];
   ASSERT_EQ(legs.size(), 2u);
@@ -416,14 +415,12 @@ TEST_F(HandIn, IsEncrypted) {
   const Outcome accepted = hand_in("alpha", house("striker"), {"--ca", certificate});
   EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
   EXPECT_EQ(hand_in("alpha", house("idle")).exit_code, 3) << "nobody has signed for this server";
-  httplib::Client plain("127.0.0.1", port_);
   // More than once: the server writes why to a viewer that is gone, which must not end it.
-  for (int i = 0; i < 30; ++i) EXPECT_FALSE(plain.Get("/")) << "without TLS there is no page";
-  httplib::SSLClient browser("127.0.0.1", port_);
-  browser.enable_server_certificate_verification(false);
-  const auto page = browser.Get("/hand-in");
-  ASSERT_TRUE(page);
-  EXPECT_NE(page->body.find("Token of your team"), std::string::npos);
+  for (int i = 0; i < 30; ++i)
+    EXPECT_EQ(ask("GET", "/").status, 0) << "without TLS there is no page";
+  const auto browser = web::HttpClient::open(url_, {.authority = certificate});
+  EXPECT_NE(browser.value().ask("GET", "/hand-in").body.find("Token of your team"),
+            std::string::npos);
 
   const Outcome swapped = run(league("serve", folder_, {"--tls", key, certificate}));
   EXPECT_EQ(swapped.exit_code, 2) << swapped.err;
@@ -464,34 +461,13 @@ class OtherServer {
  public:
   OtherServer() {
     write_file(temporary_ / "token", std::string(26, 'A'));
-    const auto give = [](std::string& body, int status) {
-      return [&body, status](const httplib::Request&, httplib::Response& response) {
-        response.status = status;
-        response.set_content(body, "application/json");
-      };
-    };
-    server_.Get("/api/v1/team", give(team, 200));
-    server_.Put("/api/v1/entries", give(taken, 202));
-    server_.Put("/api/v1/pin", give(pinned, 200));
-    server_.Get("/api/v1/friendlies", give(friendlies, 200));
-    server_.Get("/api/v1/entries/1", [this](const httplib::Request&, httplib::Response& response) {
-      if (asked++ > 0) shortest = std::min(shortest, std::chrono::steady_clock::now() - answered_);
-      response.set_content(asked <= waiting ? R"({"state": "queued", "before": 0})" : entry,
-                           "application/json");
-      answered_ = std::chrono::steady_clock::now();
-    });
-    url_ = "http://127.0.0.1:" + std::to_string(server_.bind_to_any_port("127.0.0.1"));
-    thread_ = std::thread([this] { server_.listen_after_bind(); });
-  }
-  ~OtherServer() {
-    server_.stop();
-    thread_.join();
+    EXPECT_TRUE(server_.listen({}, "--at"));
   }
   OtherServer(const OtherServer&) = delete;
   OtherServer& operator=(const OtherServer&) = delete;
 
   Outcome hand_in(const std::vector<std::string>& more) const {
-    std::vector<std::string> words{program("mirocup"), "hand-in", url_, "--token-file",
+    std::vector<std::string> words{program("mirocup"), "hand-in", server_.url(), "--token-file",
                                    temporary_ / "token"};
     words.insert(words.end(), more.begin(), more.end());
     return run(words);
@@ -508,11 +484,23 @@ class OtherServer {
   std::chrono::steady_clock::duration shortest = std::chrono::hours(1);
 
  private:
+  web::Reply answer(const web::Request& request, const web::Body& body) {
+    if (request.method == "PUT") body([](std::string_view) { return true; });
+    if (request.path == "/api/v1/team") return {.bytes = team};
+    if (request.path == "/api/v1/entries") return {.status = 202, .bytes = taken};
+    if (request.path == "/api/v1/pin") return {.bytes = pinned};
+    if (request.path == "/api/v1/friendlies") return {.bytes = friendlies};
+    if (request.path != "/api/v1/entries/1") return {.status = 404};
+    if (asked++ > 0) shortest = std::min(shortest, std::chrono::steady_clock::now() - answered_);
+    answered_ = std::chrono::steady_clock::now();
+    return {.bytes = asked <= waiting ? R"({"state": "queued", "before": 0})" : entry};
+  }
+
   TemporaryFolder temporary_;
-  std::string url_;
-  httplib::Server server_;
-  std::thread thread_;
   std::chrono::steady_clock::time_point answered_;
+  web::HttpServer server_{
+      [this](const web::Request& request, const web::Body& body) { return answer(request, body); },
+      {.bodies = {.max_upload = 32u << 20}}};
 };
 
 // Catches a value of another type that ends the client by an exception, and one that it believes.
@@ -640,11 +628,9 @@ TEST_F(HandIn, LosesAndDoublesNothingByKills) {
       // Good and bad files, each with bytes of its own.
       std::string bytes = number % 2 == 0 ? read_file(house("chaser")) : "no library";
       bytes += std::to_string(number++);
-      httplib::Client client("127.0.0.1", port_);
-      const auto reply = client.Put("/api/v1/entries", {{"Authorization", "Bearer " + token}},
-                                    bytes, "application/octet-stream");
-      if (!reply || reply->status != 202) continue;  // killed, or the team has had enough
-      const int entry = ordered_json::parse(reply->body)["entry"].get<int>();
+      const auto reply = ask("PUT", "/api/v1/entries", token, bytes);
+      if (reply.status != 202) continue;  // killed, or the team has had enough
+      const int entry = ordered_json::parse(reply.body)["entry"].get<int>();
       EXPECT_TRUE(taken.emplace(std::pair(team, entry), bytes).second) << "numbered twice";
     }
     usleep(static_cast<useconds_t>(random() % 200'000));
