@@ -182,10 +182,6 @@ Result<OpenFile> open_file(const std::string& path, const ReadOptions& options) 
   if (file.size > options.max_size)
     return wrong(path, "it is larger than " + size_text(options.max_size) +
                            std::string(options.if_too_large));
-  file.owner = about.st_uid;
-  file.names = about.st_nlink;
-  file.inode = about.st_ino;
-  file.changed = ns_of(about.st_ctim);
   file.modified = ns_of(about.st_mtim);
   return file;
 }

@@ -67,10 +67,6 @@ struct OpenFile {
   ReadOptions options;
   Descriptor descriptor{};
   std::uint64_t size = 0;     // bytes
-  uid_t owner = 0;            // the user who owns the file
-  std::uint64_t names = 1;    // number of hard links
-  std::uint64_t inode = 0;    // identifies the file, together with `changed`
-  std::int64_t changed = 0;   // ns since 1970 of the last change, also of its owner and names
   std::int64_t modified = 0;  // ns since 1970 of the last change of its bytes
 };
 

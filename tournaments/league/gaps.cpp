@@ -32,7 +32,8 @@ int cut_number(std::string& name) {
 
 // Compares records with the schedule. In a format that takes entries, lines of the journal make the
 // fixtures. In other formats, a result that was taken back may have made a fixture for a time.
-void look_at_records(const std::vector<std::string>& names, const LeagueState& state, Gaps& gaps) {
+void look_at_records(const std::vector<std::string>& names, const LeagueState& state,
+                     std::vector<std::string>& lost, std::vector<std::string>& not_booked) {
   const bool lines_make_fixtures = !state.is_started || state.file.format.takes_entries();
   for (const std::string& name : names) {
     if (name.starts_with('.') || !name.ends_with(".json")) continue;
@@ -49,10 +50,10 @@ void look_at_records(const std::vector<std::string>& names, const LeagueState& s
     const int last = f == nullptr ? 0 : f->legs[leg - 1].version;
     if (f == nullptr ? lines_make_fixtures
                      : version > last + std::ranges::count_if(state.decisions, was_voided)) {
-      gaps.unknown.push_back("records/" + name);
+      lost.push_back("records/" + name);
     } else if (f == nullptr ||
                (version == last && leg <= f->needed() && !f->legs[leg - 1].played)) {
-      gaps.not_booked.push_back("records/" + name);
+      not_booked.push_back("records/" + name);
     }
   }
 }
@@ -95,6 +96,7 @@ Result<Gaps> gaps(system::Files& files, const LeagueStore& store, bool is_being_
     if (!is_file(path + "/" + name)) gaps.missing.push_back(name);
   }
   if (is_being_played) return gaps;
+  std::vector<std::string> lost;  // nights and records of lost lines
   // Only the host may look at the nights.
   const auto nights = files.names_if_there(store.folder().nights());
   for (const std::string& name : nights.value_or(std::vector<std::string>{})) {
@@ -103,12 +105,13 @@ Result<Gaps> gaps(system::Files& files, const LeagueStore& store, bool is_being_
                           fs::file_type::directory;
     const int number = system::number_of<int>(name).value_or(0);
     if (is_night && number > static_cast<int>(store.state().nights.size()))
-      gaps.unknown.push_back("nights/" + name);
+      lost.push_back("nights/" + name);
   }
   MIROCUP_TRY(const auto records, files.names_if_there(path + "/records"));
-  look_at_records(records, store.state(), gaps);
-  if (gaps.lost.empty() && !gaps.unknown.empty())
-    gaps.lost = store.journal().path() + ": the lines of " + listed(gaps.unknown) + " are lost" +
+  look_at_records(records, store.state(), lost, gaps.not_booked);
+  gaps.not_booked.insert(gaps.not_booked.begin(), lost.begin(), lost.end());
+  if (gaps.lost.empty() && !lost.empty())
+    gaps.lost = store.journal().path() + ": the lines of " + listed(lost) + " are lost" +
                 restore_journal +
                 "; if no copy has these lines, move these files out of the league's folder";
   return gaps;
@@ -117,7 +120,7 @@ Result<Gaps> gaps(system::Files& files, const LeagueStore& store, bool is_being_
 std::vector<std::string> Gaps::in_words() const {
   std::vector<std::string> sentences;
   if (!lost.empty()) sentences.push_back(lost);
-  if (!not_booked.empty())
+  if (lost.empty() && !not_booked.empty())
     sentences.push_back("the journal does not have the legs of " + listed(not_booked) +
                         ": the next start of the league enters them");
   if (!missing.empty())

@@ -149,10 +149,8 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
   compare_with_journal(store, legs, *done);
   MIROCUP_TRY(const auto found, gaps(files, store, is_being_played(store.folder())));
   if (!found.lost.empty()) done->problems.push_back({"journal.jsonl", found.lost, exit_no});
-  for (const auto& unknown : {found.unknown, found.not_booked}) {
-    for (const std::string& path : unknown)
-      done->problems.push_back({path, "the journal has no line of it", exit_no});
-  }
+  for (const std::string& path : found.not_booked)
+    done->problems.push_back({path, "the journal has no line of it", exit_no});
   return done;
 }
 

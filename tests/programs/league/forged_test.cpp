@@ -12,21 +12,11 @@
 #include <filesystem>
 #include <functional>
 
-namespace mirocup {
+namespace mirocup::test_support {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using test_support::count_kind;
-using test_support::init_league;
-using test_support::journal_of;
-using test_support::league;
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_file;
-using test_support::read_json;
-using test_support::run;
-using test_support::TemporaryFolder;
 
 using Change = std::function<void(Json&)>;
 
@@ -37,7 +27,7 @@ void forge(const std::string& path, const Change& change) {
   change(json);
   std::string text = record::json_text(json, 1);
   text.resize(text.rfind("\n}"));
-  test_support::write_file(path, text + ",\n \"sha256\": \"" + system::sha256(text) + "\"\n}\n");
+  write_file(path, text + ",\n \"sha256\": \"" + system::sha256(text) + "\"\n}\n");
 }
 
 void say_nine_goals(Json& json) {
@@ -50,8 +40,7 @@ void say_nine_goals(Json& json) {
 Change exchange_replay(const std::string& folder, const std::string& other) {
   return [folder, other](Json& json) {
     const std::string bytes = read_file(folder + "/records/" + other);
-    test_support::write_file(folder + "/records/" + json["replay"]["file"].get<std::string>(),
-                             bytes);
+    write_file(folder + "/records/" + json["replay"]["file"].get<std::string>(), bytes);
     json["replay"]["sha256"] = system::sha256(bytes);
   };
 }
@@ -202,4 +191,4 @@ TEST_F(ForgedRecords, AreLeftOutOfThePages) {
 }
 
 }  // namespace
-}  // namespace mirocup
+}  // namespace mirocup::test_support

@@ -13,19 +13,10 @@
 #include <filesystem>
 #include <map>
 
-namespace mirocup {
+namespace mirocup::test_support {
 namespace {
 
 namespace fs = std::filesystem;
-
-using test_support::house;
-using test_support::init_league;
-using test_support::league;
-using test_support::Outcome;
-using test_support::read_file;
-using test_support::run;
-using test_support::TemporaryFolder;
-using test_support::write_file;
 
 // Everything below a folder: the bytes and permissions of files, the targets of links.
 std::map<std::string, std::string> content_of(const std::string& folder) {
@@ -276,4 +267,4 @@ TEST_F(SiteElsewhere, IsNoFolderOfTheHost) {
 }
 
 }  // namespace
-}  // namespace mirocup
+}  // namespace mirocup::test_support

@@ -15,20 +15,10 @@
 #include <thread>
 #include <unistd.h>
 
-namespace mirocup {
+namespace mirocup::test_support {
 namespace {
 
 namespace fs = std::filesystem;
-using test_support::house;
-using test_support::init_league;
-using test_support::league;
-using test_support::Outcome;
-using test_support::read_file;
-using test_support::read_json;
-using test_support::run;
-using test_support::Running;
-using test_support::TemporaryFolder;
-using test_support::write_file;
 
 class Submit : public testing::Test {
  protected:
@@ -234,4 +224,4 @@ TEST_F(Submit, CannotBeLockedByAReader) {
 }
 
 }  // namespace
-}  // namespace mirocup
+}  // namespace mirocup::test_support
