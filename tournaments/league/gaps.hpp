@@ -14,8 +14,8 @@ namespace mirocup::league {
 
 struct Gaps {
   std::string lost;  // why lines of the journal are lost, with a remedy; "": none are
-  // Records and nights without a line in the journal: paths inside the league. If no lines are lost,
-  // the next start of the league enters these records into the journal.
+  // Records and nights without a line in the journal: paths inside the league. If no lines are
+  // lost, the next start of the league enters these records into the journal.
   std::vector<std::string> not_booked;
   // Files that the journal names, and that are missing or no regular files.
   std::vector<std::string> missing;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a client that waits for ever, takes what is no answer for one, follows a server to another
+// Catches a client that waits for ever, takes other bytes for an answer, follows a server to another
 // place, or believes a server with a certificate of somebody else.
 #include "web/http/client.hpp"
 
@@ -21,7 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A server that sends the same bytes to its client, whatever the client asks for, and then says that
+// A server that sends the same bytes to its client, whatever the client asks for, and then says
 // this is all, or first waits until the client is gone. With `again` it repeats the bytes.
 class Bytes {
  public:
