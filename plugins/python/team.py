@@ -28,28 +28,6 @@ import os
 import struct
 from collections import namedtuple
 
-__all__ = ["Setup", "Observation", "Team", "Placement", "Point", "dot", "length", "unit", "ball",
-           "ball_velocity", "position", "wrapped", "wheels_for", "turn_to", "drive_to", "drive_to_pose",
-           "ball_after", "elbow_room", "behind_ball", "inside", "meeting_point", "squared", "drive_round",
-           "drive_clear", "slide_to", "keep_out", "make_way", "is_stuck", "without_pushing", "out_of_area",
-           "keep_laws", "rolls_into_own_goal", "would_turn_ball_in", "avoid_own_goals", "kick_to",
-           "must_kick_off", "kick_off", "middle_of_goal_view", "free_ball", "keep_goal", "nose_of",
-           "speed_ahead", "greatest_speed", "when_commanded", "wheels_turning_first", "turn_for",
-           "turn_quickly", "head_for", "drive_quickly", "take_pose", "moving_ball", "rolled", "time_at_x",
-           "intercept", "rough_meeting", "follow_line", "shoot", "open_corner", "run_up", "must_take_kick",
-           "field_heading", "around", "round_others", "follow_heading", "follow_field", "shooting_aim",
-           "shot_of", "through", "pose_at_ball", "attack_ball_at", "attack_ball", "supporting_place",
-           "y_on_line", "y_of_coming_shot", "cover_point", "guard_goal", "rough_guard", "holding_y",
-           "hold_goal", "lies_in_area", "slide_quickly", "push_outwards", "return_to", "has_ball",
-           "spare_keeper", "must_leave_area", "leave_area", "time_behind", "cheapest_robot",
-           "assign_places", "worth_of", "time_to_get_behind", "out_of_reach", "draw_role", "draw_target",
-           "draw_shot", "Filter", "PenaltyTaker", "sent_wheels", "robot_after", "driven_wheels", "Tracker",
-           "Scene", "Simulator", "Robot", "Pose", "Counts", "Wheels", "Ball", "Shot", "Crossing",
-           "Interception", "Predicted", "SMALL", "MIDDLE", "LARGE", "BLUE", "YELLOW", "READY", "PLAY",
-           "OVER", "FIRST_HALF", "SECOND_HALF", "EXTRA_TIME", "SHOOT_OUT", "NO_RESTART", "KICK_OFF",
-           "GOAL_KICK", "PENALTY_KICK", "FREE_BALL", "FREE_KICK", "sin", "cos", "tan", "asin", "acos",
-           "atan", "atan2", "hypot", "exp", "log"]
-
 SMALL, MIDDLE, LARGE = range(3)  # setup.league
 BLUE, YELLOW = range(2)  # setup.team
 READY, PLAY, OVER = range(3)  # now.state
@@ -1083,6 +1061,8 @@ class Simulator(_Handle):
         return Predicted(tick.own, tick.opponent, tick.last, tick.events)
 
 
+__all__ = [name for name, value in globals().items()
+           if name[0] != "_" and not isinstance(value, type(math)) and name not in ("namedtuple", "MAX_ROBOTS")]
 
 # What follows is between the program that plays the team and the classes above: errors as sentences.
 # A team does not need it.
