@@ -3,9 +3,9 @@
 // The subcommand compare.
 #include "programs/league/commands.hpp"
 #include "programs/league/progress_bar.hpp"
+#include "record/csv_rows.hpp"
 #include "record/json_reader.hpp"
 #include "record/rules_json.hpp"
-#include "system/csv.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/event.hpp"
@@ -173,35 +173,37 @@ Json pair_json(const PairComparison& pair, const ComparisonRun& run) {
           {"results", results}};
 }
 
-std::string csv_elo(double elo) {
-  return std::isinf(elo) ? std::string() : std::to_string(std::lround(elo));
+// CSV has whole numbers of Elo.
+Json rounded(Json elo) {
+  for (Json& number : elo)
+    number = number.is_null() ? number : Json(std::lround(number.get<double>()));
+  return elo;
 }
 
 std::string pairs_csv(const std::vector<PairComparison>& pairs, const ComparisonRun& run) {
-  std::vector<std::string> cells{
-      "A",       "B",        "verdict", "copies", "fixtures", "distinct_legs", "elo",
-      "elo_low", "elo_high", "won",     "level",  "lost",     "goals_A",       "goals_B"};
+  std::vector<std::string> columns{"A",
+                                   "B",
+                                   "verdict",
+                                   "copies",
+                                   "fixtures",
+                                   "distinct_legs",
+                                   "elo=difference/elo",
+                                   "elo_low=difference/low",
+                                   "elo_high=difference/high",
+                                   "won",
+                                   "level",
+                                   "lost",
+                                   "goals_A=goals/A/all",
+                                   "goals_B=goals/B/all"};
   for (const char* team : {"A", "B"}) {
-    for (const auto kind : enum_names<match::GoalKind>)
-      cells.push_back(std::string(kind) + "_" + team);
+    for (const auto name : enum_names<match::GoalKind>)
+      columns.push_back(
+          system::formatted("%s_%s=goals/%s/kinds/%s", name.data(), team, team, name.data()));
   }
-  std::string text = system::csv_line(cells);
-  for (const PairComparison& pair : pairs) {
-    const PairReport r = report_of(pair, run);
-    cells = {r.names[0], r.names[1], std::string(to_string(pair.verdict)),
-             pair.is_of_copies ? "yes" : "no"};
-    for (const int number : {static_cast<int>(pair.fixtures.size()), pair.distinct_legs()})
-      cells.push_back(std::to_string(number));
-    for (const double elo : {r.difference.value, r.difference.low, r.difference.high})
-      cells.push_back(csv_elo(elo));
-    for (const int number : {r.won, r.level, r.lost, r.goals[0], r.goals[1]})
-      cells.push_back(std::to_string(number));
-    for (const auto& kinds : r.kinds) {
-      for (const int goals : kinds) cells.push_back(std::to_string(goals));
-    }
-    text += system::csv_line(cells);
-  }
-  return text;
+  Json rows = Json::array();
+  for (const PairComparison& pair : pairs) rows.push_back(pair_json(pair, run));
+  for (Json& row : rows) row["difference"] = rounded(row["difference"]);
+  return record::csv_of(rows, columns);
 }
 
 // A row of the rated table, the strongest team first.
@@ -278,20 +280,14 @@ Json table_json(const std::vector<RatedTeam>& table, const ComparisonRun& run) {
 }
 
 std::string table_csv(const std::vector<RatedTeam>& table, const ComparisonRun& run) {
-  std::string text =
-      system::csv_line({"rank", "team", "strength", "strength_low", "strength_high", "won", "level",
-                        "lost", "goals", "goals_against", "legs_to_tell"});
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const RatedTeam& row = table[i];
-    std::vector<std::string> cells{std::to_string(i + 1), run.teams[row.team]};
-    for (const double elo : {row.strength.value, row.strength.low, row.strength.high})
-      cells.push_back(csv_elo(elo));
-    for (const int number : {row.won, row.level, row.lost, row.goals, row.goals_against})
-      cells.push_back(std::to_string(number));
-    cells.push_back(row.legs_to_tell ? std::to_string(*row.legs_to_tell) : "");
-    text += system::csv_line(cells);
+  Json rows = table_json(table, run);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i]["rank"] = i + 1;
+    rows[i]["strength"] = rounded(rows[i]["strength"]);
   }
-  return text;
+  return record::csv_of(rows, {"rank", "team", "strength=strength/value",
+                               "strength_low=strength/low", "strength_high=strength/high", "won",
+                               "level", "lost", "goals", "goals_against", "legs_to_tell"});
 }
 
 void print(const std::vector<PairComparison>& pairs, const ComparisonRun& run,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "programs/mirocup/drill_report.hpp"
 
-#include "system/csv.hpp"
+#include "record/csv_rows.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
 #include "web/design/template.hpp"
@@ -108,25 +108,21 @@ Json json_of(const std::vector<DrillReport>& reports) {
 }
 
 std::string csv_of(const std::vector<DrillReport>& reports) {
-  using system::csv_line;
-  std::string text =
-      csv_line({"team", "drill", "score", "low", "high", "tries", "failed_seeds", "version"});
+  Json rows = Json::array();
   for (const DrillReport& report : reports) {
+    Json all{{"team", report.team}, {"name", "all"}, {"score", to_a_tenth(report.score())}};
     std::size_t tries = 0;
-    for (std::size_t i = 0; i < report.drills.size(); ++i) {
-      const Score score = score_of(report.tries[i]);
-      tries += report.tries[i].size();
-      std::string seeds;
-      for (const std::uint64_t seed : failed_seeds(report.tries[i]))
-        seeds += (seeds.empty() ? "" : " ") + std::to_string(seed);
-      text += csv_line({report.team, report.drills[i]->name, formatted("%.1f", score.value),
-                        formatted("%.1f", score.low), formatted("%.1f", score.high),
-                        std::to_string(report.tries[i].size()), seeds,
-                        std::to_string(report.drills[i]->version)});
+    Json drills = json_of(report)["drills"];
+    for (Json& drill : drills) {
+      tries += drill["tries"].get<std::size_t>();
+      drill["team"] = report.team;
+      rows.push_back(drill);
     }
-    text += csv_line({report.team, "all", formatted("%.1f", report.score()), "", "",
-                      std::to_string(tries), "", ""});
+    all["tries"] = tries;
+    rows.push_back(all);
   }
+  std::string text = record::csv_of(
+      rows, {"team", "drill=name", "score", "low", "high", "tries", "failed_seeds", "version"});
   std::erase(text, '\r');
   return text;
 }

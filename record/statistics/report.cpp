@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "record/statistics/report.hpp"
 
+#include "record/csv_rows.hpp"
 #include "record/json_reader.hpp"
 #include "record/statistics/advice.hpp"
 #include "record/statistics/statistics_json.hpp"
-#include "system/csv.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
 
@@ -21,10 +21,6 @@ constexpr std::size_t max_examples = 3;  // of legs in which a goal fell in some
 
 std::string fixed(double value, int digits) {
   return system::formatted("%.*f", digits, value);
-}
-
-std::string exact(double value) {
-  return record::json_text(Json(value));
 }
 
 // A table for a terminal: the first column to the left, the others to the right.
@@ -202,53 +198,43 @@ static std::string numbers_text(const std::vector<LegReport>& legs) {
   return text + table_text(rows) + "\n" + table_text(kinds) + "\n" + fouls + advice;
 }
 
+// A row of a leg and one of its teams.
+static Json row_of(const LegReport& leg, Team team) {
+  return {{"record", leg.record},
+          {"leg", leg.leg},
+          {"team", leg.names[index_of(team)]},
+          {"colour", to_string(team)},
+          {"opponent", leg.names[index_of(opponent_of(team))]}};
+}
+
 std::string numbers_csv(const std::vector<LegReport>& legs) {
-  std::vector<std::string> head{
+  std::vector<std::string> columns{
       "record",    "leg",           "team",         "colour",        "opponent",
       "goals",     "against",       "shots",        "shots_on_goal", "saves",
       "passes",    "interceptions", "possession_s", "possession",    "opponent_half_s",
       "territory", "losses",        "duels",        "duels_won",     "distance_m",
       "play_s",    "dead_ball_s",   "stoppages",    "fouls"};
-  for (const auto name : enum_names<GoalOrigin>) head.push_back("goals_" + std::string(name));
-  for (const auto name : enum_names<Third>) head.push_back("losses_" + std::string(name));
-  for (const auto name : enum_names<referee::Law>) head.push_back("fouls_" + std::string(name));
-  std::string text = system::csv_line(head);
+  const auto add = [&columns](const std::string& kind, const char* by, const auto& names) {
+    for (const std::string_view name : names)
+      columns.push_back(kind + "_" + std::string(name) + "=" + kind + by + std::string(name));
+  };
+  add("goals", "_by_kind/", enum_names<GoalOrigin>);
+  add("losses", "_by_third/", enum_names<Third>);
+  add("fouls", "_by_law/", enum_names<referee::Law>);
+  Json rows = Json::array();
   for (const LegReport& leg : legs) {
-    const LegStatistics& s = leg.statistics;
+    const Json all = to_json(leg);
     for (const Team team : both_teams) {
-      const TeamStatistics& own = s.teams[index_of(team)];
-      const TeamStatistics& other = s.teams[index_of(opponent_of(team))];
-      const auto share_cell = [](double one, double two) {
-        const auto value = share(one, two);
-        return value ? fixed(*value, 4) : std::string();
-      };
-      std::vector<std::string> cells{leg.record, leg.leg, leg.names[index_of(team)],
-                                     std::string(to_string(team)),
-                                     leg.names[index_of(opponent_of(team))]};
-      for (const int number : {own.all_goals(), other.all_goals(), own.shots, own.shots_on_goal,
-                               own.saves, own.passes, own.interceptions}) {
-        cells.push_back(std::to_string(number));
-      }
-      cells.push_back(exact(own.possession_s));
-      cells.push_back(share_cell(own.possession_s, other.possession_s));
-      cells.push_back(exact(own.opponent_half_s));
-      cells.push_back(share_cell(own.opponent_half_s, other.opponent_half_s));
-      for (const int number : {own.all_losses(), s.duels, own.duels_won}) {
-        cells.push_back(std::to_string(number));
-      }
-      for (const double number : {own.distance_m, s.play_s, s.dead_ball_s}) {
-        cells.push_back(exact(number));
-      }
-      for (const int number : {s.stoppages, own.all_fouls()}) {
-        cells.push_back(std::to_string(number));
-      }
-      for (const int number : own.goals) cells.push_back(std::to_string(number));
-      for (const int number : own.losses) cells.push_back(std::to_string(number));
-      for (const int number : own.fouls) cells.push_back(std::to_string(number));
-      text += system::csv_line(cells);
+      Json& row = rows.emplace_back(all["teams"][std::string(to_string(team))]);
+      row.update(row_of(leg, team));
+      row["against"] = leg.statistics.teams[index_of(opponent_of(team))].all_goals();
+      for (const char* key : {"duels", "play_s", "dead_ball_s", "stoppages"}) row[key] = all[key];
+      for (const char* key : {"possession", "territory"})
+        if (!row[key].is_null()) row[key] = fixed(row[key].get<double>(), 4);
+      for (const auto law : enum_names<referee::Law>) row["fouls_by_law"].emplace(law, 0);
     }
   }
-  return text;
+  return record::csv_of(rows, columns);
 }
 
 std::string goals_text(const std::vector<LegReport>& legs, const std::string& only) {
@@ -270,43 +256,34 @@ std::string goals_text(const std::vector<LegReport>& legs, const std::string& on
 }
 
 std::string goals_csv(const std::vector<LegReport>& legs) {
-  std::string text =
-      system::csv_line({"record", "leg", "tick", "seconds", "event", "team", "colour", "opponent",
-                        "kind", "restart", "restart_law", "since_restart_s", "loss_tick",
-                        "loss_kind", "loss_third", "loss_x", "loss_y"});
+  Json rows = Json::array();
   for (const LegReport& leg : legs) {
-    const auto line = [&](std::uint32_t tick, const char* event, Team team,
-                          std::vector<std::string> rest) {
-      std::vector<std::string> cells{leg.record,
-                                     leg.leg,
-                                     std::to_string(tick),
-                                     fixed(tick * leg.control_period, 3),
-                                     event,
-                                     leg.names[index_of(team)],
-                                     std::string(to_string(team)),
-                                     leg.names[index_of(opponent_of(team))]};
-      rest.resize(9);
-      cells.insert(cells.end(), rest.begin(), rest.end());
-      text += system::csv_line(cells);
+    const auto add = [&](const char* event, Team team, std::uint32_t tick) -> Json& {
+      Json& row = rows.emplace_back(row_of(leg, team));
+      row.update(
+          {{"event", event}, {"tick", tick}, {"seconds", fixed(tick * leg.control_period, 3)}});
+      return row;
     };
     for (const Goal& goal : leg.statistics.goals) {
-      std::vector<std::string> rest{
-          std::string(to_string(goal.origin)), std::string(to_string(goal.restart)),
-          std::string(to_string(goal.restart_law)), exact(goal.since_restart)};
-      if (goal.loss) {
-        rest.insert(rest.end(),
-                    {std::to_string(goal.loss->tick), std::string(to_string(goal.loss->kind)),
-                     std::string(to_string(goal.loss->third)), fixed(goal.loss->place.x(), 3),
-                     fixed(goal.loss->place.y(), 3)});
-      }
-      line(goal.tick, "goal", goal.team, std::move(rest));
+      Json& row = add("goal", goal.team, goal.tick);
+      row.update({{"kind", to_string(goal.origin)},
+                  {"restart", to_string(goal.restart)},
+                  {"restart_law", to_string(goal.restart_law)},
+                  {"since_restart_s", goal.since_restart}});
+      if (const auto& loss = goal.loss)
+        row.update({{"loss_tick", loss->tick},
+                    {"loss_kind", to_string(loss->kind)},
+                    {"loss_third", to_string(loss->third)},
+                    {"loss_x", fixed(loss->place.x(), 3)},
+                    {"loss_y", fixed(loss->place.y(), 3)}});
     }
-    for (const Foul& foul : leg.statistics.fouls) {
-      line(foul.tick, "foul", foul.team,
-           {std::string(to_string(foul.law)), std::string(to_string(foul.restart))});
-    }
+    for (const Foul& foul : leg.statistics.fouls)
+      add("foul", foul.team, foul.tick)
+          .update({{"kind", to_string(foul.law)}, {"restart", to_string(foul.restart)}});
   }
-  return text;
+  return record::csv_of(rows, {"record", "leg", "tick", "seconds", "event", "team", "colour",
+                               "opponent", "kind", "restart", "restart_law", "since_restart_s",
+                               "loss_tick", "loss_kind", "loss_third", "loss_x", "loss_y"});
 }
 
 Result<std::string> report(std::vector<LegReport> legs, const ReportOptions& options) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/exports.hpp"
 
+#include "record/csv_rows.hpp"
 #include "record/json_reader.hpp"
-#include "system/csv.hpp"
 #include "tournaments/league/league_state.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/replay_pages.hpp"
@@ -174,8 +174,8 @@ Json bracket_json(const LeagueState& state) {
   return BracketTables(state).make();
 }
 
+using record::csv_of;
 using record::or_null;
-using system::csv_line;
 
 // Returns how many legs would tell the team of a row from the next one: nothing for the last row,
 // and if it takes too many.
@@ -184,48 +184,8 @@ std::optional<int> legs_to_next(const Overview& o, std::size_t row) {
   return legs_to_tell(o.ratings, o.table[row].team, o.table[row + 1].team);
 }
 
-std::string table_csv(const Overview& o) {
-  std::string text =
-      csv_line({"rank", "team", "played", "won", "drawn", "lost", "goals_for", "goals_against",
-                "goal_difference", "points", "penalties", "separated_by", "strength",
-                "strength_low", "strength_high", "legs_to_tell"});
-  for (std::size_t i = 0; i < o.table.size(); ++i) {
-    const TableRow& row = o.table[i];
-    const Strength& strength = o.ratings.strengths[row.team];
-    const auto legs = legs_to_next(o, i);
-    text += csv_line(
-        {std::to_string(i + 1), o.state.name(row.team), std::to_string(row.played),
-         std::to_string(row.won), std::to_string(row.drawn), std::to_string(row.lost),
-         std::to_string(row.goals_for), std::to_string(row.goals_against),
-         std::to_string(row.difference()), std::to_string(row.points),
-         std::to_string(row.penalties), row.separated_by,
-         std::to_string(std::lround(strength.value)), std::to_string(std::lround(strength.low)),
-         std::to_string(std::lround(strength.high)), legs ? std::to_string(*legs) : std::string()});
-  }
-  return text;
-}
-
 std::string fault_text(const PlayedLeg& leg) {
   return leg.fault ? leg.fault->summary() : "";
-}
-
-std::string legs_csv(const Overview& o) {
-  std::string text = csv_line({"fixture", "round", "leg", "home", "away", "home_goals",
-                               "away_goals", "end", "fault", "ruling", "record"});
-  for (const LegView& leg : o.legs) {
-    std::vector<std::string> cells{leg.fixture, leg.round, std::to_string(leg.leg),
-                                   o.state.name(leg.home), o.state.name(leg.away)};
-    if (leg.played == nullptr) {
-      cells.resize(11);
-    } else {
-      const PlayedLeg& p = *leg.played;
-      cells.insert(cells.end(),
-                   {std::to_string(p.result.home_goals), std::to_string(p.result.away_goals),
-                    std::string(to_string(p.end)), fault_text(p), p.ruling, p.record});
-    }
-    text += csv_line(cells);
-  }
-  return text;
 }
 
 Json legs_json(const Overview& o) {
@@ -252,13 +212,18 @@ Json legs_json(const Overview& o) {
   return {{"title", o.state.file.title}, {"legs", legs}};
 }
 
-std::string decisions_csv(const LeagueState& state) {
-  std::string text = csv_line({"number", "at", "by", "kind", "what", "why", "undone_by"});
+Json decision_rows(const LeagueState& state) {
+  Json decisions = Json::array();
   for (const DecisionView& d : decision_views(state)) {
-    text += csv_line({std::to_string(d.number), d.at, d.by, std::string(d.kind), d.what, d.why,
-                      d.undone_by == 0 ? "" : std::to_string(d.undone_by)});
+    decisions.push_back({{"number", d.number},
+                         {"at", or_null(d.at)},
+                         {"by", or_null(d.by)},
+                         {"kind", d.kind},
+                         {"what", d.what},
+                         {"why", d.why},
+                         {"undone_by", d.undone_by == 0 ? Json() : Json(d.undone_by)}});
   }
-  return text;
+  return decisions;
 }
 
 Json crosstable_json(const Overview& o) {
@@ -277,17 +242,8 @@ Json crosstable_json(const Overview& o) {
 }  // namespace
 
 std::string decisions_json(const LeagueState& state) {
-  Json decisions = Json::array();
-  for (const DecisionView& d : decision_views(state)) {
-    decisions.push_back({{"number", d.number},
-                         {"at", or_null(d.at)},
-                         {"by", or_null(d.by)},
-                         {"kind", d.kind},
-                         {"what", d.what},
-                         {"why", d.why},
-                         {"undone_by", d.undone_by == 0 ? Json() : Json(d.undone_by)}});
-  }
-  return record::json_text(Json{{"title", state.file.title}, {"decisions", decisions}}, 1);
+  return record::json_text(
+      Json{{"title", state.file.title}, {"decisions", decision_rows(state)}}, 1);
 }
 
 Meetings meetings(const Overview& o) {
@@ -344,9 +300,24 @@ FileMakers exports(const Overview& o) {
           {"bracket.json", [&o, lines_of] { return lines_of(bracket_json(o.state)); }},
           {"legs.json", [&o, lines_of] { return lines_of(legs_json(o)); }},
           {"decisions.json", [&o] { return decisions_json(o.state) + "\n"; }},
-          {"table.csv", [&o] { return table_csv(o); }},
-          {"legs.csv", [&o] { return legs_csv(o); }},
-          {"decisions.csv", [&o] { return decisions_csv(o.state); }}};
+          {"table.csv",
+           [&o] {
+             return csv_of(table_json(o)["table"],
+                           {"rank", "team", "played", "won", "drawn", "lost", "goals_for",
+                            "goals_against", "goal_difference", "points", "penalties",
+                            "separated_by", "strength=strength/value", "strength_low=strength/low",
+                            "strength_high=strength/high", "legs_to_tell"});
+           }},
+          {"legs.csv",
+           [&o] {
+             return csv_of(legs_json(o)["legs"],
+                           {"fixture", "round", "leg", "home", "away", "home_goals=score/home",
+                            "away_goals=score/away", "end", "fault", "ruling", "record"});
+           }},
+          {"decisions.csv", [&o] {
+             return csv_of(decision_rows(o.state),
+                           {"number", "at", "by", "kind", "what", "why", "undone_by"});
+           }}};
 }
 
 }  // namespace mirocup::league

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "record/csv_rows.hpp"
+
+#include "record/json_reader.hpp"
+#include "system/csv.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace mirocup::record {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string cell_of(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (!value.is_array()) return json_text(value);
+  std::string text;
+  for (const Json& element : value) text += (text.empty() ? "" : " ") + cell_of(element);
+  return text;
+}
+
+}  // namespace
+
+std::string csv_of(const Json& rows, const std::vector<std::string>& columns) {
+  std::vector<std::string> titles;
+  std::vector<Json::json_pointer> paths;
+  for (const std::string& column : columns) {
+    const std::size_t equals = column.find('=');
+    titles.push_back(column.substr(0, equals));
+    paths.emplace_back("/" + column.substr(equals == std::string::npos ? 0 : equals + 1));
+  }
+  std::string text = system::csv_line(titles);
+  for (const Json& row : rows) {
+    std::vector<std::string> cells;
+    for (const auto& path : paths) cells.push_back(row.contains(path) ? cell_of(row.at(path)) : "");
+    text += system::csv_line(cells);
+  }
+  return text;
+}
+
+}  // namespace mirocup::record
