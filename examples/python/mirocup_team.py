@@ -19,8 +19,10 @@ import ctypes
 import os
 from ctypes import c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 
-ABI_VERSION = 2  # of strategy.h, whose structures are below
+ABI_VERSION = 1  # of strategy.h, whose structures are below
 MAX_ROBOTS = 11
+MAX_LAWS = 16
+MAX_CORNERS = 8
 NOTHING, SEATED, TICK, OVER, REFUSED = range(5)
 NO_RESTART, KICK_OFF, GOAL_KICK, PENALTY_KICK, FREE_BALL, FREE_KICK = range(6)  # now.restart
 COLOURS = {"blue": 0, "yellow": 1}
@@ -35,32 +37,37 @@ class Robot(ctypes.Structure):
 
 
 class Counts(ctypes.Structure):
-    _fields_ = [(name, c_int32) for name in ("defenders", "area_defenders", "attackers", "keeper",
-                                             "advantage_against", "reserved")]
-    _fields_ += [(name, c_double) for name in ("two_defenders_s", "four_defenders_s",
-                                               "two_attackers_s", "keeper_hold_s")]
+    _fields_ = [("time_s", c_double * MAX_LAWS), ("robots", c_int32 * MAX_LAWS),
+                ("keeper", c_int32), ("advantage_against", c_int32)]
 
 
 class Setup(ctypes.Structure):
-    _fields_ = [("size", c_uint32), ("league", c_int32), ("team", c_int32), ("robots", c_int32),
-                ("seed", c_uint64)]
+    _fields_ = [(name, c_uint32) for name in ("size", "command_size", "placement_size")]
+    _fields_ += [(name, c_int32) for name in ("league", "team", "robots", "corners", "laws")]
+    _fields_ += [("seed", c_uint64)]
     _fields_ += [(name, c_double) for name in (
-        "control_period", "half_s", "half_length", "half_width", "corner_leg",
+        "control_period", "half_s", "ready_s", "half_length", "half_width", "corner_leg",
         "goal_half_width", "goal_depth", "goal_area_depth", "goal_area_half_width",
         "penalty_area_depth", "penalty_area_half_width", "centre_circle_radius", "robot_side",
-        "robot_mass", "wheel_distance", "wheel_radius", "wheel_speed_limit", "motor_time_constant",
-        "grip", "ball_radius", "ball_mass")]
+        "robot_mass", "wheel_distance", "wheel_radius", "wheel_speed_limit", "grip",
+        "motor_time_constant", "turn_time_constant", "brake_time_constant")]
+    _fields_ += [("corner_x", c_double * MAX_CORNERS), ("corner_y", c_double * MAX_CORNERS)]
+    _fields_ += [(name, c_double) for name in (
+        "ball_radius", "ball_mass", "rolling_resistance", "viscous_friction")]
     # These are the first members; the host fills in more.
 
 
 class Observation(ctypes.Structure):
     _fields_ = [("size", c_uint32), ("tick", c_uint32), ("time", c_double), ("clock", c_double)]
-    _fields_ += [(name, c_int32) for name in ("state", "phase", "restart", "own_restart",
-                                              "own_score", "opponent_score", "robots", "placing")]
+    _fields_ += [(name, c_int32) for name in (
+        "state", "phase", "restart", "own_restart", "placing", "own_score", "opponent_score",
+        "robots", "laws", "ball_age_ticks")]
     _fields_ += [(name, c_double) for name in ("ball_x", "ball_y", "ball_vx", "ball_vy")]
     _fields_ += [("own", Robot * MAX_ROBOTS), ("opponent", Robot * MAX_ROBOTS),
-                 ("own_counts", Counts), ("opponent_counts", Counts),
-                 ("stalemate_s", c_double), ("advantage_s", c_double)]
+                 ("own_age_ticks", c_int32 * MAX_ROBOTS),
+                 ("opponent_age_ticks", c_int32 * MAX_ROBOTS),
+                 ("stalemate_s", c_double), ("advantage_s", c_double),
+                 ("own_counts", Counts), ("opponent_counts", Counts)]
 
 
 class Wheels(ctypes.Structure):
@@ -103,7 +110,7 @@ def load(path=None):
         raise Error(f"{path} cannot be loaded ({error}); in mirocup's folder, `cmake --preset play && cmake --build "
                     "build --target mirocup_team` makes build/libmirocup_team.so, and "
                     "$MIROCUP_TEAM_LIBRARY says where it is") from error
-    version = library.mirocup_team_version() if hasattr(library, "mirocup_team_version") else 1
+    version = library.mirocup_team_version()
     if version != ABI_VERSION:
         raise Error(f"{path} is of version {version} of strategy.h, this file of version {ABI_VERSION}: take both "
                     "from one mirocup")

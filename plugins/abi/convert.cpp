@@ -4,6 +4,9 @@
 #include "core/match/copy_fields.hpp"
 #include "core/match/thought.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace mirocup::abi {
 
 // The core and strategy.h give these the same numbers.
@@ -18,6 +21,7 @@ static_assert(static_cast<int>(referee::Restart::PENALTY_KICK) == MIROCUP_PENALT
 static_assert(static_cast<int>(referee::Restart::FREE_BALL) == MIROCUP_FREE_BALL);
 static_assert(static_cast<int>(referee::Restart::FREE_KICK) == MIROCUP_FREE_KICK);
 static_assert(max_robots_per_team == MIROCUP_MAX_ROBOTS);
+static_assert(MIROCUP_LAWS <= MIROCUP_MAX_LAWS);
 
 namespace {
 
@@ -52,13 +56,26 @@ void copy_physics(const simulator::Parameters& p, mirocup_setup& s) {
 void copy_limits(const referee::Rules& rules, mirocup_setup& s) {
   s.stalemate_limit_s = rules.stalemate_s;
   s.advantage_limit_s = rules.advantage_s;
-  s.keeper_hold_limit_s = rules.keeper_hold_s;
-  s.defenders_limit_s = rules.def_dwell_s;
-  s.attackers_limit_s = rules.att_dwell_s;
-  s.ready_s = rules.ready_s;
-  s.defenders_allowed = rules.def_max;
-  s.area_defenders_allowed = rules.pa_def_max;
-  s.attackers_allowed = rules.att_max;
+  std::fill(std::begin(s.time_limit_s), std::end(s.time_limit_s), referee::off);
+  s.time_limit_s[MIROCUP_TWO_DEFENDERS] = rules.def_dwell_s;
+  s.time_limit_s[MIROCUP_FOUR_DEFENDERS] = rules.def_dwell_s;
+  s.time_limit_s[MIROCUP_TWO_ATTACKERS] = rules.att_dwell_s;
+  s.time_limit_s[MIROCUP_KEEPER_HOLD] = rules.keeper_hold_s;
+  s.robots_allowed[MIROCUP_TWO_DEFENDERS] = rules.def_max;
+  s.robots_allowed[MIROCUP_FOUR_DEFENDERS] = rules.pa_def_max;
+  s.robots_allowed[MIROCUP_TWO_ATTACKERS] = rules.att_max;
+}
+
+void copy_counts(const referee::TeamCounts& from, mirocup_counts& c) {
+  c.time_s[MIROCUP_TWO_DEFENDERS] = from.two_defenders_s;
+  c.time_s[MIROCUP_FOUR_DEFENDERS] = from.four_defenders_s;
+  c.time_s[MIROCUP_TWO_ATTACKERS] = from.two_attackers_s;
+  c.time_s[MIROCUP_KEEPER_HOLD] = from.keeper_hold_s;
+  c.robots[MIROCUP_TWO_DEFENDERS] = from.defenders;
+  c.robots[MIROCUP_FOUR_DEFENDERS] = from.area_defenders;
+  c.robots[MIROCUP_TWO_ATTACKERS] = from.attackers;
+  c.keeper = from.keeper;
+  c.advantage_against = from.advantage_against ? 1 : 0;
 }
 
 }  // namespace
@@ -67,17 +84,19 @@ mirocup_setup to_setup(const match::Briefing& briefing) {
   const field::Field& field = *briefing.field;
   mirocup_setup s{};
   s.size = sizeof s;
+  s.command_size = sizeof(mirocup_command);
+  s.placement_size = sizeof(mirocup_placement);
   s.league = static_cast<int>(field.league);
   s.team = index_of(briefing.team);
   s.robots = field.robots_per_team;
+  s.laws = MIROCUP_LAWS;
   s.seed = briefing.seed;
   s.control_period = briefing.control_period;
   s.half_s = briefing.rules->half_s;
+  s.ready_s = briefing.rules->ready_s;
   match::copy_field(field, s);
   match::copy_bodies(*briefing.parameters, s);
   copy_physics(*briefing.parameters, s);
-  s.command_size = sizeof(mirocup_command);
-  s.placement_size = sizeof(mirocup_placement);
   copy_limits(*briefing.rules, s);
   return s;
 }
@@ -95,6 +114,7 @@ mirocup_observation to_observation(const match::Observation& from) {
   o.own_score = from.own_score;
   o.opponent_score = from.opponent_score;
   o.robots = from.robots;
+  o.laws = MIROCUP_LAWS;
   o.placing = from.placing ? 1 : 0;
   o.ball_x = from.ball.x();
   o.ball_y = from.ball.y();
@@ -107,8 +127,8 @@ mirocup_observation to_observation(const match::Observation& from) {
     o.opponent_age_ticks[i] = from.opponent[i].age;
   }
   o.ball_age_ticks = from.ball_age;
-  match::copy_counts(from.own_counts, o.own_counts);
-  match::copy_counts(from.opponent_counts, o.opponent_counts);
+  copy_counts(from.own_counts, o.own_counts);
+  copy_counts(from.opponent_counts, o.opponent_counts);
   o.stalemate_s = from.stalemate_s;
   o.advantage_s = from.advantage_s;
   return o;

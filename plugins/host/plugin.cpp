@@ -17,8 +17,7 @@ namespace {
 using match::Fault;
 using match::FaultCode;
 
-// An older library may lack the members that were added at the end. One without these is older than
-// the first release, and its other structures have another layout.
+// The members of the first strategy.h of this version. A library may lack those that came later.
 constexpr std::size_t min_strategy_size = offsetof(mirocup_strategy, place) + sizeof(void*);
 
 tl::unexpected<Fault> fault(FaultCode code, std::string text) {
@@ -91,11 +90,6 @@ tl::expected<Plugin, Fault> Plugin::open(const std::string& path) {
                  "the library was built for version " + std::to_string(strategy->abi_version) +
                      " of strategy.h, this is version " + std::to_string(MIROCUP_ABI_VERSION) +
                      ": build it again with today's strategy.h");
-  }
-  if (strategy->size == offsetof(mirocup_strategy, place)) {
-    return fault(FaultCode::bad_abi,
-                 "the library was built with a strategy.h from before the first release: build it "
-                 "again with today's strategy.h");
   }
   if (strategy->size < min_strategy_size || strategy->create == nullptr ||
       strategy->decide == nullptr) {

@@ -199,7 +199,7 @@ void Tracker::saw(const Observation& now) {
 // The field, the bodies on it, and room for what they remember.
 struct Simulator::Physics {
   Physics(const Setup& from, Precision precision)
-      : setup(copy_of(from)),
+      : setup(from),
         field(core::field::make_field(static_cast<core::League>(setup.league))),
         world(&field, parameters_of(setup),
               simulator::tolerances_of(precision == Precision::match ? simulator::Accuracy::standard

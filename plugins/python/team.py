@@ -35,7 +35,11 @@ FIRST_HALF, SECOND_HALF, EXTRA_TIME, SHOOT_OUT = range(4)  # now.phase
 # now.restart
 NO_RESTART, KICK_OFF, GOAL_KICK, PENALTY_KICK, FREE_BALL, FREE_KICK = range(6)
 
+# The indexes of now.own_counts.time_s and .robots, of setup.time_limit_s and .robots_allowed
+TWO_DEFENDERS, FOUR_DEFENDERS, TWO_ATTACKERS, KEEPER_HOLD = range(4)
+
 MAX_ROBOTS = 11
+_MAX_LAWS = 16
 
 # These have the same bits on every system in a match, unlike those of the module math: see
 # mirocup/elementary.h. The program that plays a team gives them; elsewhere they are those of math.
@@ -45,20 +49,18 @@ sin, cos, tan, asin, acos, atan, atan2, hypot, exp, log = (
 
 Robot = namedtuple("Robot", "x y heading vx vy turn")
 Pose = namedtuple("Pose", "x y heading")
-Counts = namedtuple("Counts", "defenders area_defenders attackers keeper advantage_against "
-                    "two_defenders_s four_defenders_s two_attackers_s keeper_hold_s")
-_Setup = namedtuple("Setup", "league team robots seed control_period half_s half_length "
+Counts = namedtuple("Counts", "time_s robots keeper advantage_against", defaults=((), (), -1, 0))
+_Setup = namedtuple("Setup", "league team robots seed control_period half_s ready_s half_length "
                     "half_width corner_leg goal_half_width goal_depth goal_area_depth "
-                   "goal_area_half_width penalty_area_depth penalty_area_half_width "
-                   "centre_circle_radius robot_side robot_mass wheel_distance wheel_radius "
-                   "wheel_speed_limit motor_time_constant grip ball_radius ball_mass "
-                   "turn_time_constant brake_time_constant rolling_resistance viscous_friction "
-                   "ball_wall_restitution ball_robot_restitution robot_wall_restitution "
-                   "robot_robot_restitution ball_wall_friction ball_robot_friction "
-                   "robot_wall_friction robot_robot_friction stalemate_limit_s advantage_limit_s "
-                   "keeper_hold_limit_s defenders_limit_s attackers_limit_s ready_s "
-                   "defenders_allowed area_defenders_allowed attackers_allowed outline",
-                   defaults=18 * (0.0,) + 3 * (0,) + ((),))
+                    "goal_area_half_width penalty_area_depth penalty_area_half_width "
+                    "centre_circle_radius robot_side robot_mass wheel_distance wheel_radius "
+                    "wheel_speed_limit grip motor_time_constant turn_time_constant "
+                    "brake_time_constant ball_radius ball_mass rolling_resistance viscous_friction "
+                    "ball_wall_restitution ball_robot_restitution robot_wall_restitution "
+                    "robot_robot_restitution ball_wall_friction ball_robot_friction "
+                    "robot_wall_friction robot_robot_friction stalemate_limit_s advantage_limit_s "
+                    "time_limit_s robots_allowed outline",
+                    defaults=10 * (0.0,) + 2 * (math.inf,) + ((), (), ()))
 
 Wheels = namedtuple("Wheels", "left right")
 Ball = namedtuple("Ball", "at velocity")
@@ -66,10 +68,10 @@ Shot = namedtuple("Shot", "at along aside is_on_line")
 Crossing = namedtuple("Crossing", "seconds y")
 Interception = namedtuple("Interception", "ball seconds is_reached")
 Predicted = namedtuple("Predicted", "own_touched_ball opponent_touched_ball last_touch events")
-_Observation = namedtuple("Observation", "tick time clock state phase restart own_restart own_score "
-                         "opponent_score robots placing ball_x ball_y ball_vx ball_vy own opponent "
-                         "own_counts opponent_counts stalemate_s advantage_s own_age_ticks "
-                         "opponent_age_ticks ball_age_ticks")
+_Observation = namedtuple("Observation", "tick time clock state phase restart own_restart placing "
+                          "own_score opponent_score robots ball_age_ticks ball_x ball_y ball_vx "
+                          "ball_vy own opponent own_age_ticks opponent_age_ticks stalemate_s "
+                          "advantage_s own_counts opponent_counts")
 
 
 class Setup(_Setup):
@@ -187,24 +189,28 @@ def wrapped(angle):
 
 # ---- the bytes of strategy.h
 
-_SETUP = struct.Struct("@I i i i Q 21d 7P 12d 2i 16d 2I 6d 4i")
+_SETUP = struct.Struct(f"@3I 5i Q 22d 16d 14d {_MAX_LAWS}d {_MAX_LAWS}i 7P")
 _ROBOTS = 6 * MAX_ROBOTS
-_OBSERVATION = struct.Struct(f"@I I d d 8i 4d {_ROBOTS}d {_ROBOTS}d 6i 4d 6i 4d 2d "
-                             f"{MAX_ROBOTS}i {MAX_ROBOTS}i i i")
-_OWN = 16  # index of the first robot
+_OBSERVATION = struct.Struct(f"@I I d d 10i 4d {2 * _ROBOTS}d {2 * MAX_ROBOTS}i 2d" +
+                             2 * f"{_MAX_LAWS}d {_MAX_LAWS}i 2i")
+_OWN = 18  # index of the first robot
 _OPPONENT = _OWN + _ROBOTS
-_COUNTS = _OPPONENT + _ROBOTS
-_AGES = _COUNTS + 2 * 10 + 2
+_AGES = _OPPONENT + _ROBOTS
+_COUNTS = _AGES + 2 * MAX_ROBOTS + 2
 _COMMAND = struct.Struct(f"@{2 * MAX_ROBOTS}d")
 _PLACEMENT = struct.Struct(f"@2d {3 * MAX_ROBOTS}d")
 _ROBOT = struct.Struct("@6d")
 
 
+def _filled(values, length, value=0):
+    return (*values, *((length - len(values)) * (value,)))
+
+
 def _setup_of(data):
-    values = _SETUP.unpack_from(data)  # newer hosts have more at the end
-    corners = values[45]
-    outline = tuple(Point(*p) for p in zip(values[47:47 + corners], values[55:55 + corners]))
-    setup = Setup(*values[1:26], *values[33:45], *values[65:74], outline)
+    v = _SETUP.unpack_from(data)  # newer hosts have more at the end
+    corners, laws = v[6:8]
+    outline = tuple(Point(*p) for p in zip(v[31:31 + corners], v[39:39 + corners]))
+    setup = Setup(*v[3:6], *v[8:31], *v[47:61], v[61:61 + laws], v[77:77 + laws], outline)
     setup._bytes_of_setup = data
     return setup
 
@@ -215,27 +221,30 @@ def _setup_bytes(setup):
         return setup._bytes_of_setup
     except AttributeError:
         pass
-    x, y = ([p[k] for p in setup.outline] + (8 - len(setup.outline)) * [0.0] for k in (0, 1))
-    whole = [int(n) for n in setup[43:46]]
-    setup._bytes_of_setup = _SETUP.pack(_SETUP.size, *setup[:25], *(7 * [0]), *setup[25:37], len(setup.outline),
-                               0, *x, *y, 0, 0, *setup[37:43], *whole, 0)
+    x, y = (_filled([p[k] for p in setup.outline], 8) for k in (0, 1))
+    setup._bytes_of_setup = _SETUP.pack(
+        _SETUP.size, _COMMAND.size, _PLACEMENT.size, *setup[:3], len(setup.outline), len(setup.time_limit_s),
+        *setup[3:26], *x, *y, *setup[26:40], *_filled(setup.time_limit_s, _MAX_LAWS, math.inf),
+        *_filled(setup.robots_allowed, _MAX_LAWS), *(7 * [0]))
     return setup._bytes_of_setup
 
 
-def _counts_of(values, at):
-    return tuple.__new__(Counts, values[at:at + 5] + values[at + 6:at + 10])
+def _counts_of(values, at, laws):
+    robots = at + _MAX_LAWS
+    return tuple.__new__(Counts, (values[at:at + laws], values[robots:robots + laws],
+                                  *values[robots + _MAX_LAWS:robots + _MAX_LAWS + 2]))
 
 
 def _observation_of(data):
     v = _OBSERVATION.unpack_from(data)
-    n = v[10]
+    n, laws = v[11:13]
     new = tuple.__new__  # in half the time of Robot(*numbers)
     own = new(_OfRobots, [new(Robot, v[k:k + 6]) for k in range(_OWN, _OWN + 6 * n, 6)])
     opponent = new(_OfRobots, [new(Robot, v[k:k + 6]) for k in range(_OPPONENT, _OPPONENT + 6 * n, 6)])
-    now = new(Observation, (*v[1:16], own, opponent, _counts_of(v, _COUNTS), _counts_of(v, _COUNTS + 10),
-                            v[_AGES - 2], v[_AGES - 1], new(_OfRobots, v[_AGES:_AGES + n]),
+    now = new(Observation, (*v[1:12], *v[13:18], own, opponent, new(_OfRobots, v[_AGES:_AGES + n]),
                             new(_OfRobots, v[_AGES + MAX_ROBOTS:_AGES + MAX_ROBOTS + n]),
-                            v[_AGES + 2 * MAX_ROBOTS]))
+                            v[_COUNTS - 2], v[_COUNTS - 1], _counts_of(v, _COUNTS, laws),
+                            _counts_of(v, _COUNTS + 2 * _MAX_LAWS + 2, laws)))
     now._bytes_of_now = data
     return now
 
@@ -248,11 +257,12 @@ def _observation_bytes(now):
         pass
     if not 0 <= now.robots <= MAX_ROBOTS or max(len(now.own), len(now.opponent)) > MAX_ROBOTS:
         raise ValueError(f"an observation of {now.robots} robots; at most {MAX_ROBOTS} are possible")
-    ages = [list(a) + (MAX_ROBOTS - len(a)) * [0] for a in (now.own_age_ticks, now.opponent_age_ticks)]
-    counts = [n for c in (now.own_counts, now.opponent_counts) for n in (*c[:5], 0, *c[5:])]
-    now._bytes_of_now = _OBSERVATION.pack(_OBSERVATION.size, *now[:15], *_robots(now.own), *_robots(now.opponent),
-                                   *counts, now.stalemate_s, now.advantage_s, *ages[0], *ages[1],
-                                   now.ball_age_ticks, 0)
+    ages = [*_filled(now.own_age_ticks, MAX_ROBOTS), *_filled(now.opponent_age_ticks, MAX_ROBOTS)]
+    counts = [n for c in (now.own_counts, now.opponent_counts)
+              for n in (*_filled(c.time_s, _MAX_LAWS), *_filled(c.robots, _MAX_LAWS), *c[2:])]
+    now._bytes_of_now = _OBSERVATION.pack(_OBSERVATION.size, *now[:11], len(now.own_counts.time_s), *now[11:16],
+                                          *_robots(now.own), *_robots(now.opponent), *ages, now.stalemate_s,
+                                          now.advantage_s, *counts)
     return now._bytes_of_now
 
 

@@ -81,11 +81,8 @@ void put_why(char* why, std::size_t size, const std::string& text) {
 namespace dds = mirocup::dds;
 
 mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, std::size_t size) {
-  // Programs that were built before there was a domain pass a shorter structure.
-  constexpr std::size_t size_without_domain = offsetof(mirocup_team_call, domain);
-  if (call == nullptr || (call->size != sizeof *call && call->size != size_without_domain) ||
-      call->match == nullptr || call->name == nullptr ||
-      (call->team != MIROCUP_BLUE && call->team != MIROCUP_YELLOW)) {
+  if (call == nullptr || call->size != sizeof *call || call->match == nullptr ||
+      call->name == nullptr || (call->team != MIROCUP_BLUE && call->team != MIROCUP_YELLOW)) {
     dds::put_why(why, size, "the call lacks a match, a team or a colour, or is of another version");
     errno = EINVAL;
     return nullptr;
@@ -103,7 +100,7 @@ mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, 
   c.team = static_cast<mirocup::Team>(call->team);
   c.name = call->name;
   if (call->credentials != nullptr) c.credentials = call->credentials;
-  if (call->size == sizeof *call) c.domain = call->domain;
+  c.domain = call->domain;
   if (c.domain < dds::default_domain || c.domain > dds::last_domain) {
     dds::put_why(why, size, "DDS domain " + std::to_string(c.domain) + " does not exist: 0 to 230");
     errno = EINVAL;

@@ -106,7 +106,9 @@
  *   Within a version, structures with a `size` grow at their end, and `size` tells how many bytes
  *   exist: missing members of your mirocup_strategy count as null, and a library that should also
  *   run on older hosts reads no member behind `size`. Structures in arrays never grow, so new facts
- *   of a robot come as separate arrays. docs/interfaces.md has the conventions.
+ *   of a robot come as separate arrays. Arrays by law have room for further laws: a library that
+ *   knows fewer laws than its host does not see the further ones, and to a library that knows more,
+ *   a law that its host does not count is off. docs/interfaces.md has the conventions.
  *
  * Building
  *   gcc -std=c17 -O2 -ffp-contract=off -shared -fPIC -Iplugins/include mine.c -lm -o mine.so
@@ -124,12 +126,15 @@
 extern "C" {
 #endif
 
-/* The host refuses a library whose number is not the host's. The number changes only when older
- * libraries can no longer play; compatible additions show in the sizes of the structures. */
-#define MIROCUP_ABI_VERSION 2u
+/* The host refuses a library whose number is not the host's. The number changes only when libraries
+ * that were built before can no longer play; additions show in the sizes of the structures. */
+#define MIROCUP_ABI_VERSION 1u
 
 /* The length of every array of robots; setup.robots and observation.robots give the used length. */
 #define MIROCUP_MAX_ROBOTS 11
+
+/* The length of every array by law; setup.laws and observation.laws give the used length. */
+#define MIROCUP_MAX_LAWS 16
 
 /* The most corners of a robot's outline, and of a polygon that a team draws. */
 #define MIROCUP_MAX_CORNERS 8
@@ -163,6 +168,16 @@ enum mirocup_restart {
   MIROCUP_FREE_KICK = 5
 };
 
+/* The laws whose counts run for each team: the indexes of the arrays by law. A later header may add
+ * laws at the end. */
+enum mirocup_law {
+  MIROCUP_TWO_DEFENDERS = 0,  /* too many defenders in their own goal area */
+  MIROCUP_FOUR_DEFENDERS = 1, /* too many defenders in their own penalty area */
+  MIROCUP_TWO_ATTACKERS = 2,  /* too many attackers in the opponents' goal area */
+  MIROCUP_KEEPER_HOLD = 3,    /* the ball stays in the own goal area with no opponent near */
+  MIROCUP_LAWS = 4            /* their number in this header */
+};
+
 typedef struct mirocup_robot {
   double x, y;    /* centre, m */
   double heading; /* rad, in (-pi, pi], a multiple of 2^-50 */
@@ -172,13 +187,19 @@ typedef struct mirocup_robot {
 
 /* The facts of a leg, which a team receives once, at create(). */
 typedef struct mirocup_setup {
-  uint32_t size;         /* of this structure, bytes */
+  /* The sizes of this structure, and of those that this host passes to decide() and place(), bytes.
+     A library that was built with a newer header must write no member behind these sizes. */
+  uint32_t size, command_size, placement_size;
+
   int32_t league;        /* enum mirocup_league */
   int32_t team;          /* enum mirocup_colour: yours in this leg */
   int32_t robots;        /* number of each team: 3, 5 or 11 */
+  int32_t corners;       /* used length of corner_x and corner_y; 0: the outline is a square */
+  int32_t laws;          /* used length of the arrays by law */
   uint64_t seed;         /* for your own random numbers; your opponent gets another seed */
   double control_period; /* time between two calls of decide(), s */
   double half_s;         /* length of a half, s */
+  double ready_s;        /* time from a placement to the whistle, s */
 
   /* The field, m: |x| <= half_length and |y| <= half_width, without triangles in the corners, whose
      legs are corner_leg long. A goal has |y| < goal_half_width and is goal_depth deep. */
@@ -188,9 +209,29 @@ typedef struct mirocup_setup {
   double centre_circle_radius;
 
   double robot_side, robot_mass;
-  double wheel_distance, wheel_radius, wheel_speed_limit, motor_time_constant;
-  double grip; /* infinite: wheels never slide */
+  double wheel_distance, wheel_radius, wheel_speed_limit;
+  double grip;                /* infinite: wheels never slide */
+  double motor_time_constant; /* lag of the forward speed, s */
+  double turn_time_constant;  /* lag of the angular velocity, s */
+  double brake_time_constant; /* lag of the forward speed at the command 0, 0, s */
+  /* The corners of a robot's outline, counter-clockwise in the robot's frame, m. */
+  double corner_x[MIROCUP_MAX_CORNERS], corner_y[MIROCUP_MAX_CORNERS];
+
   double ball_radius, ball_mass;
+  double rolling_resistance; /* the ball slows down by (rolling_resistance * 9.81 +        */
+  double viscous_friction;   /* viscous_friction * speed / ball_mass) / 1.4, m/s^2         */
+
+  /* Restitution: speed of separation divided by speed of approach. Friction: Coulomb's. */
+  double ball_wall_restitution, ball_robot_restitution;
+  double robot_wall_restitution, robot_robot_restitution;
+  double ball_wall_friction, ball_robot_friction, robot_wall_friction, robot_robot_friction;
+
+  /* The limits of the laws: the referee applies a law when a time of the observation reaches its
+     limit. The limit of a law that is off, or that this host does not count, is infinite. */
+  double stalemate_limit_s;                 /* limit of stalemate_s */
+  double advantage_limit_s;                 /* limit of advantage_s */
+  double time_limit_s[MIROCUP_MAX_LAWS];    /* limits of mirocup_counts.time_s */
+  int32_t robots_allowed[MIROCUP_MAX_LAWS]; /* by law, the most robots that break no law */
 
   /* The handle of the host for this team: the first argument of the functions below. These
      functions are never null. */
@@ -214,54 +255,20 @@ typedef struct mirocup_setup {
                        int32_t corners);
   void (*draw_text)(void* host, const char* layer, uint32_t colour, double x, double y,
                     const char* text);
-
-  /* Further numbers of this pitch (`mirocup match --pitch`). */
-  double turn_time_constant;  /* lag of the angular velocity, s */
-  double brake_time_constant; /* lag of the forward speed at the command 0, 0, s */
-  double rolling_resistance;  /* the ball slows down by (rolling_resistance * 9.81 +        */
-  double viscous_friction;    /* viscous_friction * speed / ball_mass) / 1.4, m/s^2         */
-  /* Restitution: speed of separation divided by speed of approach. Friction: Coulomb's. */
-  double ball_wall_restitution, ball_robot_restitution;
-  double robot_wall_restitution, robot_robot_restitution;
-  double ball_wall_friction, ball_robot_friction, robot_wall_friction, robot_robot_friction;
-  /* The corners of a robot's outline, counter-clockwise in the robot's frame, m. If `corners` is 0,
-     the outline is a square with the side robot_side. */
-  int32_t corners;
-  int32_t reserved_corners; /* 0 */
-  double corner_x[MIROCUP_MAX_CORNERS], corner_y[MIROCUP_MAX_CORNERS];
-
-  /* The sizes of the structures that this host passes to decide() and place(), bytes. A library
-     that was built with a newer header must write no member behind these sizes. */
-  uint32_t command_size, placement_size;
-
-  /* The limits of the laws: the referee applies a law when a count of the observation reaches its
-     limit. */
-  double stalemate_limit_s;       /* limit of stalemate_s */
-  double advantage_limit_s;       /* limit of advantage_s */
-  double keeper_hold_limit_s;     /* limit of keeper_hold_s */
-  double defenders_limit_s;       /* limit of two_defenders_s and four_defenders_s */
-  double attackers_limit_s;       /* limit of two_attackers_s */
-  double ready_s;                 /* time from a placement to the whistle */
-  int32_t defenders_allowed;      /* most defenders in their own goal area */
-  int32_t area_defenders_allowed; /* most defenders in their own penalty area */
-  int32_t attackers_allowed;      /* most attackers in the opponents' goal area */
-  int32_t reserved_limits;        /* 0 */
 } mirocup_setup;
 
-/* The referee's counts about a team. A robot counts if more than half of its body is inside the
-   area and it was not pushed there. A time, s, grows while the team breaks a law, else it is 0. */
+/* The referee's counts about a team, by law. A robot counts if more than half of its body is inside
+   the area and it was not pushed there. */
 typedef struct mirocup_counts {
-  int32_t defenders;         /* robots in the own goal area; at most defenders_allowed */
-  int32_t area_defenders;    /* robots in the own penalty area; at most area_defenders_allowed */
-  int32_t attackers;         /* robots in the opponents' goal area; at most attackers_allowed */
-  int32_t keeper;            /* the robot that counts as keeper; -1: none */
+  double time_s[MIROCUP_MAX_LAWS];  /* how long the team has broken the law, s; else 0 */
+  int32_t robots[MIROCUP_MAX_LAWS]; /* robots in the law's area; 0 if the law counts no robots */
+  int32_t keeper;                   /* the robot that counts as keeper; -1: none */
   int32_t advantage_against; /* 1: the team fouled; the call waits for a goal of the opponents */
-  int32_t reserved;          /* 0 */
-  double two_defenders_s, four_defenders_s, two_attackers_s;
-  double keeper_hold_s; /* how long the ball is in the own goal area with no opponent near */
 } mirocup_counts;
 
-/* The observation of one tick, in the team's own frame. */
+/* The observation of one tick, in the team's own frame. The age of a body's pose, in ticks, is
+   above 0 only under the conditions `camera`: the pictures come late, and now and then lack a body,
+   whose last pose is then repeated. */
 typedef struct mirocup_observation {
   uint32_t size;       /* of this structure, bytes */
   uint32_t tick;       /* counts up from 0 */
@@ -271,21 +278,19 @@ typedef struct mirocup_observation {
   int32_t phase;       /* enum mirocup_phase */
   int32_t restart;     /* enum mirocup_restart: the last restart */
   int32_t own_restart; /* 1 if the last restart was awarded to you */
+  int32_t placing;     /* 1: place() is called for this tick */
   int32_t own_score, opponent_score;
-  int32_t robots;  /* number of each team */
-  int32_t placing; /* 1: place() is called for this tick */
+  int32_t robots; /* number of each team */
+  int32_t laws;   /* used length of the arrays by law */
+  int32_t ball_age_ticks;
   double ball_x, ball_y, ball_vx, ball_vy;
   mirocup_robot own[MIROCUP_MAX_ROBOTS];
   mirocup_robot opponent[MIROCUP_MAX_ROBOTS];
-  mirocup_counts own_counts, opponent_counts;
-  double stalemate_s; /* how long the ball has made no progress */
-  double advantage_s; /* how long a foul has waited for a goal; 0: no foul waits */
-  /* The age of each body's pose, ticks. It is above 0 only under the conditions `camera`: the
-     pictures come late, and now and then lack a body, whose last pose is then repeated. */
   int32_t own_age_ticks[MIROCUP_MAX_ROBOTS];
   int32_t opponent_age_ticks[MIROCUP_MAX_ROBOTS];
-  int32_t ball_age_ticks;
-  int32_t reserved_age; /* 0 */
+  double stalemate_s; /* how long the ball has made no progress */
+  double advantage_s; /* how long a foul has waited for a goal; 0: no foul waits */
+  mirocup_counts own_counts, opponent_counts;
 } mirocup_observation;
 
 typedef struct mirocup_wheels {

@@ -56,10 +56,8 @@
 
 #include <cmath>
 #include <cstdarg>
-#include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <initializer_list>
 
 // Lets the compiler check the arguments of a function against its format, as it does for printf().
@@ -173,15 +171,14 @@ inline Wheels keep_goal(const Setup& setup, const Observation& now, const Robot&
 }
 
 // Returns the value of the parameter `name`, or `fallback` if the leg does not give this parameter
-// to the team, or if the host does not support parameters. See "Parameters" in strategy.h.
+// to the team, or if a test has made the setup. See "Parameters" in strategy.h.
 inline double parameter(const Setup& setup, const char* name, double fallback) {
-  const bool is_there = setup.size >= offsetof(Setup, parameter) + sizeof setup.parameter;
-  if (!is_there || setup.parameter == nullptr) return fallback;
+  if (setup.parameter == nullptr) return fallback;
   return setup.parameter(setup.host, name, fallback);
 }
 
-// These functions draw into the replay of `mirocup match --thoughts`; on older hosts they have no
-// effect. `setup` is setup() of a Team. Points are in your own frame, m; colours are 0xRRGGBBAA;
+// These functions draw into the replay of `mirocup match --thoughts`; with the setup of a test
+// they have no effect. `setup` is setup() of a Team. Points are in your own frame, m; colours are 0xRRGGBBAA;
 // the page can switch a layer off. See "Thoughts" in strategy.h. mirocup/skills/draw.hpp draws
 // targets, roles and shots with these functions.
 inline void draw_line(const Setup& setup, const char* layer, std::uint32_t colour, Point from,
@@ -207,20 +204,10 @@ inline void draw_text(const Setup& setup, const char* layer, std::uint32_t colou
   setup.draw_text(setup.host, layer, colour, at.x, at.y, text);
 }
 
-// Returns a copy of the host's setup. Members that this host does not have, behind `size` bytes,
-// are 0 in the copy; every host has the members up to `log`.
-inline Setup copy_of(const Setup& setup) {
-  Setup copy{};
-  constexpr std::size_t least = offsetof(Setup, host);
-  const std::size_t there = setup.size < sizeof copy ? setup.size : sizeof copy;
-  std::memcpy(&copy, &setup, there < least ? least : there);
-  return copy;
-}
-
 // The base class of a team in C++: keeps the setup, and has random numbers from the setup's seed.
 class Team {
  public:
-  explicit Team(const Setup& setup) : setup_(copy_of(setup)), random_(setup.seed) {}
+  explicit Team(const Setup& setup) : setup_(setup), random_(setup.seed) {}
   virtual ~Team() = default;
 
   // Sets the wheel speeds of this tick; all are 0 when decide() is called.

@@ -44,7 +44,7 @@ typedef struct mirocup_team_call {
   const char* match;       /* ID of the match */
   const char* name;        /* of the team, as the match knows it: 1 to 64 bytes of UTF-8 */
   const char* credentials; /* folder with the team's credentials; null: open mode */
-  int32_t domain;          /* DDS domain, 0 to 230; 0 if `size` does not reach it */
+  int32_t domain;          /* DDS domain, 0 to 230 */
 } mirocup_team_call;
 
 typedef struct mirocup_connection mirocup_connection;

@@ -52,12 +52,12 @@ for result, star, name, text, usual in functions:
     expect(given == numbers, f"{name}: Python has {given}, the header says {numbers}")
 
 # What a test puts together is what the host would send.
-SETUP = m.Setup(*range(3), *[0.5 + n for n in range(40)], 1, 2, 3, (m.Point(1.0, 2.0), m.Point(3.0, 4.0), m.Point(5.0, 6.0)))
+SETUP = m.Setup(*range(3), *[0.5 + n for n in range(37)], (1.5, 2.5, 3.5, 4.5), (1, 2, 3, 0), (m.Point(1.0, 2.0), m.Point(3.0, 4.0), m.Point(5.0, 6.0)))
 SETUP = SETUP._replace(team=1, robots=3, seed=9)
 expect(m._setup_of(m._setup_bytes(SETUP)) == SETUP, "a setup is packed otherwise than it is read")
 robots = [tuple(m.Robot(*[t + i + k / 8 for k in range(6)]) for i in range(3)) for t in (0, 10)]
-counts = [m.Counts(t, t + 1, t + 2, -1, t + 3, *[t + k / 8 for k in range(4)]) for t in (1, 5)]
-now = m.Observation(7, 0.25, 0.5, 1, 2, 3, 1, 4, 5, 3, 1, 0.1, 0.2, 0.3, 0.4, *robots, *counts, 1.5, 2.5, (1, 2, 3), (4, 5, 6), 7)
+counts = [m.Counts(tuple(t + k / 8 for k in range(4)), tuple(range(t, t + 4)), -1, t + 3) for t in (1, 5)]
+now = m.Observation(7, 0.25, 0.5, 1, 2, 3, 1, 0, 4, 5, 3, 7, 0.1, 0.2, 0.3, 0.4, *robots, (1, 2, 3), (4, 5, 6), 1.5, 2.5, *counts)
 expect(m._observation_of(m._observation_bytes(now)) == now, "an observation is packed otherwise than it is read")
 moved = m._observation_of(m._observation_bytes(now))._replace(ball_x=-0.5)
 expect(m.ball_after(moved, 0.0) == (-0.5, 0.2), "a skill sees the observation before _replace()")

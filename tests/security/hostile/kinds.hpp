@@ -128,7 +128,6 @@ inline const std::vector<Kind> kinds{
     {"init_refuses", "no_load: null", ""},
     {"no_entry", "bad_abi: mirocup_entry", ""},
     {"other_version", "bad_abi: version", ""},
-    {"before_release", "bad_abi: before the first release", ""},
     // Processes and the kernel.
     {"proc_exec", "illegal_call: execve", ""},
     {"proc_kill_group", "illegal_call: kill", ""},

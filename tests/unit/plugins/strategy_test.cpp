@@ -3,12 +3,14 @@
 // Tests the parts of strategy.hpp that no game of a house team would test.
 #include "mirocup/strategy.hpp"
 
+#include "core/match/leg.hpp"
+#include "plugins/abi/convert.hpp"
 #include "tests/support/skill_field.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -43,18 +45,47 @@ TEST(WrappedAngle, EndsForHugeAndInfiniteAngles) {
   EXPECT_TRUE(std::isnan(wrapped(std::nan(""))));
 }
 
-// Catches a team that reads the parameters of a host that has none: the bytes behind `size`.
-TEST(TeamInCpp, HasItsDefaultsUnderAnOlderHost) {
-  mirocup_setup setup{};
-  setup.parameter = [](void* host, const char*, double) { return *static_cast<double*>(host); };
-  double value = 0.4;
-  setup.host = &value;
-  setup.size = sizeof setup;
-  EXPECT_EQ(parameter(setup, "wait", 0.45), 0.4);
-  EXPECT_EQ(parameter(copy_of(setup), "wait", 0.45), 0.4);
-  setup.size = offsetof(mirocup_setup, host);
-  EXPECT_EQ(parameter(setup, "wait", 0.45), 0.45);
-  EXPECT_EQ(copy_of(setup).host, nullptr);
+// Catches the count of one law at the index of another, and a law that the host does not count but
+// that seems to be broken from the first tick on.
+TEST(LawsOfATeam, HaveCountsAndLimitsAtTheirIndexes) {
+  match::Setup leg;
+  leg.rules.def_dwell_s = 1.0;
+  leg.rules.att_dwell_s = 2.0;
+  leg.rules.keeper_hold_s = 3.0;
+  leg.rules.def_max = 1;
+  leg.rules.pa_def_max = 2;
+  leg.rules.att_max = 3;
+  const field::Field field = field::make_field(League::middle);
+  const mirocup_setup setup =
+      abi::to_setup({.field = &field, .parameters = &leg.parameters, .rules = &leg.rules});
+  match::Observation seen;
+  seen.own_counts = {.defenders = 4,
+                     .two_defenders_s = 0.4,
+                     .area_defenders = 5,
+                     .four_defenders_s = 0.5,
+                     .attackers = 6,
+                     .two_attackers_s = 0.6,
+                     .keeper_hold_s = 0.7,
+                     .keeper = 2,
+                     .advantage_against = true};
+  const mirocup_observation now = abi::to_observation(seen);
+  const double limits[] = {1.0, 1.0, 2.0, 3.0}, times[] = {0.4, 0.5, 0.6, 0.7};
+  const int allowed[] = {1, 2, 3, 0}, robots[] = {4, 5, 6, 0};
+  ASSERT_EQ(setup.laws, std::ssize(limits));
+  ASSERT_EQ(now.laws, setup.laws);
+  for (int law = 0; law < setup.laws; ++law) {
+    EXPECT_EQ(setup.time_limit_s[law], limits[law]) << law;
+    EXPECT_EQ(setup.robots_allowed[law], allowed[law]) << law;
+    EXPECT_EQ(now.own_counts.time_s[law], times[law]) << law;
+    EXPECT_EQ(now.own_counts.robots[law], robots[law]) << law;
+    EXPECT_EQ(now.opponent_counts.time_s[law], 0.0) << law;
+  }
+  for (int law = setup.laws; law < MIROCUP_MAX_LAWS; ++law) {
+    EXPECT_EQ(setup.time_limit_s[law], referee::off) << law;
+    EXPECT_EQ(now.own_counts.time_s[law], 0.0) << law;
+  }
+  EXPECT_EQ(now.own_counts.keeper, 2);
+  EXPECT_EQ(now.own_counts.advantage_against, 1);
 }
 
 std::string last_line;

@@ -21,14 +21,12 @@ namespace mirocup::strategy {
 
 // The floor and the walls of a match: ds/dt = -constant - linear * s for the speed s.
 struct Rolling {
-  double constant = 0.01 * 9.81 / 1.4;   // m/s^2
-  double linear = 0.01 / (1.4 * 0.046);  // 1/s
-  double bounce = 0.8;                   // part of the speed towards a wall that a rebound keeps
+  double constant;  // m/s^2
+  double linear;    // 1/s
+  double bounce;    // part of the speed towards a wall that a rebound keeps
 };
 
-// Returns the floor and the walls of this leg; the defaults if the host does not give them.
 inline Rolling rolling_of(const Setup& setup) {
-  if (setup.size < offsetof(Setup, corners)) return {};
   // The formulas below divide by both constants, so neither may be 0.
   constexpr double least = 1e-5;
   return {math::max(setup.rolling_resistance * 9.81 / 1.4, least),

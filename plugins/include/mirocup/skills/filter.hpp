@@ -111,31 +111,28 @@ inline Robot coasted(Robot robot, double seconds) {
 class Filter {
  public:
   explicit Filter(const Setup& setup, const FilterSettings& settings = {})
-      : setup_(copy_of(setup)), settings_(settings) {}
+      : setup_(setup), settings_(settings) {}
 
   // Returns the observation with all bodies at their places `ticks_ahead` ticks later: 1 is the
   // start of the tick in which the answer is driven, 0 is now. Call this once in every tick.
   Observation see(const Observation& seen, int ticks_ahead = 1) {
     Observation now = seen;
-    const bool has_ages = seen.size >= offsetof(Observation, reserved_age);
     const bool stands = seen.state != MIROCUP_PLAY;
     const bool is_new = stands || seen.tick != tick_ + 1;
     tick_ = seen.tick;
     if (stands) stood_ = tick_;
-    const int ball_age = has_ages ? seen.ball_age_ticks : 0;
-    see_ball(seen, ball_age, is_new);
-    const double ball_s = (ball_age + ticks_ahead) * setup_.control_period;
+    see_ball(seen, seen.ball_age_ticks, is_new);
+    const double ball_s = (seen.ball_age_ticks + ticks_ahead) * setup_.control_period;
     const MovingBall then = rolled(setup_, ball_.at, is_new ? 0.0 : ball_s);
     now.ball_x = then.at.x;
     now.ball_y = then.at.y;
     now.ball_vx = then.velocity.x;
     now.ball_vy = then.velocity.y;
     for (int i = 0; i < seen.robots; ++i) {
-      const int own_age = has_ages ? seen.own_age_ticks[i] : 0;
-      const int opponent_age = has_ages ? seen.opponent_age_ticks[i] : 0;
-      see_robot(own_[i], stands ? at_rest(seen.own[i]) : seen.own[i], own_age, is_new, i);
-      see_robot(opponent_[i], stands ? at_rest(seen.opponent[i]) : seen.opponent[i], opponent_age,
-                is_new, -1);
+      see_robot(own_[i], stands ? at_rest(seen.own[i]) : seen.own[i], seen.own_age_ticks[i], is_new,
+                i);
+      see_robot(opponent_[i], stands ? at_rest(seen.opponent[i]) : seen.opponent[i],
+                seen.opponent_age_ticks[i], is_new, -1);
       if (is_new) continue;
       now.own[i] = moved(own_[i], i, tick_ + static_cast<unsigned>(ticks_ahead));
       now.opponent[i] = moved(opponent_[i], -1, tick_ + static_cast<unsigned>(ticks_ahead));
