@@ -100,14 +100,14 @@ Pitch::Pitch(const std::string& match_id, const std::vector<std::string>& names,
     : camera_(camera), radio_(radio) {
   const dds::Entity& p = participant_;
   publisher_ = need(dds::make_publisher(p, dds::match_partition(match_id)));
-  state_topic_ = need(dds::make_topic(p, mirocup_v4_WorldState_desc, idl::world_state));
-  event_topic_ = need(dds::make_topic(p, mirocup_v4_MatchEvent_desc, idl::match_event));
+  state_topic_ = need(dds::make_topic(p, mirocup_v1_WorldState_desc, idl::world_state));
+  event_topic_ = need(dds::make_topic(p, mirocup_v1_MatchEvent_desc, idl::match_event));
   states_ = need(dds::make_writer(publisher_, state_topic_, idl::world_state));
   events_ = need(dds::make_writer(publisher_, event_topic_, idl::match_event));
-  info_topic_ = need(dds::make_topic(p, mirocup_v4_MatchInfo_desc, idl::match_info));
+  info_topic_ = need(dds::make_topic(p, mirocup_v1_MatchInfo_desc, idl::match_info));
   infos_ = need(dds::make_writer(publisher_, info_topic_, idl::match_info));
   const match::Briefing facts{&field_, &robots_, &rules_, period, Team::blue, 1};
-  const mirocup_v4_MatchInfo info =
+  const mirocup_v1_MatchInfo info =
       dds::to_sample(facts, leg_, {names[0], names.size() > 1 ? names[1] : std::string()}, 1.0);
   dds_write(infos_.get(), &info);
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -116,9 +116,9 @@ Pitch::Pitch(const std::string& match_id, const std::vector<std::string>& names,
     const std::string own = dds::team_partition(match_id, static_cast<int>(i), names[i]);
     side.publisher = need(dds::make_publisher(p, own));
     side.subscriber = need(dds::make_subscriber(p, own));
-    side.hello_topic = need(dds::make_topic(p, mirocup_v4_Hello_desc, idl::hello));
-    side.welcome_topic = need(dds::make_topic(p, mirocup_v4_Welcome_desc, idl::welcome));
-    side.command_topic = need(dds::make_topic(p, mirocup_v4_TeamCommand_desc, idl::team_command));
+    side.hello_topic = need(dds::make_topic(p, mirocup_v1_Hello_desc, idl::hello));
+    side.welcome_topic = need(dds::make_topic(p, mirocup_v1_Welcome_desc, idl::welcome));
+    side.command_topic = need(dds::make_topic(p, mirocup_v1_TeamCommand_desc, idl::team_command));
     side.hellos = need(dds::make_reader(side.subscriber, side.hello_topic, idl::hello));
     side.welcomes = need(dds::make_writer(side.publisher, side.welcome_topic, idl::welcome));
     side.commands = need(dds::make_reader(side.subscriber, side.command_topic, idl::team_command));
@@ -127,14 +127,14 @@ Pitch::Pitch(const std::string& match_id, const std::vector<std::string>& names,
 }
 
 void Pitch::hear(Side& side, std::uint32_t tick) {
-  mirocup_v4_Hello hello;
+  mirocup_v1_Hello hello;
   while (dds::take(side.hellos, hello)) {
     side.nonce = hello.nonce;
     const match::Briefing briefing{&field_, &robots_, &rules_, period, side.team, 1};
-    const mirocup_v4_Welcome welcome = dds::to_sample(briefing, leg_, hello.nonce);
+    const mirocup_v1_Welcome welcome = dds::to_sample(briefing, leg_, hello.nonce);
     dds_write(side.welcomes.get(), &welcome);
   }
-  mirocup_v4_TeamCommand command;
+  mirocup_v1_TeamCommand command;
   while (dds::take(side.commands, command)) {
     if (side.nonce == 0 || command.nonce != side.nonce || command.tick >= tick) continue;
     ++side.heard;
@@ -159,7 +159,7 @@ void Pitch::show(const Picture& now, const Picture& before, std::uint32_t tick,
   scene.tick = tick;
   scene.time = scene.clock = tick * period;
   scene.state = state;
-  mirocup_v4_WorldState sample = dds::to_sample(scene, field_.robots_per_team, leg_);
+  mirocup_v1_WorldState sample = dds::to_sample(scene, field_.robots_per_team, leg_);
   for (const Side& side : sides_) {
     sample.heard[index_of(side.team)] = static_cast<std::uint32_t>(side.heard);
   }
@@ -195,8 +195,8 @@ void Pitch::play(double seconds, bool waits) {
 }
 
 void Pitch::say_that_it_is_over(std::uint32_t tick) {
-  mirocup_v4_MatchEvent event{};
-  event.layout = mirocup_v4_LAYOUT_NUMBER;
+  mirocup_v1_MatchEvent event{};
+  event.layout = mirocup_v1_LAYOUT_NUMBER;
   event.leg = leg_;
   event.tick = tick;
   event.ends_match = true;

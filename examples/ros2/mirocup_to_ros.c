@@ -58,7 +58,7 @@ static std_msgs_msg_dds__Header_ header(void) {
       {(int32_t)(now / DDS_NSECS_IN_SEC), (uint32_t)(now % DDS_NSECS_IN_SEC)}, (char*)"field"};
 }
 
-static void write_state(dds_entity_t writer, const mirocup_v4_WorldState* s) {
+static void write_state(dds_entity_t writer, const mirocup_v1_WorldState* s) {
   RosState r = {.header = header(), .leg = s->leg, .tick = s->tick};
   r.time = s->time;
   r.clock = s->clock;
@@ -74,14 +74,14 @@ static void write_state(dds_entity_t writer, const mirocup_v4_WorldState* s) {
   r.ball_vx = s->ball_vx;
   r.ball_vy = s->ball_vy;
   /* RobotState_ has the members of mirocup's RobotState. */
-  const uint32_t robots = s->robots <= mirocup_v4_MAX_ROBOTS ? s->robots : 0;
+  const uint32_t robots = s->robots <= mirocup_v1_MAX_ROBOTS ? s->robots : 0;
   r.blue._length = r.blue._maximum = r.yellow._length = r.yellow._maximum = robots;
   r.blue._buffer = (RosRobot*)s->blue;
   r.yellow._buffer = (RosRobot*)s->yellow;
   dds_write(writer, &r);
 }
 
-static void write_event(dds_entity_t writer, mirocup_v4_MatchEvent* e) {
+static void write_event(dds_entity_t writer, mirocup_v1_MatchEvent* e) {
   const RosEvent r = {header(),    e->leg, e->number, e->tick,     e->clock,   e->ends_match,
                       e->decision, e->law, e->reason, e->score[0], e->score[1]};
   dds_write(writer, &r);
@@ -106,13 +106,13 @@ int main(int argc, char** argv) {
   const dds_entity_t states =
       need(dds_create_reader(
                subscriber,
-               dds_create_topic(match, &mirocup_v4_WorldState_desc, "WorldState", NULL, NULL),
+               dds_create_topic(match, &mirocup_v1_WorldState_desc, "WorldState", NULL, NULL),
                qos_of(false, false, 1), NULL),
            "WorldState");
   const dds_entity_t events =
       need(dds_create_reader(
                subscriber,
-               dds_create_topic(match, &mirocup_v4_MatchEvent_desc, "MatchEvent", NULL, NULL),
+               dds_create_topic(match, &mirocup_v1_MatchEvent_desc, "MatchEvent", NULL, NULL),
                qos_of(true, true, 1000), NULL),
            "MatchEvent");
 
@@ -137,16 +137,16 @@ int main(int argc, char** argv) {
   bool is_over = false;
   while (!is_over) {
     dds_waitset_wait(wake, NULL, 0, DDS_SECS(1));
-    mirocup_v4_WorldState state;
-    mirocup_v4_MatchEvent event;
+    mirocup_v1_WorldState state;
+    mirocup_v1_MatchEvent event;
     void *at_state = &state, *at_event = &event;
     dds_sample_info_t info;
     while (dds_take(states, &at_state, &info, 1, 1) == 1) {
-      if (info.valid_data && state.layout == mirocup_v4_LAYOUT_NUMBER)
+      if (info.valid_data && state.layout == mirocup_v1_LAYOUT_NUMBER)
         write_state(ros_states, &state);
     }
     while (dds_take(events, &at_event, &info, 1, 1) == 1) {
-      if (!info.valid_data || event.layout != mirocup_v4_LAYOUT_NUMBER) continue;
+      if (!info.valid_data || event.layout != mirocup_v1_LAYOUT_NUMBER) continue;
       write_event(ros_events, &event);
       is_over = is_over || event.ends_match;
     }

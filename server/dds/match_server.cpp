@@ -82,9 +82,9 @@ Result<void> MatchServer::open_topics() {
   MIROCUP_TRY(participant_, make_participant(domain_));
   const Entity& p = participant_;
   MIROCUP_TRY(publisher_, make_publisher(p, match_partition(match_id_)));
-  MIROCUP_TRY(state_topic_, make_topic(p, mirocup_v4_WorldState_desc, idl::world_state));
-  MIROCUP_TRY(event_topic_, make_topic(p, mirocup_v4_MatchEvent_desc, idl::match_event));
-  MIROCUP_TRY(info_topic_, make_topic(p, mirocup_v4_MatchInfo_desc, idl::match_info));
+  MIROCUP_TRY(state_topic_, make_topic(p, mirocup_v1_WorldState_desc, idl::world_state));
+  MIROCUP_TRY(event_topic_, make_topic(p, mirocup_v1_MatchEvent_desc, idl::match_event));
+  MIROCUP_TRY(info_topic_, make_topic(p, mirocup_v1_MatchInfo_desc, idl::match_info));
   MIROCUP_TRY(info_writer_, make_writer(publisher_, info_topic_, idl::match_info));
   MIROCUP_TRY(state_writer_, make_writer(publisher_, state_topic_, idl::world_state));
   MIROCUP_TRY(event_writer_, make_writer(publisher_, event_topic_, idl::match_event));
@@ -122,7 +122,7 @@ Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::
 
 void MatchServer::announce(const match::Briefing& briefing, const match::ByTeam<std::string>& names,
                            double speed) {
-  const mirocup_v4_MatchInfo info = to_sample(briefing, leg_, names, speed);
+  const mirocup_v1_MatchInfo info = to_sample(briefing, leg_, names, speed);
   dds_write(info_writer_.get(), &info);
 }
 
@@ -249,8 +249,8 @@ void MatchServer::publish_decisions(const match::Leg& match) {
 
 void MatchServer::close(const match::Leg& leg) {
   publish(leg);
-  mirocup_v4_MatchEvent last{};
-  last.layout = mirocup_v4_LAYOUT_NUMBER;
+  mirocup_v1_MatchEvent last{};
+  last.layout = mirocup_v1_LAYOUT_NUMBER;
   last.leg = leg_;
   last.number = static_cast<std::uint32_t>(events_);
   last.tick = leg.tick();

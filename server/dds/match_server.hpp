@@ -78,7 +78,7 @@ class MatchServer {
   Entity publisher_, state_topic_, event_topic_, info_topic_;
   Entity state_writer_, event_writer_, info_writer_, waitset_;
   std::vector<std::unique_ptr<Seat>> seats_;
-  mirocup_v4_WorldState state_{};
+  mirocup_v1_WorldState state_{};
   WallClock::time_point sent_;  // when the state was sent last
   std::size_t events_ = 0;      // number of events already published
   bool is_settled_ = true;      // true: the wait for the present tick is over

@@ -63,9 +63,9 @@ Result<void> Seat::open(const Entity& participant, const std::string& match_id,
   const Entity& p = participant;
   MIROCUP_TRY(publisher_, make_publisher(p, partition));
   MIROCUP_TRY(subscriber_, make_subscriber(p, partition));
-  MIROCUP_TRY(hello_topic_, make_topic(p, mirocup_v4_Hello_desc, idl::hello));
-  MIROCUP_TRY(welcome_topic_, make_topic(p, mirocup_v4_Welcome_desc, idl::welcome));
-  MIROCUP_TRY(command_topic_, make_topic(p, mirocup_v4_TeamCommand_desc, idl::team_command));
+  MIROCUP_TRY(hello_topic_, make_topic(p, mirocup_v1_Hello_desc, idl::hello));
+  MIROCUP_TRY(welcome_topic_, make_topic(p, mirocup_v1_Welcome_desc, idl::welcome));
+  MIROCUP_TRY(command_topic_, make_topic(p, mirocup_v1_TeamCommand_desc, idl::team_command));
   MIROCUP_TRY(hello_reader_, make_reader(subscriber_, hello_topic_, idl::hello));
   MIROCUP_TRY(welcome_writer_, make_writer(publisher_, welcome_topic_, idl::welcome));
   MIROCUP_TRY(command_reader_, make_reader(subscriber_, command_topic_, idl::team_command));
@@ -84,16 +84,16 @@ void Seat::receive() {
 }
 
 void Seat::take_hellos() {
-  mirocup_v4_Hello hello;
+  mirocup_v1_Hello hello;
   dds_instance_handle_t writer = 0;
   while (take(hello_reader_, hello, &writer)) {
-    const mirocup_v4_Welcome welcome = answer_to(hello, writer);
+    const mirocup_v1_Welcome welcome = answer_to(hello, writer);
     dds_write(welcome_writer_.get(), &welcome);
   }
 }
 
-mirocup_v4_Welcome Seat::answer_to(const mirocup_v4_Hello& hello, dds_instance_handle_t writer) {
-  mirocup_v4_Welcome welcome = to_sample(briefing_, link_.leg, hello.nonce);
+mirocup_v1_Welcome Seat::answer_to(const mirocup_v1_Hello& hello, dds_instance_handle_t writer) {
+  mirocup_v1_Welcome welcome = to_sample(briefing_, link_.leg, hello.nonce);
   const auto answer = [&welcome](Admission admission, const std::string& reason) {
     welcome.answer = static_cast<std::uint8_t>(admission);
     copy_text(welcome.reason, reason);
@@ -149,7 +149,7 @@ bool Seat::has_left() const {
   return nonce_ != 0 && !participant_of(hello_reader_, hello_writer_);
 }
 
-bool Seat::is_ours(const mirocup_v4_TeamCommand& command, dds_instance_handle_t writer) {
+bool Seat::is_ours(const mirocup_v1_TeamCommand& command, dds_instance_handle_t writer) {
   if (nonce_ == 0 || command.nonce != nonce_ ||
       static_cast<int>(command.team) != index_of(briefing_.team)) {
     return false;
@@ -161,7 +161,7 @@ bool Seat::is_ours(const mirocup_v4_TeamCommand& command, dds_instance_handle_t 
 }
 
 void Seat::take_commands() {
-  mirocup_v4_TeamCommand command;
+  mirocup_v1_TeamCommand command;
   dds_instance_handle_t writer = 0;
   while (take(command_reader_, command, &writer)) {
     if (!is_ours(command, writer)) {
@@ -205,7 +205,7 @@ void Seat::take_commands() {
 
 // In real time a late command shows that the team is there. In lockstep the match waits for the
 // answer to the present tick, and nothing else can make it go on.
-void Seat::take_late(const mirocup_v4_TeamCommand& command) {
+void Seat::take_late(const mirocup_v1_TeamCommand& command) {
   late_ = to_command(command);
   late_tick_ = command.tick;
   if (liveliness_.answered_late(command.tick, tick_, fair_now())) {

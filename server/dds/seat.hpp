@@ -125,12 +125,12 @@ class Seat final : public match::Controller {
  private:
   void take_hellos();
   void take_commands();
-  mirocup_v4_Welcome answer_to(const mirocup_v4_Hello& hello, dds_instance_handle_t writer);
-  bool is_ours(const mirocup_v4_TeamCommand& command, dds_instance_handle_t writer);
+  mirocup_v1_Welcome answer_to(const mirocup_v1_Hello& hello, dds_instance_handle_t writer);
+  bool is_ours(const mirocup_v1_TeamCommand& command, dds_instance_handle_t writer);
   std::string why_too_short() const;
   bool may_be_taken() const;
   bool has_left() const;
-  void take_late(const mirocup_v4_TeamCommand& command);
+  void take_late(const mirocup_v1_TeamCommand& command);
   match::Late late();
   double now() const { return seconds_since(begin_); }
   double fair_now() const { return now() - link_.excused(); }

@@ -74,11 +74,11 @@ Result<void> TeamClient::open_readers_and_writers(Link& l) const {
   MIROCUP_TRY(l.match_subscriber, make_subscriber(p, match));
   MIROCUP_TRY(l.team_publisher, make_publisher(p, own));
   MIROCUP_TRY(l.team_subscriber, make_subscriber(p, own));
-  MIROCUP_TRY(l.state_topic, make_topic(p, mirocup_v4_WorldState_desc, idl::world_state));
-  MIROCUP_TRY(l.event_topic, make_topic(p, mirocup_v4_MatchEvent_desc, idl::match_event));
-  MIROCUP_TRY(l.hello_topic, make_topic(p, mirocup_v4_Hello_desc, idl::hello));
-  MIROCUP_TRY(l.welcome_topic, make_topic(p, mirocup_v4_Welcome_desc, idl::welcome));
-  MIROCUP_TRY(l.command_topic, make_topic(p, mirocup_v4_TeamCommand_desc, idl::team_command));
+  MIROCUP_TRY(l.state_topic, make_topic(p, mirocup_v1_WorldState_desc, idl::world_state));
+  MIROCUP_TRY(l.event_topic, make_topic(p, mirocup_v1_MatchEvent_desc, idl::match_event));
+  MIROCUP_TRY(l.hello_topic, make_topic(p, mirocup_v1_Hello_desc, idl::hello));
+  MIROCUP_TRY(l.welcome_topic, make_topic(p, mirocup_v1_Welcome_desc, idl::welcome));
+  MIROCUP_TRY(l.command_topic, make_topic(p, mirocup_v1_TeamCommand_desc, idl::team_command));
   MIROCUP_TRY(l.state_reader, make_reader(l.match_subscriber, l.state_topic, idl::world_state));
   MIROCUP_TRY(l.event_reader, make_reader(l.match_subscriber, l.event_topic, idl::match_event));
   MIROCUP_TRY(l.welcome_reader, make_reader(l.team_subscriber, l.welcome_topic, idl::welcome));
@@ -109,18 +109,18 @@ std::optional<News> TeamClient::poll() {
 }
 
 std::optional<News> TeamClient::take_welcome() {
-  mirocup_v4_Welcome welcome;
+  mirocup_v1_Welcome welcome;
   while (take(link_.welcome_reader, welcome)) {
     if (const std::string why = layout_mismatch(welcome.layout); !why.empty()) {
       return Refused{not_understood + why};
     }
     if (welcome.nonce != link_.nonce || is_of_another_leg(welcome.leg)) continue;
     link_.leg = welcome.leg;
-    if (welcome.answer == mirocup_v4_ADMISSION_NOT_NOW) {
+    if (welcome.answer == mirocup_v1_ADMISSION_NOT_NOW) {
       wait_reason_ = welcome.reason;
       continue;
     }
-    if (welcome.answer != mirocup_v4_ADMISSION_ACCEPTED) {
+    if (welcome.answer != mirocup_v1_ADMISSION_ACCEPTED) {
       return Refused{welcome.reason};
     }
     // A server that was started again receives the old Hello from its history, so its Welcome may
@@ -141,7 +141,7 @@ bool TeamClient::is_of_another_leg(std::uint64_t leg) const {
 }
 
 std::optional<News> TeamClient::take_event() {
-  mirocup_v4_MatchEvent event;
+  mirocup_v1_MatchEvent event;
   while (take(link_.event_reader, event)) {
     if (event.leg != link_.leg || !event.ends_match) continue;
     return MatchOver{event.reason, {event.score[0], event.score[1]}};
@@ -150,7 +150,7 @@ std::optional<News> TeamClient::take_event() {
 }
 
 std::optional<News> TeamClient::take_state() {
-  mirocup_v4_WorldState state;
+  mirocup_v1_WorldState state;
   while (take(link_.state_reader, state)) {
     if (is_of_another_leg(state.leg)) continue;
     if (const std::string why = layout_mismatch(state.layout); !why.empty()) {
@@ -200,8 +200,8 @@ void TeamClient::look_after_connection() {
 
 void TeamClient::send_hello() {
   hello_sent_at_ = WallClock::now();
-  mirocup_v4_Hello hello{};
-  hello.layout = mirocup_v4_LAYOUT_NUMBER;
+  mirocup_v1_Hello hello{};
+  hello.layout = mirocup_v1_LAYOUT_NUMBER;
   hello.team = static_cast<std::uint8_t>(request_.team);
   hello.nonce = link_.nonce;
   copy_text(hello.name, request_.name);
@@ -251,7 +251,7 @@ std::string TeamClient::last_error() const {
             "with credentials of the same league, and yours must be neither revoked nor expired";
   if (const std::string type = type_of_server(); !type.empty()) {
     return "the match is there, but its server sends " + type + ", and this program needs " +
-           mirocup_v4_WorldState_desc.m_typename + ": both need the same version of mirocup";
+           mirocup_v1_WorldState_desc.m_typename + ": both need the same version of mirocup";
   }
   return "no match server answered (" + reasons + ")" + domain_.log->last_error_suffix();
 }

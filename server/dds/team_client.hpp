@@ -101,7 +101,7 @@ class TeamClient {
   WallClock::time_point last_heard_at_;  // when the last sample of the match came
   std::uint64_t seated_leg_ = 0;
   OwnedBriefing briefing_;
-  std::optional<mirocup_v4_TeamCommand> answer_;  // the last answer that was sent
+  std::optional<mirocup_v1_TeamCommand> answer_;  // the last answer that was sent
   std::uint32_t acknowledged_commands_ = 0;       // commands that the server has counted
   WallClock::time_point acknowledged_at_;         // when acknowledged_commands_ last changed
   int unacknowledged_ = 0;                        // commands sent since acknowledged_at_

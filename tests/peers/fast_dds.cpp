@@ -25,7 +25,7 @@ using namespace eprosima::fastdds::dds;
 using eprosima::fastrtps::Duration_t;
 using eprosima::fastrtps::rtps::IPLocator;
 using eprosima::fastrtps::rtps::Locator_t;
-namespace idl = mirocup::v4;
+namespace idl = mirocup::v1;
 
 namespace {
 

@@ -51,13 +51,13 @@ struct Socket {
 void start_echo(const Socket& socket) {
   if (fork() != 0) return;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  char packet[sizeof(mirocup_v4_WorldState)];
+  char packet[sizeof(mirocup_v1_WorldState)];
   sockaddr_in from{};
   while (true) {
     socklen_t size = sizeof from;
     recvfrom(socket.descriptor, packet, sizeof packet, 0, reinterpret_cast<sockaddr*>(&from),
              &size);
-    sendto(socket.descriptor, packet, sizeof(mirocup_v4_TeamCommand), 0,
+    sendto(socket.descriptor, packet, sizeof(mirocup_v1_TeamCommand), 0,
            reinterpret_cast<sockaddr*>(&from), size);
   }
 }
@@ -69,7 +69,7 @@ class Udp {
   }
 
   void operator()(double /*due*/, Durations& durations) {
-    char packet[sizeof(mirocup_v4_WorldState)] = {};
+    char packet[sizeof(mirocup_v1_WorldState)] = {};
     const double begin = now();
     for (const Socket& echo : echoes_) {
       sendto(own_.descriptor, packet, sizeof packet, 0,

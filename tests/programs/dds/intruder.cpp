@@ -7,7 +7,7 @@
 //   hellos       asks for the seat all the time, each time as another process
 //   wrong_types  writes other types under the names of the topics
 //   stuck        reads everything, and then stops
-//   layout       asks for the seat with another layout of v4, and prints the answer
+//   layout       asks for the seat with another layout of v1, and prints the answer
 //   unreadable   is the team, but answers with another structure under the name of the type
 //   look         reads states
 //   watch        prints what spectators are told, after the first state of the leg
@@ -45,8 +45,8 @@ struct Stranger {
     const std::string own = team_partition(match_id, 0, name);
     team = need(make_subscriber(participant, own));
     publisher = need(make_publisher(participant, own));
-    states = need(make_topic(participant, mirocup_v4_WorldState_desc, idl::world_state));
-    events = need(make_topic(participant, mirocup_v4_MatchEvent_desc, idl::match_event));
+    states = need(make_topic(participant, mirocup_v1_WorldState_desc, idl::world_state));
+    events = need(make_topic(participant, mirocup_v1_MatchEvent_desc, idl::match_event));
     state_reader = need(make_reader(all, states, idl::world_state));
     event_reader = need(make_reader(all, events, idl::match_event));
   }
@@ -65,7 +65,7 @@ struct Stranger {
   // Changed packets, its own or another process's, can cut it off from the match.
   bool is_cut_off() const { return seconds_since(heard) > max_silence; }
 
-  mirocup_v4_WorldState state{};
+  mirocup_v1_WorldState state{};
   WallClock::time_point heard = WallClock::now();
   Entity participant, all, team, publisher, states, events, state_reader, event_reader;
 };
@@ -73,16 +73,16 @@ struct Stranger {
 // Acts for as long as it receives samples of the match.
 void imitate(Stranger& s, int copies) {
   const Entity commands =
-      need(make_topic(s.participant, mirocup_v4_TeamCommand_desc, idl::team_command));
-  const Entity welcomes = need(make_topic(s.participant, mirocup_v4_Welcome_desc, idl::welcome));
+      need(make_topic(s.participant, mirocup_v1_TeamCommand_desc, idl::team_command));
+  const Entity welcomes = need(make_topic(s.participant, mirocup_v1_Welcome_desc, idl::welcome));
   const Entity writer = need(make_writer(s.publisher, commands, idl::team_command));
   const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
-  mirocup_v4_TeamCommand command{};
+  mirocup_v1_TeamCommand command{};
   for (double& wheel : command.left) wheel = 40.0;
   for (double& wheel : command.right) wheel = -40.0;
   bool is_there = false;
   while (!s.is_cut_off()) {
-    mirocup_v4_Welcome welcome;
+    mirocup_v1_Welcome welcome;
     while (take(reader, welcome)) command.nonce = welcome.nonce;
     if (s.take_state()) {
       command.tick = s.state.tick;
@@ -94,11 +94,11 @@ void imitate(Stranger& s, int copies) {
 }
 
 void say_hellos(Stranger& s, const char* name) {
-  const Entity topic = need(make_topic(s.participant, mirocup_v4_Hello_desc, idl::hello));
+  const Entity topic = need(make_topic(s.participant, mirocup_v1_Hello_desc, idl::hello));
   const Entity writer = need(make_writer(s.publisher, topic, idl::hello));
   s.wait_for_match();
-  mirocup_v4_Hello hello{};
-  hello.layout = mirocup_v4_LAYOUT_NUMBER;
+  mirocup_v1_Hello hello{};
+  hello.layout = mirocup_v1_LAYOUT_NUMBER;
   copy_text(hello.name, std::string(name) + " or not");
   while (true) {
     hello.nonce = random_nonce();
@@ -109,14 +109,14 @@ void say_hellos(Stranger& s, const char* name) {
 
 void write_wrong_types(Stranger& s) {
   idl::TopicQos row = idl::team_command;
-  const Entity commands = need(make_topic(s.participant, mirocup_v4_Hello_desc, row));
+  const Entity commands = need(make_topic(s.participant, mirocup_v1_Hello_desc, row));
   const Entity writer = need(make_writer(s.publisher, commands, row));
   row = idl::hello;
-  const Entity hellos = need(make_topic(s.participant, mirocup_v4_TeamCommand_desc, row));
+  const Entity hellos = need(make_topic(s.participant, mirocup_v1_TeamCommand_desc, row));
   const Entity other = need(make_writer(s.publisher, hellos, row));
   s.wait_for_match();
-  const mirocup_v4_Hello hello{};
-  const mirocup_v4_TeamCommand command{};
+  const mirocup_v1_Hello hello{};
+  const mirocup_v1_TeamCommand command{};
   while (true) {
     dds_write(writer.get(), &hello);
     dds_write(other.get(), &command);
@@ -126,15 +126,15 @@ void write_wrong_types(Stranger& s) {
 
 // Writes the Hello until there is a Welcome, and prints the reason in it.
 int ask_with_other_layout(Stranger& s, const char* name) {
-  mirocup_v4_Hello hello{};
-  hello.layout = mirocup_v4_LAYOUT_NUMBER + 1;
+  mirocup_v1_Hello hello{};
+  hello.layout = mirocup_v1_LAYOUT_NUMBER + 1;
   hello.nonce = random_nonce();
   copy_text(hello.name, name);
-  const Entity hellos = need(make_topic(s.participant, mirocup_v4_Hello_desc, idl::hello));
-  const Entity welcomes = need(make_topic(s.participant, mirocup_v4_Welcome_desc, idl::welcome));
+  const Entity hellos = need(make_topic(s.participant, mirocup_v1_Hello_desc, idl::hello));
+  const Entity welcomes = need(make_topic(s.participant, mirocup_v1_Welcome_desc, idl::welcome));
   const Entity writer = need(make_writer(s.publisher, hellos, idl::hello));
   const Entity reader = need(make_reader(s.team, welcomes, idl::welcome));
-  mirocup_v4_Welcome welcome;
+  mirocup_v1_Welcome welcome;
   while (!take(reader, welcome) || welcome.nonce != hello.nonce) {
     dds_write(writer.get(), &hello);
     dds_sleepfor(DDS_MSECS(20));
@@ -144,14 +144,14 @@ int ask_with_other_layout(Stranger& s, const char* name) {
 }
 
 int answer_unreadably(Stranger& s, const char* name) {
-  dds_topic_descriptor_t type = mirocup_v4_Hello_desc;
-  type.m_typename = mirocup_v4_TeamCommand_desc.m_typename;
-  const Entity hellos = need(make_topic(s.participant, mirocup_v4_Hello_desc, idl::hello));
+  dds_topic_descriptor_t type = mirocup_v1_Hello_desc;
+  type.m_typename = mirocup_v1_TeamCommand_desc.m_typename;
+  const Entity hellos = need(make_topic(s.participant, mirocup_v1_Hello_desc, idl::hello));
   const Entity commands = need(make_topic(s.participant, type, idl::team_command));
   const Entity asks = need(make_writer(s.publisher, hellos, idl::hello));
   const Entity answers = need(make_writer(s.publisher, commands, idl::team_command));
-  mirocup_v4_Hello hello{};
-  hello.layout = mirocup_v4_LAYOUT_NUMBER;
+  mirocup_v1_Hello hello{};
+  hello.layout = mirocup_v1_LAYOUT_NUMBER;
   hello.nonce = random_nonce();
   copy_text(hello.name, name);
   while (true) {
@@ -162,10 +162,10 @@ int answer_unreadably(Stranger& s, const char* name) {
 }
 
 int print_info(Stranger& s) {
-  const Entity topic = need(make_topic(s.participant, mirocup_v4_MatchInfo_desc, idl::match_info));
+  const Entity topic = need(make_topic(s.participant, mirocup_v1_MatchInfo_desc, idl::match_info));
   const Entity reader = need(make_reader(s.all, topic, idl::match_info));
   s.wait_for_match();
-  mirocup_v4_MatchInfo info;
+  mirocup_v1_MatchInfo info;
   while (!take(reader, info)) dds_sleepfor(DDS_MSECS(1));
   std::cout << info.blue << " - " << info.yellow << ", league " << int{info.facts.league} << ", "
             << int{info.facts.robots} << " robots, period " << info.facts.control_period
@@ -179,11 +179,11 @@ int write_former_states(const char* match_id) {
   const Domain domain = need(open_server_domain("lo", ""));
   const Entity participant = need(make_participant(domain));
   const Entity publisher = need(make_publisher(participant, match_partition(match_id)));
-  dds_topic_descriptor_t type = mirocup_v4_WorldState_desc;
+  dds_topic_descriptor_t type = mirocup_v1_WorldState_desc;
   type.m_typename = "mirocup::v2::WorldState";
   const Entity topic = need(make_topic(participant, type, idl::world_state));
   const Entity writer = need(make_writer(publisher, topic, idl::world_state));
-  const mirocup_v4_WorldState state{};
+  const mirocup_v1_WorldState state{};
   while (dds_write(writer.get(), &state) == DDS_RETCODE_OK) dds_sleepfor(DDS_MSECS(10));
   return 0;
 }

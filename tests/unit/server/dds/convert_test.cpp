@@ -17,7 +17,7 @@ static_assert(!std::is_copy_constructible_v<OwnedBriefing> &&
 static_assert(!std::is_move_constructible_v<OwnedBriefing> &&
               !std::is_move_assignable_v<OwnedBriefing>);
 
-mirocup_v4_Welcome some_welcome() {
+mirocup_v1_Welcome some_welcome() {
   const field::Field field = field::make_field(League::middle);
   simulator::Parameters parameters;
   parameters.grip = 0.625;
@@ -48,11 +48,11 @@ TEST(OwnedBriefing, HasTheNumbersOfTheWelcomeAndPointsIntoItself) {
 
 TEST(OwnedBriefing, IsLeftAloneByAWelcomeWithAnUnknownLeagueOrColour) {
   OwnedBriefing owned;
-  mirocup_v4_Welcome welcome = some_welcome();
+  mirocup_v1_Welcome welcome = some_welcome();
   welcome.facts.league = static_cast<std::uint8_t>(3);
   EXPECT_FALSE(from_sample(welcome, owned));
   welcome = some_welcome();
-  welcome.team = mirocup_v4_COLOUR_NEITHER;
+  welcome.team = mirocup_v1_COLOUR_NEITHER;
   EXPECT_FALSE(from_sample(welcome, owned));
   EXPECT_EQ(owned.briefing.field, nullptr);
 }

@@ -50,14 +50,14 @@ class Filler {
   requires(!std::is_same_v<Member, char>) void put(Member (&members)[size]) {
     for (Member& member : members) put(member);
   }
-  void put(mirocup_v4_RobotState& r) { fill(r.x, r.y, r.heading, r.vx, r.vy, r.turn); }
-  void put(mirocup_v4_Pose& p) { fill(p.x, p.y, p.heading); }
-  void put(mirocup_v4_NamedNumber& n) { fill(n.name, n.value); }
-  void put(mirocup_v4_TeamCounts& c) {
+  void put(mirocup_v1_RobotState& r) { fill(r.x, r.y, r.heading, r.vx, r.vy, r.turn); }
+  void put(mirocup_v1_Pose& p) { fill(p.x, p.y, p.heading); }
+  void put(mirocup_v1_NamedNumber& n) { fill(n.name, n.value); }
+  void put(mirocup_v1_TeamCounts& c) {
     fill(c.two_defenders_s, c.four_defenders_s, c.two_attackers_s, c.keeper_hold_s, c.defenders,
          c.area_defenders, c.attackers, c.keeper, c.advantage_against);
   }
-  void put(mirocup_v4_LegFacts& f) {
+  void put(mirocup_v1_LegFacts& f) {
     fill(f.league, f.robots, f.control_period, f.half_seconds, f.half_length, f.half_width,
          f.corner_leg, f.goal_half_width, f.goal_depth, f.goal_area_depth, f.goal_area_half_width,
          f.penalty_area_depth, f.penalty_area_half_width, f.centre_circle_radius, f.robot_side,
@@ -98,41 +98,41 @@ std::map<std::string, std::string> pinned() {
 }
 
 void expect_pinned(const dds_topic_descriptor_t& type, const void* sample) {
-  const std::string name = std::string(type.m_typename).substr(13);  // behind "mirocup::v4::"
+  const std::string name = std::string(type.m_typename).substr(13);  // behind "mirocup::v1::"
   EXPECT_EQ(bytes_of(type, sample), pinned()[name]) << name;
 }
 
 TEST(TopicBytes, AreThoseOfTheLayout) {
-  mirocup_v4_WorldState state{};
+  mirocup_v1_WorldState state{};
   Filler().fill(state.layout, state.tick, state.leg, state.time, state.clock, state.state,
                 state.phase, state.restart, state.taker, state.left, state.placing, state.robots,
                 state.score, state.heard, state.ball_x, state.ball_y, state.ball_vx, state.ball_vy,
                 state.stalemate_s, state.advantage_s, state.blue, state.yellow, state.counts,
                 state.ball_age, state.blue_age, state.yellow_age);
-  expect_pinned(mirocup_v4_WorldState_desc, &state);
+  expect_pinned(mirocup_v1_WorldState_desc, &state);
 
-  mirocup_v4_TeamCommand command{};
+  mirocup_v1_TeamCommand command{};
   Filler().fill(command.nonce, command.tick, command.team, command.places, command.left,
                 command.right, command.place_ball_x, command.place_ball_y, command.place);
-  expect_pinned(mirocup_v4_TeamCommand_desc, &command);
+  expect_pinned(mirocup_v1_TeamCommand_desc, &command);
 
-  mirocup_v4_Hello hello{};
+  mirocup_v1_Hello hello{};
   Filler().fill(hello.layout, hello.team, hello.nonce, hello.name);
-  expect_pinned(mirocup_v4_Hello_desc, &hello);
+  expect_pinned(mirocup_v1_Hello_desc, &hello);
 
-  mirocup_v4_Welcome welcome{};
+  mirocup_v1_Welcome welcome{};
   Filler().fill(welcome.layout, welcome.team, welcome.answer, welcome.nonce, welcome.leg,
                 welcome.reason, welcome.seed, welcome.facts);
-  expect_pinned(mirocup_v4_Welcome_desc, &welcome);
+  expect_pinned(mirocup_v1_Welcome_desc, &welcome);
 
-  mirocup_v4_MatchInfo info{};
+  mirocup_v1_MatchInfo info{};
   Filler().fill(info.layout, info.leg, info.blue, info.yellow, info.speed, info.facts);
-  expect_pinned(mirocup_v4_MatchInfo_desc, &info);
+  expect_pinned(mirocup_v1_MatchInfo_desc, &info);
 
-  mirocup_v4_MatchEvent event{};
+  mirocup_v1_MatchEvent event{};
   Filler().fill(event.layout, event.number, event.leg, event.tick, event.ends_match, event.clock,
                 event.score, event.decision, event.law, event.reason);
-  expect_pinned(mirocup_v4_MatchEvent_desc, &event);
+  expect_pinned(mirocup_v1_MatchEvent_desc, &event);
 }
 
 }  // namespace
