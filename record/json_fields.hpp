@@ -41,10 +41,8 @@ class FieldWriter {
   void operator()(const char* key, const auto& value, auto...) {
     object_[key] = fields_json(value);
   }
-  // A key that earlier versions did not write, so a file may lack it.
-  void since_later(const char* key, const auto& value, auto...) {
-    object_[key] = fields_json(value);
-  }
+  // A key that a file may lack.
+  void optional(const char* key, const auto& value, auto...) { object_[key] = fields_json(value); }
   // A key that is not written if the value equals `plain`.
   template <class T>
   void unless(const T& plain, const char* key, const T& value, auto...) {
@@ -61,7 +59,6 @@ class FieldWriter {
   }
   // A key for people, which is written and not read, because its value follows from other keys.
   void only_written(const char* key, Json value) { object_[key] = std::move(value); }
-  bool has(const char*) const { return true; }
 
   const Json& object() const { return object_; }
 
@@ -76,20 +73,19 @@ class FieldReader {
   void operator()(const char* key, auto& value, auto... limits) {
     read(json_.at(key), value, limits...);
   }
-  void since_later(const char* key, auto& value, auto... limits) {
+  void optional(const char* key, auto& value, auto... limits) {
     if (json_.has(key)) read(json_.at(key), value, limits...);
   }
   template <class T>
   void unless(const T&, const char* key, T& value, auto... limits) {
-    since_later(key, value, limits...);
+    optional(key, value, limits...);
   }
-  void if_set(const char* key, auto& value) { since_later(key, value); }
+  void if_set(const char* key, auto& value) { optional(key, value); }
   void as(const char* key, auto, auto read) { read(json_.at(key)); }
   void as_if_set(bool, const char* key, auto, auto read) {
     if (json_.has(key)) read(json_.at(key));
   }
   void only_written(const char*, const JsonReader::Json&) {}
-  bool has(const char* key) const { return json_.has(key); }
 
   template <class T, class... Limits>
   static void read(const JsonReader& json, T& value, Limits... limits) {

@@ -74,8 +74,8 @@ static void list_fields(auto& f, match::TeamFault& fault) {
 static void list_fields(auto& f, match::Outcome& result) {
   list_score(f, "score", result.score);
   list_score(f, "played", result.played);
-  f.as_if_set(
-      true, "shoot_out", [&] { return result.shoot_out ? score_json(*result.shoot_out) : Json(); },
+  f.as(
+      "shoot_out", [&] { return result.shoot_out ? score_json(*result.shoot_out) : Json(); },
       [&](const JsonReader& json) {
         if (!json.is_null()) result.shoot_out = read_score(json);
       });
@@ -122,15 +122,15 @@ static void list_fields(auto& f, TeamInfo& team) {
   f("name", team.name);
   f("kind", team.kind);
   f("sha256", team.sha256);
-  f.as_if_set(
-      true, "parameters", [&] { return to_json(team.parameters); },
+  f.as(
+      "parameters", [&] { return to_json(team.parameters); },
       [&](const JsonReader& json) { team.parameters = read_team_parameters(json); });
 }
 
 static void list_fields(auto& f, BudgetReport& budget) {
   f("cpu_seconds", budget.cpu_seconds);
   f("slowest_tick_ms", budget.slowest_tick_ms);
-  f.since_later("bank_seconds", budget.bank_seconds);
+  f("bank_seconds", budget.bank_seconds);
   f("late_ticks", budget.late_ticks);
   f("bad_commands", budget.bad_commands);
 }
@@ -209,11 +209,8 @@ match::LoggedDecision read_decision(const JsonReader& json) {
   }
   if (json.has("kind")) d.credit = read_fields<match::GoalCredit>(json);
   if (json.has("score")) d.score = read_score(json.at("score"));
-  d.parties = match::parties_of(d.decision, d.team, d.taker);
-  for (auto [key, team] :
-       {std::pair{"gainer", &d.parties.gainer}, {"offender", &d.parties.offender}}) {
-    if (json.has(key)) *team = read_fields<std::optional<Team>>(json.at(key));
-  }
+  d.parties.gainer = read_fields<std::optional<Team>>(json.at("gainer"));
+  d.parties.offender = read_fields<std::optional<Team>>(json.at("offender"));
   return d;
 }
 
@@ -222,8 +219,6 @@ match::Setup read_setup(const JsonReader& json) {
   setup.league = json.at("league").name<League>();
   const JsonReader rules = json.at("rules");
   setup.rules = read_rules(rules, setup.league);
-  // Records without this key were played without this rule, whatever their preset.
-  if (!rules.has("kickoff_behind")) setup.rules.kickoff_behind = false;
   for (const auto& [key, seconds] :
        {std::pair{"half_s", setup.rules.half_s}, std::pair{"ready_s", setup.rules.ready_s}}) {
     if (!(seconds <= max_half_s)) rules.at(key).complain("it is more than 36000 s");
@@ -231,14 +226,10 @@ match::Setup read_setup(const JsonReader& json) {
   setup.stage = json.at("stage").name<referee::Stage>();
   setup.seed = json.at("seed").as<std::uint64_t>();
   setup.control_period = json.at("control_period").number(min_control_period, max_control_period);
-  // Records without this key are of exact legs.
-  if (json.has("conditions")) setup.conditions = read_conditions(json.at("conditions"));
-  // Records without this key are of legs on the pitch mirosot.
-  if (json.has("pitch")) {
-    const match::PitchSpec pitch = read_pitch(json.at("pitch"));
-    setup.pitch_name = pitch.name;
-    setup.parameters = pitch.parameters;
-  }
+  setup.conditions = read_conditions(json.at("conditions"));
+  const match::PitchSpec pitch = read_pitch(json.at("pitch"));
+  setup.pitch_name = pitch.name;
+  setup.parameters = pitch.parameters;
   if (const auto given = json.find("situation")) {
     const Situation situation = read_situation(*given);
     if (situation.league != setup.league)
@@ -275,7 +266,7 @@ RecordFile read_record_file(const JsonReader& json) {
   const JsonReader software = json.at("software");
   record.software.version = software.at("version").text();
   record.software.build = software.at("build").text();
-  software.read_if_present("game", record.software.behaviour_hash);
+  record.software.behaviour_hash = software.at("game").text();
   for (const Team team : both_teams) {
     const std::string colour(to_string(team));
     record.teams[index_of(team)] = read_fields<TeamInfo>(json.at("teams").at(colour));
@@ -340,12 +331,11 @@ bool has_other_behaviour(const MatchRecord& record) {
 }
 
 Error behaviour_mismatch(const std::string& path, const MatchRecord& record, std::uint32_t tick) {
-  const std::string played_by =
-      record.software.behaviour_hash.empty() ? "unknown" : record.software.behaviour_hash;
   return {Errc::damaged,
-          path + ": it was played by another version of the game (" + played_by + ", mirocup " +
-              record.software.version + "; this program plays " + MIROCUP_BEHAVIOUR_HASH +
-              ") and differs here from tick " + std::to_string(tick) +
+          path + ": it was played by another version of the game (" +
+              record.software.behaviour_hash + ", mirocup " + record.software.version +
+              "; this program plays " + MIROCUP_BEHAVIOUR_HASH + ") and differs here from tick " +
+              std::to_string(tick) +
               " on, which does not mean that the record is wrong: use the program that played it"};
 }
 

@@ -88,7 +88,7 @@ struct PaceReport {
 struct Software {
   std::string version;
   std::string build;
-  std::string behaviour_hash;  // JSON key "game"; "": an old record without the hash
+  std::string behaviour_hash;  // JSON key "game"
 
   bool operator==(const Software&) const = default;
 };

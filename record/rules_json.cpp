@@ -122,28 +122,10 @@ void read_parameters(const JsonReader& json, Rules& rules) {
       [](const JsonReader& value, auto& member) { read(value, member); });
 }
 
-namespace {
-
-void be_without_newer_parameters(Rules& rules) {
-  const Rules without;
-  rules.zone_depth_m = without.zone_depth_m;
-  rules.zone_half_width_m = without.zone_half_width_m;
-  rules.def_at_once = without.def_at_once;
-  rules.att_at_once = without.att_at_once;
-  rules.att_cancels_goal = without.att_cancels_goal;
-  rules.stalemate_speed_mps = without.stalemate_speed_mps;
-  rules.stalemate_penalty = without.stalemate_penalty;
-}
-
-}  // namespace
-
 Rules read_rules(const JsonReader& json, League league) {
   auto preset = referee::Preset::mirosot;
   if (json.expect_object()) json.read_if_present("preset", preset);
   Rules rules = referee::make_rules(preset, league);
-  // A record has all parameters. One of before some existed was played without them.
-  const bool is_older = json.has("half_s") && json.has("hand_penalty") && !json.has("zone_depth_m");
-  if (is_older) be_without_newer_parameters(rules);
   read_parameters(json, rules);
   return rules;
 }

@@ -75,14 +75,8 @@ namespace {
 
 constexpr std::size_t most_unpacked = match::max_thought_bytes + 1024;  // with the last line
 
-// Unpacks a file that says how long its text is, as those of earlier versions do.
-bool unpack_at_once(std::string_view bytes, std::string& lines) {
-  const std::size_t got = ZSTD_decompress(lines.data(), lines.size(), bytes.data(), bytes.size());
-  return !ZSTD_isError(got) && got == lines.size();
-}
-
 // Returns false if the bytes are damaged, are too many or end too early or too late.
-bool unpack_in_parts(std::string_view bytes, std::string& lines) {
+bool unpack(std::string_view bytes, std::string& lines) {
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> unpacker(ZSTD_createDCtx(),
                                                                          ZSTD_freeDCtx);
   ZSTD_DCtx_setParameter(unpacker.get(), ZSTD_d_windowLogMax, most_window);
@@ -101,14 +95,8 @@ bool unpack_in_parts(std::string_view bytes, std::string& lines) {
 }  // namespace
 
 Result<std::string> unpacked_thoughts(std::string_view bytes, const std::string& path) {
-  const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
-  const bool is_known = size != ZSTD_CONTENTSIZE_UNKNOWN;
-  if (size == ZSTD_CONTENTSIZE_ERROR || (is_known && size > most_unpacked)) {
-    return fail(Errc::damaged, path + ": this is not a file of a leg's thoughts");
-  }
-  std::string lines(is_known ? size : 0, '\0');
-  if (!(is_known ? unpack_at_once(bytes, lines) : unpack_in_parts(bytes, lines)))
-    return fail(Errc::damaged, path + ": the thoughts are damaged");
+  std::string lines;
+  if (!unpack(bytes, lines)) return fail(Errc::damaged, path + ": the thoughts are damaged");
   return lines;
 }
 

@@ -52,19 +52,15 @@ std::string score_text(const Json& score) {
 // The calls as text, for readers without scripts.
 Json calls_as_text(const Json& decisions, const match::ByTeam<std::string>& names) {
   Json calls = Json::array();
-  Json score{{"blue", 0}, {"yellow", 0}};
   for (const Json& call : decisions) {
     const bool is_goal = call["decision"] == "GOAL";
-    std::string gainer = record::text_in(call, call.contains("gainer") ? "gainer" : "team");
-    if (is_goal && !gainer.empty()) score[gainer] = record::value_in(score, gainer.c_str(), 0) + 1;
+    const std::string gainer = record::text_in(call, "gainer");
     const std::string name = gainer.empty() ? "" : names[gainer == "blue" ? 0 : 1];
     std::string what = words(record::text_in(call, "decision"));
     if (is_goal && record::value_in(call, "own_goal", false)) what += " (own goal)";
-    if (is_goal) what += " · " + name + " " + score_text(score);
+    if (is_goal) what += " · " + name + " " + score_text(call["score"]);
     if (!is_goal && !name.empty()) what += " for " + name;
-    const bool has_scorer = is_goal && call.contains("scorer") && !call["scorer"].is_null() &&
-                            call.contains("own_goal");
-    const bool shows_scorer = has_scorer && call["own_goal"] == false;
+    const bool shows_scorer = is_goal && call["own_goal"] == false && !call["scorer"].is_null();
     calls.push_back(
         {{"is_goal", is_goal},
          {"colour", gainer.empty() ? "nobody" : gainer},

@@ -25,7 +25,7 @@ enum class Times { shown, left_out };
 tl::expected<record::Json, replay::Divergence> replay_data(const record::MatchRecord& record,
                                                            Times times = Times::shown);
 
-// Returns the data in a page that replay_page() has made, also in an earlier version; nothing if
+// Returns the data in a page that replay_page() has made, also in another version; nothing if
 // the text `html` has no such data.
 std::optional<record::Json> data_of_page(std::string_view html);
 

@@ -13,6 +13,8 @@ namespace mirocup::match {
 struct Parties {
   std::optional<Team> gainer;    // the team to which the decision gives something
   std::optional<Team> offender;  // the team that broke the law
+
+  bool operator==(const Parties&) const = default;
 };
 
 // `team` is the team that the decision names, `taker` the one that takes the restart.

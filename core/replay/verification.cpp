@@ -2,7 +2,6 @@
 #include "core/replay/verification.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace mirocup::replay {
 
@@ -16,45 +15,12 @@ std::string score_text(const match::ByTeam<int>& score) {
   return std::to_string(score[0]) + ":" + std::to_string(score[1]);
 }
 
-// Returns a reason without the words that name a team, and without spaces.
-std::string without_teams(std::string text) {
-  for (const char* word : {"left", "right", "blue", "yellow", " "}) {
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word)) {
-      text.erase(at, std::strlen(word));
-    }
-  }
-  return text;
-}
-
-// Records from before 25 November 2026 name the ends where reasons now name the colours.
-bool is_same_reason(const std::string& recorded, const std::string& again) {
-  if (recorded == again) return true;
-  const auto says = [&recorded](const char* word) {
-    return recorded.find(word) != std::string::npos;
-  };
-  const bool is_old = says("left") || says("right") || (!says("blue") && !says("yellow"));
-  return is_old && without_teams(recorded) == without_teams(again);
-}
-
-// Records of earlier versions do not say which team scored in an attempt of a shoot-out.
-bool have_same_parties(const match::LoggedDecision& a, const match::LoggedDecision& b) {
-  const bool is_old_attempt =
-      a.decision.verdict == referee::Verdict::ATTEMPT_END && !a.parties.gainer;
-  return (is_old_attempt || a.parties.gainer == b.parties.gainer) &&
-         a.parties.offender == b.parties.offender;
-}
-
-// `a` is recorded, `b` played again.
 bool agree(const match::LoggedDecision& a, const match::LoggedDecision& b) {
   const referee::Decision& x = a.decision;
   const referee::Decision& y = b.decision;
-  // A goal that was recorded without a scorer was told from an own goal by the last touch alone.
-  const bool is_old_goal = x.verdict == referee::Verdict::GOAL && !a.credit;
-  return a.tick == b.tick && a.team == b.team && a.robots == b.robots && x.verdict == y.verdict &&
-         (is_old_goal ||
-          (x.law == y.law && is_same_reason(x.reason, y.reason) && a.credit == b.credit)) &&
-         x.clock == y.clock && x.ball == y.ball && x.restart == y.restart &&
-         have_same_parties(a, b) && (!a.score || a.score == b.score) &&
+  return a.tick == b.tick && a.team == b.team && a.robots == b.robots && a.credit == b.credit &&
+         a.parties == b.parties && a.score == b.score && x.verdict == y.verdict && x.law == y.law &&
+         x.reason == y.reason && x.clock == y.clock && x.ball == y.ball && x.restart == y.restart &&
          (x.restart == referee::Restart::none || a.taker == b.taker);
 }
 

@@ -29,7 +29,7 @@ Result<int> run_decisions(const DecisionsOptions& options) {
     return exit_yes;
   }
   for (const DecisionView& d : decision_views(state)) {
-    std::cout << d.number << "  " << (d.at.empty() ? "-" : shown_time(state.file, d.at)) << "  "
+    std::cout << d.number << "  " << shown_time(state.file, d.at) << "  "
               << (d.by.empty() ? "-" : system::printable(d.by)) << "  " << system::printable(d.what)
               << "  \"" << system::printable(d.why) << '"'
               << (d.undoing.empty() ? "" : "  [" + d.undoing + "]") << '\n';

@@ -57,7 +57,6 @@ Result<LeagueFile> finals(system::Files& files, const LeagueStore& store,
                           const InitOptions& options) {
   const LeagueState& season = store.state();
   LeagueFile file = season.file;
-  file.rules_version = current_rules;
   file.title = name_of_folder(options.folder);
   file.freeze.clear();
   file.site.clear();
@@ -81,7 +80,7 @@ Result<LeagueFile> file_from(system::Files& files, const InitOptions& options,
                              const LeagueStore* season) {
   if (!options.config.empty()) {
     MIROCUP_TRY(const auto text, files.read_named(options.config, system::size_limit::league_file));
-    auto file = parse_league_file(text, options.config, current_rules);
+    auto file = parse_league_file(text, options.config);
     if (!file) return file;
     // Paths of libraries are relative to the folder of the file.
     const std::filesystem::path base = std::filesystem::path(options.config).parent_path();

@@ -345,7 +345,7 @@ std::string ServedLeague::digest_of(const std::string& team) {
 std::optional<std::string> ServedLeague::own_replay(const std::string& name,
                                                     const record::Whose& whose) {
   const std::string record = "records/" + name + ".json";
-  // A leg of an earlier version may go another way here: then its page is the one that is kept.
+  // A leg of another version may go another way here: then its page is the one that is kept.
   if (auto own = replay_of(store_.folder().path + "/" + record, whose))
     return linked(std::move(*own), record);
   auto page = replay(name);

@@ -257,7 +257,7 @@ class ShownRound {
     return text_page("application/json", record::json_text(*data));
   }
 
-  // A leg of an earlier version may go another way here. Then its replay page shows it, which the
+  // A leg of another version may go another way here. Then its replay page shows it, which the
   // program has made that played it.
   std::optional<Json> data_of(const Leg& leg, const record::MatchRecord& record) {
     if (auto data = web::replay_data(record, web::Times::left_out)) return std::move(*data);

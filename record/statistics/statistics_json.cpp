@@ -161,7 +161,6 @@ static void list_fields(auto& f, LegStatistics& s) {
       });
   f("goals", s.goals);
   f("fouls", s.fouls);
-  if (!f.has("shots")) return;  // a file of an earlier version
   f("shots", s.shots);
   f("passes", s.passes);
 }

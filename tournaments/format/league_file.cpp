@@ -38,8 +38,8 @@ static void list_fields(auto& f, FirasimPlace& place) {
 }
 
 static void list_fields(auto& f, TeamConfig& team) {
-  f.since_later("name", team.name);
-  f.since_later("entry", team.source);
+  f.optional("name", team.name);
+  f.optional("entry", team.source);
   f.if_set("dds", team.over_dds);
   f.as_if_set(
       !team.parameters.empty(), "parameters", [&] { return record::to_json(team.parameters); },
@@ -64,9 +64,9 @@ static void list_fields(auto& f, Format& format) {
 }
 
 static void list_fields(auto& f, Points& points) {
-  f.since_later("win", points.win, -max_points, max_points);
-  f.since_later("draw", points.draw, -max_points, max_points);
-  f.since_later("loss", points.loss, -max_points, max_points);
+  f.optional("win", points.win, -max_points, max_points);
+  f.optional("draw", points.draw, -max_points, max_points);
+  f.optional("loss", points.loss, -max_points, max_points);
 }
 
 namespace {
@@ -145,9 +145,6 @@ std::string read_time(const JsonReader& json, const LeagueFile& file) {
   const std::string text = json.text();
   if (text.empty()) return text;
   const auto time = utc_of(text, file);
-  // Leagues of before took such a time, and must be read as they were.
-  const auto local = file.has_former_rules() ? system::parse_time(text) : std::nullopt;
-  if (!time && local && local->is_local) return utc_text(file.time_zone.from_local(local->at));
   if (!time) json.complain(time.error().what);
   return time.value_or("");
 }
@@ -166,16 +163,15 @@ Points read_points(const JsonReader& json) {
   return record::read_fields<Points>(json);
 }
 
-LeagueFile read_league(const JsonReader& json, int rules_version) {
+LeagueFile read_league(const JsonReader& json) {
   json.expect_object(
       {"schema",    "title",    "format",     "league",        "rules",   "conditions", "pitch",
        "seed",      "points",   "tie_breaks", "rules_version", "zone",    "freeze",     "strikes",
        "anonymous", "thoughts", "proofs",     "processor",     "firasim", "site",       "teams"});
   json.expect_schema(schema);
   LeagueFile file;
-  file.rules_version = rules_version;
   record::FieldReader fields(json);
-  fields.since_later("rules_version", file.rules_version, former_rules, current_rules);
+  fields.optional("rules_version", file.rules_version, 1, current_rules);
   json.read_if_present("title", file.title);
   if (json.has("format")) file.format = read_format(json.at("format"));
   json.read_if_present("league", file.league);
@@ -197,7 +193,7 @@ LeagueFile read_league(const JsonReader& json, int rules_version) {
   json.read_if_present("thoughts", file.keeps_thoughts);
   json.read_if_present("proofs", file.has_proofs);
   json.read_if_present("processor", file.processor);
-  fields.since_later("strikes", file.strikes, 0, 1000);
+  fields.optional("strikes", file.strikes, 0, 1000);
   if (json.has("firasim")) file.firasim = read_firasim(json.at("firasim"));
   json.read_if_present("site", file.site);
   if (!file.site.empty() && !file.site.starts_with('/'))
@@ -255,11 +251,8 @@ bool is_good_name(const std::string& name) {
   return std::all_of(name.begin(), name.end(), system::is_plain);
 }
 
-Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path,
-                                     int rules_version) {
-  auto file = record::read_json<LeagueFile>(
-      text, path, Errc::input,
-      [rules_version](const JsonReader& json) { return read_league(json, rules_version); });
+Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path) {
+  auto file = record::read_json<LeagueFile>(text, path, Errc::input, read_league);
   if (!file || file->zone.empty()) return file;
   // The file is right, but the computer may know no zones.
   auto zone = system::TimeZone::find(file->zone);
@@ -300,8 +293,8 @@ std::string print_league_file(const LeagueFile& file) {
   json.update({{"seed", file.seed},
                {"points", record::fields_json(file.points)},
                {"tie_breaks", record::fields_json(file.tie_breaks)},
-               {"strikes", file.strikes}});
-  if (!file.has_former_rules()) json["rules_version"] = file.rules_version;
+               {"strikes", file.strikes},
+               {"rules_version", file.rules_version}});
   if (!file.zone.empty()) json["zone"] = file.zone;
   if (!file.freeze.empty()) json["freeze"] = file.freeze;
   if (file.is_anonymous) json["anonymous"] = true;

@@ -12,7 +12,6 @@
 #include "system/clock.hpp"
 #include "system/processor.hpp"
 #include "tournaments/format/format.hpp"
-#include "tournaments/format/swiss.hpp"
 #include "tournaments/table/table.hpp"
 
 #include <cstddef>
@@ -64,13 +63,9 @@ struct FirasimPlace {
   double join_within = 60.0;                        // s
 };
 
-// Versions of the rules by which results become tables and pairings. A league keeps the version
-// with which it was made, so that an upgrade does not change played and published results. A
-// league.json without a version has the former rules, under which tables compare sums.
-inline constexpr int former_rules = 1;
-inline constexpr int bye_goals_rules = 3;  // from this version on, tie-breaks of goals count a bye
-inline constexpr int fair_bye_rules = 4;   // from this version on, SwissBye::best_of_lowest
-inline constexpr int current_rules = 4;
+// The version of the rules by which results become tables and pairings. A league keeps the version
+// with which it was made, so that an upgrade does not change played and published results.
+inline constexpr int current_rules = 1;
 
 struct LeagueFile {
   std::string title = "League";
@@ -116,17 +111,8 @@ struct LeagueFile {
   FirasimPlace firasim;
   std::vector<TeamConfig> teams;
 
-  bool has_former_rules() const { return rules_version == former_rules; }
   TableRules table_rules() const {
-    return {.points = points,
-            .tie_breaks = tie_breaks,
-            .seed = seed,
-            .evens_out = !has_former_rules(),
-            .counts_bye_goals = rules_version >= bye_goals_rules};
-  }
-  SwissBye swiss_bye() const {
-    if (has_former_rules()) return SwissBye::left_over;
-    return rules_version >= fair_bye_rules ? SwissBye::best_of_lowest : SwissBye::last;
+    return {.points = points, .tie_breaks = tie_breaks, .seed = seed};
   }
 };
 
@@ -153,9 +139,7 @@ Result<std::string> utc_of(const std::string& text, const LeagueFile& file);
 std::string shown_time(const LeagueFile& file, const std::string& utc);
 
 // Reads a league file. The error (Errc::input) names `path`, the JSON pointer and the reason.
-// `rules_version` applies if the file names no version of the rules.
-Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path,
-                                     int rules_version = former_rules);
+Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path);
 
 // Returns the text of league.json without the key `site`, as it was before the host added the key.
 // The hash of this text tells whether the decisions of the host are those of the league's start.

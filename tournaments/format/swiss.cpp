@@ -147,10 +147,9 @@ int max_swiss_rounds(int teams) {
 }
 
 std::vector<Fixture> swiss_round(std::vector<SwissStanding> standings,
-                                 const std::vector<Fixture>& before, int round, int rounds,
-                                 SwissBye bye) {
+                                 const std::vector<Fixture>& before, int round, int rounds) {
   const bool has_bye = standings.size() % 2 == 1;
-  if (has_bye && bye == SwissBye::best_of_lowest) put_byes_last(standings, before);
+  if (has_bye) put_byes_last(standings, before);
   // With an odd number the bye takes part as the last team, so no team has it twice.
   std::map<int, int> rank;
   std::vector<int> team;
@@ -174,11 +173,9 @@ std::vector<Fixture> swiss_round(std::vector<SwissStanding> standings,
     have_met[away->second][home->second] = true;
   }
   Pairing pairing(std::move(have_met), std::move(points));
-  const bool last_first = bye == SwissBye::last || round == 1;
   const bool is_found =
-      has_bye && bye != SwissBye::left_over
-          ? pairing.find_from_bye(bye_candidates(standings, last_first), rounds - round)
-          : pairing.find(rounds - round);
+      has_bye ? pairing.find_from_bye(bye_candidates(standings, round == 1), rounds - round)
+              : pairing.find(rounds - round);
   if (!is_found) return {};
 
   std::vector<Fixture> fixtures;

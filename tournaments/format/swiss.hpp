@@ -24,23 +24,15 @@ struct SwissStanding {
   std::int64_t points = 0;
 };
 
-// The choice of the team that gets the bye, among the teams that have had no bye and whose bye lets
-// all other teams be paired.
-enum class SwissBye {
-  left_over,       // the team that is left when the others have been paired
-  last,            // the last of the standings
-  best_of_lowest,  // the best of the teams with the fewest points; in the first round the last team
-};
-
 // Returns the fixtures of round `round` (from 1) of `rounds`. `standings` has all teams that still
-// play, the best first; `before` has all earlier fixtures. With an odd number of teams one team
-// gets a bye, a fixture with no_team as away. Within a group of equal points the upper half meets
-// the lower half; from the top down, opponents have points as equal as possible. If a team gets a
-// bye by SwissBye::best_of_lowest, the teams that have had a bye come last in their group. Returns
-// no fixtures if every pairing repeats a meeting, which is possible only beyond max_swiss_rounds()
-// or after teams have left.
+// play, the best first; `before` has all earlier fixtures. Within a group of equal points the upper
+// half meets the lower half; from the top down, opponents have points as equal as possible. With an
+// odd number of teams one team gets a bye, a fixture with no_team as away: the best of the teams
+// with the fewest points, in the first round the last team, among the teams that have had no bye and
+// whose bye lets all other teams be paired. Teams that have had a bye then come last in their group.
+// Returns no fixtures if every pairing repeats a meeting, which is possible only beyond
+// max_swiss_rounds() or after teams have left.
 std::vector<Fixture> swiss_round(std::vector<SwissStanding> standings,
-                                 const std::vector<Fixture>& before, int round, int rounds,
-                                 SwissBye bye = SwissBye::best_of_lowest);
+                                 const std::vector<Fixture>& before, int round, int rounds);
 
 }  // namespace mirocup::league

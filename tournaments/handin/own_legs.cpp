@@ -70,8 +70,7 @@ std::optional<LegCost> LegCosts::of(const OwnLeg& leg) {
         read.slowest_tick_ms = budget.at("slowest_tick_ms").as<double>();
         read.late_ticks = budget.at("late_ticks").integer<int>(0);
         for (const JsonReader& call : json.at("decisions").elements(0, max_decisions)) {
-          const bool is_foul = call.has("offender") && !call.at("offender").is_null() &&
-                               call.has("restart") && !call.at("restart").is_null();
+          const bool is_foul = !call.at("offender").is_null() && !call.at("restart").is_null();
           if (is_foul && call.at("offender").text() == leg.colour) ++read.fouls;
         }
         return read;

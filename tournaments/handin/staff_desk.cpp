@@ -198,7 +198,7 @@ void decisions_list(Html& html, const LeagueState& state, int done) {
   for (const DecisionView& d : views) {
     html.open(d.number == done ? "tr class=\"chosen\"" : "tr");
     html.cell("td", {std::to_string(d.number), "number"});
-    html.cell("td", d.at.empty() ? "" : shown_time(state.file, d.at));
+    html.cell("td", shown_time(state.file, d.at));
     html.cell("td", d.by);
     html.cell("td", d.what);
     html.cell("td", d.why);

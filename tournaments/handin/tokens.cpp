@@ -41,7 +41,7 @@ std::string time_of(const JsonReader& json) {
   return time;
 }
 
-// Files of earlier versions have no role: a token of no team is the staff's.
+// A token of no team without a role is the staff's.
 Role role_of(const JsonReader& token) {
   if (!token.at("team").is_null()) return Role::team;
   const auto named = token.find("role");

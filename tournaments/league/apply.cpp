@@ -345,8 +345,7 @@ void plan(LeagueState& state) {
   if (state.file.format.kind == FormatKind::swiss) {
     std::vector<SwissStanding> standings;
     for (int team = 0; team < teams; ++team) standings.push_back({.team = team, .points = 0});
-    schedule.add(swiss_round(standings, {}, 1, state.file.format.swiss_rounds(teams),
-                             state.file.swiss_bye()));
+    schedule.add(swiss_round(standings, {}, 1, state.file.format.swiss_rounds(teams)));
   }
 }
 

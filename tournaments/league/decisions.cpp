@@ -94,9 +94,7 @@ std::string before_in_words(const LeagueState& state, const Event& event) {
 bool is_of_person(const Event& event) {
   if (const auto* voided = std::get_if<LegVoided>(&event))
     return voided->cause == VoidCause::ruling;
-  // The program pauses teams, too. Earlier versions wrote no time then.
-  if (const auto* paused = std::get_if<Paused>(&event))
-    return !paused->is_by_program && (!paused->by.empty() || !paused->at.empty());
+  if (const auto* paused = std::get_if<Paused>(&event)) return !paused->is_by_program;
   return std::holds_alternative<Ruled>(event) || std::holds_alternative<Withdrawn>(event) ||
          std::holds_alternative<Resumed>(event) || std::holds_alternative<Frozen>(event) ||
          std::holds_alternative<Closed>(event) || std::holds_alternative<Released>(event) ||

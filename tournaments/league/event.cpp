@@ -39,14 +39,12 @@ static void list_fields(auto& f, LegFault& fault) {
 
 static void list_fields(auto& f, Started& e) {
   f("config_sha256", e.config_sha256);
-  f.since_later("version", e.version);
-  f.if_set("build", e.build);
-  f.if_set("game", e.game);
-  f.as_if_set(
-      true, "conditions", [&] { return record::to_json(e.conditions); },
-      [&](const JsonReader& json) {
-        if (!json.is_null()) e.conditions = record::read_conditions(json);
-      });
+  f("version", e.version);
+  f("build", e.build);
+  f("game", e.game);
+  f.as(
+      "conditions", [&] { return record::to_json(e.conditions); },
+      [&](const JsonReader& json) { e.conditions = record::read_conditions(json); });
 }
 
 static void list_fields(auto& f, EntryBooked& e) {
@@ -63,10 +61,10 @@ static void list_fields(auto& f, TeamJoined& e) {
 static void list_fields(auto& f, LegPlayed& e) {
   f("fixture", e.fixture);
   f("leg", e.leg);
-  f.since_later("attempt", e.attempt);
+  f("attempt", e.attempt);
   f("home", e.home);
   f("away", e.away);
-  f.since_later("blue", e.blue);
+  f("blue", e.blue);
   f("score", e.score);
   f("winner", e.winner);
   f("end", e.end);
@@ -79,8 +77,8 @@ static void list_fields(auto& f, LegPlayed& e) {
 static void list_fields(auto& f, LegVoided& e) {
   f("fixture", e.fixture);
   f("leg", e.leg);
-  f.since_later("attempt", e.attempt);
-  f.since_later("cause", e.cause);
+  f("attempt", e.attempt);
+  f("cause", e.cause);
   f.if_set("new_seed", e.has_new_seed);
   list_signature(f, e);
 }
@@ -114,7 +112,7 @@ static void list_fields(auto& f, Resumed& e) {
 static void list_fields(auto& f, NightBegan& e) {
   f("number", e.number, 1, max_count);
   f("entries", e.entries, 0, max_entries);
-  f.if_set("at", e.at);
+  f("at", e.at);
 }
 
 static void list_fields(auto& f, Frozen& e) {

@@ -65,11 +65,10 @@ struct Started {
   static constexpr std::string_view kind = "start";
 
   std::string config_sha256;
-  std::string version;                // version of the program; "" if the line has none
-  match::Conditions conditions = {};  // of all legs; `exact` if the line has no conditions
-  std::string build = {};             // build of the program; "" in lines of earlier versions
-  // The hash of the program's behaviour; "" in lines of earlier versions.
-  std::string game = {};
+  std::string version;                // of the program
+  match::Conditions conditions = {};  // of all legs
+  std::string build = {};             // of the program
+  std::string game = {};              // the hash of the program's behaviour
 
   bool operator==(const Started&) const = default;
 };
@@ -174,7 +173,7 @@ struct Withdrawn {
 };
 
 // No leg of the team is started until the team is resumed. The program also pauses teams: then `by`
-// is empty and `is_by_program` is true or, in lines of earlier versions, `at` is empty.
+// is empty and `is_by_program` is true.
 struct Paused {
   static constexpr std::string_view kind = "pause";
 

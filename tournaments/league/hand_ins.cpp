@@ -33,7 +33,7 @@ static void list_fields(auto& f, Try& one) {
 }
 
 static void list_fields(auto& f, HandIns& known) {
-  f.since_later("pinned", known.pinned, 0, max_count);
+  f("pinned", known.pinned, 0, max_count);
   f("tries", known.tries);
 }
 

@@ -57,7 +57,7 @@ struct FixtureState {
   std::array<LegState, max_legs> legs;
   bool is_annulled = false;  // the fixture counts for nothing, because a team has left
   // The outcome of a knockout tie that was decided because a team had left. The outcome stays if
-  // the other team also leaves. Empty in leagues of the former rules.
+  // the other team also leaves.
   std::optional<TieOutcome> walkover;
   int counted_needed = 0;   // needed() as last added to the league's count
   int counted_decided = 0;  // decided() as last added to the league's count

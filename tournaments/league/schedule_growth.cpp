@@ -64,7 +64,7 @@ void ScheduleGrowth::fixture_changed(int fixture) {
 
 void ScheduleGrowth::give_walkover(int index) {
   FixtureState& f = state_.fixtures[index];
-  const bool is_tie = f.fixture.part == Part::knockout && !state_.file.has_former_rules();
+  const bool is_tie = f.fixture.part == Part::knockout;
   if (f.fixture.home == unknown_team || f.fixture.away == unknown_team) return;
   if (!f.fixture.has_both() && !is_tie) return;
   if (is_tie && (f.walkover || (f.has_begun() && f.is_decided()))) return;
@@ -119,10 +119,10 @@ std::optional<int> ScheduleGrowth::team_of(const TeamSource& source) const {
 void ScheduleGrowth::fill_places(int changed) {
   // A team that is known stays, unless the tie or the group from which it comes has changed: of
   // those who leave, none changes who plays whom.
-  std::vector<bool> has_changed(state_.fixtures.size(), state_.file.has_former_rules());
+  std::vector<bool> has_changed(state_.fixtures.size());
   if (changed != no_fixture) has_changed[changed] = true;
   const auto team_from = [&](const TeamSource& source, int known) {
-    bool is_new = known == unknown_team || state_.file.has_former_rules();
+    bool is_new = known == unknown_team;
     if (source.kind == TeamSource::Kind::place) {
       const Fixture* f = changed != no_fixture ? &state_.fixtures[changed].fixture : nullptr;
       is_new = is_new || (f != nullptr && f->part == Part::group && f->group == source.index + 1);
@@ -180,7 +180,7 @@ void ScheduleGrowth::pair_swiss() {
     }
     std::vector<Fixture> before;
     for (const FixtureState& f : fixtures) before.push_back(f.fixture);
-    const auto next = swiss_round(standings, before, round + 1, rounds, state_.file.swiss_bye());
+    const auto next = swiss_round(standings, before, round + 1, rounds);
     if (next.empty()) state_.unpaired_round = round + 1;
     add(next);
     return;
@@ -199,7 +199,7 @@ void ScheduleGrowth::team_left(int team, bool annul) {
     count(i);
   }
   if (state_.fixtures.empty()) return;
-  fixture_changed(state_.file.has_former_rules() ? 0 : no_fixture);
+  fixture_changed(no_fixture);
 }
 
 void ScheduleGrowth::team_joined(const TeamJoined& joined) {

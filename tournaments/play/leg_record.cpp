@@ -89,11 +89,8 @@ bool is_of_leg(const LeagueState& state, const LegId& id, const JsonReader& reco
     // A team over the network loads its library itself, so the record has no hash of it.
     if (state.file.teams[team].is_on_network()) continue;
     if (seat.at("sha256").text() != state.teams[team].sha256) return false;
-    match::TeamParameters parameters;
-    if (seat.has("parameters")) {
-      parameters = record::read_team_parameters(seat.at("parameters"));
-    }
-    if (parameters != state.file.teams[team].parameters) return false;
+    if (record::read_team_parameters(seat.at("parameters")) != state.file.teams[team].parameters)
+      return false;
   }
   return record.at("result").at("end").text() != to_string(match::OutcomeKind::void_);
 }
@@ -145,13 +142,7 @@ Result<std::string> impossible_key(system::Files& files, const Folder& folder,
   const std::string path = folder.record(id.fixture, id.leg, id.version);
   MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::record}));
   MIROCUP_TRY(auto file, record::parse_record(text, path));
-  Json found = record::parse_json(text).value;
-  if (record::has_other_behaviour(file.record)) {
-    // An earlier version may lack keys of the setup and of decisions.
-    Json complete = record::to_json(file.record);
-    complete["result"] = found["result"];
-    found = std::move(complete);
-  }
+  const Json found = record::parse_json(text).value;
   file.record.recording.setup = setup_of(state, id);
   file.record.from.reset();
   const Json possible = record::to_json(file.record);

@@ -35,14 +35,11 @@ Result<RecordedLeg> read_leg(system::Files& files, const Folder& folder, const s
   return record::read_json<RecordedLeg>(
       text, file, Errc::damaged, [&path](const record::JsonReader& json) {
         const record::JsonReader software = json.at("software");
-        RecordedLeg leg{.path = path,
-                        .version = software.at("version").text(),
-                        .game = "",
-                        .state_hash = json.at("state_hash").text(),
-                        .half_s = 0.0};
-        software.read_if_present("game", leg.game);
-        json.at("rules").read_if_present("half_s", leg.half_s);
-        return leg;
+        return RecordedLeg{.path = path,
+                           .version = software.at("version").text(),
+                           .game = software.at("game").text(),
+                           .state_hash = json.at("state_hash").text(),
+                           .half_s = json.at("rules").at("half_s").number()};
       });
 }
 
@@ -70,10 +67,8 @@ Result<void> expect_program(const LeagueStore& store, const record::Software& pr
   const LeagueState& state = store.state();
   const record::Software& before = state.program;
   if (!state.is_started) return {};
-  const bool is_same =
-      before.version == program.version &&
-      (before.behaviour_hash.empty() || before.behaviour_hash == program.behaviour_hash);
-  if (is_same) return {};
+  if (before.version == program.version && before.behaviour_hash == program.behaviour_hash)
+    return {};
   return fail(Errc::input,
               store.folder().path + " is played with " +
                   in_words(before.version, before.behaviour_hash) + "; this program is " +

@@ -17,16 +17,10 @@ const Json& member(const Json& object, const char* key) {
   return found == object.end() ? none : *found;
 }
 
-// The team that gains from a goal. Records from before `gainer` name the scoring team `team`.
-std::string gainer(const Json& decision) {
-  const std::string known = record::text_in(decision, "gainer");
-  return known.empty() ? record::text_in(decision, "team") : known;
-}
-
 GoalFact goal(const Json& decision, double period, const std::string& home) {
   GoalFact fact;
   fact.at = value_in(decision, "tick", 0.0) * period;
-  fact.is_home = gainer(decision) == home;
+  fact.is_home = record::text_in(decision, "gainer") == home;
   fact.is_own_goal = value_in(decision, "own_goal", false);
   if (!fact.is_own_goal) fact.scorer = value_in(member(decision, "scorer"), "robot", -1);
   return fact;

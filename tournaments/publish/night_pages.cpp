@@ -62,10 +62,6 @@ std::string title_of(const Night& night) {
   return "Night " + std::to_string(night.number);
 }
 
-std::string when(const LeagueState& state, const std::string& at) {
-  return at.empty() ? "" : shown_time(state.file, at);
-}
-
 // A page with the usual head around its content.
 std::string plain_page(const Overview& o, const std::string& root, const std::string& title,
                        const std::string& lead, const Html& content) {
@@ -99,7 +95,7 @@ std::string night_page(const Overview& o, const Night& night, const std::vector<
     html.close("tr");
   }
   html.close_table();
-  return plain_page(o, "", title_of(night), when(o.state, night.at), html);
+  return plain_page(o, "", title_of(night), shown_time(o.state.file, night.at), html);
 }
 
 }  // namespace
@@ -146,8 +142,8 @@ std::string digest_text(const Overview& o, const Night& night, const TeamDigest&
   const auto link = [&address](const std::string& page) {
     return address.empty() || page.empty() ? "" : "  " + address + page;
   };
-  std::string text = o.state.file.title + ", " + title_of(night);
-  if (const std::string at = when(o.state, night.at); !at.empty()) text += ", " + at;
+  std::string text =
+      o.state.file.title + ", " + title_of(night) + ", " + shown_time(o.state.file, night.at);
   text += "\n\n" + o.state.shown_name(d.team) + "\nRank:     " + rank_in_words(d) +
           "\nStrength: " + strength_in_words(d) + "\nLegs:     " + legs_in_words(d) + "\n";
   if (d.entry > 0) {
@@ -206,7 +202,8 @@ FileMakers night_pages(const Overview& o, const Night& night) {
     files[page_of_digest(o.state, d.team)] = [&o, &night, &d, all] {
       Html html;
       html.raw(digest_html(o, night, d, "../"));
-      return plain_page(o, "../", o.state.shown_name(d.team), when(o.state, night.at), html);
+      return plain_page(o, "../", o.state.shown_name(d.team), shown_time(o.state.file, night.at),
+                        html);
     };
   }
   return files;

@@ -77,8 +77,7 @@ class Ranking {
   }
 
   bool left(int team) const {
-    return rules_.evens_out && team < static_cast<int>(rules_.has_left.size()) &&
-           rules_.has_left[team];
+    return team < static_cast<int>(rules_.has_left.size()) && rules_.has_left[team];
   }
 
   void add(std::size_t index) {
@@ -86,7 +85,7 @@ class Ranking {
     if (r.away < 0) {
       if (!has(r.home) || !r.counts_for_home) return;
       add_bye(total_[r.home], rules_.points);
-      if (rules_.evens_out) legs_of_[r.home].push_back(index);
+      legs_of_[r.home].push_back(index);
       return;
     }
     if (!has(r.home) || !has(r.away)) return;
@@ -147,8 +146,7 @@ class Ranking {
       return;
     }
     const TieBreak rule = rules_.tie_breaks[next];
-    if (rules_.evens_out && is_head_to_head(rule) && !have_all_met(level))
-      return break_tie(level, next + 1, false);
+    if (is_head_to_head(rule) && !have_all_met(level)) return break_tie(level, next + 1, false);
     const std::map<int, TableRow> mini =
         is_head_to_head(rule) ? among(level) : std::map<int, TableRow>();
     split(
@@ -192,14 +190,14 @@ class Ranking {
 
   // Returns a sum over legs as it is compared between teams.
   double over(double sum, std::size_t legs) const {
-    return rules_.evens_out && legs > 0 ? sum / static_cast<double>(legs) : sum;
+    return legs > 0 ? sum / static_cast<double>(legs) : sum;
   }
 
   // The same for goals. A bye counts as a leg that was won like the others on average, because
   // other teams of the same points have won a leg more with goals.
   double over_goals(std::int64_t sum, std::int64_t of_winners, int team) const {
     const std::size_t with_goals = legs_with_goals(team);
-    if (!rules_.counts_bye_goals || won_legs_ == 0) return over(double(sum), with_goals);
+    if (won_legs_ == 0) return over(double(sum), with_goals);
     const std::size_t legs = legs_of_[team].size();
     const double of_a_bye = double(of_winners) / double(won_legs_);
     return over(double(sum) + of_a_bye * double(legs - with_goals), legs);
@@ -229,7 +227,6 @@ class Ranking {
       case TieBreak::wins:
         return over(double(total_[team].won), static_cast<std::size_t>(total_[team].played));
       case TieBreak::opponents_points: {
-        const bool by_leg = rules_.evens_out && rules_.by_points_per_leg;
         std::int64_t sum = 0;
         double sum_by_leg = 0.0;
         for (const std::size_t i : legs_of_[team]) {
@@ -238,9 +235,10 @@ class Ranking {
           sum += row.points;
           sum_by_leg += row.played > 0 ? double(row.points) / row.played : 0.0;
         }
-        return by_leg ? sum_by_leg /
-                            static_cast<double>(std::max<std::size_t>(legs_of_[team].size(), 1))
-                      : over(double(sum), legs_of_[team].size());
+        return rules_.by_points_per_leg
+                   ? sum_by_leg /
+                         static_cast<double>(std::max<std::size_t>(legs_of_[team].size(), 1))
+                   : over(double(sum), legs_of_[team].size());
       }
     }
     return 0.0;

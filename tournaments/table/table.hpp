@@ -76,20 +76,16 @@ struct TableRow {
   std::int64_t difference() const { return goals_for - goals_against; }
 };
 
+// A tie-break does not depend on how many legs a team has played. Sums over legs are compared as
+// means, and for goal difference and goals a bye counts as an average won leg. Head-to-head counts
+// only if all pairs of the level teams have met equally often. An opponent that has left, or a bye,
+// counts as an opponent with as many points as the team of the row. Teams that have left come last.
 struct TableRules {
   Points points;
   std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};
   std::uint64_t seed = 1;  // the seed of the lots
   // True for a ladder or a nightly league, in which teams play different numbers of legs.
   bool by_points_per_leg = false;
-
-  // True: a tie-break does not depend on how many legs a team has played. Sums over legs are
-  // compared as means. Head-to-head counts only if all pairs of the level teams have met equally
-  // often. An opponent that has left, or a bye, counts as an opponent with as many points as the
-  // team of the row. Teams that have left come last. False: the former rules, which compare sums.
-  bool evens_out = true;
-  // True: for goal difference and goals, a bye counts as an average won leg. Requires `evens_out`.
-  bool counts_bye_goals = true;
   std::vector<bool> has_left = {};  // true for each team that has left; empty: no team has left
 };
 

@@ -50,16 +50,14 @@ export class Calls {
     }
   }
 
-  // Colours follow the team that gains; records from before it was written down name one team only.
-  colour(call) {
-    return ('gainer' in call ? call.gainer : call.team) ?? 'nobody';
-  }
+  // Colours follow the team that gains.
+  colour(call) { return call.gainer ?? 'nobody'; }
 
   robot({ team, robot }) { return `${this.names[team]} ${robot}`; }
 
   // "Goal for striker, 2 : 1 – own goal of chaser 0", "Penalty kick for striker".
   title(call) {
-    const gainer = this.names[call.gainer ?? (call.decision === 'GOAL' ? call.team : null)];
+    const gainer = this.names[call.gainer];
     switch (call.decision) {
       case 'GOAL': {
         const scorer = call.scorer ? ` – ${call.own_goal ? 'own goal of ' : ''}${this.robot(call.scorer)}` : '';

@@ -247,7 +247,7 @@ export class Play {
     const text = `${minutes(call.clock, 0)} ${words(call.decision)}: ${call.reason}`;
     get('calls').prepend(element('li', call.decision === 'GOAL' ? 'goal' : '', text));
     if (isOld) return;
-    this.#tell(text, call.decision === 'GOAL' ? `goal ${call.gainer ?? call.team ?? ''}` : '');
+    this.#tell(text, call.decision === 'GOAL' ? `goal ${call.gainer}` : '');
   }
 
   // Shows a text on the field, as long as it takes to read it.

@@ -250,7 +250,7 @@ TEST_F(LostLines, AreNamedByNightsAndRecords) {
   EXPECT_EQ(run(league("verify", folder_)).exit_code, 0);
 }
 
-// Catches an alarm after a stop between journal and head, and in a league of an earlier version.
+// Catches an alarm after a stop between journal and head, and in a league without a head.
 TEST_F(LostLines, AreNotSeenWhereNoneAre) {
   const std::string journal = read_file(whole_ + "/journal.jsonl");
   const auto award = [&](const std::string& team) {

@@ -114,7 +114,7 @@ for what, text in bad_json.items():
 
 # --- Journal: the lines between number and hashes.
 lines = [
-    '"kind":"start","config_sha256":"%s","version":"0.1.0"' % ("0" * 64),
+    '"kind":"start","config_sha256":"%s","version":"0.1.0","build":"g++","game":"%s","conditions":{"preset":"exact"}' % ("0" * 64, "0" * 16),
     '"kind":"leg","fixture":"r1-f1","leg":1,"attempt":1,"home":"a","away":"c","blue":"a","score":{"home":2,"away":1},'
     '"winner":"a","end":"full_time","fault":null,"penalties":{"home":0,"away":0},"record":"records/r1-f1-1-1.json",'
     '"state_hash":"5f4dafcc058c55c0"',

@@ -152,10 +152,9 @@ void decide_all(LeagueState& state) {
   }
 }
 
-LeagueState started(const Format& format, int teams, int rules_version = current_rules) {
+LeagueState started(const Format& format, int teams) {
   LeagueFile file;
   file.format = format;
-  file.rules_version = rules_version;
   for (int i = 0; i < teams; ++i)
     file.teams.push_back({.name = std::string(1, static_cast<char>('a' + i)),
                           .source = "house:idle",

@@ -39,7 +39,9 @@ class RecordOfALeg : public testing::Test {
     const int blue = blue_team(leg_.fixture, leg_.leg);
     const int yellow = blue == leg_.fixture.home ? leg_.fixture.away : leg_.fixture.home;
     const auto seat = [this](int team) {
-      return Json{{"name", state_.name(team)}, {"sha256", state_.teams[team].sha256}};
+      return Json{{"name", state_.name(team)},
+                  {"sha256", state_.teams[team].sha256},
+                  {"parameters", Json::object()}};
     };
     return {{"seed", leg_seed(state_, leg_)},
             {"teams", {{"blue", seat(blue)}, {"yellow", seat(yellow)}}},
