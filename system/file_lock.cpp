@@ -37,7 +37,7 @@ std::string objection_to(int fd, const std::string& path) {
   if (about.st_nlink > 1) return "it has a second name (a hard link)";
   if (about.st_uid != geteuid() && about.st_uid != folder.st_uid)
     return "it belongs to user " + std::to_string(about.st_uid);
-  // Locks of earlier versions were open to everybody.
+  // Others could hold a lock that they may open.
   if ((about.st_mode & 077) != 0 && fchmod(fd, 0600) != 0) return std::strerror(errno);
   return "";
 }

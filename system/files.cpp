@@ -153,11 +153,8 @@ bool is_unfinished(const std::string& path) {
   const std::size_t mark = path.rfind(unfinished_mark);
   if (mark == std::string::npos) return false;
   const std::string_view end = std::string_view(path).substr(mark + unfinished_mark.size());
-  const bool is_number =
-      !end.empty() && end.find_first_not_of("0123456789") == std::string_view::npos;
-  const bool is_random = end.size() == random_digits &&
-                         end.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-  return is_number || is_random;
+  return end.size() == random_digits &&
+         end.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
 Result<OpenFile> open_file(const std::string& path, const ReadOptions& options) {

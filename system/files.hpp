@@ -151,8 +151,7 @@ class Files {
 };
 
 // True if the name is that of a temporary file of Files::write() or IncomingFile: a process is
-// writing this file, or died and left it. Names of earlier versions have the process id instead of
-// random digits.
+// writing this file, or died and left it.
 bool is_unfinished(const std::string& path);
 
 // A file that arrives in parts, for example over a network, and is hashed on its way. It has a

@@ -88,7 +88,7 @@ TEST(Kills, ChangeNothing) {
     init_league(folder, teams, "20");
     play_with_kills(folder, most, random, kills);
     // A process that is killed between writing and renaming leaves a temporary file.
-    write_file(folder + "/site/replays/r1-1.html.unfinished-1", "<html>");
+    write_file(folder + "/site/replays/r1-1.html.unfinished-" + std::string(32, '1'), "<html>");
     ASSERT_EQ(run(league("start", folder)).exit_code, 0);
     std::set<std::string> legs;
     for (const auto& line : journal_of(folder)) {

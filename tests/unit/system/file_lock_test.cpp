@@ -37,7 +37,7 @@ void write_text(const std::string& path, const std::string& text) {
 TEST(FileLock, IsForOneHolderAndForThisUserOnly) {
   const TemporaryFolder folder;
   const std::string path = folder / ".lock";
-  write_text(path, "of an earlier version");
+  write_text(path, "open to others");
   chmod(path.c_str(), 0644);
   const auto held = FileLock::try_acquire(path);
   ASSERT_TRUE(held && *held);

@@ -66,8 +66,8 @@ TEST_F(DiskTest, ReplacesAWholeFileAndLeavesNothingElse) {
 
 TEST_F(DiskTest, RemovesWhatKilledWritersLeftAndNothingElse) {
   ASSERT_TRUE(disk_.make_folder(at("site/replays")));
-  const std::string left = at("site/replays/a.html.unfinished-1");
-  const std::string being_written = at("site/replays/b.html.unfinished-2");
+  const std::string left = at("site/replays/a.html.unfinished-" + std::string(32, '1'));
+  const std::string being_written = at("site/replays/b.html.unfinished-" + std::string(32, '2'));
   const std::string not_ours = at("site/notes.unfinished-yet");
   for (const std::string& path : {left, being_written, not_ours}) {
     ASSERT_TRUE(disk_.append(path, "half a file"));
@@ -224,7 +224,7 @@ TEST_F(DiskTest, WritesToNewNamesThatNobodyCanGuess) {
 TEST_F(DiskTest, RemovesNoFileThroughALink) {
   ASSERT_TRUE(disk_.write(at("kept"), "kept"));
   const std::string digits(32, 'a');
-  std::filesystem::create_symlink(at("kept"), at("b.unfinished-12"));
+  std::filesystem::create_symlink(at("kept"), at("b.unfinished-" + digits));
   ASSERT_EQ(mkfifo(at("c.unfinished-" + digits).c_str(), 0600), 0);
   ASSERT_TRUE(disk_.append(at("d.unfinished-" + digits), "half"));
   ASSERT_TRUE(disk_.remove_unfinished(folder_));
@@ -248,7 +248,7 @@ TEST_F(DiskTest, ClosesWhatOnlyTheOwnerReads) {
   const mode_t before = umask(022);
   ASSERT_TRUE(disk_.make_folder(at("entries")));
   EXPECT_EQ(mode("entries"), perms(0755));
-  ASSERT_TRUE(disk_.make_folder(at("entries"), Readers::owner)) << "of an earlier version";
+  ASSERT_TRUE(disk_.make_folder(at("entries"), Readers::owner)) << "it was made for everybody";
   EXPECT_EQ(mode("entries"), perms(0700));
   ASSERT_TRUE(disk_.write(at("entries/a"), "x", Readers::owner));
   EXPECT_EQ(mode("entries/a"), perms(0600));

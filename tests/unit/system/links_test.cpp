@@ -41,7 +41,8 @@ class LinksTest : public testing::Test {
     for (const std::string folder : {"outside/a/b", "root/a/b"}) {
       fs::create_directories(temporary_ / folder);
       EXPECT_TRUE(disk_.write(temporary_ / folder + "/file", "precious"));
-      EXPECT_TRUE(disk_.write(temporary_ / folder + "/file.unfinished-1", "half"));
+      EXPECT_TRUE(
+          disk_.write(temporary_ / folder + "/file.unfinished-" + std::string(32, '1'), "half"));
     }
     follow_no_links_below(root_);
   }
