@@ -195,20 +195,15 @@ common_name() { # KIND WORD; a name that is too long for a certificate is replac
 issue() { # KIND NAME INTO
   local kind=$1 word into=$3 new
   word=$(encoded "$2")
-  # Permissions that were made before there was a MatchInfo are renewed; key and certificate stay.
-  if grep -qs MatchInfo "$into/permissions.p7s"; then return 0; fi
+  if [[ -e $into/permissions.p7s ]]; then return 0; fi
   new=$(mktemp -d "$folder/.new.XXXXXX")
-  if [[ -e $into/certificate.pem ]]; then
-    cp -a "$into/." "$new/"
-  else
-    new_key "$new/key.pem"
-    certify "$new/key.pem" "$(common_name "$kind" "$word")" "$new/certificate.pem"
-  fi
+  new_key "$new/key.pem"
+  certify "$new/key.pem" "$(common_name "$kind" "$word")" "$new/certificate.pem"
   cp "$authority/identity_ca.pem" "$authority/permissions_ca.pem" "$authority/governance.p7s" "$new/"
   permissions "$kind" "$word" "$new/certificate.pem" >"$authority/permissions.xml"
   sign "$authority/permissions.xml" "$new/permissions.p7s"
   mkdir -p "$(dirname "$into")"
-  rm -rf "$into"   # what an earlier call left unfinished, or is renewed
+  rm -rf "$into"   # what an earlier call left unfinished
   mv -T "$new" "$into"
   echo "$into"
 }

@@ -108,23 +108,6 @@ TEST(Protocol, AMatchMayHaveADomainOfItsOwn) {
   EXPECT_EQ(run(match(id, {"--dds-domain", "231"})).exit_code, 2);
 }
 
-// Catches a league that cannot be played any more because its credentials are of an earlier
-// version.
-TEST(Protocol, PermissionsOfAnEarlierVersionAreRenewed) {
-  const TemporaryFolder folder;
-  const std::vector<std::string> make{program("mirocup"), "league", "credentials",
-                                      folder / "league",  "--team", "ours"};
-  ASSERT_EQ(run(make).exit_code, 0);
-  const std::string team = folder / "league/credentials/teams/ours/";
-  const std::string key = read_file(team + "key.pem");
-  write_file(team + "permissions.p7s", "<topic>WorldState</topic>");
-  const Outcome made = run(make);
-  ASSERT_EQ(made.exit_code, 0);
-  EXPECT_NE(read_file(team + "permissions.p7s").find("<topic>MatchInfo"), std::string::npos);
-  EXPECT_EQ(read_file(team + "key.pem"), key);
-  EXPECT_EQ(made.out.find("spectator"), std::string::npos) << "it was renewed without need";
-}
-
 // Takes the ports that match servers have in domain 0, as processes of ROS 2 do.
 class TakenPorts {
  public:
