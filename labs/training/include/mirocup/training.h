@@ -50,7 +50,7 @@ extern "C" {
 typedef struct mirocup_training mirocup_training;
 
 /* The header's version. It changes when programs built with an older header can no longer run. */
-#define MIROCUP_TRAINING_VERSION 2u
+#define MIROCUP_TRAINING_VERSION 1u
 
 /* Returns the MIROCUP_TRAINING_VERSION that the library was built with. */
 uint32_t mirocup_training_version(void);

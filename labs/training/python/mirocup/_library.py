@@ -47,7 +47,7 @@ class _Buffers(ctypes.Structure):
     _fields_ = [("size", ctypes.c_uint32), *((name, ctypes.c_void_p) for name in NAMES)]
 
 
-_VERSION = 2  # of training.h
+_VERSION = 1  # of training.h
 
 
 def _load() -> ctypes.CDLL:
@@ -56,7 +56,7 @@ def _load() -> ctypes.CDLL:
         library = ctypes.CDLL(str(path))
     except OSError as e:
         raise TrainingError(f"{path} does not load: {e}") from None
-    version = library.mirocup_training_version() if hasattr(library, "mirocup_training_version") else 0
+    version = library.mirocup_training_version()
     if version != _VERSION:
         raise TrainingError(f"{path} is of version {version} of training.h, this package of version {_VERSION}: take both "
                             "from one mirocup")
