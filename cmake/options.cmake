@@ -38,12 +38,14 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-mmemset-strategy=${sizes}>)
 endif()
 
-# A target with the property MIROCUP_NOT_SANITIZED is built without sanitizers.
+# A target with the property MIROCUP_NOT_SANITIZED is built without sanitizers. One with MIROCUP_LINKS_SANITIZED, a program of unit
+# tests, links sanitized libraries, but its own sources are compiled without sanitizers, in half of the time.
 if(MIROCUP_SANITIZE)
-  set(sanitized $<NOT:$<BOOL:$<TARGET_PROPERTY:MIROCUP_NOT_SANITIZED>>>)
+  set(plain $<BOOL:$<TARGET_PROPERTY:MIROCUP_NOT_SANITIZED>>)
+  set(links $<BOOL:$<TARGET_PROPERTY:MIROCUP_LINKS_SANITIZED>>)
   target_compile_options(mirocup_options INTERFACE
-    "$<${sanitized}:-fsanitize=${MIROCUP_SANITIZE};-fno-sanitize-recover=all;-fno-omit-frame-pointer>")
-  target_link_options(mirocup_options INTERFACE "$<${sanitized}:-fsanitize=${MIROCUP_SANITIZE}>")
+    "$<$<NOT:$<OR:${plain},${links}>>:-fsanitize=${MIROCUP_SANITIZE};-fno-sanitize-recover=all;-fno-omit-frame-pointer>")
+  target_link_options(mirocup_options INTERFACE "$<$<NOT:${plain}>:-fsanitize=${MIROCUP_SANITIZE}>")
 endif()
 find_program(MIROCUP_LLD ld.lld)
 if(MIROCUP_LLD AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)  # it links code that is not optimized in a quarter of the time

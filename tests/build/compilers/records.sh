@@ -21,5 +21,9 @@ for record in "${records[@]}"; do
   flat+=("$folder/$(basename "$record" .json).flat")
   "$build/flatten" "$record" "${flat[-1]}"
 done
-"$here/check.sh" "$build/golden_leg" "${flat[@]}"
+"$here/check.sh" "$build" "${flat[@]}"
+for kind in "g++ -O0" "g++ -O3" "clang++ -O0"; do
+  # shellcheck disable=SC2086
+  "$here/check.sh" --compile $kind "${flat[@]}"
+done
 "$here/check_arm64.sh" "${flat[@]}" || { code=$?; [[ $code -eq 3 ]] || exit "$code"; }

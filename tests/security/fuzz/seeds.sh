@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Makes the seeds and lets the build's readers read them. Usage: seeds.sh BUILD [PROGRAM], by default fuzz_corpus
+# Makes the seeds with the programs of BUILD and lets PROGRAM read them. Usage: seeds.sh BUILD PROGRAM
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 "$(dirname "$0")/seeds.py" "$1" "$folder"
-"$1/${2:-fuzz_corpus}" "$folder"
+"$2" "$folder"
