@@ -9,10 +9,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
-#include <utility>
+#include <tuple>
 
 namespace mirocup::league {
 
@@ -21,157 +22,104 @@ namespace {
 // The status of a match in brackets-model, which is a number there.
 enum Status { locked = 0, waiting = 1, ready = 2, running = 3, completed = 4 };
 
-// Fills the tables. Every row has an id, and the ids of its parents.
-class BracketTables {
- public:
-  explicit BracketTables(const LeagueState& state) : state_(state) {}
+// A row of a table; each row has an id, and the ids of its parents.
+template <class... Key>
+std::size_t id_of(std::map<std::tuple<Key...>, std::size_t>& ids, const std::tuple<Key...>& key,
+                  Json& table, const Json& row) {
+  const auto [found, is_new] = ids.try_emplace(key, table.size());
+  if (is_new) table.emplace_back(Json{{"id", table.size()}}).update(row);
+  return found->second;
+}
 
-  Json make() {
-    for (std::size_t i = 0; i < state_.file.teams.size(); ++i) {
-      participants_.push_back(
-          {{"id", i}, {"tournament_id", 0}, {"name", state_.file.teams[i].name}});
-    }
-    for (const FixtureState& f : state_.fixtures) add(f);
-    return {{"participant", participants_},
-            {"stage", stages_},
-            {"group", groups_},
-            {"round", rounds_},
-            {"match", matches_},
-            {"match_game", games_}};
-  }
+// One side of a match or a game: null for a bye, a null id for a team not known yet.
+Json side_of(int team) {
+  if (team == no_team) return Json();
+  return {{"id", team == unknown_team ? Json() : Json(team)}};
+}
 
- private:
-  std::size_t stage_of(const Fixture& f) {
-    const bool is_knockout = f.part == Part::knockout;
-    const auto [found, is_new] = stage_ids_.try_emplace(is_knockout, stages_.size());
-    if (is_new) {
-      const bool is_only = !state_.file.format.has_knockout() || stages_.empty();
-      const std::string name = state_.file.title + (is_only       ? ""
-                                                    : is_knockout ? ", knockout"
-                                                                  : ", groups");
-      stages_.push_back({{"id", stages_.size()},
-                         {"tournament_id", 0},
-                         {"name", name},
-                         {"type", is_knockout ? "single_elimination" : "round_robin"},
-                         {"number", stages_.size() + 1},
-                         {"settings", Json::object()}});
-    }
-    return found->second;
-  }
-
-  // The id of a group, which is a bracket in the knockout; the tie for the third place is a second
-  // bracket.
-  std::size_t group_of(const Fixture& f, std::size_t stage) {
-    int number = f.part == Part::group ? f.group : 1;
-    if (f.is_for_third_place()) number = 2;
-    const auto [found, is_new] = group_ids_.try_emplace({stage, number}, groups_.size());
-    if (is_new)
-      groups_.push_back({{"id", groups_.size()}, {"stage_id", stage}, {"number", number}});
-    return found->second;
-  }
-
-  std::size_t round_of(const Fixture& f, std::size_t stage, std::size_t group) {
-    const int number = f.is_for_third_place() ? 1 : f.round;
-    const auto [found, is_new] = round_ids_.try_emplace({group, number}, rounds_.size());
-    if (is_new) {
-      rounds_.push_back(
-          {{"id", rounds_.size()}, {"stage_id", stage}, {"group_id", group}, {"number", number}});
-    }
-    return found->second;
-  }
-
-  // Returns one side of a match or a game: null for a bye, a null id for a team not known yet.
-  static Json opponent(int team) {
-    if (team == no_team) return Json();
-    return {{"id", team == unknown_team ? Json() : Json(team)}};
-  }
-
-  static Status game_status(const FixtureState& f, const PlayedLeg* played) {
-    if (played != nullptr) return completed;
-    return f.fixture.has_both() ? ready : locked;
-  }
-
-  static Status match_status(const FixtureState& f) {
-    if (f.is_decided()) return completed;
-    if (!f.fixture.has_both()) return locked;
-    return f.decided() > 0 ? running : ready;
-  }
-
-  // Returns the number of legs that the team has won.
-  static int wins(const FixtureState& f, int team) {
-    int count = 0;
-    for (int leg = 0; leg < f.needed(); ++leg) {
-      if (f.legs[leg].played && f.legs[leg].played->result.difference(team) > 0) ++count;
-    }
-    return count;
-  }
-
-  // Returns one side of the whole fixture. Its score is the sum of goals in a knockout, where that
-  // sum decides a tie, and the number of won legs elsewhere.
-  Json match_opponent(const FixtureState& f, int team) const {
-    Json side = opponent(team);
-    if (!f.fixture.has_both()) return side;
-    if (f.fixture.part != Part::knockout) {
-      side["score"] = wins(f, team);
-      return side;
-    }
-    side["score"] = f.goals(team);
-    const TieOutcome o = outcome(state_, f);
-    if (o.winner >= 0) side["result"] = o.winner == team ? "win" : "loss";
+// One side of the whole fixture. Its score is the sum of goals in a knockout, where that sum
+// decides a tie, and the number of won legs elsewhere.
+Json side_of(const LeagueState& state, const FixtureState& f, int team) {
+  Json side = side_of(team);
+  if (!f.fixture.has_both()) return side;
+  if (f.fixture.part != Part::knockout) {
+    side["score"] =
+        std::count_if(f.legs.begin(), f.legs.begin() + f.needed(), [team](const LegState& leg) {
+          return leg.played && leg.played->result.difference(team) > 0;
+        });
     return side;
   }
-
-  Json game(const FixtureState& f, int leg, std::size_t stage, std::size_t match) const {
-    const PlayedLeg* played = f.legs[leg].played.get();
-    Json home = opponent(f.fixture.home);
-    Json away = opponent(f.fixture.away);
-    if (played != nullptr) {
-      home["score"] = played->result.home_goals;
-      away["score"] = played->result.away_goals;
-    }
-    return {{"id", games_.size()},
-            {"stage_id", stage},
-            {"parent_id", match},
-            {"number", leg + 1},
-            {"status", game_status(f, played)},
-            {"opponent1", home},
-            {"opponent2", away}};
-  }
-
-  void add(const FixtureState& f) {
-    const std::size_t stage = stage_of(f.fixture);
-    const std::size_t group = group_of(f.fixture, stage);
-    const std::size_t round = round_of(f.fixture, stage, group);
-    const std::size_t match = matches_.size();
-    for (int leg = 0; leg < f.needed(); ++leg) games_.push_back(game(f, leg, stage, match));
-    matches_.push_back({{"id", match},
-                        {"stage_id", stage},
-                        {"group_id", group},
-                        {"round_id", round},
-                        {"number", f.fixture.is_for_third_place() ? 1 : f.fixture.number},
-                        {"child_count", f.fixture.legs},
-                        {"status", match_status(f)},
-                        {"opponent1", match_opponent(f, f.fixture.home)},
-                        {"opponent2", match_opponent(f, f.fixture.away)}});
-  }
-
-  const LeagueState& state_;
-  Json participants_ = Json::array();
-  Json stages_ = Json::array();
-  Json groups_ = Json::array();
-  Json rounds_ = Json::array();
-  Json matches_ = Json::array();
-  Json games_ = Json::array();
-  std::map<bool, std::size_t> stage_ids_;
-  std::map<std::pair<std::size_t, int>, std::size_t> group_ids_;
-  std::map<std::pair<std::size_t, int>, std::size_t> round_ids_;
-};
+  side["score"] = f.goals(team);
+  if (const int winner = outcome(state, f).winner; winner >= 0)
+    side["result"] = winner == team ? "win" : "loss";
+  return side;
+}
 
 // Returns the fixtures as the tables of brackets-model (npm), which brackets-viewer draws: the keys
 // "participant", "stage", "group", "round", "match" and "match_game", each with a list of rows. In
-// these tables a fixture is a match, and a leg is a match game.
+// these tables a fixture is a match, and a leg is a match game. A group is a bracket in the
+// knockout; the tie for the third place is a second bracket.
 Json bracket_json(const LeagueState& state) {
-  return BracketTables(state).make();
+  Json tables;
+  for (const char* name : {"participant", "stage", "group", "round", "match", "match_game"})
+    tables[name] = Json::array();
+  for (std::size_t i = 0; i < state.file.teams.size(); ++i)
+    tables["participant"].push_back(
+        {{"id", i}, {"tournament_id", 0}, {"name", state.file.teams[i].name}});
+  std::map<std::tuple<bool>, std::size_t> stages;
+  std::map<std::tuple<std::size_t, int>, std::size_t> groups, rounds;
+  for (const FixtureState& f : state.fixtures) {
+    const Fixture& fixture = f.fixture;
+    const bool is_knockout = fixture.part == Part::knockout;
+    const bool is_for_third = fixture.is_for_third_place();
+    const std::size_t before = tables["stage"].size();
+    const bool is_only = !state.file.format.has_knockout() || before == 0;
+    const char* part = is_only ? "" : is_knockout ? ", knockout" : ", groups";
+    const std::size_t stage = id_of(stages, {is_knockout}, tables["stage"],
+                                    {{"tournament_id", 0},
+                                     {"name", state.file.title + part},
+                                     {"type", is_knockout ? "single_elimination" : "round_robin"},
+                                     {"number", before + 1},
+                                     {"settings", Json::object()}});
+    const int bracket = is_for_third ? 2 : fixture.part == Part::group ? fixture.group : 1;
+    const std::size_t group = id_of(groups, {stage, bracket}, tables["group"],
+                                    {{"stage_id", stage}, {"number", bracket}});
+    const int number = is_for_third ? 1 : fixture.round;
+    const std::size_t round = id_of(rounds, {group, number}, tables["round"],
+                                    {{"stage_id", stage}, {"group_id", group}, {"number", number}});
+    const std::size_t match = tables["match"].size();
+    for (int leg = 0; leg < f.needed(); ++leg) {
+      Json home = side_of(fixture.home);
+      Json away = side_of(fixture.away);
+      const PlayedLeg* played = f.legs[leg].played.get();
+      if (played != nullptr) {
+        home["score"] = played->result.home_goals;
+        away["score"] = played->result.away_goals;
+      }
+      tables["match_game"].push_back({{"id", tables["match_game"].size()},
+                                      {"stage_id", stage},
+                                      {"parent_id", match},
+                                      {"number", leg + 1},
+                                      {"status", played != nullptr    ? completed
+                                                 : fixture.has_both() ? ready
+                                                                      : locked},
+                                      {"opponent1", home},
+                                      {"opponent2", away}});
+    }
+    tables["match"].push_back({{"id", match},
+                               {"stage_id", stage},
+                               {"group_id", group},
+                               {"round_id", round},
+                               {"number", is_for_third ? 1 : fixture.number},
+                               {"child_count", fixture.legs},
+                               {"status", f.is_decided()        ? completed
+                                          : !fixture.has_both() ? locked
+                                          : f.decided() > 0     ? running
+                                                                : ready},
+                               {"opponent1", side_of(state, f, fixture.home)},
+                               {"opponent2", side_of(state, f, fixture.away)}});
+  }
+  return tables;
 }
 
 using record::csv_of;
@@ -242,8 +190,8 @@ Json crosstable_json(const Overview& o) {
 }  // namespace
 
 std::string decisions_json(const LeagueState& state) {
-  return record::json_text(
-      Json{{"title", state.file.title}, {"decisions", decision_rows(state)}}, 1);
+  return record::json_text(Json{{"title", state.file.title}, {"decisions", decision_rows(state)}},
+                           1);
 }
 
 Meetings meetings(const Overview& o) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a client that waits for ever, takes other bytes for an answer, follows a server to another
-// place, or believes a server with a certificate of somebody else.
+// Catches a client that waits for ever, takes other bytes for an answer, follows a server to
+// another place, or believes a server with a certificate of somebody else.
 #include "web/http/client.hpp"
 
 #include "tests/support/temporary_folder.hpp"
