@@ -4,7 +4,7 @@
 #include "record/json_reader.hpp"
 #include "record/statistics/statistics_json.hpp"
 #include "system/text.hpp"
-#include "tournaments/publish/html.hpp"
+#include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/team_page.hpp"
 
@@ -107,30 +107,35 @@ constexpr std::array<Column, 11> columns{{
     {"Fouls", [](const TeamTotals& t) { return std::to_string(t.own.all_fouls()); }},
 }};
 
-void numbers_row(Html& html, const Cell& first, const TeamTotals& totals) {
-  std::vector<Cell> cells{first};
-  for (const Column& column : columns) cells.emplace_back(column.text(totals), "number");
-  html.row("td", cells);
+Json row_of(const std::string& name, std::vector<std::string> cells, const std::string& page = "") {
+  return {{"name", name}, {"page", page}, {"cells", std::move(cells)}};
 }
 
-void number_heads(Html& html, const std::string& first) {
-  std::vector<Cell> head{first};
-  for (const Column& column : columns) head.emplace_back(column.head);
-  html.row("th", head);
+// The values of statistics_table.html: a column for each of `columns`.
+Json numbers_table(const std::string& first) {
+  Json table{{"first", first}, {"rows", Json::array()}};
+  for (const Column& column : columns) table["heads"].push_back(column.head);
+  return table;
 }
 
-void kinds_head(Html& html, const std::string& first) {
-  std::vector<Cell> head{first, "all"};
-  for (std::size_t i = 0; i < enum_names<GoalOrigin>.size(); ++i) {
-    head.emplace_back(in_words(static_cast<GoalOrigin>(i)));
-  }
-  html.row("th", head);
+Json numbers_row(const std::string& name, const TeamTotals& totals, const std::string& page = "") {
+  std::vector<std::string> cells;
+  for (const Column& column : columns) cells.push_back(column.text(totals));
+  return row_of(name, std::move(cells), page);
 }
 
-void kinds_row(Html& html, const std::string& first, const TeamStatistics& own) {
-  std::vector<Cell> cells{first, {std::to_string(own.all_goals()), "number"}};
-  for (const int goals : own.goals) cells.emplace_back(std::to_string(goals), "number");
-  html.row("td", cells);
+// The values of statistics_table.html: a column for each kind of goal.
+Json kinds_table(const std::string& first) {
+  Json table{{"first", first}, {"heads", {"all"}}, {"rows", Json::array()}};
+  for (std::size_t i = 0; i < enum_names<GoalOrigin>.size(); ++i)
+    table["heads"].push_back(in_words(static_cast<GoalOrigin>(i)));
+  return table;
+}
+
+Json kinds_row(const std::string& name, const TeamStatistics& own) {
+  std::vector<std::string> cells{std::to_string(own.all_goals())};
+  for (const int goals : own.goals) cells.push_back(std::to_string(goals));
+  return row_of(name, std::move(cells));
 }
 
 std::string fouls_in_words(const TeamStatistics& own) {
@@ -161,43 +166,25 @@ std::string loss_in_words(const std::optional<statistics::Loss>& loss, const sta
   return in_words(loss->kind) + ", " + third + ", " + fixed(before, 1) + " s before";
 }
 
-void goals_against(Html& html, const LeagueState& state, const LegReports& reports,
-                   const std::string& name) {
-  std::size_t count = 0;
+Json goals_against(const LeagueState& state, const LegReports& reports, const std::string& name) {
+  Json goals = Json::array();
   for (const LegReport& leg : reports) {
     const auto colour = colour_of(leg, name);
-    const auto& goals = leg.statistics.goals;
-    count += colour ? std::count_if(goals.begin(), goals.end(),
-                                    [&](const auto& goal) { return goal.team != *colour; })
-                    : 0;
-  }
-  if (count == 0) return;
-  html.cell("h2", "How goals fell against it");
-  const bool is_folded = count > most_goals_unfolded;
-  if (is_folded) {
-    html.raw("<details>\n");
-    html.cell("summary", std::to_string(count) + " goals");
-  }
-  html.open_table();
-  html.row("th", {"Leg", "By", "Kind", "Last restart", "After it", "Ball lost by", "Replay"});
-  for (const LegReport& leg : reports) {
-    const auto colour = colour_of(leg, name);
+    const std::string page = page_of_record(state, "../", leg.record);
     for (const statistics::Goal& goal : leg.statistics.goals) {
       if (!colour || goal.team == *colour) continue;
       const double at = std::max(0.0, goal.tick * leg.control_period - lead_in_s);
-      const std::string page = page_of_record(state, "../", leg.record);
-      html.row("td", {leg.leg,
-                      state.shown_name_of(leg.names[index_of(goal.team)]),
-                      in_words(goal.origin),
-                      in_words(goal.restart) + ": " + in_words(goal.restart_law),
-                      {fixed(goal.since_restart, 1) + " s", "number"},
-                      {loss_in_words(goal.loss, goal, leg.control_period), "small"},
-                      {"tick " + std::to_string(goal.tick), "",
-                       page.empty() ? "" : page + "#t=" + fixed(at, 2)}});
+      goals.push_back({{"leg", leg.leg},
+                       {"by", state.shown_name_of(leg.names[index_of(goal.team)])},
+                       {"kind", in_words(goal.origin)},
+                       {"restart", in_words(goal.restart) + ": " + in_words(goal.restart_law)},
+                       {"after", fixed(goal.since_restart, 1) + " s"},
+                       {"loss", loss_in_words(goal.loss, goal, leg.control_period)},
+                       {"tick", goal.tick},
+                       {"page", page.empty() ? "" : page + "#t=" + fixed(at, 2)}});
     }
   }
-  html.close_table();
-  if (is_folded) html.raw("</details>\n");
+  return goals;
 }
 
 }  // namespace
@@ -295,33 +282,17 @@ std::string statistics_html(const Overview& o, const LegReports& reports) {
     return std::find_if(totals.begin(), totals.end(),
                         [&](const TeamTotals& t) { return t.name == o.state.name(team); });
   };
-  Html html;
-  html.cell("h2", "Statistics");
-  html.open_table();
-  number_heads(html, "Team");
+  Json numbers = numbers_table("Team");
+  Json kinds = kinds_table("Team");
   for (const TableRow& row : o.table) {
     const auto found = of(row.team);
     if (found == totals.end()) continue;
-    numbers_row(html, {o.state.shown_name(row.team), "", team_page_of(found->name)}, *found);
+    const std::string name = o.state.shown_name(row.team);
+    numbers["rows"].push_back(numbers_row(name, *found, team_page_of(found->name)));
+    kinds["rows"].push_back(kinds_row(name, found->own));
   }
-  html.close_table();
-  html.cell("h2", "Goals by kind");
-  html.open_table();
-  kinds_head(html, "Team");
-  for (const TableRow& row : o.table) {
-    const auto found = of(row.team);
-    if (found == totals.end()) continue;
-    kinds_row(html, o.state.shown_name(row.team), found->own);
-  }
-  html.close_table();
-  html.raw("<p class=\"small\">Counted on the field, in " + std::to_string(reports.size()) +
-           " legs: rulings and forfeits change no number here. docs/statistics.md of mirocup "
-           "defines the numbers. As files: \n");
-  for (const char* file : {"statistics.csv", "goals.csv", "statistics.json"}) {
-    html.link(file, file);
-  }
-  html.close("p");
-  return html.text();
+  return filled_page("statistics.html",
+                     {{"numbers", numbers}, {"kinds", kinds}, {"legs", reports.size()}});
 }
 
 std::string team_statistics_html(const Overview& o, const LegReports& reports, int team) {
@@ -335,27 +306,24 @@ std::string team_statistics_html(const Overview& o, const LegReports& reports, i
     by_colour[index_of(*colour)].add(leg.statistics, *colour);
   }
   if (all.legs == 0) return "";
-  Html html;
-  html.cell("h2", "Play");
-  html.open_table();
-  number_heads(html, "");
-  numbers_row(html, "All", all);
-  numbers_row(html, "As blue", by_colour[0]);
-  numbers_row(html, "As yellow", by_colour[1]);
-  html.close_table();
-  html.cell("h2", "Goals by kind");
-  html.open_table();
-  kinds_head(html, "");
-  kinds_row(html, "For it", all.own);
-  kinds_row(html, "Against it", all.against);
-  html.close_table();
-  html.cell("p", "Fouls by law: " + fouls_in_words(all.own) + ".");
-  html.cell("p", "It lost the ball " + std::to_string(all.own.all_losses()) + " times: " +
-                     std::to_string(all.own.losses[0]) + " in its own third of the field, " +
-                     std::to_string(all.own.losses[1]) + " in the middle, " +
-                     std::to_string(all.own.losses[2]) + " in its opponents' third.");
-  goals_against(html, o.state, reports, name);
-  return html.text();
+  Json numbers = numbers_table("");
+  numbers["rows"] = {numbers_row("All", all), numbers_row("As blue", by_colour[0]),
+                     numbers_row("As yellow", by_colour[1])};
+  Json kinds = kinds_table("");
+  kinds["rows"] = {kinds_row("For it", all.own), kinds_row("Against it", all.against)};
+  const Json goals = goals_against(o.state, reports, name);
+  const bool is_folded = goals.size() > most_goals_unfolded;
+  return filled_page("team_statistics.html", {{"numbers", numbers},
+                                              {"kinds", kinds},
+                                              {"fouls", fouls_in_words(all.own)},
+                                              {"all_losses", all.own.all_losses()},
+                                              {"losses",
+                                               {{"own", all.own.losses[0]},
+                                                {"middle", all.own.losses[1]},
+                                                {"opponent", all.own.losses[2]}}},
+                                              {"has_goals", !goals.empty()},
+                                              {"folded", is_folded ? Json(goals.size()) : Json()},
+                                              {"goals", goals}});
 }
 
 FileMakers statistics_exports(const LegReports& reports) {

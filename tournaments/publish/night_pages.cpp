@@ -4,7 +4,6 @@
 #include "record/json_fields.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
-#include "tournaments/publish/html.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
@@ -64,77 +63,64 @@ std::string title_of(const Night& night) {
 
 // A page with the usual head around its content.
 std::string plain_page(const Overview& o, const std::string& root, const std::string& title,
-                       const std::string& lead, const Html& content) {
+                       const std::string& lead, std::string content) {
   Json values = page_values(o, root, title);
   values["lead"] = lead;
-  values["content"] = content.text();
+  values["content"] = std::move(content);
   return filled_page("plain.html", values);
 }
 
 std::string night_page(const Overview& o, const Night& night, const std::vector<TeamDigest>& all) {
-  Html html;
-  html.open_table();
-  html.row("th", {"Rank", "Yesterday", "Team", "Last night", "Strength", "Since yesterday", ""});
+  Json teams = Json::array();
   for (const TeamDigest& d : all) {
-    html.open("tr");
-    html.cell("td", {d.rank > 0 ? std::to_string(d.rank) : "–", "number"});
-    html.cell("td", {d.rank_before > 0 ? std::to_string(d.rank_before) : "–", "number"});
-    html.open("td");
-    html.raw(mark_of(o.state, d.team));
-    html.link("teams/" + o.state.name(d.team) + ".html", o.state.shown_name(d.team));
-    html.close("td");
-    html.cell("td", legs_in_words(d));
-    html.cell("td", {std::to_string(std::lround(d.strength.value)), "number"});
+    Json row = team_values(o, d.team, "");
     const long change = d.strength_before
                             ? std::lround(d.strength.value) - std::lround(d.strength_before->value)
                             : 0;
-    html.cell("td", {!d.strength_before ? "new" : (change >= 0 ? "+" : "") + std::to_string(change),
-                     "number"});
-    html.cell("td", {d.has_new_entry ? "digest, new entry" : "digest", "",
-                     page_of_digest(o.state, d.team)});
-    html.close("tr");
+    row.update(
+        {{"rank", d.rank > 0 ? std::to_string(d.rank) : "–"},
+         {"yesterday", d.rank_before > 0 ? std::to_string(d.rank_before) : "–"},
+         {"legs", legs_in_words(d)},
+         {"strength", std::lround(d.strength.value)},
+         {"change", !d.strength_before ? "new" : (change >= 0 ? "+" : "") + std::to_string(change)},
+         {"digest", page_of_digest(o.state, d.team)},
+         {"is_new", d.has_new_entry}});
+    teams.push_back(row);
   }
-  html.close_table();
-  return plain_page(o, "", title_of(night), shown_time(o.state.file, night.at), html);
+  return plain_page(o, "", title_of(night), shown_time(o.state.file, night.at),
+                    filled_page("night.html", {{"teams", teams}}));
+}
+
+std::string entry_in_words(const TeamDigest& d) {
+  if (d.entry == 0) return "";
+  return std::to_string(d.entry) + (d.has_new_entry ? ", new since yesterday" : "");
+}
+
+std::string moment_in_words(const WorstMoment& moment) {
+  return (moment.at >= 0.0 ? time_text(moment.at) + " " : "") + moment.what;
 }
 
 }  // namespace
 
 std::string digest_html(const Overview& o, const Night& night, const TeamDigest& d,
                         const std::string& root) {
-  Html html;
-  html.cell("h2", title_of(night));
-  html.open("ul");
-  html.cell("li", "Rank " + rank_in_words(d));
-  html.cell("li", "Strength " + strength_in_words(d));
-  html.cell("li", "Legs of the night: " + legs_in_words(d));
-  if (d.entry > 0) {
-    html.cell("li", "Played with entry " + std::to_string(d.entry) +
-                        (d.has_new_entry ? ", new since yesterday" : ""));
-  }
-  html.close("ul");
-  html.cell("h3", "Lost to");
-  if (d.losses.empty()) html.cell("p", "Nobody.");
-  html.open("ul");
-  for (const LostLeg& leg : d.losses) {
-    html.open("li");
-    html.link(page_of_record(o.state, root, leg.record),
-              o.state.shown_name(leg.opponent) + " " + leg.score);
-    html.cell("small", " " + leg.fixture + " leg " + std::to_string(leg.leg));
-    html.close("li");
-  }
-  html.close("ul");
-  html.cell("h3", "Worst moments");
-  if (d.moments.empty()) html.cell("p", "None.");
-  html.open("ol");
-  for (const WorstMoment& moment : d.moments) {
-    html.open("li");
-    html.link(page_of_moment(o, root, moment),
-              (moment.at >= 0.0 ? time_text(moment.at) + " " : "") + moment.what);
-    html.close("li");
-  }
-  html.close("ol");
-  return html.text();
+  Json losses = Json::array();
+  for (const LostLeg& leg : d.losses)
+    losses.push_back({{"page", page_of_record(o.state, root, leg.record)},
+                      {"what", o.state.shown_name(leg.opponent) + " " + leg.score},
+                      {"fixture", leg.fixture},
+                      {"leg", leg.leg}});
+  Json moments = Json::array();
+  for (const WorstMoment& moment : d.moments)
+    moments.push_back(
+        {{"page", page_of_moment(o, root, moment)}, {"what", moment_in_words(moment)}});
+  return filled_page("digest.html", {{"title", title_of(night)},
+                                     {"rank", rank_in_words(d)},
+                                     {"strength", strength_in_words(d)},
+                                     {"legs", legs_in_words(d)},
+                                     {"entry", entry_in_words(d)},
+                                     {"losses", losses},
+                                     {"moments", moments}});
 }
 
 std::string digest_text(const Overview& o, const Night& night, const TeamDigest& d,
@@ -146,10 +132,7 @@ std::string digest_text(const Overview& o, const Night& night, const TeamDigest&
       o.state.file.title + ", " + title_of(night) + ", " + shown_time(o.state.file, night.at);
   text += "\n\n" + o.state.shown_name(d.team) + "\nRank:     " + rank_in_words(d) +
           "\nStrength: " + strength_in_words(d) + "\nLegs:     " + legs_in_words(d) + "\n";
-  if (d.entry > 0) {
-    text += "Entry:    " + std::to_string(d.entry) +
-            (d.has_new_entry ? ", new since yesterday" : "") + "\n";
-  }
+  if (d.entry > 0) text += "Entry:    " + entry_in_words(d) + "\n";
   text += "\nLost to:\n";
   if (d.losses.empty()) text += "  nobody\n";
   for (const LostLeg& leg : d.losses) {
@@ -159,8 +142,7 @@ std::string digest_text(const Overview& o, const Night& night, const TeamDigest&
   text += "\nWorst moments:\n";
   if (d.moments.empty()) text += "  none\n";
   for (const WorstMoment& moment : d.moments) {
-    text += "  " + (moment.at >= 0.0 ? time_text(moment.at) + " " : "") + moment.what +
-            link(page_of_moment(o, "", moment)) + "\n";
+    text += "  " + moment_in_words(moment) + link(page_of_moment(o, "", moment)) + "\n";
   }
   return text;
 }
@@ -200,10 +182,8 @@ FileMakers night_pages(const Overview& o, const Night& night) {
   FileMakers files{{"night.html", [&o, &night, all] { return night_page(o, night, *all); }}};
   for (const TeamDigest& d : *all) {
     files[page_of_digest(o.state, d.team)] = [&o, &night, &d, all] {
-      Html html;
-      html.raw(digest_html(o, night, d, "../"));
       return plain_page(o, "../", o.state.shown_name(d.team), shown_time(o.state.file, night.at),
-                        html);
+                        digest_html(o, night, d, "../"));
     };
   }
   return files;
