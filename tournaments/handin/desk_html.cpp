@@ -11,12 +11,6 @@ std::string desk_page(const std::string& title, const std::string& content) {
   return filled_page("desk.html", {{"root", "/"}, {"page_title", title}, {"content", content}});
 }
 
-void next_card(Html& html, const std::string& heading, const std::string& id) {
-  html.raw("</section>\n<section class=\"card\"" + (id.empty() ? "" : " id=\"" + id + "\"") +
-           ">\n");
-  html.cell("h2", heading);
-}
-
 std::string number_text(const Json& object, const char* key, const char* format) {
   const auto number = record::value_in<std::optional<double>>(object, key);
   if (!number) return "";

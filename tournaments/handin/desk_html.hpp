@@ -4,7 +4,6 @@
 #pragma once
 
 #include "record/json_reader.hpp"
-#include "tournaments/publish/html.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -17,9 +16,6 @@ using record::text_in;
 
 // Returns a page with this content, in the design of all pages.
 std::string desk_page(const std::string& title, const std::string& content);
-
-// Ends a card and begins the next, with a heading.
-void next_card(Html& html, const std::string& heading, const std::string& id = "");
 
 // Returns the number at a key of an object in a printf format; "" if the object has no such number.
 std::string number_text(const Json& object, const char* key, const char* format);

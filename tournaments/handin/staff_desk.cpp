@@ -8,7 +8,7 @@
 #include "tournaments/league/acts.hpp"
 #include "tournaments/league/health.hpp"
 #include "tournaments/league/roster.hpp"
-#include "tournaments/publish/decision_view.hpp"
+#include "tournaments/publish/front_page.hpp"
 #include "tournaments/publish/grades.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/rounds.hpp"
@@ -23,9 +23,6 @@ namespace {
 constexpr const char* staff_policy =
     "default-src 'none'; style-src 'self'; script-src 'self'; form-action 'self'; base-uri 'none'; "
     "frame-ancestors 'none'";
-
-// Where the staff finds the legs of a team: its name follows.
-const std::string staff_legs_path = "/hand-in?team=";
 
 int number_in(const Form& form, const std::string& key) {
   return system::number_of<int>(value_of(form, key)).value_or(0);
@@ -89,34 +86,32 @@ Json forms_values(const LeagueState& state, const Form& given) {
 }
 
 // What was played last, what comes, and until when entries are taken.
-void schedule(Html& html, const LeagueState& state) {
-  html.open("ul");
+void add_schedule(Json& values, const LeagueState& state) {
   const std::string& frozen = state.frozen_from();
-  html.cell("li", frozen.empty()
-                      ? "Entries are taken as the format allows"
-                      : "From " + shown_time(state.file, frozen) + " on, no entry is taken");
+  values["entries"] = frozen.empty()
+                          ? "Entries are taken as the format allows"
+                          : "From " + shown_time(state.file, frozen) + " on, no entry is taken";
   if (!state.nights.empty())
-    html.cell("li", "Night " + std::to_string(state.nights.back().number) + " began at " +
-                        shown_time(state.file, state.nights.back().at));
+    values["night"] = "Night " + std::to_string(state.nights.back().number) + " began at " +
+                      shown_time(state.file, state.nights.back().at);
   constexpr int most = 6;  // rounds
   int left = 0;
   const Overview o = overview(state);
+  values["rounds"] = Json::array();
   for (const RoundView& round : rounds_of(o)) {
     if (round.decided == round.legs && !round.fixtures.empty()) continue;
-    if (++left > most) continue;
-    html.open("li");
-    html.link("/" + round.page(), round.title);
-    html.cell("small", " " + std::to_string(round.decided) + " of " + std::to_string(round.legs) +
-                           " legs are decided");
-    html.close("li");
+    if (++left <= most)
+      values["rounds"].push_back({{"page", round.page()},
+                                  {"title", round.title},
+                                  {"decided", round.decided},
+                                  {"legs", round.legs}});
   }
-  if (left > most) html.cell("li", "and " + std::to_string(left - most) + " more rounds");
-  if (left == 0 && state.is_closed) html.cell("li", "The league is closed");
-  if (left == 0 && !state.is_closed)
-    html.cell("li", state.file.format.kind == FormatKind::nightly
-                        ? "The next night begins when league nightly is started"
-                        : "Nothing is left to play");
-  html.close("ul");
+  values["end"] = left > most       ? "and " + std::to_string(left - most) + " more rounds"
+                  : left > 0        ? ""
+                  : state.is_closed ? "The league is closed"
+                  : state.file.format.kind == FormatKind::nightly
+                      ? "The next night begins when league nightly is started"
+                      : "Nothing is left to play";
 }
 
 std::string state_in_words(const RosterRow& row) {
@@ -131,81 +126,45 @@ std::string state_in_words(const RosterRow& row) {
 }
 
 // The staff reads the names of people in an anonymous league, too.
-void link_to_team(Html& html, const RosterRow& row) {
-  html.link(staff_legs_path + row.team, row.people.display.empty() ? row.team : row.people.display);
+std::string name_of(const RosterRow& row) {
+  return row.people.display.empty() ? row.team : row.people.display;
 }
 
-void teams_table(Html& html, const LeagueState& state, const std::vector<RosterRow>& rows) {
-  html.open_table();
-  html.row("th", {"Team", "Handed in", "State", "Answer"});
+Json teams_values(const LeagueState& state, const std::vector<RosterRow>& rows) {
+  Json teams = Json::array();
   for (const RosterRow& row : rows) {
-    html.open("tr");
-    html.open("th class=\"words\"");
-    link_to_team(html, row);
-    std::string about = row.people.display.empty() ? "" : row.team;
-    for (const std::string& member : row.people.members)
-      about += (about.empty() ? "" : " · ") + member;
-    html.cell("small", about);
-    html.close("th");
-    html.cell("td", {row.handed_in.empty() ? "" : shown_time(state.file, row.handed_in), "words"});
-    html.cell("td", {state_in_words(row), "words"});
+    std::vector<std::string> about = row.people.members;
+    if (!row.people.display.empty()) about.insert(about.begin(), row.team);
     std::string answer = row.was_accepted ? "" : row.message;
     if (!row.same_as.empty())
       answer += (answer.empty() ? "" : " ") + std::string("The same file as ") +
                 system::joined(row.same_as, ", ") + ".";
-    html.cell("td", {answer, "words"});
-    html.close("tr");
+    teams.push_back(
+        {{"team", row.team},
+         {"name", name_of(row)},
+         {"about", system::joined(about, " · ")},
+         {"handed_in", row.handed_in.empty() ? "" : shown_time(state.file, row.handed_in)},
+         {"state", state_in_words(row)},
+         {"answer", answer}});
   }
-  html.close_table();
+  return teams;
 }
 
-// A line with the teams that something is said of, each with a link to its legs.
-void teams_line(Html& html, const char* what, const std::vector<const RosterRow*>& teams) {
-  html.open("li");
-  html.raw(what);
-  for (const RosterRow* row : teams) {
-    html.raw(row == teams.front() ? " " : "· ");
-    link_to_team(html, *row);
-  }
-  if (teams.empty()) html.raw(" nobody");
-  html.close("li");
-}
-
-void attention(Html& html, const std::vector<RosterRow>& rows, const Health& health) {
-  std::vector<const RosterRow*> missing, refused, same;
+// The teams that something is said of.
+Json attention_values(const std::vector<RosterRow>& rows) {
+  Json missing = Json::array(), refused = Json::array(), same = Json::array();
   for (const RosterRow& row : rows) {
     if (row.status == TeamStatus::withdrawn) continue;
-    if (row.last_entry == 0 && row.handed_in.empty()) missing.push_back(&row);
-    if (!row.handed_in.empty() && !row.was_accepted && row.has_ended) refused.push_back(&row);
-    if (!row.same_as.empty()) same.push_back(&row);
+    const auto add = [&row](Json& teams) {
+      teams.push_back({{"team", row.team}, {"name", name_of(row)}, {"is_next", !teams.empty()}});
+    };
+    if (row.last_entry == 0 && row.handed_in.empty()) add(missing);
+    if (!row.handed_in.empty() && !row.was_accepted && row.has_ended) add(refused);
+    if (!row.same_as.empty()) add(same);
   }
-  html.open("ul");
-  for (const std::string& problem : health.problems) html.cell("li", problem);
-  teams_line(html, "Not handed in:", missing);
-  teams_line(html, "Last hand-in refused:", refused);
-  teams_line(html, "The same file as another team, see the table:", same);
-  html.close("ul");
-}
-
-void decisions_list(Html& html, const LeagueState& state, int done) {
-  const auto views = decision_views(state);
-  if (views.empty()) {
-    html.cell("p", "No person has decided anything yet.");
-    return;
-  }
-  html.open_table();
-  html.row("th", {"No.", "When", "Who", "What", "Why", ""});
-  for (const DecisionView& d : views) {
-    html.open(d.number == done ? "tr class=\"chosen\"" : "tr");
-    html.cell("td", {std::to_string(d.number), "number"});
-    html.cell("td", shown_time(state.file, d.at));
-    html.cell("td", d.by);
-    html.cell("td", d.what);
-    html.cell("td", d.why);
-    html.cell("td", {d.undoing, "small"});
-    html.close("tr");
-  }
-  html.close_table();
+  return {{{"what", "Not handed in:"}, {"teams", missing}},
+          {{"what", "Last hand-in refused:"}, {"teams", refused}},
+          {{"what", "The same file as another team, see the table:"}, {"teams", same}}};
 }
 
 web::Reply staff_reply(int status, std::string html) {
@@ -257,27 +216,24 @@ web::Reply StaffDesk::page(Role reader, const Shown& shown) const {
   const auto health = league::health(files_, *store, now_());
   if (!health) return broken(health.error());
   const LeagueState& state = store->state();
-  Html html;
-  html.raw(filled_page("staff_top.html", {{"has_forms", has_forms},
-                                          {"said", shown.said},
-                                          {"done", shown.done > 0 ? Json(shown.done) : Json()}}));
-  html.open("ul");
-  html.cell("li", std::to_string(state.played()) + " of " + std::to_string(state.legs()) +
-                      " legs are decided");
-  if (const std::string at = last_leg_at(store->journal()); !at.empty())
-    html.cell("li", "The last leg was played at " + shown_time(state.file, at));
-  html.close("ul");
-  next_card(html, "To look at", "look");
-  attention(html, *rows, *health);
-  next_card(html, "Schedule", "schedule");
-  schedule(html, state);
-  if (has_forms) html.raw(filled_page("staff_forms.html", forms_values(state, shown.given)));
-  next_card(html, "Teams", "teams");
-  teams_table(html, state, *rows);
-  html.raw("<p><a href=\"/hand-in/grades.csv\">Grades (CSV)</a></p>\n");
-  next_card(html, "Decisions", "decisions");
-  decisions_list(html, state, shown.done);
-  return staff_reply(shown.status, desk_page("Staff", html.text()));
+  const std::string last = last_leg_at(store->journal());
+  Json decisions = decisions_values(state);
+  for (Json& one : decisions) one["is_new"] = one["number"] == shown.done;
+  Json values{
+      {"has_forms", has_forms},
+      {"said", shown.said},
+      {"done", shown.done > 0 ? Json(shown.done) : Json()},
+      {"played", state.played()},
+      {"legs", state.legs()},
+      {"last_leg", last.empty() ? "" : shown_time(state.file, last)},
+      {"problems", health->problems},
+      {"attention", attention_values(*rows)},
+      {"forms", has_forms ? filled_page("staff_forms.html", forms_values(state, shown.given)) : ""},
+      {"teams", teams_values(state, *rows)},
+      {"has_decisions", !decisions.empty()},
+      {"decisions", decisions}};
+  add_schedule(values, state);
+  return staff_reply(shown.status, desk_page("Staff", filled_page("staff.html", values)));
 }
 
 std::string StaffDesk::decision_path(const OwnLeg& leg) {
@@ -289,34 +245,26 @@ web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
   const auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
   const LeagueState& state = store->state();
-  Html html;
-  html.raw("<p><a href=\"/hand-in\">Back to the staff page</a></p>\n");
-  if (legs.empty()) html.cell("p", "No leg of this team is decided, or there is no such team.");
-  html.open_table();
-  html.row("th", {"Leg", "Opponent", "Result", "Replay", "Log", "Own fault", "Decision"});
+  Json rows = Json::array();
   for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
-    html.open("tr");
-    html.cell("th", leg->fixture + ", leg " + std::to_string(leg->leg));
-    html.cell("td", state.shown_name_of(leg->opponent));
-    html.cell("td", std::to_string(leg->goals) + " : " + std::to_string(leg->against));
-    if (leg->record.empty()) {
-      html.cell("td", "");
-      html.cell("td", "");
-    } else {
+    Json row{{"fixture", leg->fixture},
+             {"leg", leg->leg},
+             {"opponent", state.shown_name_of(leg->opponent)},
+             {"score", std::to_string(leg->goals) + " : " + std::to_string(leg->against)},
+             {"fault", leg->own_fault.value_or("")},
+             {"decide", reader == Role::staff ? decision_path(*leg) : ""}};
+    if (!leg->record.empty()) {
       const std::string name = name_of_leg(*leg);
       const bool is_drawn =
           record::has_thoughts(files_, folder_.path + "/" + leg->record, record::of_both);
-      html.cell("td", {is_drawn ? "replay with thoughts" : "replay", "",
-                       std::string(own_replays_path) + name + ".html?team=" + team});
-      html.cell("td", {"log", "", "/api/v1/legs/" + name + "/log?team=" + team});
+      row["what"] = is_drawn ? "replay with thoughts" : "replay";
+      row["replay"] = std::string(own_replays_path) + name + ".html?team=" + team;
+      row["log"] = "/api/v1/legs/" + name + "/log?team=" + team;
     }
-    html.cell("td", {leg->own_fault.value_or(""), "small"});
-    const std::string decision = reader == Role::staff ? decision_path(*leg) : "";
-    html.cell("td", {decision.empty() ? "" : "decide", "", decision});
-    html.close("tr");
+    rows.push_back(row);
   }
-  html.close_table();
-  return staff_reply(200, desk_page("Legs of " + state.shown_name_of(team), html.text()));
+  return staff_reply(200, desk_page("Legs of " + state.shown_name_of(team),
+                                    filled_page("staff_legs.html", {{"legs", rows}})));
 }
 
 web::Reply StaffDesk::act(const Form& values) const {

@@ -154,20 +154,6 @@ Json bests_values(const Overview& o, const LegReports& reports) {
   return bests;
 }
 
-// A league without decisions has no list of them.
-Json decisions_values(const LeagueState& state) {
-  Json decisions = Json::array();
-  for (const DecisionView& d : decision_views(state)) {
-    decisions.push_back({{"number", d.number},
-                         {"at", shown_time(state.file, d.at)},
-                         {"by", d.by},
-                         {"what", d.what},
-                         {"why", d.why},
-                         {"undoing", d.undoing}});
-  }
-  return decisions;
-}
-
 // The sums of many legs, as "12–8–1" and "34:17"; without links, which the rounds have.
 Json sums_of(const std::vector<const LegView*>& legs, int team) {
   LegTotals sums;
@@ -230,6 +216,19 @@ Json crosstable_values(const Overview& o, const std::string& root) {
 }
 
 }  // namespace
+
+Json decisions_values(const LeagueState& state) {
+  Json decisions = Json::array();
+  for (const DecisionView& d : decision_views(state)) {
+    decisions.push_back({{"number", d.number},
+                         {"at", d.at.empty() ? "" : shown_time(state.file, d.at)},
+                         {"by", d.by},
+                         {"what", d.what},
+                         {"why", d.why},
+                         {"undoing", d.undoing}});
+  }
+  return decisions;
+}
 
 Json champion_values(const Overview& o) {
   if (!o.state.is_over() || o.table.size() < 2 || o.state.played() == 0) return false;

@@ -26,6 +26,10 @@ struct SiteContent {
 // before the league is over.
 Json champion_values(const Overview& overview);
 
+// Returns the decisions of people as values of a template, each with the keys number, at, by, what,
+// why and undoing.
+Json decisions_values(const LeagueState& state);
+
 std::string front_html(const SiteContent& content);
 
 // Returns the page of a round. `round` is an index of SiteContent::rounds.
