@@ -56,151 +56,57 @@ struct Largest {
   }
 };
 
-class BestFinder {
- public:
-  explicit BestFinder(const Overview& o) : o_(o) {
-    for (const LegView& leg : o.legs) {
-      if (leg.has_replay() && !leg.is_annulled) legs_.push_back(&leg);
-    }
-  }
-
-  std::vector<Best> all() {
-    fastest_goal();
-    biggest_win();
-    most_goals();
-    biggest_upset();
-    longest_runs();
-    top_scorer();
-    cleanest_team();
-    return std::move(bests_);
-  }
-
- private:
-  using Goal = std::pair<const LegView*, const GoalFact*>;
-
-  std::string team_of(const Goal& goal) const {
-    const int team = goal.second->is_home ? goal.first->home : goal.first->away;
-    std::string who = o_.state.shown_name(team);
-    if (goal.second->is_own_goal) return who + ", own goal of the other team";
-    return goal.second->scorer < 0 ? who : who + ", robot " + std::to_string(goal.second->scorer);
-  }
-
-  void fastest_goal() {
-    Largest<Goal> best;
-    for (const LegView* leg : legs_) {
-      if (leg->facts == nullptr || leg->facts->goals.empty()) continue;
-      best.offer(-leg->facts->goals[0].at, {leg, leg->facts->goals.data()});
-    }
-    if (!best.what) return;
-    const LegView& leg = *best.what->first;
-    bests_.push_back({"Fastest goal", one_digit(-best.value) + " s", team_of(*best.what),
-                      pair(o_, leg) + ", " + place_of(leg), page_of(leg, -best.value)});
-  }
-
-  void leg_with_most(const std::string& title, auto value, double least) {
-    Largest<const LegView*> best;
-    for (const LegView* leg : legs_) best.offer(value(*leg), leg);
-    if (!best.what || best.value < least) return;
-    const LegView& leg = **best.what;
-    bests_.push_back({title, score(leg), pair(o_, leg), place_of(leg), page_of(leg)});
-  }
-
-  void biggest_win() {
-    leg_with_most(
-        "Biggest win",
-        [](const LegView& leg) { return std::abs(leg.goals(leg.home) - leg.goals(leg.away)); },
-        1.0);
-  }
-
-  void most_goals() {
-    leg_with_most(
-        "Most goals in a leg",
-        [](const LegView& leg) { return leg.goals(leg.home) + leg.goals(leg.away); }, 1.0);
-  }
-
-  void biggest_upset() {
-    Largest<std::pair<const LegView*, int>> best;
-    for (const LegView* leg : legs_) {
-      for (const int team : {leg->home, leg->away}) {
-        if (leg->letter(team) != 'W') continue;
-        const int other = team == leg->home ? leg->away : leg->home;
-        best.offer(o_.ratings.strengths[other].value - o_.ratings.strengths[team].value,
-                   {leg, team});
-      }
-    }
-    if (!best.what || best.value < upset) return;
-    const auto [leg, team] = *best.what;
-    bests_.push_back(
-        {"Biggest upset", score(*leg),
-         o_.state.shown_name(team) + ", weaker by " + std::to_string(std::lround(best.value)),
-         pair(o_, *leg) + ", " + place_of(*leg), page_of(*leg)});
-  }
-
-  void longest_runs() {
-    longest_run("Longest winning run", "legs won in a row",
-                [](char letter) { return letter == 'W'; });
-    longest_run("Longest run without defeat", "legs without defeat",
-                [](char letter) { return letter != 'L'; });
-  }
-
-  void longest_run(const std::string& title, const std::string& unit, auto counts) {
-    Largest<int> best;
-    for (int team = 0; team < static_cast<int>(o_.state.teams.size()); ++team) {
-      int run = 0;
-      for (const LegView* leg : legs_) {
-        if (!leg->is_of(team)) continue;
-        run = counts(leg->letter(team)) ? run + 1 : 0;
-        if (run > 1) best.offer(run, team);
-      }
-    }
-    if (!best.what) return;
-    add_of_team(title, std::to_string(std::lround(best.value)), *best.what, "", unit);
-  }
-
-  void top_scorer() {
-    std::map<std::pair<int, int>, int> goals;
-    for (const LegView* leg : legs_) {
-      if (leg->facts == nullptr) continue;
-      for (const GoalFact& goal : leg->facts->goals) {
-        if (goal.scorer >= 0) ++goals[{goal.is_home ? leg->home : leg->away, goal.scorer}];
-      }
-    }
-    Largest<std::pair<int, int>> best;
-    for (const auto& [robot, count] : goals) best.offer(count, robot);
-    if (!best.what) return;
-    add_of_team("Top scorer", std::to_string(std::lround(best.value)) + " goals", best.what->first,
-                ", robot " + std::to_string(best.what->second), "");
-  }
-
-  void cleanest_team() {
-    const std::size_t teams = o_.state.teams.size();
-    std::vector<int> fouls(teams);
-    std::vector<int> legs(teams);
-    for (const LegView* leg : legs_) {
-      if (leg->facts == nullptr) continue;
-      fouls[leg->home] += leg->facts->fouls.home;
-      fouls[leg->away] += leg->facts->fouls.away;
-      ++legs[leg->home];
-      ++legs[leg->away];
-    }
-    Largest<int> best;
-    for (std::size_t team = 0; team < teams; ++team) {
-      if (legs[team] > 0) best.offer(-double(fouls[team]) / legs[team], static_cast<int>(team));
-    }
-    if (!best.what) return;
-    add_of_team("Cleanest team", one_digit(std::abs(best.value)), *best.what, "", "fouls a leg");
-  }
-
-  void add_of_team(const std::string& title, const std::string& value, int team,
-                   const std::string& robot, const std::string& unit) {
-    bests_.push_back(
-        {title, value, o_.state.shown_name(team) + robot, unit, team_page_of(o_.state.name(team))});
-  }
-
-  const Overview& o_;
-  std::vector<const LegView*> legs_;
-  std::vector<Best> bests_;
+// The numbers of one team over all legs with a replay.
+struct TeamRuns {
+  int won = 0;  // legs in a row, up to the latest
+  int unbeaten = 0;
+  int longest_won = 0;
+  int longest_unbeaten = 0;
+  int fouls = 0;
+  int counted = 0;  // legs with known fouls
 };
+
+// The best of all legs and teams; of equals the first.
+struct Records {
+  Largest<std::pair<const LegView*, const GoalFact*>> fastest;
+  Largest<const LegView*> win, goals;
+  Largest<std::pair<const LegView*, int>> surprise;  // its winner
+  std::vector<TeamRuns> teams;
+  std::map<std::pair<int, int>, int> scored;  // by team and robot
+
+  void add(const Overview& o, const LegView& leg) {
+    const int home = leg.goals(leg.home);
+    const int away = leg.goals(leg.away);
+    win.offer(std::abs(home - away), &leg);
+    goals.offer(home + away, &leg);
+    for (const int team : {leg.home, leg.away}) {
+      const int other = team == leg.home ? leg.away : leg.home;
+      const char letter = leg.letter(team);
+      if (letter == 'W')
+        surprise.offer(o.ratings.strengths[other].value - o.ratings.strengths[team].value,
+                       {&leg, team});
+      TeamRuns& runs = teams[team];
+      runs.won = letter == 'W' ? runs.won + 1 : 0;
+      runs.unbeaten = letter != 'L' ? runs.unbeaten + 1 : 0;
+      runs.longest_won = std::max(runs.longest_won, runs.won);
+      runs.longest_unbeaten = std::max(runs.longest_unbeaten, runs.unbeaten);
+      if (leg.facts == nullptr) continue;
+      runs.fouls += team == leg.home ? leg.facts->fouls.home : leg.facts->fouls.away;
+      ++runs.counted;
+    }
+    if (leg.facts == nullptr || leg.facts->goals.empty()) return;
+    fastest.offer(-leg.facts->goals[0].at, {&leg, leg.facts->goals.data()});
+    for (const GoalFact& goal : leg.facts->goals) {
+      if (goal.scorer >= 0) ++scored[{goal.is_home ? leg.home : leg.away, goal.scorer}];
+    }
+  }
+};
+
+std::string scorer_of(const Overview& o, const LegView& leg, const GoalFact& goal) {
+  const std::string who = o.state.shown_name(goal.is_home ? leg.home : leg.away);
+  if (goal.is_own_goal) return who + ", own goal of the other team";
+  return goal.scorer < 0 ? who : who + ", robot " + std::to_string(goal.scorer);
+}
 
 // How a leg went, goal by goal.
 struct Course {
@@ -268,7 +174,58 @@ Excitement excitement(const Overview& o, const LegView& leg) {
 }  // namespace
 
 std::vector<Best> bests_of(const Overview& o) {
-  return BestFinder(o).all();
+  Records records;
+  records.teams.resize(o.state.teams.size());
+  for (const LegView& leg : o.legs) {
+    if (leg.has_replay() && !leg.is_annulled) records.add(o, leg);
+  }
+  std::vector<Best> bests;
+  if (const auto& goal = records.fastest; goal.what) {
+    const LegView& leg = *goal.what->first;
+    bests.push_back({"Fastest goal", one_digit(-goal.value) + " s",
+                     scorer_of(o, leg, *goal.what->second), pair(o, leg) + ", " + place_of(leg),
+                     page_of(leg, -goal.value)});
+  }
+  for (const auto& [title, best] :
+       {std::pair("Biggest win", &records.win), std::pair("Most goals in a leg", &records.goals)}) {
+    if (!best->what || best->value < 1.0) continue;
+    const LegView& leg = **best->what;
+    bests.push_back({title, score(leg), pair(o, leg), place_of(leg), page_of(leg)});
+  }
+  if (const auto& best = records.surprise; best.what && best.value >= upset) {
+    const auto [leg, team] = *best.what;
+    bests.push_back(
+        {"Biggest upset", score(*leg),
+         o.state.shown_name(team) + ", weaker by " + std::to_string(std::lround(best.value)),
+         pair(o, *leg) + ", " + place_of(*leg), page_of(*leg)});
+  }
+  const auto add_of_team = [&](const char* title, const std::string& value, int team,
+                               const std::string& robot, const std::string& unit) {
+    bests.push_back(
+        {title, value, o.state.shown_name(team) + robot, unit, team_page_of(o.state.name(team))});
+  };
+  Largest<int> won, unbeaten, cleanest;
+  for (int team = 0; team < static_cast<int>(records.teams.size()); ++team) {
+    const TeamRuns& runs = records.teams[team];
+    won.offer(runs.longest_won, team);
+    unbeaten.offer(runs.longest_unbeaten, team);
+    if (runs.counted > 0) cleanest.offer(-double(runs.fouls) / runs.counted, team);
+  }
+  const auto add_run = [&](const char* title, const Largest<int>& run, const char* unit) {
+    if (run.what && run.value > 1.0)
+      add_of_team(title, std::to_string(std::lround(run.value)), *run.what, "", unit);
+  };
+  add_run("Longest winning run", won, "legs won in a row");
+  add_run("Longest run without defeat", unbeaten, "legs without defeat");
+  Largest<std::pair<int, int>> scorer;
+  for (const auto& [robot, count] : records.scored) scorer.offer(count, robot);
+  if (scorer.what)
+    add_of_team("Top scorer", std::to_string(std::lround(scorer.value)) + " goals",
+                scorer.what->first, ", robot " + std::to_string(scorer.what->second), "");
+  if (cleanest.what)
+    add_of_team("Cleanest team", one_digit(std::abs(cleanest.value)), *cleanest.what, "",
+                "fouls a leg");
+  return bests;
 }
 
 std::vector<WorthWatching> worth_watching(const Overview& o, int team, std::size_t most) {

@@ -71,7 +71,7 @@ Json bracket_json(const LeagueState& state) {
   for (const FixtureState& f : state.fixtures) {
     const Fixture& fixture = f.fixture;
     const bool is_knockout = fixture.part == Part::knockout;
-    const bool is_for_third = fixture.is_for_third_place();
+    const bool third_place = fixture.is_for_third_place();
     const std::size_t before = tables["stage"].size();
     const bool is_only = !state.file.format.has_knockout() || before == 0;
     const char* part = is_only ? "" : is_knockout ? ", knockout" : ", groups";
@@ -81,10 +81,10 @@ Json bracket_json(const LeagueState& state) {
                                      {"type", is_knockout ? "single_elimination" : "round_robin"},
                                      {"number", before + 1},
                                      {"settings", Json::object()}});
-    const int bracket = is_for_third ? 2 : fixture.part == Part::group ? fixture.group : 1;
+    const int bracket = third_place ? 2 : fixture.part == Part::group ? fixture.group : 1;
     const std::size_t group = id_of(groups, {stage, bracket}, tables["group"],
                                     {{"stage_id", stage}, {"number", bracket}});
-    const int number = is_for_third ? 1 : fixture.round;
+    const int number = third_place ? 1 : fixture.round;
     const std::size_t round = id_of(rounds, {group, number}, tables["round"],
                                     {{"stage_id", stage}, {"group_id", group}, {"number", number}});
     const std::size_t match = tables["match"].size();
@@ -110,7 +110,7 @@ Json bracket_json(const LeagueState& state) {
                                {"stage_id", stage},
                                {"group_id", group},
                                {"round_id", round},
-                               {"number", is_for_third ? 1 : fixture.number},
+                               {"number", third_place ? 1 : fixture.number},
                                {"child_count", fixture.legs},
                                {"status", f.is_decided()        ? completed
                                           : !fixture.has_both() ? locked
