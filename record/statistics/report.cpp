@@ -19,10 +19,6 @@ namespace {
 
 constexpr std::size_t max_examples = 3;  // of legs in which a goal fell in some way
 
-std::string fixed(double value, int digits) {
-  return system::formatted("%.*f", digits, value);
-}
-
 // A table for a terminal: the first column to the left, the others to the right.
 std::string table_text(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;
@@ -97,7 +93,7 @@ std::string way_text(const std::string& name, const WayOfGoals& way) {
     lost = (lost == "none" ? "" : lost + ", ") + ("not lost " + std::to_string(way.never_lost));
   }
   std::string text = "  " + std::to_string(way.goals) + "  " + name + ", " +
-                     fixed(way.since_restart / way.goals, 1) +
+                     system::formatted("%.1f", way.since_restart / way.goals) +
                      " s of play after it; ball lost: " + lost + "\n";
   for (std::size_t i = 0; i < std::min(max_examples, way.places.size()); ++i) {
     text += "       " + way.places[i] + "\n";
@@ -151,7 +147,7 @@ std::string fouls_of(const std::vector<LegReport>& legs, const TeamTotals& team)
 }  // namespace
 
 std::string percent(const std::optional<double>& share) {
-  return share ? fixed(100.0 * *share, 0) + " %" : "-";
+  return share ? system::formatted("%.0f %%", 100.0 * *share) : "-";
 }
 
 static std::string numbers_text(const std::vector<LegReport>& legs) {
@@ -164,8 +160,8 @@ static std::string numbers_text(const std::vector<LegReport>& legs) {
     stoppages += leg.statistics.stoppages;
   }
   std::string text = std::to_string(legs.size()) + (legs.size() == 1 ? " leg, " : " legs, ") +
-                     fixed(play, 1) + " s of play, " + fixed(dead, 1) + " s dead ball, " +
-                     std::to_string(stoppages) + " stoppages\n\n";
+                     system::formatted("%.1f s of play, %.1f s dead ball, %d stoppages\n\n", play,
+                                       dead, stoppages);
   std::vector<std::vector<std::string>> rows{{"team", "legs", "goals", "shots", "on goal", "saves",
                                               "passes", "interceptions", "possession", "territory",
                                               "ball lost", "duels won", "fouls"}};
@@ -230,7 +226,7 @@ std::string numbers_csv(const std::vector<LegReport>& legs) {
       row["against"] = leg.statistics.teams[index_of(opponent_of(team))].all_goals();
       for (const char* key : {"duels", "play_s", "dead_ball_s", "stoppages"}) row[key] = all[key];
       for (const char* key : {"possession", "territory"})
-        if (!row[key].is_null()) row[key] = fixed(row[key].get<double>(), 4);
+        if (!row[key].is_null()) row[key] = system::formatted("%.4f", row[key].get<double>());
       for (const auto law : enum_names<referee::Law>) row["fouls_by_law"].emplace(law, 0);
     }
   }
@@ -260,8 +256,9 @@ std::string goals_csv(const std::vector<LegReport>& legs) {
   for (const LegReport& leg : legs) {
     const auto add = [&](const char* event, Team team, std::uint32_t tick) -> Json& {
       Json& row = rows.emplace_back(row_of(leg, team));
-      row.update(
-          {{"event", event}, {"tick", tick}, {"seconds", fixed(tick * leg.control_period, 3)}});
+      row.update({{"event", event},
+                  {"tick", tick},
+                  {"seconds", system::formatted("%.3f", tick * leg.control_period)}});
       return row;
     };
     for (const Goal& goal : leg.statistics.goals) {
@@ -274,8 +271,8 @@ std::string goals_csv(const std::vector<LegReport>& legs) {
         row.update({{"loss_tick", loss->tick},
                     {"loss_kind", to_string(loss->kind)},
                     {"loss_third", to_string(loss->third)},
-                    {"loss_x", fixed(loss->place.x(), 3)},
-                    {"loss_y", fixed(loss->place.y(), 3)}});
+                    {"loss_x", system::formatted("%.3f", loss->place.x())},
+                    {"loss_y", system::formatted("%.3f", loss->place.y())}});
     }
     for (const Foul& foul : leg.statistics.fouls)
       add("foul", foul.team, foul.tick)

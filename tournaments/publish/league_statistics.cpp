@@ -63,10 +63,6 @@ std::optional<LegReport> named(Result<LegReport> report, const CountedLeg& leg) 
   return *std::move(report);
 }
 
-std::string fixed(double value, int digits) {
-  return system::formatted("%.*f", digits, value);
-}
-
 // The name of an enumerator for people: "kick off".
 std::string in_words(auto e) {
   std::string text(to_string(e));
@@ -163,7 +159,7 @@ std::string loss_in_words(const std::optional<statistics::Loss>& loss, const sta
   const char* third = loss->third == statistics::Third::own      ? "own third"
                       : loss->third == statistics::Third::middle ? "middle"
                                                                  : "opponents' third";
-  return in_words(loss->kind) + ", " + third + ", " + fixed(before, 1) + " s before";
+  return in_words(loss->kind) + ", " + third + system::formatted(", %.1f s before", before);
 }
 
 Json goals_against(const LeagueState& state, const LegReports& reports, const std::string& name) {
@@ -178,10 +174,10 @@ Json goals_against(const LeagueState& state, const LegReports& reports, const st
                        {"by", state.shown_name_of(leg.names[index_of(goal.team)])},
                        {"kind", in_words(goal.origin)},
                        {"restart", in_words(goal.restart) + ": " + in_words(goal.restart_law)},
-                       {"after", fixed(goal.since_restart, 1) + " s"},
+                       {"after", system::formatted("%.1f s", goal.since_restart)},
                        {"loss", loss_in_words(goal.loss, goal, leg.control_period)},
                        {"tick", goal.tick},
-                       {"page", page.empty() ? "" : page + "#t=" + fixed(at, 2)}});
+                       {"page", page.empty() ? "" : page + system::formatted("#t=%.2f", at)}});
     }
   }
   return goals;
