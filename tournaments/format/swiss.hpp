@@ -28,10 +28,10 @@ struct SwissStanding {
 // play, the best first; `before` has all earlier fixtures. Within a group of equal points the upper
 // half meets the lower half; from the top down, opponents have points as equal as possible. With an
 // odd number of teams one team gets a bye, a fixture with no_team as away: the best of the teams
-// with the fewest points, in the first round the last team, among the teams that have had no bye and
-// whose bye lets all other teams be paired. Teams that have had a bye then come last in their group.
-// Returns no fixtures if every pairing repeats a meeting, which is possible only beyond
-// max_swiss_rounds() or after teams have left.
+// with the fewest points, in the first round the last team, of those that have had no bye and whose
+// bye lets all other teams be paired. Teams that have had a bye come last in their group. Returns
+// no fixtures if every pairing repeats a meeting, which is possible only beyond max_swiss_rounds()
+// or after teams have left.
 std::vector<Fixture> swiss_round(std::vector<SwissStanding> standings,
                                  const std::vector<Fixture>& before, int round, int rounds);
 

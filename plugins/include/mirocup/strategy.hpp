@@ -177,10 +177,10 @@ inline double parameter(const Setup& setup, const char* name, double fallback) {
   return setup.parameter(setup.host, name, fallback);
 }
 
-// These functions draw into the replay of `mirocup match --thoughts`; with the setup of a test
-// they have no effect. `setup` is setup() of a Team. Points are in your own frame, m; colours are 0xRRGGBBAA;
-// the page can switch a layer off. See "Thoughts" in strategy.h. mirocup/skills/draw.hpp draws
-// targets, roles and shots with these functions.
+// These functions draw into the replay of `mirocup match --thoughts`; with the setup of a test they
+// have no effect. `setup` is setup() of a Team. Points are in your own frame, m; colours are
+// 0xRRGGBBAA; the page can switch a layer off. See "Thoughts" in strategy.h. draw.hpp in
+// mirocup/skills draws targets, roles and shots with these functions.
 inline void draw_line(const Setup& setup, const char* layer, std::uint32_t colour, Point from,
                       Point to) {
   if (setup.draw_line == nullptr) return;

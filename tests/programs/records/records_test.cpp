@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Record files of every ending, of this schema's first version and of other physics. Catches a record
-// that its schema does not describe, a reader that no longer reads the sample, and a record that is
-// reported as wrong only because physics or laws have changed since.
+// Record files of every ending, a sample, and records of other physics. Catches a record that its
+// schema does not describe, a reader that no longer reads the sample, and a record that is reported
+// as wrong only because physics or laws have changed since.
 #include "core/replay/verification.hpp"
 #include "record/kept_module.hpp"
 #include "record/match_record.hpp"
