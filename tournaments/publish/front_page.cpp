@@ -221,7 +221,7 @@ Json decisions_values(const LeagueState& state) {
   Json decisions = Json::array();
   for (const DecisionView& d : decision_views(state)) {
     decisions.push_back({{"number", d.number},
-                         {"at", d.at.empty() ? "" : shown_time(state.file, d.at)},
+                         {"at", shown_time(state.file, d.at)},
                          {"by", d.by},
                          {"what", d.what},
                          {"why", d.why},
