@@ -6,10 +6,7 @@
 
 namespace mirocup::scenes {
 
-using test_support::drive_exactly;
-using test_support::Outline;
-using test_support::roll_exactly;
-using test_support::TouchPoint;
+using namespace test_support;
 
 namespace {
 

@@ -9,14 +9,7 @@
 
 namespace mirocup::scenes {
 
-using test_support::drive_exactly;
-using test_support::ExactBall;
-using test_support::exactly;
-using test_support::ExactRobot;
-using test_support::Real;
-using test_support::roll_exactly;
-using test_support::rounded;
-using test_support::time_to_roll;
+using namespace test_support;
 
 namespace {
 

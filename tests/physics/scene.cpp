@@ -6,9 +6,7 @@
 
 namespace mirocup::scenes {
 
-using test_support::circle_at;
-using test_support::Outline;
-using test_support::square_at;
+using namespace test_support;
 
 std::unique_ptr<World> world_of(const Start& s) {
   auto world = std::make_unique<World>(s.field, s.parameters, simulator::Tolerances{},

@@ -9,10 +9,7 @@
 
 namespace mirocup::scenes {
 
-using test_support::circle_at;
-using test_support::exactly;
-using test_support::Outline;
-using test_support::square_at;
+using namespace test_support;
 
 namespace {
 

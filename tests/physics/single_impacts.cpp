@@ -12,9 +12,7 @@
 
 namespace mirocup::scenes {
 
-using test_support::exactly;
-using test_support::Outline;
-using test_support::rounded;
+using namespace test_support;
 
 namespace {
 

@@ -13,10 +13,7 @@
 namespace mirocup::scenes {
 namespace {
 
-using test_support::drive_exactly;
-using test_support::exactly;
-using test_support::ExactRobot;
-using test_support::TinyWorld;
+using namespace test_support;
 
 // Straight on from rest: v = v_ref (1 - e^(-t/T)) and its integral.
 TEST(ExactMotion, StraightOnIsTheExponential) {

@@ -225,15 +225,10 @@ def tokens(kind):
     for attack, expected, words in [
             ("none", 401, ()),
             ("wrong", 401, (bearer("A" * 26),)),
-            ("empty", 401, ("Authorization: Bearer ",)),
-            ("only the scheme", 401, ("Authorization: Bearer",)),
-            ("without a scheme", 401, (f"Authorization: {t['alpha']}",)),
             ("Basic", 401, (f"Authorization: Basic {t['alpha']}",)),
             ("two headers", 401, (of_alpha, of_alpha)),
-            ("two headers, one right", 401, (bearer("A" * 26), of_alpha)),
             ("two tokens in one", 401, (bearer(f"{t['beta']}, {t['alpha']}"),)),
             ("its hash", 401, (bearer(sha256),)),
-            ("its half", 401, (bearer(t["alpha"][:13]),)),
             ("with more behind", 401, (bearer(t["alpha"] + "A"),)),
             ("with NUL", 400, (bearer(t["alpha"] + "\0"),)),
             ("64 kB", 401, (bearer("A" * 60000),)),
@@ -241,25 +236,20 @@ def tokens(kind):
             ("expired", 401, (bearer(t["old"]),)),
             ("in the query", 401, ()),
             ("as a cookie", 401, (f"Cookie: mirocup_session={t['alpha']}",)),
-            ("hash as a cookie", 401, (f"Cookie: mirocup_session={sha256}",)),
             ("as a person types it", 200, (bearer(" " + t["alpha"].lower()),))]:
         target = "/api/v1/entries" + (f"?token={t['alpha']}" if attack == "in the query" else "")
         kind.ask(attack, expected, request("GET", target, *words))
     for attack, expected, method, target, who in [
             ("entries of beta", 403, "GET", "/api/v1/entries?team=beta", "alpha"),
-            ("an entry of beta", 403, "GET", "/api/v1/entries/1?team=beta", "alpha"),
-            ("events of beta", 403, "GET", "/api/v1/entries/1/events?team=beta", "alpha"),
             ("legs of beta", 403, "GET", "/api/v1/legs?team=beta", "alpha"),
             ("a log of beta", 403, "GET", "/api/v1/legs/r1-f1-1-1/log?team=beta", "alpha"),
             ("team of the token", 403, "GET", "/api/v1/team?team=beta", "alpha"),
             ("a friendly of beta", 404, "GET", "/api/v1/friendlies/beta/1/log", "alpha"),
             ("a replay of beta", 404, "GET", "/hand-in/replays/r1-f1-1-1.html?team=beta", "alpha"),
-            ("a team of no name", 400, "GET", "/api/v1/entries?team=../alpha", "staff"),
             ("grades by a team", 403, "GET", "/hand-in/grades.csv", "alpha"),
             ("an act by a team", 403, "POST", "/hand-in/staff", "alpha"),
             ("an act by a tutor", 403, "POST", "/hand-in/staff", "tutor"),
             ("a file by the staff", 403, "PUT", "/api/v1/entries?team=alpha", "staff"),
-            ("a file by a tutor", 403, "PUT", "/api/v1/entries?team=alpha", "tutor"),
             ("a pin by the staff", 403, "PUT", "/api/v1/pin?entry=1&team=alpha", "staff"),
             ("a friendly by the staff", 403, "POST", "/api/v1/friendlies?opponent=beta", "staff"),
             ("a file by nobody", 401, "PUT", "/api/v1/entries", None),
@@ -411,15 +401,11 @@ def headers(kind):
     for attack, expected, sent in [
             ("64 kB in one header", 431, request("GET", "/", "X: " + "a" * 70000)),
             ("64 kB in a thousand headers", 431, request("GET", "/", *["X: " + "a" * 70] * 1000)),
-            ("a thousand small headers", 200, request("GET", "/", *["X: a"] * 1000)),
             ("a thousand ranges", 200, request("GET", "/", "Range: bytes=" + ",".join(["0-"] * 1000))),
-            ("a range behind the end", 200, request("GET", "/", "Range: bytes=99999999-")),
             ("a range of less than nothing", 200, request("GET", "/", "Range: bytes=5-1,-99999999999999999999")),
             ("TRACE", 405, request("TRACE", "/")),
             ("CONNECT", {400, 405}, request("CONNECT", "evil.example:80")),
-            ("OPTIONS", 405, request("OPTIONS", "/")),
             ("a method of its own", 405, request("BREW", "/")),
-            ("a small method", 405, request("get", "/")),
             ("PATCH of an entry", 405, request("PATCH", "/api/v1/entries", token, body=b"x")),
             ("POST where PUT is meant", 405, request("POST", "/api/v1/entries", token, body=b"x")),
             ("DELETE of an entry", 405, request("DELETE", "/api/v1/entries/1", token)),
@@ -431,21 +417,15 @@ def headers(kind):
             ("HTTP/2 by its first line", {400, 505}, b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n"),
             ("HTTP/0.9", 400, b"GET /\r\n\r\n"),
             ("HTTP/1.0", 200, request("GET", "/", host=None, version="HTTP/1.0")),
-            ("HTTP/1.2", {400, 505}, request("GET", "/", version="HTTP/1.2")),
             ("HTTP/9.9", {400, 505}, request("GET", "/", version="HTTP/9.9")),
             ("no host", 400, request("GET", "/", host=None)),
             ("two hosts", 400, request("GET", "/", "Host: y")),
             ("a folded header", 400, request("GET", "/", "X: a\r\n b")),
-            ("a header folded by a tab", 400, request("GET", "/", "X: a\r\n\tb")),
-            ("a line that begins with a space", 400, request("GET", "/", " X: a")),
             ("a space before the colon", 400, request("GET", "/", "Host : y")),
-            ("no name", 400, request("GET", "/", ": a")),
             ("no colon", 400, request("GET", "/", "X")),
             ("NUL in a value", 400, request("GET", "/", "X: a\0b")),
-            ("NUL in a name", 400, request("GET", "/", "X\0: a")),
             ("CR in a value", 400, request("GET", "/", "X: a\rb")),
             ("lines that end by LF", 400, b"GET / HTTP/1.1\nHost: x\n\n"),
-            ("one line that ends by LF", 400, request("GET", "/", "X: a\nY: b")),
             ("a tab in the first line", 400, b"GET\t/\tHTTP/1.1\r\nHost: x\r\n\r\n"),
             ("a space in the target", 400, request("GET", "/ /")),
             ("a wish of its own", 417, request("GET", "/", "Expect: 200-ok")),
@@ -481,31 +461,21 @@ def bodies(kind):
             ("an empty file", 400, request(*put, body=b"")),
             ("no length", 400, request(*put)),
             ("33 MB announced", 413, request(*put, "Content-Length: 34603008")),
-            ("2^63 announced", 413, request(*put, f"Content-Length: {2**63}")),
             ("2^64 - 1 announced", {400, 413}, request(*put, f"Content-Length: {2**64 - 1}")),
             ("2^64 + 3 announced", 400, request(*put, f"Content-Length: {2**64 + 3}") + b"ELF"),
             ("-1 announced", 400, request(*put, "Content-Length: -1") + b"ELF"),
-            ("+3 announced", 400, request(*put, "Content-Length: +3") + b"ELF"),
-            ("0x3 announced", 400, request(*put, "Content-Length: 0x3") + b"ELF"),
             ("3 and more announced", 400, request(*put, "Content-Length: 3 3") + b"ELF"),
-            ("3.0 announced", 400, request(*put, "Content-Length: 3.0") + b"ELF"),
             ("an empty length", 400, request(*put, "Content-Length:") + b"ELF"),
             ("two lengths", 400, request(*put, "Content-Length: 3", "Content-Length: 500") + b"ELF"),
-            ("the same length twice", 400, request(*put, "Content-Length: 3", "Content-Length: 3") + b"ELF"),
             ("3, 3 announced", 400, request(*put, "Content-Length: 3, 3") + b"ELF"),
             ("length and chunks", 400, request(*put, "Content-Length: 3", chunked) + b"3\r\nELF\r\n0\r\n\r\n"),
-            ("chunks and length", 400, request(*put, chunked, "Content-Length: 3") + b"3\r\nELF\r\n0\r\n\r\n"),
             ("chunks twice", 400, request(*put, chunked, chunked) + b"3\r\nELF\r\n0\r\n\r\n"),
             ("chunked, chunked", 400, request(*put, "Transfer-Encoding: chunked, chunked") + b"3\r\nELF\r\n0\r\n\r\n"),
             ("gzip, chunked", 400, request(*put, "Transfer-Encoding: gzip, chunked") + b"3\r\nELF\r\n0\r\n\r\n"),
-            ("chunked, identity", 400, request(*put, "Transfer-Encoding: chunked, identity") + b"3\r\nELF\r\n0\r\n\r\n"),
-            ("xchunked", 400, request(*put, "Transfer-Encoding: xchunked") + b"3\r\nELF\r\n0\r\n\r\n"),
             ("chunked by a vertical tab", 400, request(*put, "Transfer-Encoding: \x0bchunked") + b"3\r\nELF\r\n0\r\n\r\n"),
             ("Transfer-Encoding :", 400, request(*put, "Transfer-Encoding : chunked") + b"3\r\nELF\r\n0\r\n\r\n"),
             ("chunks in HTTP/1.0", 400, request(*put, chunked, version="HTTP/1.0") + b"3\r\nELF\r\n0\r\n\r\n"),
             ("gzip", 415, request(*put, "Content-Encoding: gzip", body=b"\x1f\x8b\x08")),
-            ("gzip twice", 415, request(*put, "Content-Encoding: gzip", "Content-Encoding: identity", body=b"ELF")),
-            ("an empty coding", 415, request(*put, "Content-Encoding:", body=b"ELF")),
             ("identity", 415, request(*put, "Content-Encoding: identity", body=b"ELF")),
             ("a file by a stranger", 401, request(*put[:2], body=b"x" * 3_000_000)),
             ("as a form in parts", 405, request("POST", *put[1:], "Content-Type: multipart/form-data; boundary=x",
@@ -531,22 +501,14 @@ def chunks(kind):
     head = request("PUT", "/api/v1/entries?name=x.so", bearer(server.tokens["chunks"]), "Transfer-Encoding: chunked")
     for attack, body in [
             ("a negative size", b"-3\r\nELF\r\n0\r\n\r\n"),
-            ("a size of no digits", b"\r\nELF\r\n0\r\n\r\n"),
             ("a size of other letters", b"zz\r\nELF\r\n0\r\n\r\n"),
             ("0x before a size", b"0x3\r\nELF\r\n0\r\n\r\n"),
-            ("+ before a size", b"+3\r\nELF\r\n0\r\n\r\n"),
-            ("a space before a size", b" 3\r\nELF\r\n0\r\n\r\n"),
-            ("an underscore in a size", b"0_3\r\nELF\r\n0\r\n\r\n"),
             ("a size of 65 bits", b"10000000000000003\r\nELF\r\n0\r\n\r\n"),
-            ("a size of 68 bits", b"fffffffffffffffff\r\nELF\r\n0\r\n\r\n"),
             ("a size of 2^64 - 1", b"ffffffffffffffff\r\nELF\r\n0\r\n\r\n"),
-            ("a size of 2^63", b"8000000000000000\r\nELF\r\n0\r\n\r\n"),
             ("a size that is too small", b"2\r\nELF\r\n0\r\n\r\n"),
             ("a size that is too large", b"4\r\nELF\r\n0\r\n\r\n"),
             ("no end of a chunk", b"3\r\nELF0\r\n\r\n"),
             ("chunks that end by LF", b"3\nELF\n0\n\n"),
-            ("a size that ends by LF", b"3\nELF\r\n0\r\n\r\n"),
-            ("a size that ends by CR", b"3\rELF\r\n0\r\n\r\n"),
             ("a data part that ends by LF", b"3\r\nELF\n0\r\n\r\n"),
             ("NUL behind a size", b"3\0\r\nELF\r\n0\r\n\r\n"),
             ("no last chunk", b"3\r\nELF\r\n"),
@@ -554,10 +516,8 @@ def chunks(kind):
             ("an extension of 1 MB", b"3;" + b"x" * 1_000_000 + b"\r\nELF\r\n0\r\n\r\n"),
             ("a size of 1 MB of zeros", b"0" * 1_000_000 + b"3\r\nELF\r\n0\r\n\r\n"),
             ("trailers of 1 MB", b"3\r\nELF\r\n0\r\n" + (b"X: " + b"a" * 1000 + b"\r\n") * 1000 + b"\r\n"),
-            ("a trailer of 1 MB", b"3\r\nELF\r\n0\r\nX: " + b"a" * 1_000_000 + b"\r\n\r\n"),
             ("a trailer without a colon", b"3\r\nELF\r\n0\r\nX\r\n\r\n"),
             ("a trailer", b"3\r\nELF\r\n0\r\nX: a\r\n\r\n"),
-            ("a trailer that names a length", b"3\r\nELF\r\n0\r\nContent-Length: 500\r\n\r\n"),
             ("a trailer that names somebody", b"3\r\nELF\r\n0\r\nAuthorization: x\r\n\r\n"),
             ("a folded trailer", b"3\r\nELF\r\n0\r\nX: a\r\n b\r\n\r\n"),
             ("no chunk but the last", b"0\r\n\r\n")]:
@@ -657,17 +617,14 @@ def forms(kind):
     log_in = ("POST", "/hand-in/log-in", "Origin: http://x")
     for attack, expected, body, more in [
             ("an empty form", 401, b"", ()),
-            ("no token", 401, b"toke=x", ()),
             ("an empty token", 401, b"token=", ()),
             ("two tokens, the second right", 401, form(token="A" * 26) + b"&" + form(token=server.tokens["beta"]), ()),
             ("NUL in a token", 401, b"token=%00" + server.tokens["beta"].encode(), ()),
-            ("half of a percent sign", 401, b"token=%", ()),
             ("4 kB", 401, b"token=" + b"A" * 4000, ()),
             ("10 MB", 400, b"token=" + b"A" * 10_000_000, ()),
             ("a million keys", 400, b"a&" * 1_000_000, ()),
             ("in parts", 401, b"--x\r\nContent-Disposition: form-data; name=token\r\n\r\n" + server.tokens["beta"].encode() + b"\r\n--x--",
              ("Content-Type: multipart/form-data; boundary=x",)),
-            ("in parts without a boundary", 401, b"--x", ("Content-Type: multipart/form-data",)),
             ("as JSON", 401, json.dumps({"token": server.tokens["beta"]}).encode(), ("Content-Type: application/json",))]:
         kind.ask("log-in: " + attack, expected, request(*log_in, *more, body=body))
     kind.ask("log-in: by GET", 405, request("GET", f"/hand-in/log-in?token={server.tokens['beta']}"))
@@ -680,13 +637,10 @@ def forms(kind):
             ("no such act", form(act="delete", reason="x", by="x")),
             ("no reason", form(act="pause", team="alpha")),
             ("a path as a team", form(act="pause", team="../alpha", reason="x", by="x")),
-            ("no such team", form(act="withdraw", team="nobody", reason="x", by="x")),
             ("a huge number", form(act="undo", decision="99999999999999999999", reason="x", by="x")),
-            ("a negative number", form(act="undo", decision="-1", reason="x", by="x")),
             ("a fixture that is none", form(act="award", fixture="../../x", team="alpha", score="3-0", reason="x", by="x")),
             ("a score that is none", form(act="award", fixture="1", team="alpha", score="9" * 40, reason="x", by="x")),
             ("NUL", b"act=pause&team=alpha%00&reason=x&by=x"),
-            ("two acts", b"act=pause&act=withdraw&team=nobody&reason=x&by=x"),
             ("10 MB", b"act=pause&reason=" + b"A" * 10_000_000)]:
         answer = kind.ask("staff: " + attack, {400, 403, 404, 409}, request(*act, body=body))
         if re.search(rb"<script>alert", answer.body):
@@ -877,67 +831,6 @@ def judge(kind, attack, expected, most, answer):
     kind.note(attack, expected, answer.status, answer.seconds, answer.all, f"(limit {most} s)")
 
 
-def hall(kind):
-    """Half requests of one address, each of which comes again when it has ended, beside requests of a neighbour behind that address."""
-    server = kind.server
-    address = "127.0.7.1"
-    half = hello()[:100] if server.is_encrypted else b"GET / HTTP/1.1\r\nX: "
-    for count in [300, 600]:
-        halves = []
-        for _ in range(20):
-            halves = [end for end in halves if not has_ended(end)]
-            while len(halves) < count:
-                end = server.connect(address)
-                halves.append(end)
-                end.setblocking(False)
-                try:
-                    end.send(half)
-                except OSError:
-                    pass  # it has given way already
-            kind.ask(f"a team beside {count} half requests", 200, request("GET", "/api/v1/team", bearer(server.tokens["alpha"])), source=address)
-        kind.ask(f"a page beside {count} half requests", 200, request("GET", "/"), source=address)
-        kind.ask("a page elsewhere", 200, request("GET", "/"))
-        for end in halves:
-            end.close()
-
-
-def has_ended(end):
-    try:
-        is_over = end.recv(1000) == b""
-    except BlockingIOError:
-        return False
-    except OSError:
-        is_over = True
-    if is_over:
-        end.close()
-    return is_over
-
-
-def streams(kind):
-    """130 streams of one address, 300 of 300 addresses, and half requests beside them."""
-    server = kind.server
-    opened = [server.connect("127.0.5.1") for _ in range(130)] + [server.connect() for _ in range(300)]
-    for end in opened:
-        try:
-            end.sendall(request("GET", "/events"))
-        except OSError:
-            pass
-    halves = [server.connect(f"127.0.6.{i % 4 + 1}") for i in range(200)]
-    for end in halves:
-        try:
-            end.sendall(b"GET / HTTP/1.1\r\nHost: x\r\nX: ")
-        except OSError:
-            pass
-    for _ in range(10):
-        kind.ask("a page beside them", 200, request("GET", "/"))
-    answer = kind.ask("a team's stream beside them", 200, request("GET", "/api/v1/entries/1/events", bearer(server.tokens["alpha"])),
-                      stop=b"data: ")
-    kind.ask("a hand-in beside them", 202, request("PUT", "/api/v1/entries?name=x.so", bearer(server.tokens["pins"]), body=b"no library"))
-    kind.holds("no more memory than they need", server.peak_memory() < 250)
-    for end in opened + halves:
-        end.close()
-
-
 def main():
     secret = os.urandom(16).hex()
     secret_file = os.path.join(folder, "secret")
@@ -954,9 +847,9 @@ def main():
              ("a proxy with a secret", proxied, lambda kind: proxies(kind, secret)), ("a Unix socket", local, unix_socket),
              ("paths", plain, paths), ("headers, methods, pipelining", plain, headers), ("bodies, lengths, codings", plain, bodies),
              ("chunks", plain, chunks), ("early ends", plain, early), ("names of files", plain, names), ("forms", plain, forms),
-             ("pins, friendlies, files at once", plain, at_once), ("TLS", safe, tls), ("a hall", plain, hall), ("a hall by TLS", safe, hall)]
+             ("pins, friendlies, files at once", plain, at_once), ("TLS", safe, tls)]
     if options.all:
-        kinds += [("slow requests and bodies", plain, slow), ("slow TLS", safe, slow), ("streams and half requests", plain, streams)]
+        kinds += [("slow requests and bodies", plain, slow), ("slow TLS", safe, slow)]
     failed = False
     print("kind | attacks | other answers | answers | slowest, s | seconds")
     for name, server, attack in kinds:

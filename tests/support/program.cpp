@@ -104,6 +104,11 @@ Outcome run(const std::vector<std::string>& arguments) {
   return Running(arguments).wait();
 }
 
+Outcome run_mirocup(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), program("mirocup"));
+  return run(arguments);
+}
+
 bool wait_until(const std::function<bool()>& holds) {
   for (int i = 0; i < 12'000; ++i) {
     if (holds()) return true;

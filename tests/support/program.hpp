@@ -44,6 +44,9 @@ class Running {
 // Runs a program and waits until it ends.
 Outcome run(const std::vector<std::string>& arguments);
 
+// The same of build/mirocup with these arguments.
+Outcome run_mirocup(std::vector<std::string> arguments);
+
 // Waits until a condition holds that depends on another process. Returns false after two
 // minutes, so that a test fails with a message instead of running into its own time limit.
 bool wait_until(const std::function<bool()>& holds);

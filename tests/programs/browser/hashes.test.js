@@ -14,7 +14,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { setFlagsFromString } from 'node:v8';
 import { WASI } from 'node:wasi';
-import { loadMirocup, packReplay, Session, unpackReplay } from '../../../browser/mirocup.js';
+import { loadMirocup, packReplay, unpackReplay } from '../../../browser/mirocup.js';
 import { closeBrowser, openPage } from '../web/support.js';
 
 setFlagsFromString('--no-liftoff');  // as in browser/verify.mjs
@@ -203,38 +203,6 @@ test('a leg goes on from a record, and from its own situation', () => {
   assert.deepEqual(again.bodies(), other.bodies());
   assert.throws(() => mirocup.goOn(text, plain, 1e6, {}), /the leg is over by then/);
   assert.throws(() => mirocup.leg({ league: 'huge' }), /\/league: one of small, middle, large is expected/);
-});
-
-test('a session goes back with its hands and teams, moves bodies, and goes on after it was saved', () => {
-  const session = new Session(mirocup, { options: { seed: 6, teams: { blue: 'striker', yellow: 'tactician' } } });
-  const hashes = [];
-  const play = () => {
-    session.play();
-    hashes[session.leg.tick] = session.leg.hash;
-  };
-  for (let tick = 0; tick < 60; ++tick) {
-    if (tick === 10) session.hold(['blue', 1, 20, 10]);
-    if (tick === 20) session.hold(['yellow', 2, -15, 15]);
-    if (tick === 30) session.hold(null);
-    if (tick === 40) session.seat({ blue: 'keeper', yellow: 'tactician' });
-    play();
-  }
-  for (const ticks of [1, 4, 20, 12, 10]) {
-    session.back(ticks);
-    assert.equal(session.leg.hash, hashes[session.leg.tick], `tick ${session.leg.tick}`);
-  }
-  assert.equal(session.leg.tick, 13);
-  const { record } = session.save('half');
-  assert.equal(JSON.parse(record).ticks, 13);
-  session.hold(['blue', 1, 20, 10]);
-  session.play(1);
-  assert.equal(session.leg.hash, hashes[14]);
-  session.move({ team: 'yellow', robot: 0, x: 0.5, y: 0.3, heading: 1 });
-  assert.equal(session.leg.bodies()[2 + 3 * 3], 0.5);
-  assert.throws(() => session.move({ x: 0.5, y: 0.3 }), /overlap/);
-  session.back();
-  assert.equal(session.leg.hash, hashes[14]);
-  session.free();
 });
 
 test('a drill that is tried in the module has its marks', () => {

@@ -9,12 +9,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_file;
-using test_support::run;
-using test_support::TemporaryFolder;
-using test_support::write_file;
+using namespace test_support;
 using Json = nlohmann::ordered_json;
 
 struct Examined {
@@ -101,7 +96,6 @@ TEST(Check, NamesTheFirstCheckThatFails) {
   expect_rejected(hostile("no_entry"), "entry", "MIROCUP_EXPORT_TEAM");
   expect_rejected(hostile("ld_runpath"), "libraries", "link it statically");
   expect_rejected(hostile("other_version"), "loads", "strategy.h of this version");
-  expect_rejected(hostile("init_refuses"), "loads", "null");
   expect_rejected(hostile("init_refuses"), "loads", "null: 'there is no plan for this field'");
   expect_rejected(hostile("ctor_exit"), "loads", "ended itself");
   expect_rejected(hostile("crash_segv"), "ticks", "gdb --args mirocup match --trusted");
@@ -117,17 +111,11 @@ TEST(Check, TellsFilesThatAreNoTeamsApart) {
     std::string bytes;
     const char* told;
   } files[] = {{"Rar!\x1a\x07\0"s, "RAR archive, which is not taken"},
-               {"7z\xbc\xaf\x27\x1c\0"s, "7z archive"},
-               {"\xfd\x37zXZ\0"s, "packed with xz"},
                {"BZh91AY"s, "packed with bzip2"},
-               {"\x28\xb5\x2f\xfd\x04"s, "packed with zstd"},
                {"\xff\xfe#\0i\0"s, "save it as UTF-8"},
                {"\xef\xbb\xbf#include <cmath>\n"s, "mirocup compile"},
-               {"/* mine */\n#include <math.h>\n"s, "mirocup compile"},
                {"class A:\n    pass\n"s, "from mirocup.team import Team"},
-               {"# Mine\n\n```cpp\n#include <cmath>\n```\n"s, "a page in Markdown"},
                {"package main\n\nimport \"fmt\"\n"s, "another language"},
-               {"fn main() {}\n"s, "another language"},
                {"<!DOCTYPE html>\n"s, "a page of the web"},
                {"{\"cells\": []}"s, "a notebook"}};
   const TemporaryFolder folder;
@@ -136,9 +124,8 @@ TEST(Check, TellsFilesThatAreNoTeamsApart) {
     expect_rejected(folder / "team.rar", "complete", file.told);
   }
   write_file(folder / "team.zip", files[0].bytes);
-  const Outcome compiled =
-      run({program("mirocup"), "compile", folder / "team.zip", "-o", folder / "team.so"});
-  if (!test_support::why_no_t2().empty()) return;
+  const Outcome compiled = run_mirocup({"compile", folder / "team.zip", "-o", folder / "team.so"});
+  if (!why_no_t2().empty()) return;
   EXPECT_EQ(compiled.exit_code, 1);
   EXPECT_NE(compiled.out.find("RAR archive"), std::string::npos) << compiled.out;
 }
@@ -158,23 +145,19 @@ TEST(Check, TellsTheScoreAndTheFourPartsOfAnAnswer) {
   EXPECT_TRUE(played.report["where"].is_null());
   EXPECT_TRUE(played.report["cure"].is_null());
   EXPECT_EQ(played.report["notes"].dump(), "[]");
-  const Outcome text =
-      run({program("mirocup"), "check", program("house/striker.so"), "--half", "2"});
+  const Outcome text = run_mirocup({"check", program("house/striker.so"), "--half", "2"});
   EXPECT_NE(text.out.find(" against striker as yellow"), std::string::npos) << text.out;
   const Examined crashed = check(hostile("crash_segv"));
   EXPECT_NE(crashed.report["where"].get<std::string>().find("ticks, tick "), std::string::npos);
   EXPECT_NE(crashed.report["cure"].get<std::string>().find("gdb"), std::string::npos);
-  const Outcome refused = run({program("mirocup"), "check", hostile("crash_segv")});
+  const Outcome refused = run_mirocup({"check", hostile("crash_segv")});
   for (const char* part : {"\nwhat:  ", "\nwhere: ticks", "\ndo:    ", "\nplays: "})
     EXPECT_NE(refused.out.find(part), std::string::npos) << refused.out;
 }
 
-// Each time, although both legs are played in the same second, minute or day.
+// Each time, although both legs are played in the same second.
 TEST(Check, RefusesMovesThatDependOnTheTimeOfDay) {
-  for (const char* kind : {"clock_seed", "clock_seed_day", "clock_seed_uptime", "clock_seed_chrono",
-                           "clock_seed_c11", "clock_seed", "clock_seed"}) {
-    expect_rejected(hostile(kind), "repeatable", "tick 25");
-  }
+  for (int i = 0; i < 3; ++i) expect_rejected(hostile("clock_seed"), "repeatable", "tick 25");
 }
 
 TEST(Check, AcceptsATeamThatMeasuresTime) {
@@ -182,44 +165,9 @@ TEST(Check, AcceptsATeamThatMeasuresTime) {
 }
 
 TEST(Check, ReportsAnErrorForAMissingFile) {
-  const Outcome outcome = run({program("mirocup"), "check", "/no/such/file.so"});
+  const Outcome outcome = run_mirocup({"check", "/no/such/file.so"});
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.err.find("/no/such/file.so"), std::string::npos);
-}
-
-TEST(Check, ShowsTheLog) {
-  const Examined examined = check(hostile("throw_std"));
-  EXPECT_NE(examined.report["reason"].get<std::string>().find("thrown on purpose"),
-            std::string::npos);
-  const Examined talking = check(hostile("log_escape"));
-  EXPECT_NE(talking.report["log"].get<std::string>().find("\\x1b"), std::string::npos);
-}
-
-// Catches a library that a processor with AVX-512 has accepted, and that an older one will end.
-TEST(Check, NotesInstructionsBeyondTheOldestProcessor) {
-  const TemporaryFolder folder;
-  const std::string team = folder / "team.cpp";
-  write_file(team, read_file(MIROCUP_SOURCE_FOLDER "/plugins/template/c++/team.cpp") +
-                       "#include <immintrin.h>\n"
-                       "__attribute__((target(\"avx512f\"), used)) void add(double* x) {\n"
-                       "  _mm512_storeu_pd(x, _mm512_add_pd(_mm512_loadu_pd(x), "
-                       "_mm512_loadu_pd(x + 8)));\n}\n");
-  const Outcome built =
-      run({"/usr/bin/env", "g++", "-std=c++20", "-O2", "-shared", "-fPIC", "-I",
-           MIROCUP_SOURCE_FOLDER "/plugins/include", team, "-o", folder / "team.so"});
-  ASSERT_EQ(built.exit_code, 0) << built.err;
-  const auto notes = [&](const std::vector<std::string>& more) {
-    const Examined examined = check(folder / "team.so", more, "2");
-    EXPECT_EQ(examined.exit_code, 0) << examined.report.dump();
-    std::string texts;
-    for (const Json& note : examined.report["notes"])
-      if (note["code"] == "processor") texts += note["text"].get<std::string>();
-    return texts;
-  };
-  const std::string note = notes({});
-  for (const char* part : {"AVX-512", "x86-64-v4", "Build it with -march=x86-64-v3"})
-    EXPECT_NE(note.find(part), std::string::npos) << note;
-  EXPECT_EQ(notes({"--processor", "x86-64-v4"}), "");
 }
 
 }  // namespace

@@ -22,9 +22,9 @@ struct Answer {
 };
 
 Answer check_team_with(Mistake mistake, const char* half = "20") {
-  const auto outcome = test_support::run(
-      {program("mirocup"), "check", program("teams/mistakes.so"), "--half", half, "--param",
-       "mistake=" + std::to_string(static_cast<int>(mistake)), "--json"});
+  const auto outcome =
+      test_support::run_mirocup({"check", program("teams/mistakes.so"), "--half", half, "--param",
+                                 "mistake=" + std::to_string(static_cast<int>(mistake)), "--json"});
   return {outcome.exit_code, Json::parse(outcome.out, nullptr, false)};
 }
 
@@ -45,110 +45,45 @@ struct Refused {
   std::vector<const char*> texts;  // the reason has each of them
 };
 
+#define REFUSED(kind, check, ...) (Refused{Mistake::kind, #kind, check, {__VA_ARGS__}})
+
 class Mistakes : public testing::TestWithParam<Refused> {};
 INSTANTIATE_TEST_SUITE_P(
     Kinds, Mistakes,
     testing::Values(
-        Refused{Mistake::null_pointer_late,
-                "null_pointer_late",
-                "leg_blue",
-                {"null pointer", "decide() of tick 901", "gdb"}},
-        Refused{Mistake::throws_in_second_half,
-                "throws_in_second_half",
-                "leg_blue",
-                {"second half", "catch the exception"}},
-        Refused{Mistake::throws_when_trailing, "throws_when_trailing", "leg_", {"trailing"}},
-        Refused{Mistake::throws_after_a_goal, "throws_after_a_goal", "leg_", {"range_check"}},
-        Refused{Mistake::throws_in_a_shoot_out, "throws_in_a_shoot_out", "knockout", {"shoot-out"}},
-        Refused{
-            Mistake::throws_in_place, "throws_in_place", "leg_", {"place() threw", "place() of"}},
-        Refused{Mistake::sleeps, "sleeps", "ticks", {"do not sleep or wait"}},
-        Refused{Mistake::leaks, "leaks", "leg_", {"bad_alloc", "1 GiB"}},
-        Refused{Mistake::endless_loop,
-                "endless_loop",
-                "leg_blue",
-                {"loop that does not end", "in decide() of tick "}},
-        Refused{Mistake::seed_of_time, "seed_of_time", "repeatable", {"a clock"}},
-        Refused{
-            Mistake::seed_of_process, "seed_of_process", "repeatable", {"number of its process"}},
-        Refused{Mistake::random_device, "random_device", "repeatable", {"std::random_device"}},
-        Refused{Mistake::address, "address", "repeatable", {"addresses"}},
-        Refused{Mistake::processor, "processor", "repeatable", {}},
-        Refused{
-            Mistake::writes_behind, "writes_behind", "", {"behind the end of a block of 24 bytes"}},
-        Refused{Mistake::writes_before,
-                "writes_before",
-                "",
-                {"before the beginning of a block of 24 bytes"}},
-        Refused{Mistake::writes_freed, "writes_freed", "", {"that it had freed"}},
-        Refused{Mistake::frees_twice, "frees_twice", "", {"freed twice"}},
-        Refused{Mistake::reads_freed, "reads_freed", "repeatable", {"never written"}},
-        Refused{Mistake::heap_not_set, "heap_not_set", "repeatable", {"never written"}},
-        Refused{Mistake::stack_not_set, "stack_not_set", "repeatable", {"never written"}},
-        Refused{Mistake::recursion, "recursion", "ticks", {"end of its stack", "recursion"}},
-        Refused{Mistake::division_by_zero, "division_by_zero", "ticks", {"divided by zero"}},
-        Refused{Mistake::throws_in_noexcept, "throws_in_noexcept", "ticks", {"std::terminate"}},
-        Refused{Mistake::assertion, "assertion", "ticks", {"assert()"}},
-        Refused{Mistake::exits, "exits", "ticks", {"exit()"}},
-        Refused{Mistake::wild_pointer, "wild_pointer", "ticks", {"not valid", "out of bounds"}},
-        Refused{Mistake::writes_observation,
-                "writes_observation",
-                "ticks",
-                {"wrote to the observation", "copy"}},
-        Refused{Mistake::thread, "thread", "loads", {"asked for a thread"}},
-        Refused{Mistake::file, "file", "ticks", {"asked for a file"}},
-        Refused{Mistake::counts_processors,
-                "counts_processors",
-                "repeatable",
-                {"number of its process, thread or processor"}},
-        Refused{Mistake::integral_not_set, "integral_not_set", "repeatable", {"never written"}},
-        Refused{
-            Mistake::unset_in_second_half, "unset_in_second_half", "repeatable", {"never written"}},
-        Refused{Mistake::keeps_observation, "keeps_observation", "repeatable", {"keep no pointer"}},
-        Refused{Mistake::reads_behind, "reads_behind", "repeatable", {"index out of bounds"}},
-        Refused{Mistake::reads_before, "reads_before", "repeatable", {"index out of bounds"}},
-        Refused{Mistake::grown_vector, "grown_vector", "", {"that it had freed"}},
-        Refused{Mistake::dangling_capture, "dangling_capture", "repeatable", {"keep no pointer"}},
-        Refused{
-            Mistake::text_too_long, "text_too_long", "", {"behind the end of a block of 24 bytes"}},
-        Refused{Mistake::writes_behind_command,
-                "writes_behind_command",
-                "memory",
-                {"behind the end of its command", "index of wheels"}},
-        Refused{Mistake::throws_a_text, "throws_a_text", "ticks", {"threw: ball lost"}},
-        Refused{Mistake::number_as_text, "number_as_text", "leg_blue", {"decide() of tick 901"}},
-        Refused{Mistake::derivative_by_the_clock,
-                "derivative_by_the_clock",
-                "repeatable",
-                {"a clock", "now.time"}},
-        Refused{Mistake::waits_by_the_clock, "waits_by_the_clock", "repeatable", {"a clock"}},
-        Refused{Mistake::waits_by_its_processor_time,
-                "waits_by_its_processor_time",
-                "repeatable",
-                {"a clock"}},
-        Refused{Mistake::thinks_by_the_clock, "thinks_by_the_clock", "repeatable", {"a clock"}},
-        Refused{
-            Mistake::time_stamp_counter, "time_stamp_counter", "repeatable", {"random numbers"}},
-        Refused{Mistake::variable_that_is_missing,
-                "variable_that_is_missing",
-                "loads",
-                {"getenv() returned null"}},
-        Refused{Mistake::locale, "locale", "loads", {"the locale \\\"C\\\""}},
-        Refused{Mistake::program, "program", "ticks", {"asked for a program"}},
-        Refused{Mistake::alarm, "alarm", "loads", {"not allowed: alarm"}},
-        Refused{Mistake::as_yellow, "as_yellow", "leg_yellow", {"as yellow"}},
-        Refused{Mistake::endless_angle, "endless_angle", "leg_blue", {"loop that does not end"}},
-        Refused{Mistake::throws_at_own_penalty, "throws_at_own_penalty", "", {"no place"}},
-        Refused{Mistake::throws_at_penalty_against, "throws_at_penalty_against", "", {"no place"}},
-        Refused{Mistake::throws_at_own_free_kick, "throws_at_own_free_kick", "", {"no place"}},
-        Refused{
-            Mistake::throws_at_free_kick_against, "throws_at_free_kick_against", "", {"no place"}},
-        Refused{Mistake::throws_at_own_goal_kick, "throws_at_own_goal_kick", "", {"no place"}},
-        Refused{
-            Mistake::throws_at_goal_kick_against, "throws_at_goal_kick_against", "", {"no place"}},
-        Refused{Mistake::throws_at_free_ball, "throws_at_free_ball", "", {"no place"}},
-        Refused{Mistake::throws_in_a_corner, "throws_in_a_corner", "", {"in a corner"}},
-        Refused{Mistake::throws_without_keeper, "throws_without_keeper", "ticks", {"no keeper"}}),
+        REFUSED(null_pointer_late, "leg_blue", "null pointer", "decide() of tick 901", "gdb"),
+        REFUSED(throws_in_second_half, "leg_blue", "second half", "catch the exception"),
+        REFUSED(throws_when_trailing, "leg_", "trailing"),
+        REFUSED(throws_in_a_shoot_out, "knockout", "shoot-out"),
+        REFUSED(throws_in_place, "leg_", "place() threw", "place() of"),
+        REFUSED(sleeps, "ticks", "do not sleep or wait"),
+        REFUSED(leaks, "leg_", "bad_alloc", "1 GiB"),
+        REFUSED(endless_loop, "leg_blue", "loop that does not end", "in decide() of tick "),
+        REFUSED(seed_of_time, "repeatable", "a clock"),
+        REFUSED(seed_of_process, "repeatable", "number of its process"),
+        REFUSED(address, "repeatable", "addresses"),
+        REFUSED(writes_behind, "", "behind the end of a block of 24 bytes"),
+        REFUSED(writes_freed, "", "that it had freed"), REFUSED(frees_twice, "", "freed twice"),
+        REFUSED(heap_not_set, "repeatable", "never written"),
+        REFUSED(stack_not_set, "repeatable", "never written"),
+        REFUSED(recursion, "ticks", "end of its stack", "recursion"),
+        REFUSED(division_by_zero, "ticks", "divided by zero"),
+        REFUSED(throws_in_noexcept, "ticks", "std::terminate"), REFUSED(exits, "ticks", "exit()"),
+        REFUSED(writes_observation, "ticks", "wrote to the observation", "copy"),
+        REFUSED(thread, "loads", "asked for a thread"), REFUSED(file, "ticks", "asked for a file"),
+        REFUSED(keeps_observation, "repeatable", "keep no pointer"),
+        REFUSED(reads_behind, "repeatable", "index out of bounds"),
+        REFUSED(writes_behind_command, "memory", "behind the end of its command",
+                "index of wheels"),
+        REFUSED(throws_a_text, "ticks", "threw: ball lost"),
+        REFUSED(thinks_by_the_clock, "repeatable", "a clock"),
+        REFUSED(time_stamp_counter, "repeatable", "random numbers"),
+        REFUSED(variable_that_is_missing, "loads", "getenv() returned null"),
+        REFUSED(program, "ticks", "asked for a program"),
+        REFUSED(as_yellow, "leg_yellow", "as yellow"),
+        REFUSED(throws_at_own_penalty, "", "no place"),
+        REFUSED(throws_at_free_ball, "", "no place"),
+        REFUSED(throws_without_keeper, "ticks", "no keeper")),
     [](const auto& c) { return c.param.name; });
 
 TEST_P(Mistakes, AreRefusedWithTheirReason) {
@@ -184,12 +119,10 @@ TEST(Check, AcceptsASlowTeamForShortLegs) {
 
 // Catches a check that accepts what no goal has asked for: in so short legs none falls.
 TEST(Check, LetsGoalsFallForBothTeams) {
-  for (const Mistake mistake : {Mistake::throws_when_trailing, Mistake::throws_after_a_goal}) {
-    const Answer examined = check_team_with(mistake, "0.5");
-    EXPECT_EQ(examined.exit_code, 1) << examined.report.dump(1);
-    const std::string reason = examined.report.value("reason", Json()).dump();
-    EXPECT_EQ(reason.rfind("\"knockout", 0), 0u) << reason;
-  }
+  const Answer examined = check_team_with(Mistake::throws_when_trailing, "0.5");
+  EXPECT_EQ(examined.exit_code, 1) << examined.report.dump(1);
+  const std::string reason = examined.report.value("reason", Json()).dump();
+  EXPECT_EQ(reason.rfind("\"knockout", 0), 0u) << reason;
 }
 
 struct Allowed {
@@ -198,35 +131,21 @@ struct Allowed {
   const char* warning;  // "": there is none
 };
 
+#define ALLOWED(kind, warning) (Allowed{Mistake::kind, #kind, warning})
+
 class HarmlessTeams : public testing::TestWithParam<Allowed> {};
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, HarmlessTeams,
-    testing::Values(Allowed{Mistake::none, "none", ""},
-                    Allowed{Mistake::bad_values, "bad_values", "zeroed or clamped"},
-                    Allowed{Mistake::never_moves, "never_moves", "never turned a wheel"},
-                    Allowed{Mistake::illegal_places, "illegal_places", "not legal"},
-                    Allowed{Mistake::places_in_degrees, "places_in_degrees", "are in radians"},
-                    Allowed{Mistake::one_robot_too_many, "one_robot_too_many", "robots are 0 to 2"},
-                    Allowed{Mistake::one_wheel, "one_wheel", "to turn its right wheel"},
-                    Allowed{Mistake::turns_in_degrees, "turns_in_degrees", "look at angles"},
-                    Allowed{Mistake::long_log, "long_log", "logs so much"},
-                    Allowed{Mistake::asks_for_a_variable, "asks_for_a_variable",
-                            "variable TEAM_MODE"},
-                    Allowed{Mistake::tries_a_file, "tries_a_file", "file notes.txt"},
-                    Allowed{Mistake::tries_a_thread, "tries_a_thread", "asked for a thread"},
-                    Allowed{Mistake::keeps_much_memory, "keeps_much_memory", ""},
-                    Allowed{Mistake::measures_time, "measures_time", ""},
-                    Allowed{Mistake::not_a_number, "not_a_number", "zeroed or clamped"},
-                    Allowed{Mistake::small_counter, "small_counter", "zeroed or clamped"},
-                    Allowed{Mistake::opponent_that_is_not_there, "opponent_that_is_not_there", ""},
-                    Allowed{Mistake::chance_without_seed, "chance_without_seed", ""},
-                    Allowed{Mistake::sets_locale, "sets_locale", ""},
-                    Allowed{Mistake::writes_a_file, "writes_a_file", "file notes.txt"},
-                    Allowed{Mistake::tries_a_connection, "tries_a_connection", "a connection"},
-                    Allowed{Mistake::tries_a_program, "tries_a_program", "program hostname"},
-                    Allowed{Mistake::reads_input, "reads_input", "standard input"},
-                    Allowed{Mistake::leaks_a_little, "leaks_a_little", ""}),
-    [](const auto& c) { return c.param.name; });
+INSTANTIATE_TEST_SUITE_P(Kinds, HarmlessTeams,
+                         testing::Values(ALLOWED(none, ""),
+                                         ALLOWED(bad_values, "zeroed or clamped"),
+                                         ALLOWED(never_moves, "never turned a wheel"),
+                                         ALLOWED(illegal_places, "not legal"),
+                                         ALLOWED(one_robot_too_many, "robots are 0 to 2"),
+                                         ALLOWED(turns_in_degrees, "look at angles"),
+                                         ALLOWED(tries_a_file, "file notes.txt"),
+                                         ALLOWED(tries_a_thread, "asked for a thread"),
+                                         ALLOWED(measures_time, ""),
+                                         ALLOWED(chance_without_seed, "")),
+                         [](const auto& c) { return c.param.name; });
 
 TEST_P(HarmlessTeams, AreAccepted) {
   if (is_left_out(GetParam().mistake)) GTEST_SKIP() << "with sanitizers";
@@ -245,9 +164,9 @@ TEST(Trusted, TellsWhichTeamCrashedWhere) {
 #ifdef MIROCUP_SANITIZED
   GTEST_SKIP() << "the sanitizer tells it";
 #endif
-  const auto outcome = test_support::run(
-      {program("mirocup"), "match", "--trusted", "--blue", "idle", "--yellow",
-       program("teams/mistakes.so"), "--half", "60", "--yellow-param",
+  const auto outcome = test_support::run_mirocup(
+      {"match", "--trusted", "--blue", "idle", "--yellow", program("teams/mistakes.so"), "--half",
+       "60", "--yellow-param",
        "mistake=" + std::to_string(static_cast<int>(Mistake::null_pointer_late))});
   EXPECT_EQ(outcome.exit_code, 128 + 11);
   EXPECT_NE(outcome.err.find("the yellow team crashed in this process, in decide() of tick 901, by "

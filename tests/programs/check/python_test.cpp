@@ -11,11 +11,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::Outcome;
-using test_support::program;
-using test_support::run;
-using test_support::TemporaryFolder;
-using test_support::write_file;
+using namespace test_support;
 using PythonJson = nlohmann::ordered_json;
 
 constexpr const char* import = "from mirocup.team import *\n";
@@ -37,7 +33,7 @@ class PythonTeams : public testing::Test {
     return path;
   }
   PythonJson check(const std::string& text, int exit_code) {
-    const Outcome outcome = run({program("mirocup"), "check", file(text), "--half", "4", "--json"});
+    const Outcome outcome = run_mirocup({"check", file(text), "--half", "4", "--json"});
     EXPECT_EQ(outcome.exit_code, exit_code) << text << outcome.out << outcome.err;
     return PythonJson::parse(outcome.out, nullptr, false);
   }
@@ -72,14 +68,13 @@ TEST_F(PythonTeams, PlayAsWindowsWritesThem) {
   std::string text = team_that("return [(1, 1)] * 3");
   for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
     text.insert(at, "\r");
-  const Outcome outcome = run({program("mirocup"), "match", "--blue", file("\xef\xbb\xbf" + text),
-                               "--yellow", "idle", "--half", "1"});
+  const Outcome outcome = run_mirocup(
+      {"match", "--blue", file("\xef\xbb\xbf" + text), "--yellow", "idle", "--half", "1"});
   EXPECT_NE(outcome.out.find("full_time"), std::string::npos) << outcome.out << outcome.err;
 }
 
 TEST_F(PythonTeams, AreToldWhatTheFileLacks) {
-  const Outcome outcome =
-      run({program("mirocup"), "match", "--blue", file("x = 1\n"), "--yellow", "idle"});
+  const Outcome outcome = run_mirocup({"match", "--blue", file("x = 1\n"), "--yellow", "idle"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("\"from mirocup.team import Team\""), std::string::npos)
       << outcome.err;
@@ -113,18 +108,9 @@ TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
       {team_that("return []", "import nothing_like_it\n"), "loads", {"No module", "installed"}},
       {team_that("return []", "open('/etc/passwd')\n"), "loads", {"line 2", "opens no file"}},
       {team_that("return open('/etc/passwd')"), "ticks", {"line 4", "opens no file"}},
-      {team_that("import fractions"), "ticks", {"line 4", "top of the file"}},
-      {team_that("threading.Thread(target=print).start()", "import threading\n"),
-       "ticks",
-       {"line 5", "one thread"}},
       {team_that("return 3.0"), "ticks", {"decide() returned 3.0", "(left, right)"}},
-      {team_that("return [('fast', 1)]"), "ticks", {"for robot 0", "rad/s"}},
       {team_that("sys.exit(0)", "import sys\n"), "ticks", {"SystemExit", "calling exit()"}},
-      {team_that("quit()"), "ticks", {"line 4", "calling exit()"}},
       {team_that("return self.decide(now)"), "ticks", {"without end"}},
-      {team_that("self.parameter('k')"), "ticks", {"self.parameter(\"name\", 0.5)"}},
-      {team_that("self.draw_line('a', 255, 0, 0, 1, 1)"), "ticks", {"a point is a pair"}},
-      {team_that("return []", "from .helper import plan\n"), "loads", {"one file"}},
       {team_that("return []\n    def place(self, now, placement):\n"
                  "        placement.robots[1] = (0.1, 0.2)"),
        "ticks",
@@ -132,50 +118,13 @@ TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
       {team_that("return self.speed if now.tick > 90 else []"),
        "ticks",
        {"line 4", "AttributeError", "tick 91", "breakpoint()", "set it in __init__()"}},
-      {team_that("return [(time.time() % 7, 1)]", "import time\n"),
-       "repeatable",
-       {"depends on a clock", "now.time"}},
       {team_that("return [1, 1, 1, 1, 1, 1]"), "ticks", {"6 numbers; 3 pairs"}},
-      {team_that("return {0: (1, 1), 1: (2, 2)}"), "ticks", {"returned {0: (1, 1)", "a list with"}},
-      {team_that("return {(1.0, 1.0), (2.0, 2.0)}"), "ticks", {"a list with"}},
-      {team_that("yield [(1, 1)]"), "ticks", {"for robot 0", "return a list"}},
       {team_that("pass"), "ticks", {"returned None", "each way through decide()"}},
-      {import +
-           std::string("class A(Team):\n    async def decide(self, now):\n        return []\n"),
-       "ticks",
-       {"without async"}},
-      {import + std::string("class A(Team):\n    def decide(self, now, command):\n        pass\n"),
-       "ticks",
-       {"missing", "decide(self, now)"}},
-      {team_that("return [now.own[1].theta]"), "ticks", {"it has x, y, heading"}},
-      {team_that("return [now.ball]"), "ticks", {"it has ball_x, ball_y"}},
-      {team_that("return [drive_to(self.setup, now.own[7], ball(now))]"),
-       "ticks",
-       {"now.robots - 1"}},
-      {team_that("ball = ball(now)"), "ticks", {"another name"}},
       {team_that("return []", "import helper\n"), "loads", {"one file"}},
-      {team_that("os.chdir('/')", "import os\n"), "ticks", {"chdir", "not for a team"}},
       {import + std::string("x = '\xe9'\n"), "loads", {"save the file as UTF-8"}},
-      {team_that("return [(1, 1)] if now.tick < 30 else loop()",
-                 "def loop():\n    while True:\n        pass\n"),
-       "ticks",
-       {"in decide() of tick 30", "loop that does not end"}},
       {team_that("now.ball_x = 1"), "ticks", {"line 4", "_replace"}},
-      {team_that("return [drive_to(self.setup, r, 0.3) for r in now.own]"),
-       "ticks",
-       {"line 4", "target is 0.3; a point (x, y)"}},
-      {team_that("return attack_ball(self.setup, now, 7, (0.7, 0.0))"),
-       "ticks",
-       {"me is 7; the number of an own robot"}},
-      {team_that("return keep_laws(self.setup, now, 4 * [(1, 1)])"),
-       "ticks",
-       {"4 pairs of speeds for 3 robots"}},
-      {team_that("return []", "from multiprocessing import Pool\nPOOL = Pool(2)\n"),
-       "loads",
-       {"line 3", "starts no processes"}},
       {team_that("return []", "TABLE = [0.0] * 300000000\n"), "loads", {"line 2", "1 GiB"}},
       {"print('hello')\n# no team\n", "complete", {}},
-      {"import os\n", "complete", {"from mirocup.team import Team"}},
   };
   for (const auto& mistake : mistakes) {
     const PythonJson report = check(mistake.text, 1);
@@ -218,11 +167,11 @@ TEST_F(PythonTeams, AreWarned) {
 
 // Both colours and both halves attack +x in the team's own frame.
 TEST_F(PythonTeams, AreToldThatTheyAttackTheirOwnGoal) {
-  const Outcome outcome =
-      run({program("mirocup"), "check",
-           file(team_that("return [kick_to(self.setup, now, r, (-self.setup.half_length, 0.0)) "
-                          "for r in now.own]")),
-           "--half", "30", "--json"});
+  const Outcome outcome = run_mirocup(
+      {"check",
+       file(team_that("return [kick_to(self.setup, now, r, (-self.setup.half_length, 0.0)) "
+                      "for r in now.own]")),
+       "--half", "30", "--json"});
   const PythonJson report = PythonJson::parse(outcome.out, nullptr, false);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
   EXPECT_NE(report["notes"].dump().find("you attack +x in both colours"), std::string::npos)
@@ -247,7 +196,7 @@ TEST_F(PythonTeams, PlayInALeague) {
 // Catches a template that does not pass its own test, or whose scripts cannot be run.
 TEST_F(PythonTeams, BeginFromATemplateThatPassesItsTest) {
   const std::string made = folder_ / "mein Team";
-  EXPECT_EQ(run({program("mirocup"), "new", made, "--language", "python"}).exit_code, 0);
+  EXPECT_EQ(run_mirocup({"new", made, "--language", "python"}).exit_code, 0);
   // The script itself, with fewer tries and shorter legs.
   const Outcome outcome = run(
       {"/bin/sh", "-ec",

@@ -49,8 +49,8 @@ TEST(DdsHostile, PlaysTheSameLegAfterAStormOfChangedPackets) {
   const Outcome played = leg.wait();
   ASSERT_EQ(played.exit_code, 0) << played.err;
   EXPECT_LT(played.err.size(), 2000U);  // hostile packets cannot make the log long
-  run({program("mirocup"), "match", "--blue", "striker", "--yellow", "keeper", "--half", "5",
-       "--record", folder / "so.json"});
+  run_mirocup({"match", "--blue", "striker", "--yellow", "keeper", "--half", "5", "--record",
+               folder / "so.json"});
   EXPECT_EQ(read_json(folder / "leg.json")["state_hash"],
             read_json(folder / "so.json")["state_hash"]);
 }
@@ -70,7 +70,7 @@ TEST(DdsHostile, PlaysOnAfterAForgedPacketHasMadeTheServerDeaf) {
   EXPECT_EQ(record["network"]["blue"]["processes"], 1);
   EXPECT_NE(played.err.find("the team's process has joined the network anew"), std::string::npos)
       << played.err;
-  EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+  EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
 }
 
 // Commands that are not finite are driven as zero and counted.
@@ -79,13 +79,13 @@ TEST(DdsHostile, DrivesNonFiniteNumbersAsZero) {
   const std::string id = match_id("nan");
   Running remote(join(id, "blue", "remote", program("teams/nonsense.so")));
   const Outcome played =
-      run({program("mirocup"), "match", "--blue", "dds:remote", "--yellow", "keeper", "--half", "2",
-           "--match", id, "--record", folder / "leg.json"});
+      run_mirocup({"match", "--blue", "dds:remote", "--yellow", "keeper", "--half", "2", "--match",
+                   id, "--record", folder / "leg.json"});
   ASSERT_EQ(played.exit_code, 0) << played.err;
   const auto record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["end"], "full_time");
   EXPECT_EQ(record["budget"]["blue"]["bad_commands"], record["ticks"]);
-  EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+  EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
 }
 
 // Packets to another address of the host are dropped, although Cyclone binds to all addresses.

@@ -30,8 +30,8 @@ TEST(PitchExample, IsDrivenByTheProgramThatPlaysAgainstTheSimulator) {
   EXPECT_GT(x, 0.1) << pitch.out;  // it lay in the middle
 
   Running in_the_simulator(control_program);
-  const Outcome match = run({program("mirocup"), "match", "--blue", "dds:remote", "--yellow",
-                             "idle", "--half", "1", "--match", id});
+  const Outcome match = run_mirocup(
+      {"match", "--blue", "dds:remote", "--yellow", "idle", "--half", "1", "--match", id});
   EXPECT_EQ(match.exit_code, 0) << match.err;
   EXPECT_EQ(in_the_simulator.wait().exit_code, 0);
 }

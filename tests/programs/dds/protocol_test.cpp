@@ -148,10 +148,10 @@ TEST(Protocol, ALeagueCanBePlayedBesideRos) {
   write_file(config, R"({"schema": "mirocup/league/1", "title": "Test", "seed": 5,
       "rules": {"half_s": 2}, "teams": [{"name": "near", "entry": "house:idle"},
       {"name": "far", "entry": "house:keeper", "dds": true}]})");
-  ASSERT_EQ(run({program("mirocup"), "league", "init", folder, "--config", config}).exit_code, 0);
-  const Outcome played = run({program("mirocup"), "league", "start", folder, "--dds-domain", "9"});
+  ASSERT_EQ(run_mirocup({"league", "init", folder, "--config", config}).exit_code, 0);
+  const Outcome played = run_mirocup({"league", "start", folder, "--dds-domain", "9"});
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  const Outcome status = run({program("mirocup"), "league", "status", folder, "--json"});
+  const Outcome status = run_mirocup({"league", "status", folder, "--json"});
   EXPECT_EQ(nlohmann::json::parse(status.out)["played"], 2) << status.out;
 }
 
@@ -199,43 +199,6 @@ class Packets {
   int long_ones_ = 0;
   std::thread reader_;
 };
-
-// The largest league, with credentials, and two teams and two spectators whose signatures are in
-// each state. Catches a state that needs two Ethernet frames, and certificates that IP fragments.
-TEST(Protocol, EveryPacketFitsOneEthernetFrame) {
-  constexpr std::size_t udp_payload = 1500 - 20 - 8;
-  const TemporaryFolder folder;
-  ASSERT_EQ(run({program("mirocup"), "league", "credentials", folder / "league", "--team", "ours",
-                 "--team", "theirs"})
-                .exit_code,
-            0);
-  const std::string credentials = folder / "league/credentials/";
-  Packets packets;
-  if (!packets.is_open()) GTEST_SKIP() << "this system does not show packets";
-  const std::string id = match_id("frames");
-  const auto player = [&](const char* colour, const char* name) {
-    auto arguments = join(id, colour, name, "striker");
-    arguments.insert(arguments.end(), {"--credentials", credentials + "teams/" + name});
-    return arguments;
-  };
-  Running blue(player("blue", "ours"));
-  Running yellow(player("yellow", "theirs"));
-  const std::vector<std::string> watch{program("dds/intruder"), "look", id, "ours",
-                                       credentials + "spectator"};
-  Running one(watch);
-  Running two(watch);
-  Running informed({program("dds/intruder"), "watch", id, "ours", credentials + "spectator"});
-  const Outcome played = run({program("mirocup"), "match", "--blue", "dds:ours", "--yellow",
-                              "dds:theirs", "--league", "large", "--half", "2", "--speed", "1",
-                              "--match", id, "--credentials", credentials + "server"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;  // the others would wait for ever
-  EXPECT_EQ(blue.wait().exit_code, 0);
-  EXPECT_EQ(yellow.wait().exit_code, 0);
-  EXPECT_EQ(informed.wait().out.rfind("ours - theirs, league 2, 11 robots", 0), 0U);
-  packets.stop();
-  EXPECT_GT(packets.long_ones(), 100) << "states";
-  EXPECT_LE(packets.longest(), udp_payload);
-}
 
 }  // namespace
 }  // namespace mirocup

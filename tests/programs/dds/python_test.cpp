@@ -20,8 +20,8 @@ TEST(PythonTeam, PlaysAFullLeg) {
                 "PYTHONDONTWRITEBYTECODE=1", "python3", "-S",
                 MIROCUP_SOURCE_FOLDER "/examples/python/chaser.py", id, "blue", "snake"});
   const Outcome played =
-      run({program("mirocup"), "match", "--blue", "dds:snake", "--yellow", "idle", "--league",
-           "large", "--half", "20", "--match", id, "--record", folder / "leg.json"});
+      run_mirocup({"match", "--blue", "dds:snake", "--yellow", "idle", "--league", "large",
+                   "--half", "20", "--match", id, "--record", folder / "leg.json"});
   ASSERT_EQ(played.exit_code, 0) << played.err;
   const Outcome python = team.wait();
   EXPECT_EQ(python.exit_code, 0) << python.err;
@@ -30,7 +30,7 @@ TEST(PythonTeam, PlaysAFullLeg) {
   EXPECT_GT(record["result"]["score"]["blue"],
             0);  // it receives true observations, and its commands are driven
   EXPECT_EQ(record["network"]["blue"]["in_step"], record["ticks"]);
-  EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+  EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
 }
 
 // The team's placement request arrives: the record names a robot that was refused its place.
@@ -49,9 +49,8 @@ TEST(PythonTeam, SaysWhereItStands) {
   Running team({"/usr/bin/env", "MIROCUP_TEAM_LIBRARY=" + program("libmirocup_team.so"),
                 "PYTHONDONTWRITEBYTECODE=1", "PYTHONPATH=" MIROCUP_SOURCE_FOLDER "/examples/python",
                 "python3", "-c", script});
-  const Outcome played =
-      run({program("mirocup"), "match", "--blue", "dds:snake", "--yellow", "idle", "--half", "1",
-           "--match", id, "--record", folder / "leg.json"});
+  const Outcome played = run_mirocup({"match", "--blue", "dds:snake", "--yellow", "idle", "--half",
+                                      "1", "--match", id, "--record", folder / "leg.json"});
   ASSERT_EQ(played.exit_code, 0) << played.err;
   const Outcome python = team.wait();
   EXPECT_EQ(python.exit_code, 0) << python.err;
@@ -81,8 +80,8 @@ TEST(PythonTeam, JoinsWithoutAProgramOfItsOwn) {
              "    def decide(self, now):\n"
              "        return [drive_to(self.setup, r, ball(now)) for r in now.own]\n");
   const auto play = [&](const std::string& blue, const char* record) {
-    const Outcome played = run({program("mirocup"), "match", "--blue", blue, "--yellow", "idle",
-                                "--half", "3", "--match", id, "--record", folder / record});
+    const Outcome played = run_mirocup({"match", "--blue", blue, "--yellow", "idle", "--half", "3",
+                                        "--match", id, "--record", folder / record});
     EXPECT_EQ(played.exit_code, 0) << played.err;
     return read_json(folder / record)["state_hash"];
   };
@@ -91,28 +90,6 @@ TEST(PythonTeam, JoinsWithoutAProgramOfItsOwn) {
   const Outcome joined = remote.wait();
   EXPECT_EQ(joined.exit_code, 0) << joined.err;
   EXPECT_EQ(on_network, play(folder / "team.py", "py.json"));
-}
-
-// Catches the dynamic loader's own words about a file that is no library.
-TEST(Join, SaysWhatAFileIsThatIsNoTeam) {
-  const TemporaryFolder folder;
-  write_file(folder / "team.py", "import math\nprint(math.pi)\n");
-  const Outcome joined = run(join(match_id("no-team"), "blue", "snake", folder / "team.py"));
-  EXPECT_EQ(joined.exit_code, 2);
-  EXPECT_NE(joined.err.find("team.py: it is Python, but no team: write \"from mirocup.team import"),
-            std::string::npos)
-      << joined.err;
-}
-
-// Catches a traceback where a sentence says what to do.
-TEST(PythonTeam, SaysWhatBuildsTheLibrary) {
-  const Outcome missing =
-      run({"/usr/bin/env", "MIROCUP_TEAM_LIBRARY=/nowhere/libmirocup_team.so",
-           "PYTHONDONTWRITEBYTECODE=1", "python3",
-           MIROCUP_SOURCE_FOLDER "/examples/python/chaser.py", "final", "blue", "snake"});
-  EXPECT_EQ(missing.exit_code, 3);
-  EXPECT_NE(missing.err.find("--target mirocup_team"), std::string::npos) << missing.err;
-  EXPECT_EQ(missing.err.find("Traceback"), std::string::npos) << missing.err;
 }
 
 }  // namespace

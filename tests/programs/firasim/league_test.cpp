@@ -10,14 +10,7 @@ namespace mirocup {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using test_support::league;
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_json;
-using test_support::run;
-using test_support::Running;
-using test_support::TemporaryFolder;
-using test_support::write_file;
+using namespace test_support;
 
 constexpr const char* examples = MIROCUP_SOURCE_FOLDER "/examples/firasim";
 
@@ -50,7 +43,7 @@ int firasim_seats(const std::string& folder) {
       EXPECT_EQ(record["network"][colour]["processes"], 1);
       EXPECT_EQ(record["network"][colour]["in_step"], record["ticks"]);
     }
-    const Outcome verified = run({program("mirocup"), "verify", file.path()});
+    const Outcome verified = run_mirocup({"verify", file.path()});
     EXPECT_EQ(verified.exit_code, 0) << verified.out;
   }
   return seats;
@@ -77,9 +70,9 @@ TEST(FirasimLeague, StartsProgramsBesideTeamsOfOtherKinds) {
   const Outcome played = run(league("start", folder, {"--jobs", "3"}));
   ASSERT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(firasim_seats(folder), 12);
-  const std::string journal = test_support::read_file(folder + "/journal.jsonl");
+  const std::string journal = read_file(folder + "/journal.jsonl");
   EXPECT_EQ(run(league("start", folder)).exit_code, 0);
-  EXPECT_EQ(test_support::read_file(folder + "/journal.jsonl"), journal) << "played again";
+  EXPECT_EQ(read_file(folder + "/journal.jsonl"), journal) << "played again";
 }
 
 // Catches a league that waits for people without saying for whom, and one that looks for their
@@ -92,7 +85,7 @@ TEST(FirasimLeague, WaitsForProgramsThatPeopleStart) {
   ASSERT_EQ(entered.exit_code, 0) << entered.err;
   Running host(league("start", folder));
   for (int leg = 1; leg <= 2; ++leg) {
-    ASSERT_TRUE(test_support::wait_until([&] {
+    ASSERT_TRUE(wait_until([&] {
       return host.err().find("leg " + std::to_string(leg) + ": far plays ") != std::string::npos;
     })) << host.err();
     const std::string colour =
@@ -115,9 +108,9 @@ TEST(FirasimLeague, WaitsForProgramsThatPeopleStart) {
 TEST(FirasimLeague, TellsAProgramThatIsNotThereFromOneThatFails) {
   const TemporaryFolder folder;
   const auto play = [&](const std::string& command) {
-    return run({program("mirocup"), "match", "--blue", "firasim:x", "--yellow", "idle",
-                "--firasim-instance", "auto", "--blue-program", command, "--lockstep", "--record",
-                folder / "leg.json"});
+    return run_mirocup({"match", "--blue", "firasim:x", "--yellow", "idle", "--firasim-instance",
+                        "auto", "--blue-program", command, "--lockstep", "--record",
+                        folder / "leg.json"});
   };
   const Outcome missing = play("no-such-program-here");
   EXPECT_EQ(missing.exit_code, 5) << missing.err << missing.out;
@@ -126,8 +119,8 @@ TEST(FirasimLeague, TellsAProgramThatIsNotThereFromOneThatFails) {
   EXPECT_EQ(record["result"]["fault"]["code"], "crash");
   EXPECT_NE(record["result"]["fault"]["text"].get<std::string>().find("ended with code 3"),
             std::string::npos);
-  const Outcome wrong = run({program("mirocup"), "match", "--blue", "idle", "--yellow", "idle",
-                             "--blue-program", "true"});
+  const Outcome wrong =
+      run_mirocup({"match", "--blue", "idle", "--yellow", "idle", "--blue-program", "true"});
   EXPECT_EQ(wrong.exit_code, 2) << wrong.err;
 }
 

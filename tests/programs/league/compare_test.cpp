@@ -21,15 +21,6 @@ Outcome compare(const std::vector<std::string>& more) {
   return run(words);
 }
 
-TEST(LeagueCompare, ConcludesNothingFromCopies) {
-  const Outcome done = compare({"idle", "idle", "--conditions", "exact"});
-  EXPECT_EQ(done.exit_code, 1) << done.err;
-  const auto json = nlohmann::json::parse(done.out);
-  EXPECT_EQ(json["verdict"], "undecided");
-  EXPECT_EQ(json["copies"], true);
-  EXPECT_LT(json["distinct_legs"], json["legs"].get<int>() / 2);
-}
-
 TEST(LeagueCompare, GoesOnWithTheLegsOfItsFolder) {
   const TemporaryFolder folder;
   const std::string kept = folder / "kept";
@@ -80,12 +71,6 @@ TEST(LeagueCompare, GivesATeamItsParameters) {
     EXPECT_EQ(teams[own]["parameters"], (nlohmann::json{{"nosuch", 1}}));
     EXPECT_TRUE(teams[other]["parameters"].empty());
   }
-}
-
-TEST(LeagueCompare, NamesATeamThatIsNotThere) {
-  const Outcome done = compare({"chaser", "nobody.so"});
-  EXPECT_EQ(done.exit_code, 2);
-  EXPECT_NE(done.err.find("nobody.so"), std::string::npos) << done.err;
 }
 
 }  // namespace

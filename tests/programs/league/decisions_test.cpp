@@ -16,20 +16,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::count_kind;
-using test_support::expect_same_site;
-using test_support::house;
-using test_support::init_league;
-using test_support::journal_of;
-using test_support::league;
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_file;
-using test_support::read_json;
-using test_support::run;
-using test_support::Running;
-using test_support::TemporaryFolder;
-using test_support::wait_until_it_plays;
+using namespace test_support;
 
 TEST(Entries, AreStoredAndCheckedAndTheLastAcceptedOnePlays) {
   const TemporaryFolder temporary;
@@ -40,7 +27,7 @@ TEST(Entries, AreStoredAndCheckedAndTheLastAcceptedOnePlays) {
   EXPECT_EQ(outcome.out, "alpha: entry 1 was accepted\n");
 
   const std::string bad = temporary / "bad.so";
-  test_support::write_file(bad, read_file(house("chaser")).substr(0, 3000));
+  write_file(bad, read_file(house("chaser")).substr(0, 3000));
   outcome = run(league("submit", folder, {"alpha", bad}));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.out.rfind("alpha: entry 2 was not accepted: complete: ", 0), 0u) << outcome.out;
@@ -141,28 +128,12 @@ TEST(Rulings, ArePublishedAndCount) {
   const auto later = read_json(folder + "/site/decisions.json")["decisions"];
   ASSERT_EQ(later.size(), 5u);
   EXPECT_EQ(later[4]["kind"], "withdraw");
-  const auto site = test_support::site_of(folder);
+  const auto site = site_of(folder);
   ASSERT_EQ(run(league("publish", folder)).exit_code, 0);
-  EXPECT_TRUE(site == test_support::site_of(folder)) << "the same journal, the same bytes";
+  EXPECT_TRUE(site == site_of(folder)) << "the same journal, the same bytes";
   const auto status = nlohmann::json::parse(run(league("status", folder, {"--json"})).out);
   EXPECT_EQ(status["legs"], 2);
   EXPECT_EQ(status["played"], 2);
-}
-
-TEST(Faults, PauseATeamAfterThreeLegsInARow) {
-  const TemporaryFolder temporary;
-  const std::string folder = temporary / "l";
-  init_league(folder, {"a=house:chaser", "bad=" + program("teams/gives_up.so"), "c=house:idle"},
-              "4");
-  Outcome outcome = run(league("start", folder, {"--jobs", "1"}));
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_NE(outcome.err.find("bad is paused: 3 legs in a row"), std::string::npos) << outcome.err;
-  const auto table = read_json(folder + "/site/table.json");
-  EXPECT_EQ(table["legs"].get<int>() - table["played"].get<int>(), 1) << "the others played on";
-  EXPECT_NE(read_file(folder + "/site/teams/bad.html").find("its process crashed"),
-            std::string::npos);
-  EXPECT_EQ(run(league("resume", folder, {"bad", "--reason", "repaired"})).exit_code, 0);
-  EXPECT_EQ(run(league("start", folder)).exit_code, 0);
 }
 
 class EveryFormat : public testing::TestWithParam<const char*> {};

@@ -111,8 +111,7 @@ TEST_F(ForgedRecords, OfShardsAreVoidAndTheirLegsArePlayedAgain) {
     EXPECT_TRUE(voids.contains(name)) << name << '\n' << start.err;
     EXPECT_NE(start.err.find("records/" + name + "-1.json"), std::string::npos) << start.err;
     EXPECT_TRUE(fs::exists(record(name))) << name << " is evidence";
-    EXPECT_EQ(
-        run({program("mirocup"), "verify", folder_ + "/records/" + name + "-2.json"}).exit_code, 0);
+    EXPECT_EQ(run_mirocup({"verify", folder_ + "/records/" + name + "-2.json"}).exit_code, 0);
   }
   EXPECT_NE(start.err.find("differs from tick "), std::string::npos) << start.err;
   EXPECT_FALSE(fs::exists(folder_ + "/site/replays/r1-f1-1-1.html"));

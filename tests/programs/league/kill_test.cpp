@@ -2,7 +2,7 @@
 //
 // SIGKILL for the league, a match server and a strategy's host, at any moment: no leg is lost, none
 // is booked twice, the pages are the same. A few kills here; MIROCUP_KILLS=200 build/league_tests
-// --gtest_filter='Kills.*' for many; slurm.sh kills nodes. Catches a result that only memory knew,
+// --gtest_filter='Kills.*' for many. Catches a result that only memory knew,
 // a team that is blamed for what the host did, half a page that stays.
 #include "tests/programs/league/league_command.hpp"
 
@@ -19,16 +19,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::count_kind;
-using test_support::expect_same_site;
-using test_support::init_league;
-using test_support::journal_of;
-using test_support::league;
-using test_support::read_file;
-using test_support::run;
-using test_support::Running;
-using test_support::TemporaryFolder;
-using test_support::write_file;
+using namespace test_support;
 
 const std::vector<std::string> teams{"a=house:chaser", "b=house:keeper", "c=house:striker"};
 

@@ -14,25 +14,15 @@
 namespace mirocup {
 namespace {
 
-using test_support::expect_same_site;
-using test_support::league;
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_file;
-using test_support::read_json;
-using test_support::run;
-using test_support::Running;
-using test_support::site_of;
-using test_support::TemporaryFolder;
-using test_support::wait_until;
-using test_support::wait_until_it_plays;
+using namespace test_support;
 
 // Makes a league of four teams, one of them over DDS, with short halves: twelve legs.
 void make_league(const std::string& folder, const std::string& half = "10") {
-  test_support::write_file(folder + ".json",
-                           R"({"schema": "mirocup/league/1", "title": "Test", "seed": 5,
-    "rules": {"half_s": )" + half +
-                               R"(},
+  write_file(folder + ".json",
+             R"({"schema": "mirocup/league/1", "title": "Test", "seed": 5,
+    "rules": {"half_s": )" +
+                 half +
+                 R"(},
     "teams": [{"name": "striker", "entry": "house:striker"},
               {"name": "chaser", "entry": "house:chaser"},
               {"name": "idle", "entry": "house:idle"},
@@ -51,7 +41,7 @@ TEST(League, PlaysTheExampleOfTheReadme) {
   auto shorter = read_json(config);
   shorter["rules"]["half_s"] = 10;
   config = temporary / "league.json";
-  test_support::write_file(config, shorter.dump());
+  write_file(config, shorter.dump());
   ASSERT_EQ(run(league("init", folder, {"--config", config})).exit_code, 0);
   const Outcome played = run(league("start", folder));
   ASSERT_EQ(played.exit_code, 0) << played.err;
@@ -66,7 +56,7 @@ TEST(League, PlaysTheExampleOfTheReadme) {
     if (file.path().extension() != ".json") continue;
     ++records;
     any_dds = any_dds || read_json(file.path())["teams"]["blue"]["kind"] == "dds";
-    const Outcome verified = run({program("mirocup"), "verify", file.path()});
+    const Outcome verified = run_mirocup({"verify", file.path()});
     EXPECT_EQ(verified.exit_code, 0) << verified.out;
   }
   EXPECT_EQ(records, table["legs"]);
@@ -75,42 +65,6 @@ TEST(League, PlaysTheExampleOfTheReadme) {
   const std::string journal = read_file(folder + "/journal.jsonl");
   EXPECT_EQ(run(league("start", folder)).exit_code, 0);
   EXPECT_EQ(read_file(folder + "/journal.jsonl"), journal) << "nothing is played again";
-}
-
-TEST(League, HasTheSamePagesAfterKillsAsWithoutThem) {
-  const TemporaryFolder temporary;
-  make_league(temporary / "whole");
-  ASSERT_EQ(run(league("start", temporary / "whole")).exit_code, 0);
-
-  make_league(temporary / "killed");
-  const std::string growing = temporary / "killed/journal.jsonl";
-  int kills = 0;
-  while (run(league("status", temporary / "killed")).exit_code != 0) {
-    const std::size_t before = read_file(growing).size();
-    Running running(league("start", temporary / "killed"));
-    // Killed at some time in the legs that follow the next line of the journal.
-    ASSERT_TRUE(wait_until([&] { return read_file(growing).size() > before; }));
-    usleep(30'000 * (kills % 4));
-    running.signal(SIGKILL);
-    running.wait();
-    ASSERT_LT(++kills, 200);
-  }
-  EXPECT_GT(kills, 1);
-  ASSERT_EQ(run(league("start", temporary / "killed")).exit_code, 0);
-
-  expect_same_site(temporary / "killed", temporary / "whole");
-  // No leg is missing or booked twice.
-  std::set<std::string> legs;
-  int booked = 0;
-  std::istringstream journal(read_file(temporary / "killed/journal.jsonl"));
-  for (std::string line; std::getline(journal, line);) {
-    const auto json = nlohmann::json::parse(line);
-    if (json["kind"] != "leg") continue;
-    ++booked;
-    legs.insert(json["fixture"].get<std::string>() + "/" + json["leg"].dump());
-  }
-  EXPECT_EQ(booked, 12);
-  EXPECT_EQ(legs.size(), 12u);
 }
 
 TEST(League, HasTheSamePagesWithAnyNumberOfJobs) {
@@ -174,19 +128,19 @@ TEST(League, RefusesToGoOnWhenWhatWasDecidedHasChanged) {
 
   std::string changed = config;
   changed.replace(changed.find("\"seed\": 1"), 9, "\"seed\": 2");
-  test_support::write_file(folder + "/league.json", changed);
+  write_file(folder + "/league.json", changed);
   Outcome outcome = run(league("start", folder));
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("changed after the league started"), std::string::npos) << outcome.err;
-  test_support::write_file(folder + "/league.json", config);
+  write_file(folder + "/league.json", config);
 
-  test_support::write_file(folder + "/entries/a/1/strategy.so", "another library");
+  write_file(folder + "/entries/a/1/strategy.so", "another library");
   outcome = run(league("start", folder));
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
 
   std::string journal = read_file(folder + "/journal.jsonl");
   journal[journal.size() / 2] ^= 1;
-  test_support::write_file(folder + "/journal.jsonl", journal);
+  write_file(folder + "/journal.jsonl", journal);
   outcome = run(league("status", folder));
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_NE(outcome.err.find("line "), std::string::npos) << outcome.err;
@@ -205,45 +159,15 @@ TEST(League, RefusesBadTeamsAndMissingFolders) {
   EXPECT_NE(nameless.err.find("DIR: \"\" names no folder"), std::string::npos) << nameless.err;
 }
 
-TEST(League, IsNamedAfterItsFolderHoweverThatIsWritten) {
-  const TemporaryFolder temporary;
-  for (const std::string& path : {temporary / "a/spring/", temporary / "b/x/../spring/."}) {
-    ASSERT_EQ(run(league("init", path)).exit_code, 0) << path;
-    const auto file = nlohmann::json::parse(read_file(path + "/league.json"));
-    EXPECT_EQ(file["title"], "spring") << path;
-  }
-}
-
-TEST(League, IsMadeByOneOfTwoCommands) {
-  const TemporaryFolder temporary;
-  const std::string folder = temporary / "l";
-  // Both look for a league before one of them has made it, if they start at once.
-  const std::string init = "'" + test_support::program("mirocup") + "' league init " + folder;
-  const std::string both = "for team in chaser keeper; do " + init +
-                           " --team a=house:$team >/dev/null 2>&1 && echo $team & done; wait";
-  const Outcome outcome = run({"/bin/sh", "-c", both});
-  const auto file = nlohmann::json::parse(read_file(folder + "/league.json"));
-  EXPECT_EQ("house:" + outcome.out, file["teams"][0]["entry"].get<std::string>() + "\n");
-}
-
-TEST(League, StartsWithoutTheEmptyFolderOfItsRecords) {
-  const TemporaryFolder temporary;
-  const std::string folder = temporary / "l";
-  test_support::init_league(folder, {"a=house:chaser", "b=house:idle"});
-  std::filesystem::remove(folder + "/records");
-  const Outcome outcome = run(league("start", folder));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-}
-
 TEST(League, HasHalvesThatCanBePlayed) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";
-  test_support::init_league(folder, {"a=house:chaser", "b=house:idle"});
+  init_league(folder, {"a=house:chaser", "b=house:idle"});
   const auto good = nlohmann::json::parse(read_file(folder + "/league.json"));
   for (const double half_s : {0.0, 0.01, 1e300}) {
     auto changed = good;
     changed["rules"]["half_s"] = half_s;
-    test_support::write_file(folder + "/league.json", changed.dump());
+    write_file(folder + "/league.json", changed.dump());
     const Outcome outcome = run(league("status", folder));
     EXPECT_EQ(outcome.exit_code, 2) << half_s;
     EXPECT_NE(outcome.err.find("league.json: /rules/half_s: "), std::string::npos) << outcome.err;
@@ -253,64 +177,29 @@ TEST(League, HasHalvesThatCanBePlayed) {
 TEST(League, IsNotPublishedIntoAnotherLeague) {
   const TemporaryFolder temporary;
   for (const char* name : {"spring", "autumn"}) {
-    test_support::init_league(temporary / name, {"a=house:chaser", "b=house:idle"});
+    init_league(temporary / name, {"a=house:chaser", "b=house:idle"});
     ASSERT_EQ(run(league("start", temporary / name)).exit_code, 0);
   }
-  const auto before = test_support::site_of(temporary / "autumn");
+  const auto before = site_of(temporary / "autumn");
   const Outcome outcome =
       run(league("publish", temporary / "spring", {"--through", "r1", "-o", temporary / "autumn"}));
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("autumn is a league"), std::string::npos) << outcome.err;
-  EXPECT_EQ(test_support::site_of(temporary / "autumn"), before);
-}
-
-TEST(League, PublishesRoundsThroughTheOneAskedFor) {
-  const TemporaryFolder temporary;
-  const std::string folder = temporary / "l";
-  const std::string shown = temporary / "shown";
-  test_support::init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:idle"});
-  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
-  EXPECT_EQ(run(league("publish", folder, {"--through", "r1"})).exit_code, 2) << "where to?";
-  EXPECT_EQ(run(league("publish", folder, {"--through", "r4", "-o", shown})).exit_code, 2);
-  EXPECT_FALSE(std::filesystem::exists(shown));
-  const Outcome published = run(league("publish", folder, {"--through", "r1", "-o", shown}));
-  ASSERT_EQ(published.exit_code, 0) << published.err;
-  EXPECT_EQ(published.out, shown + "/site/index.html\n");
-  EXPECT_NE(read_file(shown + "/site/index.html").find("2 of 6 legs played"), std::string::npos);
-  const auto names = [&shown](const std::string& of) {
-    std::set<std::string> found;
-    for (const auto& file : std::filesystem::directory_iterator(shown + "/" + of)) {
-      const bool is_proof = file.path().string().ends_with(".proof.js");  // if it can be built
-      if (!is_proof) found.insert(file.path().filename());
-    }
-    return found;
-  };
-  EXPECT_EQ(names("records"), (std::set<std::string>{"r1-f1-1-1.json", "r1-f1-1-1.replay.zst",
-                                                     "r1-f1-2-1.json", "r1-f1-2-1.replay.zst"}));
-  EXPECT_EQ(names("site/replays"), (std::set<std::string>{"r1-f1-1-1.html", "r1-f1-2-1.html"}));
-
-  // A later round, and then the first one alone again: nothing of the later one is left.
-  const auto before = test_support::site_of(shown);
-  const auto records = names("records");
-  ASSERT_EQ(run(league("publish", folder, {"--through", "r2", "-o", shown})).exit_code, 0);
-  EXPECT_NE(names("records"), records);
-  ASSERT_EQ(run(league("publish", folder, {"--through", "r1", "-o", shown})).exit_code, 0);
-  EXPECT_EQ(test_support::site_of(shown), before);
-  EXPECT_EQ(names("records"), records);
+  EXPECT_EQ(site_of(temporary / "autumn"), before);
 }
 
 // Pages of a round that was shown by mistake used to stay under names that everybody can guess.
 TEST(League, KeepsNoPagesOfRoundsThatAreNotReleasedAnyMore) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";
-  test_support::init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:idle"});
+  init_league(folder, {"a=house:chaser", "b=house:keeper", "c=house:idle"});
   ASSERT_EQ(run(league("start", folder)).exit_code, 0);
-  const auto all = test_support::site_of(folder);
+  const auto all = site_of(folder);
   const auto release = [&](std::vector<std::string> what) {
     what.insert(what.end(), {"--reason", "x"});
     EXPECT_EQ(run(league("release", folder, what)).exit_code, 0);
     EXPECT_EQ(run(league("publish", folder)).exit_code, 0);
-    return test_support::site_of(folder);
+    return site_of(folder);
   };
   const auto first = release({"--level", "teams", "--through", "r1"});
   for (const std::string name : {"replays/r2-f1-1-1.html", "statistics/r2-f1-1-1.json"}) {

@@ -229,25 +229,6 @@ TEST_F(SiteElsewhere, HasThePagesOfEachCommand) {
   EXPECT_FALSE(fs::exists(site_ + "/replays/r1-f1-1-1.html"));
 }
 
-TEST_F(SiteElsewhere, IsNoChangeOfTheRules) {
-  fs::create_directories(site_);
-  const std::string key = "\"site\": \"" + site_ + "\"";
-  for (const auto& [behind, line] : {std::pair<std::string, std::string>{"{", key + ","},
-                                     {"\"mirocup/league/1\",", "\n  " + key + ","}}) {
-    edit(behind, line);
-    expect_code(0, site_);
-  }
-  std::string last = config_;
-  last.insert(last.rfind('}') - 1, ",\n  " + key);
-  write_file(league_ + "/league.json", last);
-  expect_code(0, site_);
-  // Whatever else is changed with it is seen.
-  edit("{", key + ", \"zone\": \"UTC\",");
-  expect_code(2, "was changed after the league started");
-  edit("\"points\": {", "\"site\": \"/x\", ");
-  expect_code(2, "league.json");
-}
-
 TEST_F(SiteElsewhere, IsNoFolderOfTheHost) {
   edit("{", "\"site\": \"home\",");
   expect_code(2, "/site: the absolute path of a folder is expected");

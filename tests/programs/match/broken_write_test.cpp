@@ -19,12 +19,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::Outcome;
-using test_support::program;
-using test_support::run;
-using test_support::Running;
-using test_support::TemporaryFolder;
-using test_support::tries;
+using namespace test_support;
 
 constexpr int few = 20;
 
@@ -36,7 +31,7 @@ std::vector<std::string> match(const std::string& record, int seed = 1) {
 
 // Returns whether a record exists, and expects an existing one to be whole.
 bool is_there(const std::string& record) {
-  const Outcome verified = run({program("mirocup"), "verify", record});
+  const Outcome verified = run_mirocup({"verify", record});
   if (verified.exit_code == 3 && !std::filesystem::exists(record)) return false;
   EXPECT_EQ(verified.exit_code, 0) << verified.err << verified.out;
   return true;

@@ -42,8 +42,7 @@ std::vector<long> in_order(const std::string& text, const std::vector<std::strin
 // Catches a trace that lacks a function, has one of the host, or stands in the wrong order.
 TEST(Crash, NamesTheFunctionsOfALibraryWithSymbols) {
   for (const std::string isolation : {"T1", "T2"}) {
-    if (isolation == "T2" && !test_support::why_no_t2().empty())
-      GTEST_SKIP() << test_support::why_no_t2();
+    if (isolation == "T2" && !why_no_t2().empty()) GTEST_SKIP() << why_no_t2();
     const TemporaryFolder folder;
     const Outcome played = play(folder, "crashes", {"--isolation", isolation});
     const std::vector<std::string> expected{"mirocup: the blue team crashed in\n  0x", " dig\n  0x",

@@ -11,12 +11,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_json;
-using test_support::run;
-using test_support::TemporaryFolder;
-using test_support::why_no_t2;
+using namespace test_support;
 using Json = nlohmann::ordered_json;
 
 Outcome drill(const std::vector<std::string>& more) {
@@ -78,11 +73,11 @@ TEST(DrillCommand, WritesAReplayOfEachFailedTry) {
   for (const char* seed : {"1", "2", "3"}) {
     const std::string path = folder / (std::string("failed/idle-mine-") + seed);
     EXPECT_TRUE(std::filesystem::exists(path + ".html"));
-    EXPECT_NE(test_support::read_file(folder / "failed/index.html")
+    EXPECT_NE(read_file(folder / "failed/index.html")
                   .find(std::string("href=\"./idle-mine-") + seed + ".html\""),
               std::string::npos);
-    EXPECT_EQ(run({program("mirocup"), "verify", path + ".json"}).exit_code, 0);
-    EXPECT_EQ(run({program("mirocup"), "rerun", path + ".json"}).exit_code, 0);
+    EXPECT_EQ(run_mirocup({"verify", path + ".json"}).exit_code, 0);
+    EXPECT_EQ(run_mirocup({"rerun", path + ".json"}).exit_code, 0);
     EXPECT_EQ(read_json(path + ".json")["isolation"], why_no_t2().empty() ? "T2" : "T1");
   }
 }

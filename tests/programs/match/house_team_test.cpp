@@ -10,10 +10,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::program;
-using test_support::read_json;
-using test_support::run;
-using test_support::TemporaryFolder;
+using namespace test_support;
 
 // A goal against blue or yellow falls while robot 2 is nearest to the ball. Yellow's situation is
 // blue's, turned by 180 degrees.
@@ -31,9 +28,10 @@ TEST(HouseTeam, TakesItsKickOffBackwards) {
     std::ofstream(folder / "s.json") << goals_fall[is_blue ? 0 : 1];
     for (const std::string team : {"chaser", "striker", "navigator", "tactician"}) {
       for (const std::string seed : {"1", "2"}) {
-        const auto leg = run({program("mirocup"), "match", is_blue ? "--blue" : "--yellow", team,
-                              is_blue ? "--yellow" : "--blue", "idle", "--half", "3", "--seed",
-                              seed, "--start", folder / "s.json", "--record", folder / "leg.json"});
+        const auto leg =
+            run_mirocup({"match", is_blue ? "--blue" : "--yellow", team,
+                         is_blue ? "--yellow" : "--blue", "idle", "--half", "3", "--seed", seed,
+                         "--start", folder / "s.json", "--record", folder / "leg.json"});
         ASSERT_EQ(leg.exit_code, 0) << leg.err;
         const auto decisions = read_json(folder / "leg.json")["decisions"];
         ASSERT_EQ(decisions[0]["decision"], "GOAL") << decisions.dump();

@@ -8,11 +8,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_file;
-using test_support::run;
-using test_support::TemporaryFolder;
+using namespace test_support;
 
 Outcome replay(const std::vector<std::string>& arguments) {
   std::vector<std::string> words{program("mirocup"), "replay"};
@@ -23,8 +19,8 @@ Outcome replay(const std::vector<std::string>& arguments) {
 class ReplayCommand : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(run({program("mirocup"), "match", "--blue", "striker", "--yellow", "chaser", "--half",
-                   "20", "--record", record_})
+    ASSERT_EQ(run_mirocup({"match", "--blue", "striker", "--yellow", "chaser", "--half", "20",
+                           "--record", record_})
                   .exit_code,
               0);
   }

@@ -11,18 +11,15 @@
 namespace mirocup {
 namespace {
 
-using test_support::Outcome;
-using test_support::program;
-using test_support::run;
-using test_support::TemporaryFolder;
+using namespace test_support;
 
 std::string library(const std::string& name) {
   return program("house/" + name + ".so");
 }
 
 Outcome play(const std::string& blue, const std::string& yellow, const std::string& record) {
-  return run({program("mirocup"), "match", "--blue", blue, "--yellow", yellow, "--half", "15",
-              "--record", record});
+  return run_mirocup(
+      {"match", "--blue", blue, "--yellow", yellow, "--half", "15", "--record", record});
 }
 
 Outcome rerun(const std::string& record, const std::vector<std::string>& more = {}) {
@@ -64,7 +61,7 @@ TEST(RerunCommand, NamesTheTeamWhoseCommandsDiffer) {
 TEST(RerunCommand, ReproducesAForfeit) {
   const TemporaryFolder folder;
   ASSERT_EQ(play("striker", program("teams/gives_up.so"), folder / "leg.json").exit_code, 0);
-  ASSERT_EQ(test_support::read_json(folder / "leg.json")["result"]["end"], "forfeit");
+  ASSERT_EQ(read_json(folder / "leg.json")["result"]["end"], "forfeit");
   const Outcome again = rerun(folder / "leg.json", {"--entries", program("teams")});
   EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
 }
@@ -73,8 +70,8 @@ TEST(RerunCommand, ReproducesAForfeit) {
 TEST(RerunCommand, GivesTheTeamsTheirParametersAgain) {
   const TemporaryFolder folder;
   ASSERT_EQ(
-      run({program("mirocup"), "match", "--blue", "chaser", "--yellow", program("teams/tuned.so"),
-           "--half", "5", "--yellow-param", "speed=9.5", "--record", folder / "leg.json"})
+      run_mirocup({"match", "--blue", "chaser", "--yellow", program("teams/tuned.so"), "--half",
+                   "5", "--yellow-param", "speed=9.5", "--record", folder / "leg.json"})
           .exit_code,
       0);
   const Outcome again = rerun(folder / "leg.json", {"--entries", program("teams")});

@@ -10,11 +10,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_json;
-using test_support::run;
-using test_support::TemporaryFolder;
+using namespace test_support;
 
 Outcome play_match(const std::string& blue, const std::string& yellow,
                    const std::vector<std::string>& more) {
@@ -24,7 +20,7 @@ Outcome play_match(const std::string& blue, const std::string& yellow,
 }
 
 int exit_code(const char* command, const std::string& record) {
-  return run({program("mirocup"), command, record}).exit_code;
+  return run_mirocup({command, record}).exit_code;
 }
 
 // Catches a state that is lost when a leg is played on: of the laws' counts, of the disturbances,
@@ -84,7 +80,7 @@ TEST(Start, IsHeldByTheRecord) {
   EXPECT_LT(record["ticks"], 400);
   EXPECT_EQ(exit_code("verify", leg), 0);
   EXPECT_EQ(exit_code("rerun", leg), 0);
-  EXPECT_EQ(run({program("mirocup"), "replay", leg, "-o", folder / "leg.html"}).exit_code, 0);
+  EXPECT_EQ(run_mirocup({"replay", leg, "-o", folder / "leg.html"}).exit_code, 0);
 }
 
 TEST(Start, RefusesWhatCannotBePlayed) {

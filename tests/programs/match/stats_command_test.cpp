@@ -11,13 +11,7 @@ namespace mirocup {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_file;
-using test_support::read_json;
-using test_support::run;
-using test_support::TemporaryFolder;
-using test_support::write_file;
+using namespace test_support;
 
 Outcome stats(const std::vector<std::string>& arguments) {
   std::vector<std::string> words{program("mirocup"), "stats"};
@@ -30,8 +24,8 @@ class StatsCommand : public testing::Test {
   void SetUp() override {
     for (const char* seed : {"2", "3"}) {
       records_.push_back(folder_ / (std::string("leg") + seed + ".json"));
-      ASSERT_EQ(run({program("mirocup"), "match", "--blue", "striker", "--yellow", "chaser",
-                     "--half", "40", "--seed", seed, "--record", records_.back(), "--trusted"})
+      ASSERT_EQ(run_mirocup({"match", "--blue", "striker", "--yellow", "chaser", "--half", "40",
+                             "--seed", seed, "--record", records_.back(), "--trusted"})
                     .exit_code,
                 0);
     }
@@ -66,28 +60,6 @@ TEST_F(StatsCommand, TellsTheGoalsOfTheRecord) {
   EXPECT_EQ(
       json["teams"][0]["own"]["goals"].get<int>() + json["teams"][1]["own"]["goals"].get<int>(),
       goals);
-}
-
-// Catches a page made with --statistics whose file differs from what the command prints.
-TEST_F(StatsCommand, APageKeepsTheSameStatistics) {
-  const std::string kept = folder_ / "kept.json";
-  ASSERT_EQ(run({program("mirocup"), "replay", records_[0], "-o", folder_ / "leg.html",
-                 "--statistics", kept})
-                .exit_code,
-            0);
-  Json leg = read_json(kept);
-  EXPECT_EQ(leg["record"], "leg2.json") << "without the folder";
-  leg["record"] = records_[0];
-  EXPECT_EQ(leg, Json::parse(stats({records_[0], "--json"}).out)["legs"][0]);
-}
-
-TEST_F(StatsCommand, PrintsTablesAndCsv) {
-  const Outcome text = stats({records_[0]});
-  EXPECT_EQ(text.exit_code, 0) << text.err;
-  EXPECT_EQ(text.out.rfind("1 leg, ", 0), 0u);
-  EXPECT_EQ(stats({records_[0], "--csv"}).out.rfind("record,leg,team,colour,", 0), 0u);
-  EXPECT_EQ(stats({records_[0], "--goals", "--csv"}).out.rfind("record,leg,tick,", 0), 0u);
-  EXPECT_NE(stats({records_[0], "--goals"}).out.find(" goals against it"), std::string::npos);
 }
 
 // Catches a filter that leaves nothing out, or the legs of the team itself.

@@ -10,10 +10,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::Outcome;
-using test_support::program;
-using test_support::run;
-using test_support::TemporaryFolder;
+using namespace test_support;
 
 // Lists within each other, 200 000 deep: they ended the programs by SIGSEGV.
 std::string deep() {
@@ -27,36 +24,14 @@ void expect_sentence(const Outcome& outcome, int exit_code, const std::string& f
   EXPECT_LT(outcome.err.size(), 1500u);
 }
 
-TEST(StrangeFiles, AreRefusedWithASentence) {
-  const TemporaryFolder folder;
-  const std::string file = folder / "f.json";
-  const std::string mirocup = program("mirocup");
-  for (const std::string& text :
-       {deep(), "{\"schema\":" + deep() + "}", "{\"a\\u001b[31m\":" + deep(),
-        "[" + std::string(1'000'000, '1') + "]", std::string("\xff\xfe{}"), std::string()}) {
-    test_support::write_file(file, text);
-    expect_sentence(run({mirocup, "verify", file}), 4, file);
-    expect_sentence(run({mirocup, "referee", "--record", file}), 4, file);
-    expect_sentence(run({mirocup, "replay", file, "-o", folder / "page.html"}), 4, file);
-    expect_sentence(run({mirocup, "scene", file}), 2, file);
-    expect_sentence(run({mirocup, "league", "init", folder / "l", "--config", file}), 2, file);
-  }
-  test_support::write_file(file, deep() + "\n{}\n");
-  const Outcome judged = run({mirocup, "referee", file});
-  expect_sentence(judged, 1, file);
-  EXPECT_NE(judged.out.find("\"REJECTED\""), std::string::npos);
-  EXPECT_NE(judged.out.find("\"NONE\""), std::string::npos) << "the next line is judged";
-}
-
 // Catches a leg that a source or an archive loses by 0 : 10: its owner named the wrong file.
 TEST(StrangeFiles, AreNoTeamOfAMatch) {
   const TemporaryFolder folder;
   for (const auto& [name, text] :
        {std::pair("team.cpp", "#include <cmath>\n"), std::pair("team.rar", "Rar!\x1a\x07\x01"),
         std::pair("README.md", "# Mine\n\n```\nx\n```\n")}) {
-    test_support::write_file(folder / name, text);
-    expect_sentence(run({program("mirocup"), "match", "--blue", folder / name, "--yellow", "idle"}),
-                    2, name);
+    write_file(folder / name, text);
+    expect_sentence(run_mirocup({"match", "--blue", folder / name, "--yellow", "idle"}), 2, name);
   }
 }
 
@@ -68,7 +43,7 @@ TEST(StrangeFiles, MakeAJournalDamaged) {
       run({mirocup, "league", "init", league, "--team", "a=house:idle", "--team", "b=house:idle"})
           .exit_code,
       0);
-  test_support::write_file(league + "/journal.jsonl", "{\"n\":1,\"kind\":" + deep() + "}\n");
+  write_file(league + "/journal.jsonl", "{\"n\":1,\"kind\":" + deep() + "}\n");
   expect_sentence(run({mirocup, "league", "status", league}), 4, "journal.jsonl: line 1");
 }
 
@@ -102,8 +77,8 @@ TEST(StrangeFiles, AreScenesThatEnd) {
         R"("duration":1,"parameters":{"k":1e-9})",
         R"("duration":1,"parameters":{"robot_side":2e-8})",
         R"("duration":1,"robots":[{"pose":[0,0,0],"twist":[1e5,0,0]}])"}) {
-    test_support::write_file(file, std::string("{\"schema\":\"mirocup/scene/1\",") + scene + "}");
-    expect_sentence(run({program("mirocup"), "scene", file}), 2, file);
+    write_file(file, std::string("{\"schema\":\"mirocup/scene/1\",") + scene + "}");
+    expect_sentence(run_mirocup({"scene", file}), 2, file);
   }
 }
 

@@ -53,33 +53,11 @@ TEST(Surroundings, WithoutTimeZonesNameThePackage) {
   EXPECT_NE(told.err.find("Debian's package is tzdata"), std::string::npos) << told.err;
 }
 
-// Catches a summer without summer time: such a file of the database lists no changes, only a rule.
-TEST(Surroundings, WithSlimTimeZonesKnowTheirSummerTime) {
-  const std::string zic = "/usr/sbin/zic";
-  if (!may_mount() || access(zic.c_str(), X_OK) != 0) GTEST_SKIP() << "no mounts, or no zic";
-  const TemporaryFolder folder;
-  write_file(folder / "rules",
-             "Rule E 1981 max - Mar lastSun 1:00u 1:00 S\n"
-             "Rule E 1996 max - Oct lastSun 1:00u 0 -\n"
-             "Zone Europe/Berlin 1:00 E CE%sT\n");
-  ASSERT_EQ(run({zic, "-b", "slim", "-d", folder / "zones", folder / "rules"}).exit_code, 0);
-  write_file(folder / "league.json",
-             R"({"schema": "mirocup/league/1", "format": {"kind": "nightly"},
-                 "freeze": "2027-07-01T12:00:00", "zone": "Europe/Berlin",
-                 "teams": [{"name": "a", "entry": "house:idle"}]})");
-  const Outcome made =
-      run(in_own_mounts("mount --bind '" + (folder / "zones") + "' /usr/share/zoneinfo") +
-          Words{program("mirocup-league"), "init", folder / "league", "--config",
-                folder / "league.json"});
-  EXPECT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_EQ(read_json(folder / "league/league.json")["freeze"], "2027-07-01T10:00:00Z");
-}
-
 // Catches SIGXFSZ: a program that dies without a word.
 TEST(Surroundings, WithASmallFileLimitSayWhichFileIsTooLarge) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run({program("mirocup"), "match", "--blue", "idle", "--yellow", "idle", "--half", "1",
-                 "--record", folder / "leg.json"})
+  ASSERT_EQ(run_mirocup({"match", "--blue", "idle", "--yellow", "idle", "--half", "1", "--record",
+                         folder / "leg.json"})
                 .exit_code,
             0);
   const Outcome told =

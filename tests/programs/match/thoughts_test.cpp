@@ -12,10 +12,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::program;
-using test_support::read_file;
-using test_support::run;
-using test_support::TemporaryFolder;
+using namespace test_support;
 using ThoughtJson = nlohmann::ordered_json;
 
 std::vector<std::string> drawing_match(const TemporaryFolder& folder,
@@ -48,7 +45,7 @@ TEST(Thoughts, AreKeptBesideTheRecordAndChangeNothing) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("shapes of the blue team's thoughts were left out"),
               std::string::npos);
-    const auto record = test_support::read_json(folder / "leg.json");
+    const auto record = read_json(folder / "leg.json");
     const auto thoughts = thoughts_in(folder / "leg.blue.thoughts.zst");
     const std::size_t ticks = record["ticks"].get<std::size_t>();
     ASSERT_EQ(thoughts.size(), 7 * ticks + 1);  // the last line says what was left out
@@ -68,29 +65,11 @@ TEST(Thoughts, AreKeptBesideTheRecordAndChangeNothing) {
     if (!is_trusted) bytes = now, hash = record["state_hash"].get<std::string>();
     EXPECT_EQ(now, bytes);
     EXPECT_EQ(record["state_hash"], hash);
-    EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+    EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
   }
   const TemporaryFolder folder;
   ASSERT_EQ(run(drawing_match(folder, {"--trusted"})).exit_code, 0);
-  EXPECT_EQ(test_support::read_json(folder / "leg.json")["state_hash"], hash);
-}
-
-// Catches thoughts of an earlier leg that are shown with a later one of the same name.
-TEST(Thoughts, OfAnEarlierLegAreRemoved) {
-  const TemporaryFolder folder;
-  ASSERT_EQ(run(drawing_match(folder, {"--trusted", "--thoughts"})).exit_code, 0);
-  ASSERT_EQ(run(drawing_match(folder, {"--trusted"})).exit_code, 0);
-  EXPECT_FALSE(std::filesystem::exists(folder / "leg.blue.thoughts.zst"));
-}
-
-// Catches a tick whose shapes run over the page, and one that drops those that have room.
-TEST(Thoughts, HaveABoundInEachTick) {
-  const TemporaryFolder folder;
-  ASSERT_EQ(run(drawing_match(folder, {"--thoughts", "--param", "shapes=500"})).exit_code, 0);
-  const auto thoughts = thoughts_in(folder / "leg.blue.thoughts.zst");
-  std::size_t first_tick = 0;
-  while (thoughts[first_tick]["tick"] == 0) ++first_tick;
-  EXPECT_EQ(first_tick, match::max_thoughts);
+  EXPECT_EQ(read_json(folder / "leg.json")["state_hash"], hash);
 }
 
 // Catches a house team that draws nothing or too much, that names a robot's role twice or not at
@@ -109,12 +88,12 @@ TEST(Thoughts, OfHouseTeamsTellTheirPlansAndChangeNothing) {
                                    "--yellow",         "striker", "--league", "large",
                                    "--half",           "4",       "--record", folder / "leg.json"};
     ASSERT_EQ(run(words).exit_code, 0);
-    const auto hash = test_support::read_json(folder / "leg.json")["state_hash"];
+    const auto hash = read_json(folder / "leg.json")["state_hash"];
     words.emplace_back("--thoughts");
     const auto outcome = run(words);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err.find("left out"), std::string::npos) << team;
-    EXPECT_EQ(test_support::read_json(folder / "leg.json")["state_hash"], hash) << team;
+    EXPECT_EQ(read_json(folder / "leg.json")["state_hash"], hash) << team;
     std::set<std::string> drawn;
     std::map<std::size_t, std::size_t> roles;  // by tick
     for (const ThoughtJson& thought : thoughts_in(folder / "leg.blue.thoughts.zst")) {
@@ -148,7 +127,7 @@ class Draws(Team):
 TEST(Thoughts, OfTeamsInPython) {
   if (!std::filesystem::exists(program("mirocup-python-host"))) GTEST_SKIP() << "not built";
   const TemporaryFolder folder;
-  test_support::write_file(folder / "team.py", "import math" + std::string(python_team));
+  write_file(folder / "team.py", "import math" + std::string(python_team));
   std::string hash;
   for (const std::vector<std::string>& how :
        {std::vector<std::string>{}, {"--thoughts"}, {"--thoughts", "--trusted"}}) {
@@ -161,7 +140,7 @@ TEST(Thoughts, OfTeamsInPython) {
     words.insert(words.end(), how.begin(), how.end());
     const auto outcome = run(words);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const auto record = test_support::read_json(folder / "leg.json");
+    const auto record = read_json(folder / "leg.json");
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"];
     if (hash.empty()) hash = record["state_hash"].get<std::string>();
     EXPECT_EQ(record["state_hash"], hash);
@@ -185,40 +164,14 @@ TEST(Thoughts, OfTeamsInPython) {
   }
 }
 
-// Catches a colour that is none and goes by unseen, or plays on with --thoughts only.
-TEST(Thoughts, OfTeamsInPythonHaveColours) {
-  if (!std::filesystem::exists(program("mirocup-python-host"))) GTEST_SKIP() << "not built";
-  const TemporaryFolder folder;
-  test_support::write_file(folder / "team.py",
-                           "from mirocup.team import *\n"
-                           "class Draws(Team):\n"
-                           "    def decide(self, now):\n"
-                           "        self.draw_circle('target', 'red', (0.0, 0.0), 0.1)\n"
-                           "        return []\n");
-  for (const std::vector<std::string>& how : {std::vector<std::string>{}, {"--thoughts"}}) {
-    std::vector<std::string> words{
-        program("mirocup"), "match", "--blue",   folder / "team.py", "--yellow", "idle",
-        "--half",           "2",     "--record", folder / "leg.json"};
-    words.insert(words.end(), how.begin(), how.end());
-    ASSERT_EQ(run(words).exit_code, 0);
-    const auto fault = test_support::read_json(folder / "leg.json")["result"]["fault"];
-    ASSERT_FALSE(fault.is_null());
-    EXPECT_NE(fault["text"].get<std::string>().find("a colour is a whole number, 0xRRGGBBAA"),
-              std::string::npos)
-        << fault;
-  }
-}
-
 // Catches a page for others with what only the team may see, and a page of its own without it.
 TEST(Thoughts, AreOnPagesThatAreNotPublic) {
   const TemporaryFolder folder;
   ASSERT_EQ(run(drawing_match(folder, {"--trusted", "--thoughts"})).exit_code, 0);
-  test_support::write_file(folder / "leg.json.blue.log", "to myself\n");
+  write_file(folder / "leg.json.blue.log", "to myself\n");
   const std::string record = folder / "leg.json";
-  ASSERT_EQ(run({program("mirocup"), "replay", record, "-o", folder / "own.html"}).exit_code, 0);
-  ASSERT_EQ(
-      run({program("mirocup"), "replay", record, "--public", "-o", folder / "all.html"}).exit_code,
-      0);
+  ASSERT_EQ(run_mirocup({"replay", record, "-o", folder / "own.html"}).exit_code, 0);
+  ASSERT_EQ(run_mirocup({"replay", record, "--public", "-o", folder / "all.html"}).exit_code, 0);
   const std::string own = read_file(folder / "own.html"), all = read_file(folder / "all.html");
   EXPECT_NE(own.find("\"thoughts\":"), std::string::npos);
   EXPECT_NE(own.find("to myself"), std::string::npos);

@@ -20,12 +20,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::leg_that_ends;
-using test_support::Outcome;
-using test_support::program;
-using test_support::run;
-using test_support::TemporaryFolder;
-using test_support::write_file;
+using namespace test_support;
 
 const std::string source = MIROCUP_SOURCE_FOLDER;
 
@@ -48,7 +43,7 @@ record::MatchRecord record_of(replay::Recording recording) {
 }
 
 Outcome verify(const std::string& path) {
-  return run({program("mirocup"), "verify", path});
+  return run_mirocup({"verify", path});
 }
 
 // Expects the schema to be valid, and the records to fit it.
@@ -77,7 +72,7 @@ TEST(Records, FitTheSchemaAndVerifyForEveryEnding) {
 }
 
 // Catches a key that schema.md or record.schema.json does not describe, one that they describe but
-// no record has, and an example in schema.md that no record looks like.
+// no record has.
 TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
   const TemporaryFolder folder;
   system::Disk disk;
@@ -108,14 +103,14 @@ TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
 TEST(Records, LoseNothingWhenTheyAreMadeFlat) {
   for (const auto end : {match::OutcomeKind::shoot_out, match::OutcomeKind::double_forfeit}) {
     const std::string flat = test_support::flat(leg_that_ends(end));
-    auto recording = test_support::recording_from(flat);
+    auto recording = recording_from(flat);
     ASSERT_TRUE(recording);
     EXPECT_FALSE(replay::verify(*recording));
     // Bytes between members may differ.
     EXPECT_EQ(test_support::flat(*recording).size(), flat.size());
     recording->decisions.back().decision.reason += "!";
     EXPECT_TRUE(replay::verify(*recording));
-    EXPECT_FALSE(test_support::recording_from(flat.substr(0, flat.size() - 1)));
+    EXPECT_FALSE(recording_from(flat.substr(0, flat.size() - 1)));
   }
 }
 
@@ -159,7 +154,7 @@ TEST(Records, OfAnotherVersionAreVerifiedByItsModule) {
   EXPECT_NE(refusal().find("does not exist"), std::string::npos) << refusal();
 
   // The module of that version is this one with another name.
-  std::string module = test_support::read_file(own);
+  std::string module = read_file(own);
   const std::string own_game = record::this_software().behaviour_hash;
   for (auto at = module.find(own_game); at != std::string::npos; at = module.find(own_game, at))
     module.replace(at, game.size(), game);
@@ -195,7 +190,7 @@ TEST(Records, OfAnotherVersionAreVerifiedByItsModule) {
   std::filesystem::create_directories(of_own);
   write_file(of_own + "/mirocup.wasm", "of a stranger");
   EXPECT_TRUE(record::keep_module(disk, league));
-  EXPECT_EQ(test_support::read_file(of_own + "/mirocup.wasm"), test_support::read_file(own));
+  EXPECT_EQ(read_file(of_own + "/mirocup.wasm"), read_file(own));
   unsetenv("XDG_STATE_HOME");
 }
 
@@ -205,13 +200,13 @@ TEST(Records, AreCalledForgedByEachCommandThatPlaysThemAgain) {
   const TemporaryFolder folder;
   const std::string path = folder / "leg.json";
   const std::string page = folder / "leg.html";
-  ASSERT_EQ(run({program("mirocup"), "match", "--blue", "striker", "--yellow", "chaser", "--half",
-                 "2", "--record", path})
+  ASSERT_EQ(run_mirocup({"match", "--blue", "striker", "--yellow", "chaser", "--half", "2",
+                         "--record", path})
                 .exit_code,
             0);
   system::Disk disk;
   const auto whole = record::load(disk, path);
-  ASSERT_TRUE(test_support::is_ok(whole));
+  ASSERT_TRUE(is_ok(whole));
   record::MatchRecord score = *whole;
   score.recording.outcome.score = score.recording.outcome.played = {9, 0};
   score.recording.outcome.winner = Team::blue;
@@ -258,7 +253,7 @@ TEST(Records, AreNotCalledWrongIfTheBehaviourHasChanged) {
   for (const char* part : {"leg.json", "0123456789abcdef", "mirocup 0.0.9", "from tick 30 on"}) {
     EXPECT_NE(verified.err.find(part), std::string::npos) << verified.err;
   }
-  const Outcome page = run({program("mirocup"), "replay", path, "-o", folder / "leg.html"});
+  const Outcome page = run_mirocup({"replay", path, "-o", folder / "leg.html"});
   EXPECT_EQ(page.exit_code, 4);
   EXPECT_FALSE(std::filesystem::exists(folder / "leg.html"));
 

@@ -15,12 +15,7 @@ namespace mirocup {
 namespace {
 
 namespace fs = std::filesystem;
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_file;
-using test_support::run;
-using test_support::TemporaryFolder;
-using test_support::write_file;
+using namespace test_support;
 
 std::vector<std::string> mirocup(std::vector<std::string> words) {
   words.insert(words.begin(), program("mirocup"));
@@ -109,7 +104,7 @@ TEST_F(StrangeFiles, OfAnotherUserAreReplaced) {
 
 // Catches a device that is refused because its folder is not the user's, and a replay beside it.
 TEST_F(StrangeFiles, ADeviceIsWrittenIntoByAnyUser) {
-  auto words = geteuid() == 0 ? test_support::mirocup_of_nobody() : mirocup({});
+  auto words = geteuid() == 0 ? mirocup_of_nobody() : mirocup({});
   words.insert(words.end(), {"match", "--blue", "idle", "--yellow", "idle", "--half", "1",
                              "--record", "/dev/null"});
   EXPECT_EQ(run(words).exit_code, 0);

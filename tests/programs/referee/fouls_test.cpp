@@ -18,11 +18,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_json;
-using test_support::run;
-using test_support::TemporaryFolder;
+using namespace test_support;
 using Json = nlohmann::ordered_json;
 
 // The laws that no simulated team can break, each with the reason.
@@ -106,9 +102,8 @@ TEST(Fouls, AreAllCalledInOneMatch) {
     EXPECT_EQ(seen.count(law) + impossible.count(law) + other_ends.count(law), 1u) << law;
   }
   EXPECT_EQ(record["result"]["end"], "shoot_out");
-  EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
-  const Outcome again =
-      run({program("mirocup"), "rerun", folder / "leg.json", "--entries", program("teams")});
+  EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
+  const Outcome again = run_mirocup({"rerun", folder / "leg.json", "--entries", program("teams")});
   EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
 }
 

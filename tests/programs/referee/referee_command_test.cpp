@@ -21,10 +21,7 @@ namespace mirocup {
 namespace {
 
 using nlohmann::json;
-using test_support::Outcome;
-using test_support::program;
-using test_support::run;
-using test_support::TemporaryFolder;
+using namespace test_support;
 
 constexpr double default_tolerance = 0.04;  // s, of "at"
 constexpr double half_turn = 3.14159265358979323846;
@@ -135,8 +132,8 @@ void judge(const std::vector<json>& cases, const std::string& how) {
   const TemporaryFolder folder;
   std::string traces;
   for (const json& one : cases) traces += one.dump() + "\n";
-  test_support::write_file(folder / "trace.jsonl", traces);
-  const Outcome outcome = run({program("mirocup"), "referee", folder / "trace.jsonl"});
+  write_file(folder / "trace.jsonl", traces);
+  const Outcome outcome = run_mirocup({"referee", folder / "trace.jsonl"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::vector<json> verdicts = read_lines(outcome.out);
   ASSERT_EQ(verdicts.size(), cases.size());
@@ -164,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(Files, Situations, testing::ValuesIn(files()),
 
 TEST_P(Situations, GetTheExpectedVerdictAtBothEnds) {
   const std::string path = MIROCUP_SOURCE_FOLDER "/tests/programs/referee/" + GetParam() + ".jsonl";
-  const std::vector<json> cases = read_lines(test_support::read_file(path));
+  const std::vector<json> cases = read_lines(read_file(path));
   ASSERT_FALSE(cases.empty());
   judge(cases, "as it is");
   std::vector<json> other_way;
@@ -174,9 +171,9 @@ TEST_P(Situations, GetTheExpectedVerdictAtBothEnds) {
 
 TEST(RefereeCommand, RejectsLinesThatAreNotSituations) {
   const TemporaryFolder folder;
-  test_support::write_file(folder / "t.jsonl",
-                           "{\"id\": \"a\", \"league\": \"huge\"}\nnothing\n{\"id\": \"c\"}\n");
-  const Outcome outcome = run({program("mirocup"), "referee", folder / "t.jsonl"});
+  write_file(folder / "t.jsonl",
+             "{\"id\": \"a\", \"league\": \"huge\"}\nnothing\n{\"id\": \"c\"}\n");
+  const Outcome outcome = run_mirocup({"referee", folder / "t.jsonl"});
   EXPECT_EQ(outcome.exit_code, 1);
   const std::vector<json> verdicts = read_lines(outcome.out);
   ASSERT_EQ(verdicts.size(), 3u) << "one verdict a line, whatever the line says";
@@ -184,7 +181,7 @@ TEST(RefereeCommand, RejectsLinesThatAreNotSituations) {
   EXPECT_EQ(verdicts[1]["decision"], "REJECTED");
   EXPECT_EQ(verdicts[2]["decision"], "NONE");
   EXPECT_NE(outcome.err.find("t.jsonl:1: /league"), std::string::npos) << outcome.err;
-  EXPECT_EQ(run({program("mirocup"), "referee", folder / "no.jsonl"}).exit_code, 3);
+  EXPECT_EQ(run_mirocup({"referee", folder / "no.jsonl"}).exit_code, 3);
 }
 
 }  // namespace

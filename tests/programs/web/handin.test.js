@@ -164,34 +164,3 @@ test('the staff sees what both teams drew, a team only what it drew itself', asy
   assert.equal((await page.goto(`${server}hand-in?team=beta`)).url().includes('beta'), true);
   assert.equal(await page.locator('a[href*="team=beta"]').count(), 0);
 });
-
-test('the staff finds its forms on a phone, and gives a team its colour', async () => {
-  const token = run('league', 'token', league, '--staff').trim();
-  const page = await openPage(`${place}hand-in`);
-  await logIn(page, token);
-  assert.equal(await page.textContent('h1'), 'Staff');
-  await page.waitForLoadState();
-  await page.locator('details.act').evaluateAll((all) => all.forEach((one) => { one.open = true; }));
-  for (const width of [1280, 390]) {
-    await page.setViewportSize({ width, height: 800 });
-    assert.equal(await overflows(page), false, `${width} px`);
-  }
-  assert.deepEqual(await violations(page), []);
-  await page.selectOption('#colour-team', 'beta');
-  await page.fill('#colour-colour', '#c03a2b');
-  await Promise.all([page.waitForResponse((reply) => reply.request().method() === 'POST'), page.locator('#colour-colour').press('Enter')]);
-  await page.waitForLoadState();
-  // The list of links leads to each part, and the class reads the notice.
-  for (const link of await page.locator('nav[aria-label="On this page"] a[href^="#"]').all())
-    assert.equal(await page.locator(await link.getAttribute('href')).count(), 1);
-  await page.fill('#text', 'Mind the <b>gap</b>\non Friday');
-  await Promise.all([page.waitForResponse((reply) => reply.request().method() === 'POST'), page.click('#notice button')]);
-  await page.waitForLoadState();
-  assert.equal(await page.inputValue('#text'), 'Mind the <b>gap</b>\non Friday');
-  await page.goto(place);
-  assert.equal(await page.textContent('.notice'), 'Mind the <b>gap</b>\non Friday');
-  await page.goto(`${place}teams/beta.html`);
-  assert.equal(await page.locator('h1 svg.mark circle').getAttribute('fill'), '#c03a2b');
-  assert.deepEqual(page.problems, []);
-  await page.close();
-});

@@ -119,16 +119,6 @@ test('a moment is played on from, by a command or by a saved situation', async (
   }
 });
 
-test('everything is there at the width of a phone', async () => {
-  const page = await openPage(address, { width: 390, height: 844 });
-  const wider = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
-  assert.equal(wider, false, 'nothing sticks out to the side');
-  for (const part of ['.field', '#play', '#scrub', '#calls', '#statistics', '#heat canvas']) {
-    const box = await page.locator(part).boundingBox();
-    assert.ok(box.width > 20 && box.x >= 0 && box.x + box.width <= 390.5, part);
-  }
-});
-
 // Catches a page whose numbers differ from what the command prints.
 test('the statistics are those of mirocup stats', async () => {
   const { teams, play_s } = JSON.parse(run('stats', record, '--json')).legs[0];
@@ -161,27 +151,6 @@ test('the name of a team stays text', async () => {
 
 const shownTick = async (page) => Number(/tick (\d+)/.exec(await text(page, 'time'))[1]);
 
-test('the reel plays goals only, slowly at the goal, and ends or begins again', async () => {
-  const page = await openPage(address);
-  await page.locator('#reel').click();
-  assert.equal(await page.locator('#reel').getAttribute('aria-pressed'), 'true');
-  const first = leg.decisions.find((call) => call.decision === 'GOAL');
-  const from = Math.max(first.tick * leg.control_period - 4, 0) / leg.control_period;
-  assert.ok(await shownTick(page) >= Math.floor(from) - 1, 'it jumps to the seconds before the first goal');
-  await page.locator('#slow').waitFor();  // becomes visible at the goal
-  assert.ok(Math.abs(await shownTick(page) - first.tick) < 60);
-  await page.keyboard.press('g');
-  assert.equal(await page.locator('#reel').getAttribute('aria-pressed'), 'false');
-  await page.locator('#loop').click();
-  await page.locator('#speed').selectOption('16');
-  await page.evaluate((near) => { location.hash = `#t=${near}`; }, (leg.ticks - 30) * leg.control_period);
-  await page.waitForFunction((near) => Number(/tick (\d+)/.exec(document.getElementById('time').textContent)[1]) >= near, leg.ticks - 30);
-  if (await page.locator('#play').getAttribute('aria-label') === 'Play') await page.locator('#play').click();
-  await page.waitForFunction((near) => Number(/tick (\d+)/.exec(document.getElementById('time').textContent)[1]) < near, leg.ticks - 30);
-  assert.equal(await page.locator('#play').getAttribute('aria-label'), 'Pause', 'it goes on from the beginning');
-  assert.deepEqual(page.problems, []);
-});
-
 test('layers are off until they are switched on, by click and by key', async () => {
   const page = await openPage(`${address}#t=10`);
   const drawn = (selector) => page.locator(selector).evaluateAll((all) => all.filter((one) => one.getAttribute('d') && one.style.display !== 'none').length);
@@ -195,75 +164,6 @@ test('layers are off until they are switched on, by click and by key', async () 
     assert.equal(await drawn(shapes), 0);
   }
   assert.deepEqual(page.problems, []);
-});
-
-// Catches marks of another number than mirocup stats counts, a goal that is not marked, and shots at the end that their team defends.
-test('shots and passes are marked where they were', async () => {
-  const { shots, passes } = JSON.parse(run('stats', record, '--json')).legs[0];
-  assert.ok(shots.length > 3 && passes.length > 0, 'the leg of this seed has some');
-  const page = await openPage(`${address}#t=${seconds(shots[2].tick + 0.5)}`);
-  const shown = (selector) => page.locator(selector).evaluateAll((all) => all
-    .filter((one) => getComputedStyle(one.parentElement).display !== 'none')
-    .map((one) => {
-      const { x, y, width, height } = one.getBBox();
-      return { team: one.classList[1], box: { x, y, width, height }, classes: one.getAttribute('class') };
-    }));
-  assert.equal((await shown('.shot, .pass')).length, 0, 'off at first');
-  assert.equal(await page.locator('#shots_about').isVisible(), false);
-  await page.keyboard.press('h');
-  await page.keyboard.press('a');
-  assert.ok(await page.locator('#shots').isChecked());
-  assert.ok(await page.locator('#shots_about').isVisible());
-  assert.equal((await shown('.pass')).length, passes.length);
-  for (const end of ['left', 'right']) {
-    const marks = await shown('.shot');
-    assert.deepEqual(marks.map(({ team }) => team), shots.map(({ team }) => team));
-    assert.deepEqual(marks.map(({ classes }) => /scored/.test(classes)), shots.map(({ goal }) => goal));
-    const isLeft = await page.locator('.end.left').evaluate((one) => one.classList.contains('blue'));
-    marks.forEach(({ team, box }, i) => {
-      const sign = (team === 'blue') === isLeft ? 1000 : -1000;
-      assert.ok(Math.abs(box.x + box.width / 2 - sign * shots[i].place[0]) < 1, `${end}: ${i}`);
-      assert.ok(Math.abs(box.y + box.height / 2 + sign * shots[i].place[1]) < 1, `${end}: ${i}`);
-    });
-    assert.equal(marks.filter(({ classes }) => /later/.test(classes)).length, end === 'left' ? shots.length - 3 : 0);
-    await page.keyboard.press('End');  // the teams have changed ends
-  }
-  await page.locator('#shots').click();
-  assert.equal((await shown('.shot')).length, 0);
-  assert.deepEqual(page.problems, []);
-});
-
-// Catches a ring about another robot than the one that counts as keeper, and one that stays behind.
-test('the robots that count as keepers have a ring', async () => {
-  const page = await openPage(`${address}#t=0`);
-  const rings = () => page.locator('.keeper').evaluateAll((all) => all.filter((one) => one.checkVisibility()).map((one) => one.getAttribute('transform')));
-  assert.deepEqual(await rings(), []);
-  await page.keyboard.press('k');
-  const { keepers, robots } = JSON.parse(await page.locator('#leg').textContent());
-  assert.ok(keepers.length > 1);
-  for (const [tick, ...numbers] of keepers.slice(0, 40)) {
-    await page.evaluate((time) => { location.hash = `#t=${time}`; }, (tick + 0.01) * leg.control_period);
-    await page.waitForFunction((text) => document.getElementById('time').textContent.endsWith(text), `tick ${tick}`);
-    const places = await page.locator('.robot').evaluateAll((all) => all.map((one) => one.getAttribute('transform')));
-    const wanted = numbers.flatMap((number, team) => (number < 0 ? [] : [places[team * robots + number]]));
-    assert.deepEqual(await rings(), wanted, `tick ${tick}`);
-  }
-  await page.locator('#keepers').click();
-  assert.deepEqual(await rings(), []);
-  assert.deepEqual(page.problems, []);
-});
-
-// Catches the page's own moment, written some time after it was shown, over an address that has just been typed.
-test('an address is followed that comes when the page is about to write its own', async () => {
-  const page = await openPage(`${address}#t=0`);
-  await page.waitForTimeout(1000);  // it has written that of its beginning
-  await page.evaluate(() => { globalThis.setTimeout = (write) => { globalThis.write = write; }; });
-  await page.keyboard.press('ArrowRight');
-  await page.evaluate((time) => {
-    location.hash = `#t=${time}`;
-    globalThis.write();  // before the browser tells of the new address
-  }, 100.01 * leg.control_period);
-  await page.waitForFunction(() => document.getElementById('time').textContent.endsWith('tick 100'));
 });
 
 test('each name stands at the end that its team defends', async () => {

@@ -76,35 +76,6 @@ test('axe finds nothing, and nothing sticks out, at any width and in any scheme'
   }
 });
 
-// Catches ties of a night above the table, highlights below thirty rows of it where there is room beside them, a name or a list of
-// names that is wider than a phone, paper whose first page has a heading only, both legs of a fixture among the highlights, and an
-// explanation of a column that is not there.
-test('a class reads its table on the first screen, and on the first page of paper', async () => {
-  for (const [width, height, media] of [[1280, 800, 'screen'], [390, 844, 'screen'], [718, 1047, 'print']]) {
-    const how = `${width} px, ${media}`;
-    const shown = await openPage(page(nightly, 'index.html'), { width, height });
-    await shown.emulateMedia({ media });
-    const seen = await shown.evaluate(() => {
-      const box = (where) => document.querySelector(where).getBoundingClientRect().toJSON();
-      const broken = [...document.querySelectorAll('main *')].filter((part) => getComputedStyle(part).breakInside !== 'auto');
-      return { row: box('#table tbody tr:nth-child(3)'), table: box('#table'), worth: box('#worth li'), overflow: document.documentElement.scrollWidth,
-        films: [...document.querySelectorAll('#worth li a')].map((link) => link.getAttribute('href').replace(/-[0-9]+-[0-9]+\.html.*/, '')),
-        explained: document.querySelector('#table').innerText.split('Legs to tell').length - 1,
-        whole: Math.max(...broken.map((part) => part.getBoundingClientRect().height), 0), notice: document.querySelector('.notice').textContent };
-    });
-    assert.ok(seen.row.height > 0 && seen.row.bottom <= height, `${how}: the third row ends at ${seen.row.bottom}`);
-    assert.ok(seen.overflow <= width, `${how}: ${seen.overflow} px are wide`);
-    assert.ok(seen.whole <= height, `${how}: ${seen.whole} px must stay on one page`);
-    assert.equal(seen.notice, 'No night on <b>Friday</b>');
-    assert.equal(new Set(seen.films).size, seen.films.length, `${how}: ${seen.films}`);
-    assert.ok([0, 2].includes(seen.explained), `${how}: an explanation without its column`);
-    if (width === 1280) assert.ok(seen.worth.left >= seen.table.right && seen.worth.bottom <= height, 'worth watching is beside it');
-    else assert.ok(seen.worth.top >= seen.table.bottom);
-    assert.equal(await shown.locator('section[aria-labelledby=last] .fixtures').isVisible(), false, 'the night is folded');
-    await shown.close();
-  }
-});
-
 test('the colour of a team stands beside its name', async () => {
   for (const [path, most] of [['index.html', 30], [`teams/${names[0]}.html`, 30], ['rounds/r1.html', 4], ['replays/r2-f1-1-1.html', 2]]) {
     const shown = await openPage(page(league, path));
@@ -148,14 +119,6 @@ test('without scripts the front page tells who leads, the results and the decisi
   await shown.locator('details.round summary').first().click();
   assert.ok(await shown.locator('details.round').first().locator('.scores a').first().isVisible());
   assert.equal(await shown.locator('b, i').count(), 0);
-});
-
-test('points stand beside the name on a phone', async () => {
-  const shown = await openPage(page(league, 'index.html'), { width: 390, height: 844 });
-  for (const part of ['.standings tbody th', '.standings .points', '.standings .form']) {
-    const box = await shown.locator(part).first().boundingBox();
-    assert.ok(box.x >= 0 && box.x + box.width <= 390, part);
-  }
 });
 
 test('the filter shows the fixtures of one team, on the front page and on that of a round', async () => {

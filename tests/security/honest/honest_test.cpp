@@ -12,13 +12,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_file;
-using test_support::read_json;
-using test_support::run;
-using test_support::TemporaryFolder;
-using test_support::why_no_t2;
+using namespace test_support;
 
 struct HonestTeam {
   std::string name;
@@ -26,16 +20,15 @@ struct HonestTeam {
 };
 
 class Honest : public testing::TestWithParam<HonestTeam> {};
-INSTANTIATE_TEST_SUITE_P(
-    Teams, Honest,
-    testing::Values(
-        HonestTeam{"plain", "in C"}, HonestTeam{"standard_library", "with the standard library"},
-        HonestTeam{"streams", "with streams and exceptions"}, HonestTeam{"eigen", "with Eigen"},
-        HonestTeam{"openmp", "with OpenMP, 1 thread"}, HonestTeam{"threads", "without threads"},
-        HonestTeam{"fast_math", "with -Ofast"}, HonestTeam{"rounding", "with rounding of its own"},
-        HonestTeam{"places", "with places of its own"}, HonestTeam{"clocks", "with clocks"},
-        HonestTeam{"fortran", "in Fortran"}),
-    [](const auto& c) { return c.param.name; });
+INSTANTIATE_TEST_SUITE_P(Teams, Honest,
+                         testing::Values(HonestTeam{"openmp", "with OpenMP, 1 thread"},
+                                         HonestTeam{"threads", "without threads"},
+                                         HonestTeam{"fast_math", "with -Ofast"},
+                                         HonestTeam{"rounding", "with rounding of its own"},
+                                         HonestTeam{"places", "with places of its own"},
+                                         HonestTeam{"clocks", "with clocks"},
+                                         HonestTeam{"fortran", "in Fortran"}),
+                         [](const auto& c) { return c.param.name; });
 
 TEST_P(Honest, PlaysTheSameEverywhere) {
   const std::string library = program("honest/" + GetParam().name + ".so");
@@ -55,7 +48,7 @@ TEST_P(Honest, PlaysTheSameEverywhere) {
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
     if (hash.empty()) hash = record["state_hash"].get<std::string>();
     EXPECT_EQ(record["state_hash"], hash) << how.back();
-    EXPECT_EQ(run({program("mirocup"), "verify", folder / "leg.json"}).exit_code, 0);
+    EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
     if (how.front() == "--trusted") continue;
     const std::string log = read_file(folder / "leg.json.blue.log");
     EXPECT_NE(log.find(GetParam().says), std::string::npos) << log;

@@ -29,16 +29,7 @@ namespace mirocup {
 namespace {
 
 namespace fs = std::filesystem;
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_file;
-using test_support::read_json;
-using test_support::run;
-using test_support::Running;
-using test_support::TemporaryFolder;
-using test_support::wait_until;
-using test_support::why_no_t2;
-using test_support::write_file;
+using namespace test_support;
 using Json = nlohmann::ordered_json;
 
 std::vector<std::string> match(const std::string& blue, const std::string& record,

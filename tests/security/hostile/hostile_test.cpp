@@ -22,15 +22,7 @@
 namespace mirocup {
 namespace {
 
-using test_support::Outcome;
-using test_support::program;
-using test_support::read_file;
-using test_support::read_json;
-using test_support::run;
-using test_support::Running;
-using test_support::TemporaryFolder;
-using test_support::why_no_t2;
-using test_support::write_file;
+using namespace test_support;
 using Json = nlohmann::ordered_json;
 
 std::string hostile(const std::string& name) {
@@ -106,8 +98,8 @@ class Playing {
     std::string library = hostile(kind);
     if (set_up.user == User::nobody) {
       chmod((folder_ / "").c_str(), 0777);
-      words = test_support::mirocup_of_nobody();
-      library = test_support::program_for_all("hostile/" + kind + ".so");
+      words = mirocup_of_nobody();
+      library = program_for_all("hostile/" + kind + ".so");
     }
     words.insert(words.end(),
                  {"match", "--" + colour_, library, "--" + other_than(colour_), "chaser", "--half",
@@ -122,13 +114,13 @@ class Playing {
     if (leg.outcome.exit_code != 0) return leg;
     leg.record = read_json(folder_ / "leg.json");
     leg.log = read_file(folder_ / ("leg.json." + colour_ + ".log"));
-    EXPECT_EQ(run({program("mirocup"), "verify", folder_ / "leg.json"}).exit_code, 0);
+    EXPECT_EQ(run_mirocup({"verify", folder_ / "leg.json"}).exit_code, 0);
     return leg;
   }
 
  private:
   std::string colour_;  // of the hostile team
-  TemporaryFolder folder_{test_support::place_for_all};
+  TemporaryFolder folder_{place_for_all};
   std::optional<Running> program_;
 };
 
@@ -240,8 +232,8 @@ TEST(HostileTeam, NonsensePlacementsAreFixed) {
 
 TEST(HostileTeam, OnBothSidesLosesForBoth) {
   const TemporaryFolder folder;
-  run({program("mirocup"), "match", "--blue", hostile("crash_segv"), "--yellow",
-       hostile("crash_segv"), "--half", "2", "--record", folder / "leg.json"});
+  run_mirocup({"match", "--blue", hostile("crash_segv"), "--yellow", hostile("crash_segv"),
+               "--half", "2", "--record", folder / "leg.json"});
   const auto record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["end"], "double_forfeit");
   EXPECT_TRUE(record["result"]["winner"].is_null());
@@ -269,8 +261,8 @@ TEST(HostileTeam, LogHasNoControlCharacters) {
 class RealTime : public testing::Test {
  protected:
   Json play(const std::string& name, const std::string& half, const std::string& speed) const {
-    run({program("mirocup"), "match", "--blue", hostile(name), "--yellow", "idle", "--speed", speed,
-         "--half", half, "--record", folder_ / "leg.json"});
+    run_mirocup({"match", "--blue", hostile(name), "--yellow", "idle", "--speed", speed, "--half",
+                 half, "--record", folder_ / "leg.json"});
     return read_json(folder_ / "leg.json");
   }
 
@@ -302,8 +294,8 @@ TEST_F(RealTime, TakesATeamBackThatAnswersLate) {
 TEST(HostileTeam, ExceptionInTheServersOwnProcessIsACrash) {
   const TemporaryFolder folder;
   const Outcome played =
-      run({program("mirocup"), "match", "--trusted", "--blue", hostile("throw_std"), "--yellow",
-           "idle", "--half", "2", "--record", folder / "leg.json"});
+      run_mirocup({"match", "--trusted", "--blue", hostile("throw_std"), "--yellow", "idle",
+                   "--half", "2", "--record", folder / "leg.json"});
   EXPECT_EQ(played.exit_code, 0);
   const auto record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["fault"]["code"], "crash");

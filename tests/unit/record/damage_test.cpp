@@ -15,8 +15,7 @@
 namespace mirocup::record {
 namespace {
 
-using test_support::MemoryFiles;
-using test_support::tries;
+using namespace test_support;
 
 constexpr int few = 300;
 

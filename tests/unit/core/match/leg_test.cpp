@@ -13,13 +13,7 @@
 namespace mirocup::match {
 namespace {
 
-using test_support::ball_hunter;
-using test_support::both_wheels;
-using test_support::idle_team;
-using test_support::play;
-using test_support::random_team;
-using test_support::Scripted;
-using test_support::short_setup;
+using namespace test_support;
 
 TEST(Leg, CommandsActOneTickAfterTheirObservation) {
   Leg leg(short_setup(1));

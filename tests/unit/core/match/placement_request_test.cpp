@@ -15,10 +15,7 @@
 namespace mirocup::match {
 namespace {
 
-using test_support::idle_team;
-using test_support::play;
-using test_support::Scripted;
-using test_support::short_setup;
+using namespace test_support;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 

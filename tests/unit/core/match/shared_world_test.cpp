@@ -17,10 +17,7 @@
 namespace mirocup::match {
 namespace {
 
-using test_support::ball_hunter;
-using test_support::random_team;
-using test_support::Scripted;
-using test_support::short_setup;
+using namespace test_support;
 
 // A leg and its teams. Those of even seeds hunt the ball, so there are heaps in which robots are
 // time-stepped; the others drive at random, so wheels slide.

@@ -11,11 +11,7 @@
 namespace mirocup::match {
 namespace {
 
-using test_support::ball_hunter;
-using test_support::idle_team;
-using test_support::random_team;
-using test_support::Scripted;
-using test_support::short_setup;
+using namespace test_support;
 
 RobotStart robot_at(double x, double y, double angle) {
   return {.state = simulator::BodyState({x, y}, Heading::from_angle(angle), {}),

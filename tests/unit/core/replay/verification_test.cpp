@@ -10,9 +10,7 @@
 namespace mirocup::replay {
 namespace {
 
-using test_support::ball_hunter;
-using test_support::random_team;
-using test_support::Scripted;
+using namespace test_support;
 
 Recording played(std::uint64_t seed, double half_s = 10.0) {
   match::Leg leg(test_support::short_setup(seed, half_s));

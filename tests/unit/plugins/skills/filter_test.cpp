@@ -170,59 +170,5 @@ struct Errors {
   double mm_per_s() const { return 1000.0 * std::sqrt(speed / count); }
 };
 
-// A leg under the conditions `camera`, in which both teams hunt the ball: how far what is seen, and
-// what the filter says, are from the truth a tick later. Catches a filter that is no better than
-// what is seen, and commands that are taken for those of another tick.
-TEST(Filter, IsNearerToTheTruthInALeg) {
-  auto setup = test_support::short_setup(3, 40.0);
-  setup.conditions = match::conditions_of(match::ConditionsPreset::camera);
-  match::Leg leg(setup);
-  const SkillField field;
-  Filter filter(field.setup());
-  Observation seen{}, filtered{};
-  test_support::Scripted hunter = test_support::ball_hunter();
-  test_support::Scripted yellow = test_support::ball_hunter();
-  test_support::Scripted blue([&](const match::Observation& o) -> match::Answer {
-    seen = abi::to_observation(o);
-    filtered = filter.see(seen);
-    hunter.post(o);
-    const match::Answer answer = hunter.collect();
-    Command command{};
-    for (int i = 0; i < o.robots; ++i) {
-      const auto& wheels = std::get<match::Command>(answer).wheels[i];
-      command.wheels[i] = {wheels.left, wheels.right};
-    }
-    filter.sent(command);
-    return answer;
-  });
-  std::array<Errors, 3> raw, better;  // ball, own robots, opponents
-  while (!leg.is_over()) {
-    leg.advance(blue, yellow);
-    const match::Snapshot truth = leg.snapshot();
-    if (truth.state != match::State::PLAY || seen.state != MIROCUP_PLAY) continue;
-    const Observation then = abi::to_observation(observe(truth, mirocup::Team::blue, 3));
-    for (auto* which : {&raw, &better}) {
-      const Observation& o = which == &raw ? seen : filtered;
-      (*which)[0].add(ball(o) - ball(then), ball_velocity(o) - ball_velocity(then));
-      for (int i = 0; i < o.robots; ++i) {
-        const auto speed = [](const Robot& r) { return Point{r.vx, r.vy}; };
-        (*which)[1].add(position(o.own[i]) - position(then.own[i]),
-                        speed(o.own[i]) - speed(then.own[i]));
-        (*which)[2].add(position(o.opponent[i]) - position(then.opponent[i]),
-                        speed(o.opponent[i]) - speed(then.opponent[i]));
-      }
-    }
-  }
-  const std::array names{"ball", "own robots", "opponents"};
-  for (int k = 0; k < 3; ++k) {
-    RecordProperty(names[k],
-                   std::to_string(raw[k].mm()) + " mm, " + std::to_string(better[k].mm()) + " mm");
-    std::printf("%s: %.1f mm, %.0f mm/s seen; %.1f mm, %.0f mm/s filtered, %d ticks\n", names[k],
-                raw[k].mm(), raw[k].mm_per_s(), better[k].mm(), better[k].mm_per_s(), raw[k].count);
-    EXPECT_LT(better[k].mm(), 0.6 * raw[k].mm()) << names[k];
-    EXPECT_LT(better[k].mm_per_s(), raw[k].mm_per_s()) << names[k];
-  }
-}
-
 }  // namespace
 }  // namespace mirocup::strategy

@@ -12,9 +12,7 @@
 namespace mirocup::drills {
 namespace {
 
-using test_support::both_wheels;
-using test_support::idle_team;
-using test_support::Scripted;
+using namespace test_support;
 
 // Robot 1 of the tested team is on the line y = 0 and faces the ball at (0.2, 0). No keeper stands
 // in the goal.

@@ -140,16 +140,6 @@ TEST_P(Views, ATouchByAMateIsAPass) {
   EXPECT_EQ(play.of(Team::yellow).interceptions, 0);
 }
 
-// Catches a pass whose ends are exchanged or in the frame of the field.
-TEST_P(Views, APassHasItsPlaces) {
-  Play play(GetParam());
-  play.touched_by(Team::blue, 1).tick({-0.3, 0.1}).tick({-0.1, 0.1});
-  play.touched_by(Team::blue, 2).tick({0.1, -0.2});
-  const std::vector<PassMark> passes = play.leg().passes;
-  ASSERT_EQ(passes.size(), 1u);
-  EXPECT_EQ(passes[0], (PassMark{2, play.seen(Team::blue), {-0.3, 0.1}, {0.1, -0.2}}));
-}
-
 // Catches a mark that stands where the ball was later, is another team's, or does not tell what
 // became of the shot: one wide, one saved, one that goes in after a save, one that is pushed in.
 TEST_P(Views, AShotHasItsPlaceAndItsEnd) {
@@ -246,19 +236,6 @@ TEST_P(Views, AShotThatGoesInIsNoSave) {
   EXPECT_EQ(play.of(Team::blue).shots, 1);
   EXPECT_EQ(play.of(Team::blue).shots_on_goal, 1);
   EXPECT_EQ(play.of(Team::blue).goals[at(GoalOrigin::open_play)], 1);
-}
-
-// Catches a rebound after which the save is forgotten.
-TEST_P(Views, AReboundComesAfterASave) {
-  Play play(GetParam());
-  play.touched_by(Team::blue, 1).tick({0.4, 0.0}, {1.0, 0.0}).tick({0.6, 0.0}, {1.0, 0.0});
-  play.touched_by(Team::yellow, 0).tick({0.7, 0.0}, {-0.3, 0.0}).tick({0.6, 0.0}, {-0.3, 0.0});
-  play.touched_by(Team::blue, 2).tick({0.6, 0.0}, {1.0, 0.0});
-  play.call(play.goal(Team::blue, match::GoalKind::rebound));
-  EXPECT_EQ(play.of(Team::yellow).saves, 1);
-  EXPECT_EQ(play.of(Team::blue).shots, 2);
-  EXPECT_EQ(play.of(Team::blue).shots_on_goal, 2);
-  EXPECT_EQ(play.of(Team::blue).goals[at(GoalOrigin::rebound)], 1);
 }
 
 // Catches a slow ball, one from far away, one that rolls home and one far beside the goal that
@@ -387,29 +364,6 @@ TEST_P(Views, AGoalTellsWhatCameBeforeIt) {
   EXPECT_EQ(goal.loss->place, (Vec2{-0.6, 0.2})) << "in the frame of the team that lost it";
 }
 
-// Catches a loss that a restart has made good, and is told of the goal after it all the same.
-TEST_P(Views, AGoalForgetsLossesBeforeItsRestart) {
-  Play play(GetParam());
-  play.touched_by(Team::blue, 0).tick({-0.3, 0.0});
-  play.touched_by(Team::yellow, 0).tick({-0.3, 0.0});
-  play.call(play.foul(Team::blue, referee::Law::push)).wait();
-  play.touched_by(Team::yellow, 2).tick({-0.74, 0.0});
-  play.call(play.goal(Team::yellow, match::GoalKind::free_kick));
-  EXPECT_EQ(play.of(Team::blue).all_losses(), 1);
-  ASSERT_EQ(play.leg().goals.size(), 1u);
-  EXPECT_FALSE(play.leg().goals[0].loss);
-}
-
-// Catches a ball that came out of a contested tick and counts as the pass of one of both.
-TEST_P(Views, ABallThatBothTouchedIsNobodysPass) {
-  Play play(GetParam());
-  play.touched_by(Team::blue, 1).tick({0.0, 0.0});
-  play.touched_by(Team::blue, 1).touched_by(Team::yellow, 1).tick({0.0, 0.0}).tick({0.2, 0.0});
-  play.touched_by(Team::blue, 2).tick({0.4, 0.0});
-  EXPECT_EQ(play.of(Team::blue).passes, 0);
-  EXPECT_EQ(play.of(Team::blue).all_losses(), 0) << "blue had the ball all the time";
-}
-
 // Catches attempts of a shoot-out that count as play.
 TEST(Counter, LeavesOutAShootOut) {
   Counter counter(field::make_field(League::small), period);
@@ -479,26 +433,6 @@ TEST(Counter, SumsHoldInLegsOfEveryLeague) {
               static_cast<std::size_t>(s.teams[0].all_fouls() + s.teams[1].all_fouls()));
   }
   EXPECT_GT(goals, 0) << "otherwise little is tested";
-}
-
-// One team drives, the other stands. Catches numbers that do not come from the leg.
-TEST(Counter, CreditsTheTeamThatPlays) {
-  match::Setup setup = test_support::short_setup(1, 20.0);
-  setup.rules.mercy_goal_diff = 0;
-  match::Leg leg(setup);
-  auto blue = test_support::ball_hunter();
-  auto yellow = test_support::idle_team();
-  LegCounter counter(leg);
-  while (!leg.is_over()) {
-    leg.advance(blue, yellow);
-    counter.add(leg);
-  }
-  const LegStatistics s = counter.statistics();
-  EXPECT_GT(s.teams[0].distance_m, 5.0);
-  EXPECT_LT(s.teams[0].distance_m, 40.0 * 3 * 1.8)
-      << "three robots at full speed for the whole leg";
-  EXPECT_GT(s.teams[0].possession_s, s.teams[1].possession_s);
-  EXPECT_EQ(s.teams[1].shots, 0);
 }
 
 }  // namespace

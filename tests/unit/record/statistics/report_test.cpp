@@ -147,33 +147,6 @@ TEST(StatisticsReport, NamesRecordAndTickOfEveryGoal) {
       << text;
 }
 
-// The page and the command: one definition, the same numbers.
-TEST(StatisticsReport, AgreesWithThePage) {
-  const record::MatchRecord record = played(2);
-  const auto page = web::replay_page(record);
-  ASSERT_TRUE(page);
-  const std::string open = "<script type=\"application/json\" id=\"leg\">";
-  const std::size_t begin = page->html.find(open);
-  ASSERT_NE(begin, std::string::npos);
-  const std::size_t end = page->html.find("</script>", begin);
-  const auto shown =
-      record::parse_json(page->html.substr(begin + open.size(), end - begin - open.size()));
-  ASSERT_FALSE(shown.problem);
-  Json on_page = shown.value["statistics"];
-  const auto leg = count_leg("leg.json", record);
-  ASSERT_TRUE(leg);
-  Json printed = report_json({*leg})["legs"][0];
-  for (const char* key :
-       {"schema", "record", "state_hash", "control_period", "score", "goals", "fouls"}) {
-    printed.erase(key);
-  }
-  for (const char* team : {"blue", "yellow"}) {
-    on_page["teams"][team].erase("budget");
-    printed["teams"][team].erase("name");
-  }
-  EXPECT_EQ(on_page, printed);
-}
-
 // Several records at once, in their order; the first that cannot be counted is the error.
 TEST(CountRecords, KeepsTheOrderAndNamesTheFirstBadRecord) {
   test_support::MemoryFiles files;

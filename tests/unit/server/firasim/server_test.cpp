@@ -164,25 +164,6 @@ TEST_F(FirasimServer, AFloodCrowdsOutNoTeam) {
   EXPECT_GT(server_->strangers().foreign + server_->strangers().malformed, 0U);
 }
 
-// The same for placements, which come from another socket of the team.
-TEST_F(FirasimServer, AFloodCrowdsOutNoPlacement) {
-  const Peer placer;
-  placer.send(place_one(Team::blue, -0.5, 0.1), placements_);
-  play_until([](const auto& now) { return now.placing; });
-  team_.send(drive_all(Team::blue, 0.0, 0.0), commands_);
-  ask();  // the team's first placement is read
-  for (int i = 0; i < 20000; ++i) stranger_.send(place_one(Team::blue, -0.1, 0.5), placements_);
-  team_.send(drive_all(Team::blue, 0.0, 0.0), commands_);
-  placer.send(place_one(Team::blue, -0.6, 0.2), placements_);
-  const match::Answer answer = seat_->collect();
-  const auto* command = std::get_if<match::Command>(&answer);
-  ASSERT_NE(command, nullptr);
-  ASSERT_TRUE(command->placement);
-  EXPECT_EQ(command->placement->robots[1].x, -0.6);
-  EXPECT_EQ(seat_->counts().placements, 2U);
-  EXPECT_GT(seat_->counts().foreign, 0U);
-}
-
 // Catches a program that loses its placements because they leave its host by another interface than
 // its commands, and so come from another address of the same host.
 TEST_F(FirasimServer, PlacementsMayComeFromAnotherAddressOfTheHost) {

@@ -223,31 +223,6 @@ TEST(HandInQueue, KeepsTheFirstAnswer) {
   EXPECT_EQ(queue.unanswered(), 0);
 }
 
-// Of 40 000 hand-ins. Catches a new one that costs a walk over all that came before.
-TEST(HandInQueue, FindsTheLatestOfATeam) {
-  HandInQueue queue;
-  for (int i = 1; i <= 40'000; ++i) {
-    EXPECT_EQ(queue.last_entry("b"), i - 1);
-    queue.add(hand_in("b", i));
-    queue.answer("b", i, HandInState::refused, "no");
-  }
-  queue.add(hand_in("a", 7));
-  queue.add(hand_in("c", 8));
-  const auto numbers = [&](const std::string& team, std::size_t most, int before) {
-    std::vector<int> found;
-    for (const WaitingHandIn* one : queue.latest_of(team, most, before)) {
-      EXPECT_EQ(one->team, team);
-      found.push_back(one->entry);
-    }
-    return found;
-  };
-  EXPECT_EQ(numbers("b", 2, 40'001), (std::vector{40'000, 39'999}));
-  EXPECT_EQ(numbers("b", 9, 3), (std::vector{2, 1}));
-  EXPECT_EQ(numbers("a", 9, 100), std::vector{7});
-  EXPECT_EQ(numbers("c", 9, 8), std::vector<int>());
-  EXPECT_EQ(numbers("0", 9, 8), std::vector<int>());
-}
-
 TEST(Friendlies, NumbersTheLegsOfEachTeam) {
   Friendlies legs;
   EXPECT_EQ(legs.last_number("b"), 0);

@@ -131,18 +131,6 @@ TEST_F(StaffPage, DecidesWithAReasonAndTakesBack) {
   EXPECT_FALSE(state.fixtures[0].legs[0].played);
 }
 
-// Catches a form that a person has to fill in again after "Try", or after a mistake.
-TEST_F(StaffPage, KeepsWhatWasTyped) {
-  const std::string rule = "act=rule&fixture=" + fixture_ + "&leg=2&score=2%3A1&reason=";
-  for (const std::string& form : {rule + "it+was+valid&go=try", rule + "+-+&go=do"}) {
-    const std::string page = act(form).bytes;
-    EXPECT_NE(page.find("name=\"score\" value=\"2:1\""), std::string::npos) << form;
-    EXPECT_NE(page.find("<option value=\"2\" selected>"), std::string::npos) << form;
-    EXPECT_NE(page.find("id=\"void-fixture\" name=\"fixture\" value=\"\""), std::string::npos)
-        << "that form was not sent";
-  }
-}
-
 // Catches a notice that is markup, that is shown to nobody, or that a team may write; a schedule
 // that does not know what comes.
 TEST_F(StaffPage, TellsTheClassAndShowsWhatComes) {
@@ -157,47 +145,6 @@ TEST_F(StaffPage, TellsTheClassAndShowsWhatComes) {
   EXPECT_EQ(LeagueStore::open(disk_, folder_).value().state().notice, "");
   EXPECT_NE(text_of_page(staff_).find("Round 1 0 of 2 legs are decided"), std::string::npos)
       << text_of_page(staff_);
-}
-
-// Catches a page that leaves the staff to write the address of a replay by hand, one that promises
-// thoughts which were not kept.
-TEST_F(StaffPage, LinksToTheThoughtsOfEachTeam) {
-  legs_.resize(2);
-  for (OwnLeg& leg : legs_) {
-    leg.opponent = "beta";
-    leg.colour = "yellow";
-  }
-  legs_[0].record = "records/one.json";
-  legs_[1].record = "records/two.json";
-  std::filesystem::create_directories(folder_.path + "/records");
-  ASSERT_TRUE(disk_.write(folder_.path + "/records/two.blue.thoughts.zst", "beta's"));
-  EXPECT_NE(ask("GET", "/hand-in", staff_).bytes.find("href=\"/hand-in?team=alpha\""),
-            std::string::npos);
-  const auto legs_of = [this](const std::string& team, const std::string& token) {
-    web::Request request{.method = "GET", .path = "/hand-in", .address = "10.0.0.1"};
-    request.headers.emplace("authorization", "Bearer " + token);
-    request.query.emplace("team", team);
-    return *portal_->answer(request, [](const auto& take) { return take(std::string_view()); });
-  };
-  PeopleOfTeams people;
-  people["alpha"].display = "Löwen";
-  people["beta"].display = "Rovers";
-  ASSERT_TRUE(write_people(disk_, folder_, people));
-  const std::string page = legs_of("alpha", staff_).bytes;
-  EXPECT_NE(page.find("Legs of Löwen</h1>"), std::string::npos) << page;
-  EXPECT_NE(page.find("<td>Rovers</td>"), std::string::npos) << page;
-  const auto link = [](const std::string& leg, const std::string& text) {
-    return "href=\"/hand-in/replays/" + leg + ".html?team=alpha\">" + text + "<";
-  };
-  EXPECT_NE(page.find(link("one", "replay")), std::string::npos) << page;
-  EXPECT_NE(page.find(link("two", "replay with thoughts")), std::string::npos) << page;
-  EXPECT_NE(page.find("href=\"/api/v1/legs/two/log?team=alpha\""), std::string::npos) << page;
-  const std::string decide = "href=\"/hand-in?fixture=&amp;leg=1#decide\">decide<";
-  EXPECT_NE(page.find(decide), std::string::npos) << page;
-  EXPECT_EQ(legs_of("alpha", tutor_).bytes.find(decide), std::string::npos);
-  EXPECT_NE(legs_of("beta", staff_).bytes.find("No leg of this team is decided"),
-            std::string::npos);
-  EXPECT_EQ(legs_of("\"><script>", staff_).status, 404);
 }
 
 TEST_F(StaffPage, KnowsEachActThatItOffers) {

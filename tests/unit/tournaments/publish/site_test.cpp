@@ -256,59 +256,6 @@ TEST(Decisions, OfLegsOfATeamThatLeavesNoResultsCountForNothing) {
             std::string::npos);
 }
 
-// Catches a front page that grows with the number of legs, and a round without a page of its own.
-TEST(Site, KeepsTheFrontPageOfThirtyTeamsSmall) {
-  LeagueFile file;
-  for (int i = 0; i < 30; ++i)
-    file.teams.push_back({"team-" + std::to_string(i), "house:idle", false});
-  LeagueState state = new_league(file);
-  league::apply(state, Started{.config_sha256 = "x", .version = ""});
-  FactsOfLegs facts;
-  for (const Fixture& fixture : round_robin(30)) {
-    for (const int leg : {1, 2}) {
-      LegPlayed event = played(file, fixture, leg, record(fixture.home % 4, fixture.away % 3));
-      event.record = Folder::record_name(fixture, leg, 1);
-      event.fault.reset();
-      facts[event.record].length = 20.0;
-      facts[event.record].goals.push_back({.at = 1.0 + fixture.number, .is_home = leg == 1});
-      league::apply(state, event);
-    }
-  }
-  ASSERT_EQ(state.played(), 870);
-  const auto site = make_site({state, {}, facts});
-  EXPECT_LT(page(site, "index.html").size(), 60'000u) << "before it is compressed";
-  for (int round = 1; round <= 29; ++round) {
-    const std::string name = "rounds/r" + std::to_string(round) + ".html";
-    EXPECT_NE(page(site, "index.html").find(name), std::string::npos);
-    EXPECT_NE(page(site, name).find("replays/r" + std::to_string(round) + "-f15-2-1.html"),
-              std::string::npos);
-  }
-  EXPECT_NE(page(site, "crosstable.html").find("replays/r29-f1-1-1.html"), std::string::npos);
-}
-
-// Catches a league without a goal whose page speaks of a million legs, or as if it had not begun.
-TEST(Site, SaysLittleOfALeagueOfDraws) {
-  const LeagueFile file = three_teams();
-  LeagueState state = new_league(file);
-  league::apply(state, Started{.config_sha256 = "x", .version = ""});
-  for (const Fixture& fixture : round_robin(3)) {
-    for (const int leg : {1, 2}) {
-      LegPlayed event = played(file, fixture, leg, record(0, 0));
-      event.fault.reset();
-      event.winner.reset();
-      league::apply(state, event);
-    }
-  }
-  ASSERT_TRUE(state.is_over());
-  EXPECT_EQ(page(make_site({state_after({})}), "index.html").find("0 (-"), std::string::npos)
-      << "no team has a strength before its first leg";
-  const std::string index = page(make_site({state}), "index.html");
-  EXPECT_NE(index.find("0 (-"), std::string::npos);
-  EXPECT_NE(index.find("<td class=\"number widest small\">—</td>"), std::string::npos) << index;
-  EXPECT_EQ(index.find("It would take"), std::string::npos);
-  EXPECT_NE(index.find("No leg stands out yet."), std::string::npos);
-}
-
 // Plays a tie of a knockout that is level by goals: its third leg ends in that way.
 std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner) {
   LeagueFile file;

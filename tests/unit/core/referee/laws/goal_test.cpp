@@ -11,8 +11,7 @@
 namespace mirocup::referee {
 namespace {
 
-using test_support::empty_situation;
-using test_support::TestPitch;
+using namespace test_support;
 
 class Goal : public testing::TestWithParam<End> {
  protected:

@@ -14,9 +14,7 @@
 namespace mirocup::referee {
 namespace {
 
-using test_support::empty_situation;
-using test_support::half_turned;
-using test_support::TestPitch;
+using namespace test_support;
 
 // A decision and how long the ball had lain until then, s.
 struct TimedDecision {

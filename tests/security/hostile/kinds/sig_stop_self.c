@@ -1,7 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "tests/security/hostile/hostile.h"
-
-static void misbehave(mirocup_command* command) {
-  (void)command;
-  raise(SIGSTOP);
-}
