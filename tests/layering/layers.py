@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Fails on an include, a link or a path in a CMakeLists.txt against layers.txt, on a use of labs/ outside of it, in tests, too, and on a
-table in docs/tree.md that is another.
+"""Fails on an include, a link or a path in a CMakeLists.txt against layers.txt, and on a use of labs/ outside of
+it, in tests, too.
 
-Usage: layers.py [ROOT]; layers.py --write makes the table in docs/tree.md. The order is that of this project in any ROOT.
+Usage: layers.py [ROOT]. The order is that of this project in any ROOT.
 """
 import re
 import sys
@@ -11,7 +11,6 @@ from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
 INCLUDE_ROOTS = ["", "plugins/include", "labs/training/include"]
-BEGIN, END = "<!-- made of layers.txt -->\n", "<!-- end -->\n"
 
 
 def read_layers():
@@ -197,28 +196,13 @@ def uses_of_labs(root):
                     yield f"{file}:{number}:{line}: only labs/ uses labs/"
 
 
-def table():
-    rows = ["| room | its subject | it may use |\n", "| --- | --- | --- |\n"]
-    for room, (subject, names) in ROOMS.items():
-        rows.append(f"| `{room}` | {subject} | {', '.join(names)} |\n")
-    return BEGIN + "\n" + "".join(rows) + "\n" + END
-
-
 def main():
-    page = PROJECT / "docs/tree.md"
-    text = page.read_text()
-    made = re.sub(re.escape(BEGIN) + ".*?" + re.escape(END), lambda _: table(), text, flags=re.S)
-    if sys.argv[1:] == ["--write"]:
-        page.write_text(made)
-        return 0
     root = Path(sys.argv[1]).resolve() if sys.argv[1:] else PROJECT
     complaints = [f"layers.txt: {room} uses a room that uses it" for room, (_, names) in ROOMS.items()
                   if any(name in ROOMS and room in ALLOWED[name][0] for name in names)]
     complaints += [f"layers.txt: {room} uses labs" for room in ROOMS
                    if not below(room, "labs") and any(below(name, "labs") for name in ROOMS[room][1])]
     complaints += [*bad_includes(root), *bad_links_and_paths(root), *uses_of_labs(root)]
-    if BEGIN not in text or made != text:
-        complaints.append("docs/tree.md: its table is not that of layers.txt; tests/layering/layers.py --write makes it")
     for complaint in complaints:
         print("layering: " + complaint, file=sys.stderr)
     return 1 if complaints else 0

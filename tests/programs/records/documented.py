@@ -3,17 +3,10 @@
 #
 # Compares the keys of records with what record.schema.json, schema.md and docs/laws.md say about them.
 # Usage: documented.py SCHEMA_JSON SCHEMA_MD LAWS_MD RECORD...; the records together must have every key.
-#        documented.py --example SCHEMA_MD RECORD prints RECORD as the example of schema.md.
-# Catches a key that is written but not described, one that is described but no longer written, and an example that a
-# record no longer looks like.
+# Catches a key that is written but not described, and one that is described but no longer written.
 import json
 import re
 import sys
-
-import jsonschema
-
-shown_decisions = 2  # of the example
-of_few_legs = {"situation", "from"}  # keys that the leg of the example does not have
 
 
 def paths_of_value(value, path=""):
@@ -72,38 +65,6 @@ def is_described(path, rows, section, laws):
     return f"`{key}`" in rows.get(ancestor, "") or (ancestor != "" and f"`{key}`" in section)
 
 
-def example_of(text):
-    return text.split("\n## Example\n")[1].split("```json\n")[1].split("\n```")[0]
-
-
-def wrapped(line, indent):
-    """Lines of at most `width` characters, cut behind a comma between two members."""
-    width = 128
-    while len(line) > width:
-        cuts = [match.end() for match in re.finditer(r', (?=["{\[])', line[:width])]
-        yield line[:cuts[-1]].rstrip()
-        line = indent + line[cuts[-1]:]
-    yield line
-
-
-def print_example(record):
-    """Prints one key of the record a line; long ones wrap."""
-    record["decisions"] = record["decisions"][:shown_decisions]
-    lines = []
-    for key, value in record.items():
-        items = value if key == "decisions" else [value]
-        texts = [json.dumps(item, ensure_ascii=False) for item in items]
-        if key == "decisions":
-            texts = ["[" + texts[0], *(" " + text for text in texts[1:])]
-            texts[-1] += "]"
-        texts[0] = f' "{key}": ' + texts[0]
-        for text in texts:
-            lines += wrapped(text + ",", "  ")
-    lines[0] = "{" + lines[0][1:]
-    lines[-1] = lines[-1][:-1] + "}"
-    print("\n".join(lines))
-
-
 def main(schema_path, text_path, laws_path, *records):
     with open(schema_path, encoding="utf-8") as file:
         schema = json.load(file)
@@ -125,21 +86,10 @@ def main(schema_path, text_path, laws_path, *records):
     problems += [f"{path} is in schema.md, but not written" for path in set(rows) - written]
     problems += [f"{path} is written, but not in schema.md"
                  for path in written if not is_described(path, rows, section, laws)]
-    example = json.loads(example_of(text))
-    problems += [f"the example: {error.json_path}: {error.message}"
-                 for error in jsonschema.Draft202012Validator(schema).iter_errors(example)]
-    expected = {path for path in written if path.count(".") == 0 or path.startswith("rules.")} - of_few_legs
-    problems += [f"the example has no {path}" for path in expected - of_a_colour(paths_of_value(example))]
-    problems += [f"the example has {path}, which is not written"
-                 for path in of_a_colour(paths_of_value(example)) - written]
     for problem in sorted(problems):
         print(problem, file=sys.stderr)
     print(f"{len(written)} keys, {len(problems)} problems")
     return 0 if records and not problems else 1
 
 
-if sys.argv[1] == "--example":
-    with open(sys.argv[3], encoding="utf-8") as source:
-        print_example(json.load(source))
-else:
-    sys.exit(main(*sys.argv[1:]))
+sys.exit(main(*sys.argv[1:]))
