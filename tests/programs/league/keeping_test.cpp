@@ -374,6 +374,42 @@ TEST(Verify, NamesARecordThatWasChangedOrIsGone) {
   EXPECT_NE(outcome.out.find("the journal names it"), std::string::npos) << outcome.out;
 }
 
+// Needs the right to mount, as the tests of full disks of the match server do.
+TEST(FullDisk, StopsALeagueAtOnceAndSaysSo) {
+  const TemporaryFolder temporary;
+  const std::string disk = temporary / "disk";
+  fs::create_directory(disk);
+  constexpr std::uintmax_t room = 16 << 20;
+  if (mount("none", disk.c_str(), "tmpfs", 0, ("size=" + std::to_string(room)).c_str()) != 0)
+    GTEST_SKIP() << "this user may not mount";
+  const std::string folder = disk + "/l";
+  init_league(folder, backup_teams, "10");
+  const Outcome first = run(league("start", folder, {"--jobs", "1"}));
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  fs::remove_all(folder + "/site");
+  // The next league finds no room for its records.
+  const std::string other = disk + "/other";
+  init_league(other, backup_teams, "10");
+  if (fs::exists(folder + "/programs"))
+    fs::copy(folder + "/programs", other + "/programs",
+             fs::copy_options::recursive | fs::copy_options::create_hard_links);
+  // There is room for lines of the journal, but not for a record and its replay.
+  constexpr std::uintmax_t left = 16 << 10;
+  const std::string filling(4 << 10, 'x');
+  const std::string filler = disk + "/filler";
+  fs::create_directory(filler);
+  for (int i = 0; fs::space(disk).available > left; ++i)
+    write_file(filler + "/" + std::to_string(i), filling);
+  const Outcome full = run(league("start", other, {"--jobs", "1"}));
+  EXPECT_EQ(full.exit_code, 3) << full.err;
+  EXPECT_NE(full.err.find("full"), std::string::npos) << full.err;
+  EXPECT_EQ(count_kind(other, "void"), 0) << "no leg is tried again";
+  fs::remove_all(filler);
+  EXPECT_EQ(run(league("start", other)).exit_code, 0);
+  EXPECT_EQ(count_kind(other, "leg"), 12);
+  EXPECT_EQ(umount(disk.c_str()), 0);
+}
+
 // A check that goes on, or was killed, used to be called a refusal.
 TEST(Teams, AreNotRefusedBeforeTheirCheckHasEnded) {
   const TemporaryFolder temporary;

@@ -7,9 +7,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <set>
-#include <sstream>
-#include <unistd.h>
 
 namespace mirocup {
 namespace {
