@@ -87,7 +87,7 @@ TEST(WrongLines, NoOptionTakesForANumberWhatIsNone) {
       }
     }
   }
-  EXPECT_GE(options, 35);
+  EXPECT_GE(options, 30);
 }
 
 // Catches the help of a whole program where that of one of its commands was asked for.
