@@ -41,6 +41,14 @@ bool waits_for(int socket, short event, steady_clock::time_point until) {
   }
 }
 
+std::shared_ptr<SSL_CTX> new_context(const SSL_METHOD* method) {
+  ERR_clear_error();
+  std::shared_ptr<SSL_CTX> context(SSL_CTX_new(method), SSL_CTX_free);
+  SSL_CTX_set_min_proto_version(context.get(), TLS1_2_VERSION);
+  SSL_CTX_set_mode(context.get(), SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
+  return context;
+}
+
 }  // namespace
 
 struct TlsConnection::Session {
@@ -89,30 +97,18 @@ void TlsConnection::say_end() {
   SSL_shutdown(session_->ssl);
 }
 
-bool TlsConnection::attach(void* context, int socket) {
+bool TlsConnection::attach(ssl_ctx_st* context, int socket) {
   session_->socket = socket;
-  session_->ssl = SSL_new(static_cast<SSL_CTX*>(context));
+  session_->ssl = SSL_new(context);
   const int flags = fcntl(socket, F_GETFL);
   return session_->ssl != nullptr && flags >= 0 &&
          fcntl(socket, F_SETFL, flags | O_NONBLOCK) == 0 && SSL_set_fd(session_->ssl, socket) == 1;
 }
 
-struct TlsServer::Context {
-  SSL_CTX* handle = SSL_CTX_new(TLS_server_method());
-  ~Context() { SSL_CTX_free(handle); }
-};
-
-TlsServer::TlsServer() : context_(std::make_unique<Context>()) {}
-TlsServer::TlsServer(TlsServer&&) noexcept = default;
-TlsServer& TlsServer::operator=(TlsServer&&) noexcept = default;
-TlsServer::~TlsServer() = default;
-
 Result<TlsServer> TlsServer::load(const std::string& certificate, const std::string& key) {
   TlsServer server;
-  SSL_CTX* const context = server.context_->handle;
-  ERR_clear_error();
-  SSL_CTX_set_min_proto_version(context, TLS1_2_VERSION);
-  SSL_CTX_set_mode(context, SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
+  server.context_ = new_context(TLS_server_method());
+  SSL_CTX* const context = server.context_.get();
   // Viewers come and go; nobody keeps state for them.
   SSL_CTX_set_session_cache_mode(context, SSL_SESS_CACHE_OFF);
   SSL_CTX_set_options(context, SSL_OP_NO_RENEGOTIATION | SSL_OP_IGNORE_UNEXPECTED_EOF);
@@ -126,28 +122,16 @@ Result<TlsServer> TlsServer::load(const std::string& certificate, const std::str
 
 std::optional<TlsConnection> TlsServer::accept(int socket, int ms) const {
   TlsConnection connection;
-  if (!connection.attach(context_->handle, socket)) return std::nullopt;
+  if (!connection.attach(context_.get(), socket)) return std::nullopt;
   TlsConnection::Session& session = *connection.session_;
   if (session.repeat(ms, [&] { return SSL_accept(session.ssl); }) != 1) return std::nullopt;
   return connection;
 }
 
-struct TlsClient::Context {
-  SSL_CTX* handle = SSL_CTX_new(TLS_client_method());
-  ~Context() { SSL_CTX_free(handle); }
-};
-
-TlsClient::TlsClient() : context_(std::make_unique<Context>()) {}
-TlsClient::TlsClient(TlsClient&&) noexcept = default;
-TlsClient& TlsClient::operator=(TlsClient&&) noexcept = default;
-TlsClient::~TlsClient() = default;
-
 Result<TlsClient> TlsClient::load(const std::string& authority) {
   TlsClient client;
-  SSL_CTX* const context = client.context_->handle;
-  ERR_clear_error();
-  SSL_CTX_set_min_proto_version(context, TLS1_2_VERSION);
-  SSL_CTX_set_mode(context, SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
+  client.context_ = new_context(TLS_client_method());
+  SSL_CTX* const context = client.context_.get();
   SSL_CTX_set_options(context, SSL_OP_NO_RENEGOTIATION);
   SSL_CTX_set_verify(context, SSL_VERIFY_PEER, nullptr);
   if (authority.empty()) {
@@ -162,7 +146,7 @@ tl::expected<TlsConnection, TlsRefusal> TlsClient::connect(int socket, const std
                                                            int ms) const {
   TlsConnection connection;
   const tl::unexpected not_tls(TlsRefusal::not_tls);
-  if (!connection.attach(context_->handle, socket)) return not_tls;
+  if (!connection.attach(context_.get(), socket)) return not_tls;
   TlsConnection::Session& session = *connection.session_;
   X509_VERIFY_PARAM* const terms = SSL_get0_param(session.ssl);
   if (X509_VERIFY_PARAM_set1_ip_asc(terms, host.c_str()) != 1 &&

@@ -17,6 +17,8 @@
 #include <string_view>
 #include <sys/types.h>
 
+struct ssl_ctx_st;  // SSL_CTX of OpenSSL
+
 namespace mirocup::system {
 
 // An encrypted connection over a socket that the caller owns. Not to be used after an error.
@@ -43,7 +45,7 @@ class TlsConnection {
   struct Session;
   TlsConnection();
   // Attaches the session to the socket, which then does not wait. Returns false after an error.
-  bool attach(void* context, int socket);
+  bool attach(ssl_ctx_st* context, int socket);
 
   std::unique_ptr<Session> session_;
 };
@@ -53,19 +55,13 @@ class TlsServer {
   // Reads two PEM files: `certificate` (the server's, then the certificates up to its root) and
   // `key` (the server's). The error (Errc::input) names the file and the reason.
   static Result<TlsServer> load(const std::string& certificate, const std::string& key);
-  TlsServer(TlsServer&&) noexcept;
-  TlsServer& operator=(TlsServer&&) noexcept;
-  ~TlsServer();
 
   // Agrees on the encryption of a new connection. Returns nothing if the other end does not speak
   // TLS or needs more than `ms`.
   std::optional<TlsConnection> accept(int socket, int ms) const;
 
  private:
-  struct Context;
-  TlsServer();
-
-  std::unique_ptr<Context> context_;
+  std::shared_ptr<ssl_ctx_st> context_;
 };
 
 // Why a TlsClient does not trust a server or cannot talk to it.
@@ -76,9 +72,6 @@ class TlsClient {
   // Reads the certificates that may sign for a server: those in the PEM file `authority`, or the
   // system's if `authority` is "". The error (Errc::input) names the file and the reason.
   static Result<TlsClient> load(const std::string& authority);
-  TlsClient(TlsClient&&) noexcept;
-  TlsClient& operator=(TlsClient&&) noexcept;
-  ~TlsClient();
 
   // Agrees on the encryption of a new connection with the server `host`, a name or an IP address,
   // within `ms`. The server's certificate must be valid for `host`.
@@ -86,10 +79,7 @@ class TlsClient {
                                                   int ms) const;
 
  private:
-  struct Context;
-  TlsClient();
-
-  std::unique_ptr<Context> context_;
+  std::shared_ptr<ssl_ctx_st> context_;
 };
 
 // Returns the moment until which a certificate (PEM) is valid, in seconds since 1970 UTC; nothing
