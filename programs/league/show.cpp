@@ -4,6 +4,7 @@
 #include "programs/league/commands.hpp"
 #include "record/json_reader.hpp"
 #include "record/match_record.hpp"
+#include "system/digest.hpp"
 #include "system/number_of.hpp"
 #include "system/process_set.hpp"
 #include "system/secret.hpp"
@@ -26,7 +27,6 @@
 #include <iostream>
 #include <map>
 #include <mutex>
-#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -290,26 +290,15 @@ struct ShowOptions {
   int at_once = 1;       // legs side by side
 };
 
-constexpr double poll_s = 3600.0;  // s
-
-// 128 bits of the system, as text for an address.
-std::string secret() {
-  std::random_device random;
-  std::string text;
-  constexpr std::string_view digits = "0123456789abcdef";
-  for (int i = 0; i < 4; ++i) {
-    unsigned bits = random();
-    for (int digit = 0; digit < 8; ++digit, bits >>= 4) text += digits[bits & 15u];
-  }
-  return text;
-}
+constexpr double poll_s = 3600.0;      // s
+constexpr std::size_t key_bytes = 16;  // of the secret of the remote
 
 Result<int> run_show(const ShowOptions& options) {
   MIROCUP_TRY(const auto address, web::parse_address(options.at, "--at"));
   system::Disk disk;
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
   system::ProcessSet interrupts;  // must exist before the first thread starts
-  const std::string key = secret();
+  const std::string key = system::base32(system::random_bytes(key_bytes));
   MIROCUP_TRY(auto round, ShownRound::of(disk, store, options.round, key, options.at_once));
   MIROCUP_TRY(const auto server,
               web::SiteServer::open(
