@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // What is on the network: versions that cannot play together and say so, what spectators are told,
-// DDS domains, and the size of packets.
+// and DDS domains.
 #include "tests/programs/dds/network.hpp"
 #include "tests/programs/dds/own_host.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <arpa/inet.h>
-#include <atomic>
-#include <netinet/ether.h>
-#include <netinet/ip.h>
-#include <netinet/udp.h>
-#include <netpacket/packet.h>
 #include <sys/socket.h>
-#include <thread>
+#include <unistd.h>
 
 namespace mirocup {
 namespace {
@@ -154,51 +148,6 @@ TEST(Protocol, ALeagueCanBePlayedBesideRos) {
   const Outcome status = run_mirocup({"league", "status", folder, "--json"});
   EXPECT_EQ(nlohmann::json::parse(status.out)["played"], 2) << status.out;
 }
-
-// Sees the UDP packets of the loopback interface of this test's own host.
-class Packets {
- public:
-  Packets() : socket_(socket(AF_PACKET, SOCK_DGRAM, htons(ETH_P_IP))) {
-    const timeval pause{0, 50000};
-    setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &pause, sizeof pause);
-    if (is_open()) reader_ = std::thread([this] { read(); });
-  }
-  Packets(const Packets&) = delete;
-  Packets& operator=(const Packets&) = delete;
-  ~Packets() {
-    stop();
-    close(socket_);
-  }
-  bool is_open() const { return socket_ >= 0; }
-
-  void stop() {
-    is_over_ = true;
-    if (reader_.joinable()) reader_.join();
-  }
-  std::size_t longest() const { return longest_; }  // payload, bytes
-  int long_ones() const { return long_ones_; }      // with more than 1000 bytes
-
- private:
-  void read() {
-    std::vector<char> packet(65536);
-    while (!is_over_) {
-      const ssize_t size = recv(socket_, packet.data(), packet.size(), 0);
-      if (size < static_cast<ssize_t>(sizeof(iphdr) + sizeof(udphdr))) continue;
-      const auto& ip = *reinterpret_cast<const iphdr*>(packet.data());
-      if (ip.protocol != IPPROTO_UDP) continue;
-      const auto& udp = *reinterpret_cast<const udphdr*>(packet.data() + 4 * ip.ihl);
-      const std::size_t payload = ntohs(udp.len) - sizeof(udphdr);
-      longest_ = std::max(longest_, payload);
-      if (payload > 1000) ++long_ones_;
-    }
-  }
-
-  int socket_;
-  std::atomic<bool> is_over_ = false;
-  std::size_t longest_ = 0;
-  int long_ones_ = 0;
-  std::thread reader_;
-};
 
 }  // namespace
 }  // namespace mirocup

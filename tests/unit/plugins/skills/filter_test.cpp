@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "mirocup/skills/filter.hpp"
 
-#include "core/match/conditions.hpp"
-#include "core/match/leg.hpp"
-#include "plugins/abi/convert.hpp"
-#include "tests/support/controllers.hpp"
+#include "core/base/random.hpp"
 #include "tests/support/skill_field.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 
 namespace mirocup::strategy {
 namespace {
@@ -154,20 +150,6 @@ TEST(Filter, TakesWhatIsNotLateAsItIs) {
     EXPECT_EQ(now.own[0].x, seen.own[0].x);
   }
 }
-
-// Sums of squared errors at the moment when an answer begins to be driven.
-struct Errors {
-  double place = 0.0, speed = 0.0;
-  int count = 0;
-
-  void add(Point place_error, Point speed_error) {
-    place += dot(place_error, place_error);
-    speed += dot(speed_error, speed_error);
-    ++count;
-  }
-  double mm() const { return 1000.0 * std::sqrt(place / count); }
-  double mm_per_s() const { return 1000.0 * std::sqrt(speed / count); }
-};
 
 }  // namespace
 }  // namespace mirocup::strategy

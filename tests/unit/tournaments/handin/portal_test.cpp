@@ -204,11 +204,6 @@ const std::vector<Route> private_routes{
     {"GET", "/hand-in/friendlies/alpha/1/replay", {}, true},
 };
 
-const std::vector<std::string> private_paths{"/api/v1/team",      "/api/v1/entries",
-                                             "/api/v1/entries/1", "/api/v1/entries/1/events",
-                                             "/api/v1/legs",      "/api/v1/legs/r1-f1-1-1/log",
-                                             "/api/v1/anything"};
-
 // Catches a new route without an entry in the test of wrong visitors, or open to everybody.
 TEST(Routes, AreAllPrivateButThoseThatLogInAndOut) {
   int open = 0;
