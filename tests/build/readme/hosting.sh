@@ -3,7 +3,7 @@
 #
 # A lecturer can follow docs/hosting.md as it is written: the first evening, then from the class list to tokens, a hand-in, a
 # night and grades, with the page's own commands, and shorter halves. Fails if a command of the page has changed, or if one does
-# not do what the page says; also if the page grows beyond 350 lines of 110 columns. Usage: hosting.sh ROOT BUILD
+# not do what the page says; also if the page grows beyond 320 lines of 132 columns. Usage: hosting.sh ROOT BUILD
 set -euo pipefail
 root=$(realpath "$1")
 build=$(realpath "$2")
@@ -32,8 +32,8 @@ follow() {
   done < <(code_of "$1" | grep -E "$2")
 }
 
-[[ $(wc -l <"$page") -le 350 ]] || complain "the page has more than 350 lines"
-! LC_ALL=C.UTF-8 grep -nE '^.{111,}$' "$page" || complain "a line of the page has more than 110 columns"
+[[ $(wc -l <"$page") -le 320 ]] || complain "the page has more than 320 lines"
+! LC_ALL=C.UTF-8 grep -nE '^.{133,}$' "$page" || complain "a line of the page has more than 132 columns"
 
 PATH=$build:$PATH
 cd "$folder"
