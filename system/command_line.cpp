@@ -2,7 +2,6 @@
 #include "system/command_line.hpp"
 
 #include "core/base/error.hpp"
-#include "system/command_help.hpp"
 #include "system/files.hpp"
 #include "system/number_of.hpp"
 #include "system/printable.hpp"
@@ -66,75 +65,46 @@ int complain(const std::string& program, const std::string& what) {
   return exit_code(Errc::input);
 }
 
-// The subcommand that was being parsed, and how it is called.
-std::pair<const CLI::App*, std::string> parsed_command(const CLI::App& app) {
-  const auto parsed = app.get_subcommands();
-  if (parsed.empty()) return {&app, app.get_name()};
-  return {parsed.front(), app.get_name() + " " + parsed.front()->get_name()};
-}
-
 // The first example of the command's help.
-std::string example_of(const CLI::App& command) {
-  const std::string footer = command.get_footer();
-  const std::size_t begin = footer.find("\n  ");
-  if (begin == std::string::npos) return "";
-  return footer.substr(begin + 3, footer.find('\n', begin + 1) - begin - 3);
+std::string for_example(std::span<const CommandHelp> helps, const std::string& command) {
+  for (const CommandHelp& help : helps) {
+    if (help.name == command && !help.examples.empty())
+      return std::string("; for example: ") + help.examples.front();
+  }
+  return "";
 }
 
-std::string for_example(const CLI::App& command) {
-  const std::string example = example_of(command);
-  return example.empty() ? "" : "; for example: " + example;
-}
-
-// Returns a sentence that says what to type.
+// Returns the library's sentence about a mistake, or our own about a mistake that the state of the
+// command shows.
 std::string sentence_of(const CLI::App& command, const CLI::ParseError& error) {
-  const std::string text = error.what();
-  const std::string kind = error.get_name();
-  const std::string option = text.substr(0, text.find(kind == "RequiredError" ? " " : ":"));
-  const CLI::Option* known = command.get_option_no_throw(option);
-  if (kind == "RequiredError") return option + " is missing" + for_example(command);
-  // Its name is the command's.
-  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
-    return in_quotes(text.substr(text.rfind(": ") + 2)) + " is not expected" + for_example(command);
-  if (kind == "ArgumentMismatch" && text.find(": At Most ") != std::string::npos)
-    return option + " is given more than once" + for_example(command);
-  if (kind == "ArgumentMismatch" && known != nullptr) {
-    const std::string name =
-        known->get_positional() ? "" : " " + own_value_name(known->get_type_name());
-    return option + " needs " + (known->get_items_expected_min() > 1 ? "more values" : "a value") +
-           (name.size() > 1 ? ": " + option + name : "") + for_example(command);
-  }
-  if (kind == "ConversionError") {
-    const std::string pair = text.substr(std::min(text.find(": ") + 2, text.size()));
-    const std::string name = pair.substr(0, pair.find(" = "));
-    const CLI::Option* flag = command.get_option_no_throw(name);
-    if (flag != nullptr && flag->get_items_expected_max() == 0) return name + " takes no value";
-    return name + " " + pair.substr(std::min(pair.find(" = ") + 3, pair.size())) +
-           ": a number is expected";
-  }
-  if (kind == "ExcludesError") {
-    const std::size_t middle = text.find(" excludes ");
-    return text.substr(0, middle) + " and " + text.substr(middle + 10) +
-           " do not go together: leave one of them out";
-  }
-  if (kind == "RequiresError") {
-    const std::size_t middle = text.find(" requires ");
-    return text.substr(0, middle) + " works only together with " + text.substr(middle + 10);
-  }
-  if (kind == "ValidationError") return option + text.substr(option.size() + 2);
-  return text;
-}
-
-int explain(const CLI::App& app, const CLI::ParseError& error) {
-  const auto [command, program] = parsed_command(app);
-  const std::vector<std::string> left = command->remaining();
+  const std::vector<std::string> left = command.remaining();
   const auto unknown = std::find_if(left.begin(), left.end(), [](const std::string& word) {
     return word.size() > 1 && word.front() == '-';
   });
-  if (unknown == left.end()) return complain(program, sentence_of(*command, error));
-  const std::string name = unknown->substr(0, unknown->find('='));
-  return complain(
-      program, "there is no option " + name + or_meant(closest_word(name, options_of(*command))));
+  if (unknown != left.end()) {
+    const std::string name = unknown->substr(0, unknown->find('='));
+    return "there is no option " + name + or_meant(closest_word(name, options_of(command)));
+  }
+  const int kind = error.get_exit_code();
+  if (kind == static_cast<int>(CLI::ExitCodes::ExtrasError) && !left.empty())
+    return in_quotes(left.front()) + " is not expected";
+  const auto options = command.get_options();
+  const auto doubled = std::find_if(options.begin(), options.end(), [](const CLI::Option* option) {
+    return option->get_items_expected_max() == 1 && option->count() > 1;
+  });
+  if (kind == static_cast<int>(CLI::ExitCodes::ArgumentMismatch) && doubled != options.end())
+    return (*doubled)->get_name() + " is given more than once";
+  return error.what();
+}
+
+int explain(const CLI::App& app, std::span<const CommandHelp> helps, const CLI::ParseError& error) {
+  const auto parsed = app.get_subcommands();
+  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  const std::string program = app.get_name() + (parsed.empty() ? "" : " " + command.get_name());
+  const bool is_wrong_value =
+      error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ValidationError);
+  return complain(program, sentence_of(command, error) +
+                               (is_wrong_value ? "" : for_example(helps, command.get_name())));
 }
 
 }  // namespace
@@ -151,7 +121,8 @@ std::string closest_word(std::string_view word, std::span<const std::string> wor
   return best;
 }
 
-std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv) {
+std::optional<int> parse_command_line(CLI::App& app, std::span<const CommandHelp> helps, int argc,
+                                      char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words[0] == "help") {
     words.erase(words.begin());
@@ -176,7 +147,7 @@ std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv) {
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return explain(app, error);
+    if (error.get_exit_code() != 0) return explain(app, helps, error);
     app.exit(error);  // prints the help, or the version
     return exit_yes;
   }

@@ -4,6 +4,8 @@
 // option is misspelt, and one form of errors.
 #pragma once
 
+#include "system/command_help.hpp"
+
 #include <optional>
 #include <span>
 #include <string>
@@ -22,8 +24,9 @@ std::string closest_word(std::string_view word, std::span<const std::string> wor
 // Parses the arguments from argv[1] on. The app's name is the way to call it, such as "mirocup
 // league". If a subcommand was chosen, its callback has run, and the function returns nothing. If
 // help was asked for or the arguments are wrong, prints the help, or the mistake and a command to
-// type, and returns the exit code: 0 or 2.
-std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv);
+// type, and returns the exit code: 0 or 2. `helps` has the examples.
+std::optional<int> parse_command_line(CLI::App& app, std::span<const CommandHelp> helps, int argc,
+                                      char** argv);
 
 // Answers a command line about the program itself, for a shell or a packager: `complete WORD…`
 // prints completions(), `man DIR` writes the manual's pages. Returns nothing for all other command

@@ -20,7 +20,6 @@ std::string number_text(Number number) {
   return system::formatted("%.10g", static_cast<double>(number));
 }
 
-// What a check says follows the name of the option.
 template <class Number>
 CLI::Validator range(Number low, Number high, const std::string& word = "") {
   const bool has_end = high < std::numeric_limits<Number>::max();
@@ -30,7 +29,7 @@ CLI::Validator range(Number low, Number high, const std::string& word = "") {
   const auto problem = [=](const std::string& text) {
     const auto number = number_of<Number>(text);
     const bool is_good = number ? *number >= low && *number <= high : !word.empty() && text == word;
-    return is_good ? "" : " " + text + ": a number " + expected + " is expected";
+    return is_good ? "" : text + " is not a number " + expected;
   };
   const std::string words = word.empty() ? "" : " OR {" + word + "}";
   return {problem, has_end
@@ -77,19 +76,14 @@ Option Option::one_of(const std::vector<std::string>& words) const {
     if (const std::size_t last = list.rfind(", "); last != std::string::npos)
       list.replace(last, 2, " or ");
     const std::string meant = closest_word(text, words);
-    return " " + text + ": " + list + " is expected" +
-           (meant.empty() ? "" : "; did you mean " + meant + "?");
+    return text + " is not " + list + (meant.empty() ? "" : "; did you mean " + meant + "?");
   };
   option_->check(CLI::Validator(problem, "{" + joined(words, ",") + "}"));
   return *this;
 }
 
 Option Option::checked(const std::string& value, std::string (*problem)(const std::string&)) const {
-  const auto check = [problem](const std::string& text) {
-    const std::string why = problem(text);
-    return why.empty() ? "" : ": " + why;
-  };
-  option_->check(CLI::Validator(check, value));
+  option_->check(CLI::Validator([problem](std::string& text) { return problem(text); }, value));
   return *this;
 }
 
@@ -199,7 +193,7 @@ std::variant<Run, int> Commands::read(int argc, char** argv, const ValueNames& v
                                       std::span<const std::string> teams) {
   finish_help(*app_, helps_, values);
   if (const auto told = tell_about(*app_, argc, argv, version_, teams)) return *told;
-  if (const auto done = parse_command_line(*app_, argc, argv)) return *done;
+  if (const auto done = parse_command_line(*app_, helps_, argc, argv)) return *done;
   return chosen_;
 }
 
