@@ -24,7 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 
 tl::unexpected<Error> problem(const std::string& path, const char* doing) {
-  return fail(Errc::unavailable, path + " cannot be " + doing + ": " + std::strerror(errno));
+  const bool is_full = errno == ENOSPC || errno == EDQUOT;
+  return fail(is_full ? Errc::no_room : Errc::unavailable,
+              path + " cannot be " + doing + ": " + std::strerror(errno));
 }
 
 tl::unexpected<Error> wrong(const std::string& path, const std::string& why) {

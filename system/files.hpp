@@ -165,7 +165,7 @@ class IncomingFile {
   IncomingFile& operator=(IncomingFile&& other) noexcept = default;
   ~IncomingFile();
 
-  // Errc::unavailable if the disk is full.
+  // Errc::no_room if the disk is full.
   Result<void> add(std::string_view bytes);
   std::uint64_t size() const { return size_; }
 

@@ -137,6 +137,10 @@ std::string LiveServer::url() const {
   return impl_->http.url();
 }
 
+int LiveServer::port() const {
+  return impl_->http.port();
+}
+
 void LiveServer::publish(const match::Leg& match) {
   impl_->feed.publish(match);
 }

@@ -76,6 +76,7 @@ class LiveServer {
   LiveServer& operator=(const LiveServer&) = delete;
 
   std::string url() const;
+  int port() const;
 
   // To be called after every tick.
   void publish(const match::Leg& match);

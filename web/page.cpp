@@ -78,7 +78,7 @@ std::string field_picture(const match::Leg& leg) {
 
 std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
                  const Json& data, const std::string& proof = "",
-                 ModulePlace module = ModulePlace::nowhere) {
+                 ModulePlace module = ModulePlace::nowhere, const std::string& links = "") {
   std::vector<std::string_view> parts(modules.begin(), modules.end());
   if (proof.empty()) std::erase(parts, "play.js");
   const std::string code = page_script(parts);
@@ -86,6 +86,7 @@ std::string page(const match::Leg& first_moment, const match::ByTeam<std::string
               {"blue", names[0]},
               {"yellow", names[1]},
               {"policy", page_policy(code, module)},
+              {"links", links},
               {"has_proof", !proof.empty()},
               {"proof", proof},
               {"style", page_style()},
@@ -300,7 +301,7 @@ std::string first_picture(const record::MatchRecord& record) {
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
                                                          Times times, const record::OwnTexts& own,
                                                          const std::optional<Proof>& proof,
-                                                         Wheels wheels) {
+                                                         Wheels wheels, const std::string& links) {
   MIROCUP_TRY(auto data, play_again(record, times));
   add_own(data.json, own);
   if (wheels == Wheels::shown) data.json["wheels"] = std::move(data.wheels);
@@ -308,9 +309,10 @@ tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchReco
   const ModulePlace module = text.empty()                 ? ModulePlace::nowhere
                              : proof->module_file.empty() ? ModulePlace::in_the_page
                                                           : ModulePlace::beside_it;
-  return ReplayPage{page(match::Leg(record.recording.setup),
-                         {record.teams[0].name, record.teams[1].name}, data.json, text, module),
-                    data.statistics, text.size()};
+  return ReplayPage{
+      page(match::Leg(record.recording.setup), {record.teams[0].name, record.teams[1].name},
+           data.json, text, module, links),
+      data.statistics, text.size()};
 }
 
 std::string commands_script(const record::MatchRecord& record) {

@@ -18,6 +18,7 @@ namespace mirocup {
 enum class Errc {
   input,        // wrong usage, or an impossible value in a file that a person wrote
   unavailable,  // a file, a child process or the network is not available
+  no_room,      // the disk, or the user's part of it, is full
   damaged,      // data that a program wrote was changed, or is of another version
   host,         // the machine failed and nothing was decided: run it again
   interrupted,  // stopped on request: the same command, given again, continues
@@ -62,6 +63,7 @@ constexpr int exit_code(Errc code) {
     case Errc::input:
       return 2;
     case Errc::unavailable:
+    case Errc::no_room:
       return 3;
     case Errc::damaged:
       return 4;

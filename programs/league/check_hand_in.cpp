@@ -15,12 +15,15 @@ struct CheckHandInOptions {
   std::string file;
   std::int64_t at = 0;       // s since 1970
   int compile_seconds = 60;  // of processor time, for a source
+  std::string answer;        // file for the answer
 };
 
 Result<int> run_check_hand_in(const CheckHandInOptions& options) {
   system::Disk disk;
-  return check_hand_in(disk, Folder{options.folder}, options.team, options.entry, options.file,
-                       options.at, options.compile_seconds);
+  return record::answering(options.answer, [&](const auto& answer) {
+    return check_hand_in(disk, Folder{options.folder}, options.team, options.entry, options.file,
+                         options.at, options.compile_seconds, answer);
+  });
 }
 
 }  // namespace
@@ -34,6 +37,7 @@ void add_check_hand_in(system::Commands& commands) {
   command.option("--file", o.file).required();
   command.option("--at", o.at).required();
   command.option("--compile-seconds", o.compile_seconds).required();
+  command.option("--answer", o.answer).required();
 }
 
 }  // namespace mirocup::league

@@ -2,7 +2,8 @@
 #include "programs/league/served_league.hpp"
 
 #include "programs/league/publishing.hpp"
-#include "record/match_record.hpp"
+#include "record/answer.hpp"
+#include "record/json_fields.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/league/hand_ins.hpp"
@@ -15,7 +16,6 @@
 #include "web/page_parts.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 
@@ -32,9 +32,6 @@ constexpr auto entries_interval = 2s;  // between two looks at the entries of al
 // them anew takes one part in that many of the time, or more where the rest would grow too long.
 constexpr int rest_factor = 20;
 constexpr std::chrono::nanoseconds longest_rest = 5s;
-
-// The line that `mirocup match --watch` prints. Only matches of this host are passed on.
-constexpr std::string_view watched = "mirocup: watch at http://127.0.0.1:";
 
 // Content from this server only, and no code but its script.
 constexpr const char* policy =
@@ -55,17 +52,15 @@ std::string stem_of(const LegId& leg) {
   return std::filesystem::path(Folder::record_name(leg.fixture, leg.leg, leg.version)).stem();
 }
 
-// Returns the port in the output of a match server; 0 if it has not printed one.
-int port_in(const std::string& text) {
-  const std::size_t begin = text.find(watched);
-  if (begin == std::string::npos) return 0;
-  int port = 0;
-  const char* digits = text.data() + begin + watched.size();
-  const auto [end, error] = std::from_chars(digits, text.data() + text.size(), port);
-  return error == std::errc() && end != text.data() + text.size() && *end == '/' ? port : 0;
-}
-
+constexpr const char* back_link =
+    "<nav class=\"path\" aria-label=\"Back\"><a href=\"/hand-in\">Hand in</a></nav>";
 constexpr std::string_view hand_in_link = "<p><a href=\"/hand-in\">Hand in</a></p>\n";
+
+// Gives the teams of a record the names that people know.
+void name_teams(record::MatchRecord& record, const Json& part) {
+  for (std::size_t i = 0; i < part["names"].size(); ++i)
+    record.teams[i].name = part["names"][i].get<std::string>();
+}
 
 std::string with_script(std::string html, bool takes_hand_ins) {
   constexpr std::string_view title_end = "</h1>\n";
@@ -132,12 +127,8 @@ std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
     const FixtureState& f = state.fixtures[i];
     for (const int number : open_legs(state, f)) {
       const LegId leg{f.fixture, number, f.legs[number - 1].version};
-      const std::string output = leg_output(store_.folder(), leg);
-      if (!files_.exists(output)) continue;
-      const int port = port_in(files_
-                                   .read(output, {.max_size = system::size_limit::log,
-                                                  .growth = system::Growth::ignored})
-                                   .value_or(""));
+      const auto answer = record::last_answer(files_, leg_answer(store_.folder(), leg));
+      const int port = answer ? record::value_in(*answer, "port", 0) : 0;
       if (port == 0 || !web::is_watched_at(port)) continue;
       const int blue = blue_team(leg.fixture, number);
       const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
@@ -292,22 +283,27 @@ std::optional<web::Page> ServedLeague::commands_page(const std::string& stem) {
 std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   const std::string record = "records/" + stem + ".json";
   const std::string html = replay_page_of(record);
-  if (auto made =
-          files_.read(store_.folder().site() + "/" + html, {.max_size = system::size_limit::page}))
-    return web::Page{type_of(html), "", linked(std::move(*made), record)};
+  const Json part = part_of(record);
+  if (has_page_with(files_, store_.folder(), record, part)) {
+    auto made =
+        files_.read(store_.folder().site() + "/" + html, {.max_size = system::size_limit::page});
+    if (made) return web::Page{type_of(html), "", std::move(*made)};
+  }
   const std::lock_guard one_at_a_time(replaying_);
-  const auto loaded = record::load(files_, store_.folder().path + "/" + record);
+  auto loaded = record::load(files_, store_.folder().path + "/" + record);
   if (!loaded) return std::nullopt;
+  name_teams(*loaded, part);
   const std::string commands = std::filesystem::path(commands_file_of(record)).filename();
-  auto page = web::replay_page(*loaded, web::Times::left_out, {}, proof("../", commands));
+  auto page = web::replay_page(*loaded, web::Times::left_out, {}, proof("../", commands),
+                               web::Wheels::left_out, record::text_in(part, "links"));
   if (!page) return std::nullopt;
-  return web::Page{type_of(html), "", linked(std::move(page->html), record)};
+  return web::Page{type_of(html), "", std::move(page->html)};
 }
 
-std::string ServedLeague::linked(std::string page, const std::string& record) {
+Json ServedLeague::part_of(const std::string& record) {
   const std::lock_guard lock(mutex_);
   begin_pages();
-  return with_league_links(std::move(page), site_->overview(), record);
+  return league_part(site_->overview(), record);
 }
 
 std::string ServedLeague::why_not(const std::string& team, const std::string& now) {
@@ -343,11 +339,13 @@ std::string ServedLeague::digest_of(const std::string& team) {
 }
 
 std::optional<std::string> ServedLeague::own_replay(const std::string& name,
-                                                    const record::Whose& whose) {
+                                                    const record::Whose& whose,
+                                                    const std::string& links) {
   const std::string record = "records/" + name + ".json";
+  Json part = part_of(record);
+  part["links"] = record::text_in(part, "links") + links;
   // A leg of another version may go another way here: then its page is the one that is kept.
-  if (auto own = replay_of(store_.folder().path + "/" + record, whose))
-    return linked(std::move(*own), record);
+  if (auto own = page_with_own(store_.folder().path + "/" + record, whose, part)) return own;
   auto page = replay(name);
   if (!page) return std::nullopt;
   // The page is shown at another address than that from which it sees its files.
@@ -423,20 +421,25 @@ std::string ServedLeague::statistics_of(const std::string& team) {
 
 std::optional<std::string> ServedLeague::replay_of(const std::string& record,
                                                    const record::Whose& whose) {
+  return page_with_own(record, whose, {{"links", back_link}, {"names", Json::array()}});
+}
+
+// Returns the page of a record with what its teams may see, and with what the league puts on it
+// (league_part()).
+std::optional<std::string> ServedLeague::page_with_own(const std::string& record,
+                                                       const record::Whose& whose,
+                                                       const Json& part) {
   const std::lock_guard one_at_a_time(replaying_);
-  const auto loaded = record::load(files_, record);
+  auto loaded = record::load(files_, record);
   if (!loaded) return std::nullopt;
+  name_teams(*loaded, part);
   const bool has_own = record::has_thoughts(files_, record, whose);
   const auto own = record::read_own_texts(files_, record, has_own ? whose : record::of_nobody);
   const auto proven = proof("/");
   auto page = web::replay_page(*loaded, web::Times::left_out, own.value_or(record::OwnTexts{}),
-                               proven, proven ? web::Wheels::shown : web::Wheels::left_out);
+                               proven, proven ? web::Wheels::shown : web::Wheels::left_out,
+                               record::text_in(part, "links"));
   if (!page) return std::nullopt;
-  constexpr std::string_view links = "<!--league-->";  // linked() puts those of a league there
-  if (const std::size_t at = page->html.find(links); at != std::string::npos)
-    page->html.insert(
-        at + links.size(),
-        "<nav class=\"path\" aria-label=\"Back\"><a href=\"/hand-in\">Hand in</a></nav>");
   return std::move(page->html);
 }
 

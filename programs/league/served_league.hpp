@@ -56,8 +56,9 @@ class ServedLeague {
   std::string digest_of(const std::string& team);
 
   // Returns the replay page of a leg that a team may see, released or not. The page shows the kept
-  // thoughts and the output of the given teams.
-  std::optional<std::string> own_replay(const std::string& name, const record::Whose& whose);
+  // thoughts and the output of the given teams. `links` is HTML that follows the links to the league.
+  std::optional<std::string> own_replay(const std::string& name, const record::Whose& whose,
+                                        const std::string& links);
 
   // Returns the teams with an entry that would play now, and the number of the entry. The data are
   // at most a few seconds old.
@@ -100,7 +101,9 @@ class ServedLeague {
   const web::Page* page_of_site(const std::string& path);
   bool are_pages_fresh() const;
   std::optional<web::Page> replay(const std::string& stem);
-  std::string linked(std::string page, const std::string& record);
+  Json part_of(const std::string& record);
+  std::optional<std::string> page_with_own(const std::string& record, const record::Whose& whose,
+                                           const Json& part);
   std::optional<web::Page> module_page(const std::string& name);
   std::optional<web::Page> commands_page(const std::string& stem);
   std::optional<web::Proof> proof(const std::string& root, const std::string& commands_file = "");

@@ -3,6 +3,7 @@
 // mirocup check FILE.so: prints whether the library would be accepted as an entry, and why.
 #include "programs/check/entry_check.hpp"
 #include "programs/mirocup/commands.hpp"
+#include "record/answer.hpp"
 #include "record/json_reader.hpp"
 #include "record/match_record.hpp"
 #include "record/rules_json.hpp"
@@ -32,7 +33,7 @@ struct CheckOptions {
   std::vector<std::string> parameters;  // KEY=VALUE
   std::string record_path;              // of a leg against striker; "": none is written
   bool json = false;
-  bool steps = false;  // print each check on standard error before it runs
+  std::string answer;  // file for the steps and the report, as JSON lines
 };
 
 record::Json to_json(const CheckOptions& options, const EntryReport& report) {
@@ -154,11 +155,11 @@ Result<void> write_gate_leg(const CheckOptions& options, const EntryReport& repo
   return record::save(disk, options.record_path, record);
 }
 
-Result<int> run_check(const CheckOptions& options) {
+Result<int> run(const CheckOptions& options, const record::WriteAnswer& answer) {
   MIROCUP_TRY(const auto parameters,
               record::parameters_with_changes({}, options.parameters, "--param"));
-  const auto tell = [&options](int number, int of, const char* name) {
-    if (options.steps) std::cerr << "step " << number << " of " << of << ": " << name << std::endl;
+  const auto tell = [&answer](int number, int of, const char* name) {
+    (void)answer({{"step", number}, {"of", of}, {"name", name}});  // only to be looked at
   };
   EntryTerms terms;
   terms.league = *from_string<League>(options.league);
@@ -172,12 +173,19 @@ Result<int> run_check(const CheckOptions& options) {
                   options.path, terms,
                   options.json ? OnCheck() : [](const Check& check) { print(check); }, tell));
   MIROCUP_TRY_VOID(write_gate_leg(options, report));
+  const record::Json json = to_json(options, report);
+  MIROCUP_TRY_VOID(answer(json));
   if (options.json) {
-    std::cout << record::json_text(to_json(options, report)) << '\n';
+    std::cout << record::json_text(json) << '\n';
   } else {
     print(options, report);
   }
   return report.failure() == nullptr ? exit_yes : exit_no;
+}
+
+Result<int> run_check(const CheckOptions& options) {
+  return record::answering(options.answer,
+                           [&](const auto& answer) { return run(options, answer); });
 }
 
 }  // namespace
@@ -212,8 +220,7 @@ void add_check(system::Commands& commands) {
               "File to write the record of the team's leg against striker to, for mirocup replay")
       .named("FILE.json");
   command.flag("--json", o.json, "Print the report as one JSON object");
-  command.flag("--steps", o.steps,
-               "Print \"step 3 of 10: entry\" on standard error before each check");
+  add_answer(command, o.answer);
 }
 
 }  // namespace mirocup::app

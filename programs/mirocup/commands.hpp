@@ -29,6 +29,8 @@ void add_dds_domain(const system::Command& command, int& domain);
 // Adds an option KEY=VALUE for the parameters of a team, which the help calls `whose`: "the team".
 void add_parameters(const system::Command& command, const char* option,
                     std::vector<std::string>& changes, const std::string& whose);
+// Adds the option --answer FILE of a command that mirocup-league runs (record/answer.hpp).
+void add_answer(const system::Command& command, std::string& path);
 
 // Runs mirocup-labs in the place of this process. Returns only if it cannot be run.
 Error become_labs(std::vector<std::string> arguments);

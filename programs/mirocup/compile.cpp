@@ -6,6 +6,7 @@
 
 #include "plugins/host/elf.hpp"
 #include "programs/mirocup/commands.hpp"
+#include "record/answer.hpp"
 #include "record/json_reader.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
@@ -26,6 +27,7 @@ struct CompileOptions {
   std::string language;   // "c", "c++", "project"; "": by the name of the file
   double seconds = 60.0;  // of processor time
   bool json = false;
+  std::string answer;  // file for the answer
 };
 
 constexpr std::uint64_t max_source = 4u << 20;  // bytes of one file
@@ -55,7 +57,7 @@ bool chooses_processor(const std::string& source) {
   return false;
 }
 
-Result<int> run_compile(const CompileOptions& options) {
+Result<int> run(const CompileOptions& options, const record::WriteAnswer& answer) {
   system::Disk disk;
   const plugins::SourceLanguage language = language_of(options);
   const bool is_project = language == plugins::SourceLanguage::project;
@@ -81,18 +83,22 @@ Result<int> run_compile(const CompileOptions& options) {
             std::string(needs > system::Processor::v1 ? to_string(needs) : "newer processors") +
             ", which end the team on a computer that lacks them: remove it\n";
   }
+  const record::Json json{{"compiled", is_compiled},
+                          {"reason", is_compiled ? record::Json() : record::Json(done.why_not)},
+                          {"log", said}};
+  MIROCUP_TRY_VOID(answer(json));
   if (options.json) {
-    using record::JsonReader;
-    std::cout << record::json_text(
-                     {{"compiled", is_compiled},
-                      {"reason", is_compiled ? JsonReader::Json() : JsonReader::Json(done.why_not)},
-                      {"log", said}})
-              << '\n';
+    std::cout << record::json_text(json) << '\n';
   } else {
     std::cout << said;
     if (!is_compiled) std::cout << system::printable(options.path) << ": " << done.why_not << '\n';
   }
   return is_compiled ? exit_yes : exit_no;
+}
+
+Result<int> run_compile(const CompileOptions& options) {
+  return record::answering(options.answer,
+                           [&](const auto& answer) { return run(options, answer); });
 }
 
 }  // namespace
@@ -115,6 +121,7 @@ void add_compile(system::Commands& commands) {
               "Seconds of processor time for all compilers together (default: 60)")
       .between(1.0, 600.0);
   command.flag("--json", o.json, "Print the answer as one JSON object");
+  add_answer(command, o.answer);
 }
 
 }  // namespace mirocup::app

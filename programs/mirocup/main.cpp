@@ -47,6 +47,10 @@ void add_parameters(const system::Command& command, const char* option,
       .named("KEY=VALUE");
 }
 
+void add_answer(const system::Command& command, std::string& path) {
+  command.option("--answer", path).hidden();
+}
+
 Error become_labs(std::vector<std::string> arguments) {
   Error error =
       system::become_sibling_program("mirocup-labs", std::move(arguments), "-D MIROCUP_LABS=ON");

@@ -6,6 +6,7 @@
 #include "programs/check/entry_advice.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "programs/mirocup/output_folder.hpp"
+#include "record/answer.hpp"
 #include "record/conditions_json.hpp"
 #include "record/json_reader.hpp"
 #include "record/pitch_json.hpp"
@@ -55,6 +56,7 @@ struct MatchOptions {
   server::SessionTerms session;
   bool hash = false;  // print the state hash, too
   bool json = false;
+  std::string answer;  // file for the port of the live page, and for an error
 };
 
 Result<void> read_start(const MatchOptions& options, match::Setup& setup) {
@@ -302,7 +304,7 @@ Result<void> check_output(const MatchOptions& options) {
   return expect_writable_folder_of(options.record_path);
 }
 
-Result<int> run_match(const MatchOptions& options) {
+Result<int> run(const MatchOptions& options, const record::WriteAnswer& answer) {
   MIROCUP_TRY(const auto past, read_past(options));
   MIROCUP_TRY(const auto setup,
               past ? Result<match::Setup>(past->recording.setup) : setup_of(options));
@@ -317,6 +319,7 @@ Result<int> run_match(const MatchOptions& options) {
   MIROCUP_TRY_VOID(server::seat_teams(session, teams));
   if (options.watch) {
     MIROCUP_TRY_VOID(server::open_live_page(session, *options.watch));
+    MIROCUP_TRY_VOID(answer({{"port", session.live->port()}}));
   }
   tell_weaker_isolation(options, session);  // last, so that an error stands alone
   MIROCUP_TRY_VOID(server::play(session));
@@ -330,6 +333,11 @@ Result<int> run_match(const MatchOptions& options) {
   show_backtraces(session);
   const bool is_void = session.leg.outcome().kind == match::OutcomeKind::void_;
   return is_void ? exit_code(Errc::host) : exit_yes;
+}
+
+Result<int> run_match(const MatchOptions& options) {
+  return record::answering(options.answer,
+                           [&](const auto& answer) { return run(options, answer); });
 }
 
 void add_firasim(const system::Command& command, server::NetworkTerms& o) {
@@ -501,6 +509,7 @@ void add_match(system::Commands& commands) {
   command.flag("--hash", o.hash, "Also print the state hash of the leg");
   add_firasim(command, network);
   command.flag("--json", o.json, "Print the record as one JSON object");
+  add_answer(command, o.answer);
 }
 
 }  // namespace mirocup::app

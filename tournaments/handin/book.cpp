@@ -82,7 +82,9 @@ Result<void> HandInBook::apply(const Json& line) {
     const auto state = json.at("state").name<HandInState>();
     if (!is_final(state)) json.at("state").complain("accepted, refused or void is expected");
     const std::string message = json.at("message").text();
-    if (!problem) queue_.answer(team, entry, state, message);
+    int plays = 0;
+    json.read_if_present("plays", plays);
+    if (!problem) queue_.answer(team, entry, state, message, plays);
   } else if (kind == pinned) {
     if (!problem) {
       pins_[team] = entry;
@@ -124,14 +126,15 @@ Result<int> HandInBook::take(WaitingHandIn handed,
 }
 
 Result<void> HandInBook::answer(const std::string& team, int entry, HandInState state,
-                                const std::string& message, std::int64_t at) {
+                                const std::string& message, std::int64_t at, int plays) {
   auto written = journal_.append(std::string(answered), {{"team", team},
                                                          {"entry", entry},
                                                          {"state", to_string(state)},
                                                          {"message", message},
+                                                         {"plays", plays},
                                                          {"at", at}});
   if (!written) return written;
-  queue_.answer(team, entry, state, message);
+  queue_.answer(team, entry, state, message, plays);
   return {};
 }
 

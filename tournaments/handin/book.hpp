@@ -37,7 +37,7 @@ class HandInBook {
 
   // Writes the answer to a hand-in and applies the answer to the queue.
   Result<void> answer(const std::string& team, int entry, HandInState state,
-                      const std::string& message, std::int64_t at);
+                      const std::string& message, std::int64_t at, int plays = 0);
 
   // Writes the entry that a team has pinned (0: its latest) into the book, before pin_entry() does
   // the rest. If this server dies in between, the next server does the rest.

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <csignal>
-#include <iostream>
 #include <sys/resource.h>
 
 namespace mirocup::league {
@@ -40,8 +39,8 @@ CheckRunner::CheckRunner(system::Files& files, Folder folder, Portal& portal,
       limits_(limits),
       friendlies_(folder_, portal.friendlies(), processes) {}
 
-std::string CheckRunner::output_of(const WaitingHandIn& handed) const {
-  return folder_.entry(handed.team, handed.entry) + "/answer.log";
+std::string CheckRunner::answer_of(const WaitingHandIn& handed) const {
+  return folder_.entry(handed.team, handed.entry) + "/answer.jsonl";
 }
 
 bool CheckRunner::step() {
@@ -85,8 +84,10 @@ void CheckRunner::start_next() {
                                          std::to_string(next->entry),
                                          "--file=" + next->file,
                                          "--at=" + std::to_string(next->at),
-                                         "--compile-seconds=" + std::to_string(compile_seconds)};
-  const auto pid = processes_.start(command, next_tag_, -1, output_of(*next));
+                                         "--compile-seconds=" + std::to_string(compile_seconds),
+                                         "--answer=" + answer_of(*next)};
+  (void)files_.remove(answer_of(*next));  // of a check that died
+  const auto pid = processes_.start(command, next_tag_, -1, answer_of(*next) + ".log");
   if (!pid) {
     tell_(next->team + ": entry " + std::to_string(next->entry) + ": " + pid.error().what);
     rests_until_ = steady_clock::now() + rest_time;
@@ -103,36 +104,33 @@ void CheckRunner::start_next() {
 void CheckRunner::book(const Running& check, const system::Exit& exit) {
   const std::string& team = check.handed.team;
   const int entry = check.handed.entry;
-  const std::string path = output_of(check.handed);
-  const auto said = files_.read(path, {.max_size = system::size_limit::log});
-  const std::string output = said ? *said : said.error().what;
-  const std::size_t end = output.find_last_not_of('\n');
-  const std::size_t begin = end == std::string::npos ? end : output.rfind('\n', end);
-  const record::ParsedJson answer = record::parse_json(
-      std::string_view(output).substr(begin == std::string::npos ? 0 : begin + 1));
+  const std::string path = answer_of(check.handed);
+  const auto answer = record::last_answer(files_, path);
   const bool is_answer = exit.signal == 0 && (exit.code == exit_yes || exit.code == exit_no) &&
-                         !answer.problem && answer.value.is_object();
+                         answer && answer->is_object();
   Result<void> booked;
   if (is_answer) {
     const bool is_accepted = exit.code == exit_yes;
     if (check.compile_seconds > 0)
       compile_time_.note(team, is_accepted || check.is_compiled, check.used.processor);
-    const std::string message = record::text_in(answer.value, "message");
+    const std::string message = record::text_in(*answer, "message");
     tell_(message);
     booked = portal_.close(team, entry, is_accepted ? HandInState::accepted : HandInState::refused,
-                           message);
+                           message, record::value_in(*answer, "plays", 0));
   } else {
-    booked = book_no_answer(check, exit, output);
+    const auto said = files_.read(path + ".log", {.max_size = system::size_limit::log});
+    booked = book_no_answer(check, exit, said ? *said : said.error().what);
   }
   if (!booked) {
     tell_(booked.error().what);
     rests_until_ = steady_clock::now() + rest_time;
   }
   (void)files_.remove(path);
+  (void)files_.remove(path + ".log");
 }
 
 Result<void> CheckRunner::book_no_answer(const Running& check, const system::Exit& exit,
-                                         const std::string& output) {
+                                         const std::string& said) {
   const std::string& team = check.handed.team;
   const int entry = check.handed.entry;
   const std::string name = team + ": entry " + std::to_string(entry) + ": ";
@@ -147,7 +145,7 @@ Result<void> CheckRunner::book_no_answer(const Running& check, const system::Exi
     tell_(name + "its check ended with " +
           (exit.signal != 0 ? "signal " + std::to_string(exit.signal)
                             : "code " + std::to_string(exit.code)) +
-          " " + output.substr(0, enough));
+          " " + said.substr(0, enough));
     rests_until_ = steady_clock::now() + (exit.signal != 0 ? 0s : rest_time);
   }
   return portal_.wait_again(team, entry, check.stopped.value_or(NoAnswer::host_failed), most);
@@ -165,13 +163,10 @@ void CheckRunner::look_at_checks() {
   for (auto& [tag, check] : running_) {
     const std::string& team = check.handed.team;
     const int entry = check.handed.entry;
-    const auto output =
-        files_.read(folder_.check_log(team, entry),
-                    {.max_size = system::size_limit::log, .growth = system::Growth::ignored});
-    if (output) {
-      const CheckStep step = last_step(*output);
-      check.is_compiled = check.is_compiled || step.number > 0;
-      portal_.set_step(team, entry, step);
+    const auto answer = record::last_answer(files_, folder_.check_answer(team, entry));
+    if (const auto step = answer ? step_in(*answer) : std::nullopt) {
+      check.is_compiled = true;
+      portal_.set_step(team, entry, *step);
     }
     const system::TreeUse& use = used.at(check.pid);
     check.used.processor = std::max(check.used.processor, use.seconds);
@@ -201,8 +196,8 @@ void CheckRunner::make_room(const std::vector<RunningCheck>& uses) {
 }
 
 Result<int> check_hand_in(system::Files& files, const Folder& folder, const std::string& team,
-                          int entry, const std::string& file, std::int64_t at,
-                          int compile_seconds) {
+                          int entry, const std::string& file, std::int64_t at, int compile_seconds,
+                          const record::WriteAnswer& answer) {
   setpriority(PRIO_PROCESS, 0, lower_priority);
   HandIn handed;
   handed.team = team;
@@ -220,9 +215,8 @@ Result<int> check_hand_in(system::Files& files, const Folder& folder, const std:
     (void)files.remove(handed.path);
     (void)files.remove(folder.source(team, entry));
   }
-  std::cout << '\n'
-            << record::json_text({{"accepted", done.is_accepted}, {"message", done.message}})
-            << std::endl;
+  MIROCUP_TRY_VOID(
+      answer({{"accepted", done.is_accepted}, {"message", done.message}, {"plays", done.plays}}));
   return done.is_accepted ? exit_yes : exit_no;
 }
 

@@ -12,6 +12,7 @@
 // Threads: only the thread that uses the ProcessSet.
 #pragma once
 
+#include "record/answer.hpp"
 #include "system/process_set.hpp"
 #include "tournaments/handin/friendly_runner.hpp"
 #include "tournaments/handin/portal.hpp"
@@ -62,11 +63,11 @@ class CheckRunner {
   void look_at_checks();
   void make_room(const std::vector<RunningCheck>& uses);
   Result<void> book_no_answer(const Running& check, const system::Exit& exit,
-                              const std::string& output);
+                              const std::string& said);
   double most_processor(const Running& check) const {
     return limits_.processor + check.compile_seconds;
   }
-  std::string output_of(const WaitingHandIn& handed) const;
+  std::string answer_of(const WaitingHandIn& handed) const;
 
   system::Files& files_;
   Folder folder_;
@@ -84,9 +85,10 @@ class CheckRunner {
   std::chrono::steady_clock::time_point rests_until_{};
 };
 
-// The body of `check-hand-in`: checks one hand-in and prints the answer as JSON. The exit codes are
-// those of `mirocup-league submit`.
+// The body of `check-hand-in`: checks one hand-in and answers with JSON. The exit codes are those of
+// `mirocup-league submit`.
 Result<int> check_hand_in(system::Files& files, const Folder& folder, const std::string& team,
-                          int entry, const std::string& file, std::int64_t at, int compile_seconds);
+                          int entry, const std::string& file, std::int64_t at, int compile_seconds,
+                          const record::WriteAnswer& answer);
 
 }  // namespace mirocup::league

@@ -37,8 +37,9 @@ struct PortalOptions {
   // digest.
   std::function<std::string(const std::string& team)> digest = {};
   // Returns the replay page of a leg, by the name of its record. The page has the kept thoughts and
-  // logs of the teams in `whose`. Returns nothing if the leg has no page.
-  std::function<std::optional<std::string>(const std::string& name, const record::Whose& whose)>
+  // logs of the teams in `whose`, and HTML with links. Returns nothing if the leg has no page.
+  std::function<std::optional<std::string>(const std::string& name, const record::Whose& whose,
+                                           const std::string& links)>
       replay = {};
   // Returns the football statistics of a team as part of a page, HTML; "" if the team has no
   // statistics.

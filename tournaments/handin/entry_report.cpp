@@ -2,7 +2,6 @@
 #include "tournaments/handin/entry_report.hpp"
 
 #include "record/json_fields.hpp"
-#include "system/number_of.hpp"
 #include "system/printable.hpp"
 
 #include <algorithm>
@@ -16,19 +15,8 @@ namespace {
 using record::or_null;
 using record::text_in;
 
-constexpr std::string_view step_mark = "step ";
 constexpr std::size_t shown_lines = 50;      // of the beginning of a log, and of its end
 constexpr std::size_t shown_bytes = 16'384;  // of each
-
-// Reads "3 of 7: name".
-CheckStep read_step(std::string_view line) {
-  const std::size_t of = line.find(" of "), colon = line.find(": ");
-  if (colon == std::string_view::npos || of > colon) return {};
-  const auto number = system::number_of<int>(line.substr(0, of));
-  const auto all = system::number_of<int>(line.substr(of + 4, colon - of - 4));
-  if (!number || !all) return {};
-  return {.number = *number, .of = *all, .name = std::string(line.substr(colon + 2))};
-}
 
 // The verdict of an entry whose check has ended; null if there is none.
 Result<Json> verdict_of(system::Files& files, const Folder& folder, const std::string& team,
@@ -47,13 +35,6 @@ const Json& list_in(const Json& object, const char* key) {
   static const Json none = Json::array();
   const auto found = object.find(key);
   return found != object.end() && found->is_array() ? *found : none;
-}
-
-// Returns what follows the reason of a refusal in its message: "entry 10 plays on".
-std::string plays_on(const std::string& message, const std::string& reason) {
-  const std::size_t at = message.find(reason);
-  const std::size_t end = at == std::string::npos ? at : at + reason.size() + 2;
-  return end < message.size() ? message.substr(end) : "nothing changes";
 }
 
 // Returns the answer in lines: what was wrong, where, what to do and what plays; of a good entry
@@ -79,16 +60,11 @@ Json told_by(const Json& verdict, const std::string& plays) {
 
 }  // namespace
 
-CheckStep last_step(std::string_view output) {
-  // A line without its end is still being written.
-  output = output.substr(0, output.rfind('\n') + 1);
-  while (!output.empty()) {
-    output.remove_suffix(1);
-    const std::string_view line = output.substr(output.rfind('\n') + 1);
-    if (line.starts_with(step_mark)) return read_step(line.substr(step_mark.size()));
-    output.remove_suffix(line.size());
-  }
-  return {};
+std::optional<CheckStep> step_in(const Json& answer) {
+  if (!answer.contains("step")) return std::nullopt;
+  return CheckStep{.number = record::value_in(answer, "step", 0),
+                   .of = record::value_in(answer, "of", 0),
+                   .name = text_in(answer, "name")};
 }
 
 Result<Json> entry_report(system::Files& files, const Folder& folder, const std::string& team,
@@ -114,7 +90,11 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
     const bool has_reason = report["state"] != to_string(HandInState::accepted);
     report["reason"] = has_reason ? or_null(reason.empty() ? message : reason) : Json();
     report["message"] = or_null(message);
-    if (has_reason) report["plays"] = plays_on(message, reason);
+    if (has_reason) {
+      const int plays = waiting != nullptr ? waiting->plays : 0;
+      report["plays"] =
+          plays > 0 ? "entry " + std::to_string(plays) + " plays on" : "nothing changes";
+    }
     report["told"] = told_by(verdict, text_in(report, "plays"));
     if (is_whole && verdict.is_object()) {
       for (const char* key : {"checks", "notes", "timing", "peak_memory_bytes", "isolation"}) {

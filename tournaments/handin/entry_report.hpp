@@ -13,7 +13,7 @@ namespace mirocup::league {
 
 using Json = nlohmann::ordered_json;
 
-// The check that is running, as `mirocup check --steps` prints it.
+// The check that is running.
 struct CheckStep {
   int number = 0;  // from 1; 0: no check has begun
   int of = 0;
@@ -22,8 +22,8 @@ struct CheckStep {
   bool operator==(const CheckStep&) const = default;
 };
 
-// Returns the last step in the output of a running check.
-CheckStep last_step(std::string_view output);
+// Returns the step that the last line of a check's answer tells; nothing if it tells none.
+std::optional<CheckStep> step_in(const Json& answer);
 
 // Returns the report of an entry; null if the team has no entry of that number. A verdict that
 // cannot be read is an error, not a refusal. If `waiting` is null, the entry was not handed in over

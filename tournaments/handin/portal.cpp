@@ -228,13 +228,14 @@ web::Reply Portal::own_replay(const Call& call) {
     if (leg.record.empty() || !state_.options.replay ||
         call.parts.front() != name_of_leg(leg) + ".html")
       continue;
-    auto page = state_.options.replay(name_of_leg(leg), sees_all ? record::of_both : own_side(leg));
+    const std::string links = call.visitor.role == Role::staff
+                                  ? "<p class=\"path\"><a href=\"" +
+                                        system::html_escaped(StaffDesk::decision_path(leg)) +
+                                        "\">Decide about this leg</a></p>"
+                                  : "";
+    auto page =
+        state_.options.replay(name_of_leg(leg), sees_all ? record::of_both : own_side(leg), links);
     if (!page) break;
-    const std::size_t links = page->find("<!--/league-->");
-    if (call.visitor.role == Role::staff && links != std::string::npos)
-      page->insert(links, "<p class=\"path\"><a href=\"" +
-                              system::html_escaped(StaffDesk::decision_path(leg)) +
-                              "\">Decide about this leg</a></p>");
     return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
   }
   return problem_reply(404, "your team has no leg of this name");
@@ -445,14 +446,14 @@ void Portal::set_step(const std::string& team, int entry, const CheckStep& step)
 }
 
 Result<void> Portal::close(const std::string& team, int entry, HandInState state,
-                           const std::string& message) {
+                           const std::string& message, int plays) {
   const std::int64_t now = state_.options.now();
   state_.options.has_written();  // the check may have let the team join
   // Before the answer, so that a team that has it finds its friendlies.
   Result<void> begun;
   if (state == HandInState::accepted) begun = friendlies_->entry_accepted(team, entry, now);
   const std::lock_guard lock(state_.mutex);
-  auto answered = state_.book.answer(team, entry, state, message, now);
+  auto answered = state_.book.answer(team, entry, state, message, now, plays);
   state_.steps.erase({team, entry});
   if (!answered) state_.book.wait_again(team, entry);
   ++state_.version;

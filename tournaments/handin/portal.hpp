@@ -46,9 +46,9 @@ class Portal {
 
   void set_step(const std::string& team, int entry, const CheckStep& step);
 
-  // Books the answer of a check.
+  // Books the answer of a check. `plays`: the entry that plays after a refusal; 0: none.
   Result<void> close(const std::string& team, int entry, HandInState state,
-                     const std::string& message);
+                     const std::string& message, int plays = 0);
 
   // To be called when a check has ended without an answer: the hand-in waits for another check.
   // After some failures of the host the hand-in is void. If its check has used up its processor

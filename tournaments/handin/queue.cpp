@@ -43,12 +43,13 @@ void HandInQueue::put_behind(WaitingHandIn& handed) {
 }
 
 void HandInQueue::answer(const std::string& team, int entry, HandInState state,
-                         const std::string& message) {
+                         const std::string& message, int plays) {
   const Key key{team, entry};
   const auto found = all_.find(key);
   if (found == all_.end() || is_final(found->second.state)) return;
   found->second.state = state;
   found->second.message = message;
+  found->second.plays = plays;
   round_ = std::max(round_, found->second.round);
   std::erase(waiting_, key);
 }

@@ -65,6 +65,7 @@ struct WaitingHandIn {
 
   HandInState state = HandInState::queued;
   std::string message = {};  // the answer to the team; "": none yet
+  int plays = 0;             // the entry that plays after a refusal; 0: none
   int round = 0;             // the round in which the hand-in is checked
   // The number of checks without an answer since the server started, by NoAnswer.
   std::array<int, 3> unanswered = {};
@@ -114,7 +115,8 @@ class HandInQueue {
   void add(WaitingHandIn handed);
 
   // Sets the answer of a hand-in. Does nothing if the hand-in has an answer already.
-  void answer(const std::string& team, int entry, HandInState state, const std::string& message);
+  void answer(const std::string& team, int entry, HandInState state, const std::string& message,
+              int plays = 0);
 
   // begin() is to be called when the check of a hand-in begins, wait_again() when the check has
   // ended without an answer. After wait_again() the hand-in waits in its old place or, if its check

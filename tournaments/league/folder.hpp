@@ -80,11 +80,11 @@ struct Folder {
   std::string source(const std::string& team, int number) const {
     return entry(team, number) + "/source";
   }
-  // Output of compiling the entry.
-  std::string compile_log(const std::string& team, int number) const {
-    return entry(team, number) + "/compile.log";
+  // What the programs that compile and check the entry answer (record/answer.hpp), and what they
+  // print.
+  std::string check_answer(const std::string& team, int number) const {
+    return entry(team, number) + "/check.jsonl";
   }
-  // Output of checking the entry.
   std::string check_log(const std::string& team, int number) const {
     return entry(team, number) + "/check.log";
   }

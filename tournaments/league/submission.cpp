@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/submission.hpp"
 
+#include "record/answer.hpp"
 #include "record/json_reader.hpp"
 #include "record/team_parameters_json.hpp"
 #include "system/digest.hpp"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <strings.h>
-#include <tuple>
 #include <utility>
 
 namespace mirocup::league {
@@ -36,44 +36,72 @@ Json verdict_in(const record::JsonReader& json) {
   return json.json();
 }
 
-// Returns the answer of `mirocup check --json` about a library of the team. Any exit code but yes
-// and no is an error of the host.
+// How a program that looks at an entry has ended, and the last line of its answer.
+struct Answered {
+  system::Exit exit;
+  Json answer;
+
+  // True if the program has said yes or no.
+  bool is_done() const {
+    return exit.signal == 0 && (exit.code == exit_yes || exit.code == exit_no) &&
+           answer.is_object();
+  }
+  std::string text(const char* key) const { return record::text_in(answer, key); }
+};
+
+// Runs a command of `mirocup` that answers. What it prints goes into the log, for people.
+Result<Answered> ask(system::Files& files, std::vector<std::string> command, const Folder& folder,
+                     const std::string& team, int number) {
+  const std::string answer = folder.check_answer(team, number);
+  command.insert(command.begin(), system::sibling_program("mirocup"));
+  command.insert(command.end(), {"--answer", answer});
+  MIROCUP_TRY_VOID(files.remove(answer));  // of a check that died
+  system::ProcessSet processes;
+  MIROCUP_TRY_VOID(processes.start(command, 0, -1, folder.check_log(team, number)));
+  const auto exit = processes.wait();
+  if (!exit) return fail(Errc::interrupted, "interrupted while an entry was checked");
+  return record::last_answer(files, answer).map([&exit](Json last) {
+    return Answered{*exit, std::move(last)};
+  });
+}
+
+// Returns the error of a host on which such a program has failed.
+Error failure(system::Files& files, const Answered& done, const std::string& log) {
+  constexpr std::size_t enough = 500;  // bytes
+  const std::string why = done.text("error");
+  const auto said = files.read(log, {.max_size = system::size_limit::log});
+  return {Errc::host, "the check of an entry failed: " +
+                          (why.empty() ? said.value_or("").substr(0, enough) : why)};
+}
+
+// Returns the answer of `mirocup check` about a library of the team. Any exit code but yes and no
+// is an error of the host.
 Result<Json> check(system::Files& files, const std::string& library, const LeagueFile& rules,
-                   const std::string& team, const std::string& log, const std::string& gate_leg) {
-  std::vector<std::string> command{system::sibling_program("mirocup"),
-                                   "check",
-                                   library,
-                                   "--json",
-                                   "--steps",
-                                   "--record",
-                                   gate_leg,
-                                   "--league",
-                                   std::string(to_string(rules.league)),
-                                   "--half",
-                                   std::to_string(rules.rules.half_s),
-                                   "--processor",
-                                   std::string(to_string(rules.processor))};
+                   const Folder& folder, const std::string& team, int number) {
+  const std::string gate_leg = folder.gate_leg(team, number);
+  std::vector<std::string> command{"check",       library,
+                                   "--record",    gate_leg,
+                                   "--league",    std::string(to_string(rules.league)),
+                                   "--half",      std::to_string(rules.rules.half_s),
+                                   "--processor", std::string(to_string(rules.processor))};
   for (const TeamConfig& known : rules.teams) {
     if (known.name != team) continue;
     const auto parameters = record::parameter_options(known.parameters, "--param");
     command.insert(command.end(), parameters.begin(), parameters.end());
   }
-  system::ProcessSet processes;
-  MIROCUP_TRY_VOID(processes.start(command, 0, -1, log));
-  const auto exit = processes.wait();
+  auto done = ask(files, std::move(command), folder, team, number);
   close_to_others(gate_leg);
-  if (!exit) return fail(Errc::interrupted, "interrupted while an entry was checked");
-  MIROCUP_TRY(const auto text, files.read(log, {.max_size = system::size_limit::log}));
-  // The answer is the last line; the log of the check precedes it.
-  const std::size_t begin = text.rfind("\n{");
-  auto verdict = record::read_json<Json>(
-      std::string_view(text).substr(begin == std::string::npos ? 0 : begin + 1), log, Errc::host,
-      verdict_in);
-  if (exit->signal != 0 || (exit->code != exit_yes && exit->code != exit_no) || !verdict) {
-    constexpr std::size_t enough = 500;  // bytes
-    return fail(Errc::host, "the check of an entry failed: " + text.substr(0, enough));
-  }
-  return verdict;
+  if (!done) return tl::unexpected(done.error());
+  if (!done->is_done() || !done->answer.contains("accepted"))
+    return tl::unexpected(failure(files, *done, folder.check_log(team, number)));
+  return std::move(done->answer);
+}
+
+Result<void> remove_check_files(system::Files& files, const Folder& folder, const std::string& team,
+                                int number) {
+  return files.remove(folder.check_log(team, number)).and_then([&] {
+    return files.remove(folder.check_answer(team, number));
+  });
 }
 
 std::string objection_to(const LeagueState& state, const std::string& team,
@@ -129,7 +157,6 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, const L
                              const HandIn& handed, int number, const std::string& library) {
   const std::string entry = folder.entry(handed.team, number);
   const std::string stored = folder.library(handed.team, number);
-  const std::string log = folder.check_log(handed.team, number);
   using system::Readers;
   MIROCUP_TRY_VOID(make_entries_folder(files, folder, handed.team)
                        .and_then([&] { return files.make_folder(entry, Readers::owner); })
@@ -137,15 +164,14 @@ Result<Json> store_and_check(system::Files& files, const Folder& folder, const L
                          if (handed.path == stored) return {};
                          return files.write(stored, library, Readers::owner);
                        }));
-  auto verdict =
-      check(files, stored, rules, handed.team, log, folder.gate_leg(handed.team, number));
+  auto verdict = check(files, stored, rules, folder, handed.team, number);
   if (!verdict) return verdict;
   const std::string sha256 = system::sha256(library);
   const std::string checked = record::text_in(*verdict, "sha256");
   if (!checked.empty() && checked != sha256)
     return fail(Errc::host, stored + " was changed while it was checked");
   name_file(*verdict, stored, handed.name.empty() ? handed.path : handed.name);
-  MIROCUP_TRY_VOID(files.remove(log).and_then([&] {
+  MIROCUP_TRY_VOID(remove_check_files(files, folder, handed.team, number).and_then([&] {
     return add_entry(files, folder, handed.team, number, library,
                      record::json_text(*verdict, 1) + "\n");
   }));
@@ -166,37 +192,22 @@ std::string first_error_in(const std::string& said) {
 // which is then written, if it is refused.
 Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
                                     const HandIn& handed, int number) {
-  const std::string log = folder.compile_log(handed.team, number);
   const std::string name = handed.name.empty() ? handed.source : handed.name;
-  system::ProcessSet processes;
-  MIROCUP_TRY_VOID(
-      processes.start({system::sibling_program("mirocup"), "compile", handed.source, "-o",
-                       folder.library(handed.team, number), "--json", "--language", handed.language,
-                       "--seconds", std::to_string(handed.compile_seconds)},
-                      0, -1, log));
-  const auto exit = processes.wait();
-  if (!exit) return fail(Errc::interrupted, "interrupted while a source was compiled");
-  MIROCUP_TRY(const auto text, files.read(log, {.max_size = system::size_limit::log}));
-  MIROCUP_TRY_VOID(files.remove(log));
-  if (exit->signal == 0 && exit->code == exit_yes) return std::nullopt;
-  std::string reason;
-  std::string said;
-  if (exit->signal == 0 && exit->code == exit_code(Errc::unavailable)) {
-    // This computer compiles nothing: a sentence for the team.
-    constexpr std::string_view before = "mirocup: ";
-    reason = text.substr(text.starts_with(before) ? before.size() : 0);
-    reason = reason.substr(0, reason.find('\n'));
-  } else if (exit->signal == 0 && exit->code == exit_no) {
-    MIROCUP_TRY(std::tie(reason, said),
-                (record::read_json<std::pair<std::string, std::string>>(
-                    text, log, Errc::host, [](const record::JsonReader& json) {
-                      return std::pair(json.at("reason").text(), json.at("log").text());
-                    })));
-    if (const std::string error = first_error_in(said); !error.empty()) reason = error;
-  } else {
-    constexpr std::size_t enough = 500;  // bytes
-    return fail(Errc::host, "compiling a source failed: " + text.substr(0, enough));
-  }
+  MIROCUP_TRY(
+      const auto done,
+      ask(files,
+          {"compile", handed.source, "-o", folder.library(handed.team, number), "--language",
+           handed.language, "--seconds", std::to_string(handed.compile_seconds)},
+          folder, handed.team, number));
+  const bool is_available = done.text("code") != to_string(Errc::unavailable);
+  if (!done.is_done() && is_available)
+    return tl::unexpected(failure(files, done, folder.check_log(handed.team, number)));
+  MIROCUP_TRY_VOID(remove_check_files(files, folder, handed.team, number));
+  if (done.is_done() && done.exit.code == exit_yes) return std::nullopt;
+  // This computer compiles nothing, or not this source: a sentence for the team.
+  std::string reason = done.text(is_available ? "reason" : "error");
+  const std::string said = done.text("log");
+  if (const std::string error = first_error_in(said); !error.empty()) reason = error;
   Json verdict{
       {"file", name},
       {"sha256", Json()},
@@ -311,6 +322,7 @@ class Desk {
     result.entry = number_;
     result.verdict = std::move(verdict);
     result.is_accepted = result.verdict["accepted"] == true;
+    result.plays = playing;
     result.message = team() + ": entry " + std::to_string(result.entry) +
                      (result.is_accepted ? " was accepted" : " was not accepted");
     if (!result.is_accepted) {

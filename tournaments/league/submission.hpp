@@ -37,6 +37,7 @@ struct HandIn {
 struct Submission {
   bool is_accepted = false;
   int entry = 0;        // the entry's number; 0: not stored
+  int plays = 0;        // the entry that plays after a refusal; 0: none
   std::string message;  // a sentence for the team
   Json verdict;         // of the check, as in verdict.json; null if no check ran
 };

@@ -188,6 +188,10 @@ std::string leg_output(const Folder& folder, const LegId& leg) {
   return folder.record(leg.fixture, leg.leg, leg.version) + ".out";
 }
 
+std::string leg_answer(const Folder& folder, const LegId& leg) {
+  return folder.record(leg.fixture, leg.leg, leg.version) + ".answer";
+}
+
 std::uint64_t leg_seed(const LeagueState& state, const LegId& id) {
   std::uint64_t seed = fixture_seed(state.file.seed, id.fixture);
   if (const auto fixture = state.find_fixture(id.fixture.id())) {

@@ -50,7 +50,11 @@ std::vector<std::string> friendly_command(const LeagueState& state, const Friend
 // same seeds for all entries. The command takes 2 to 10 s of processor time.
 std::vector<std::string> drills_command(const LeagueState& state, const FriendlyTerms::Side& entry);
 
-// Returns the path of the file for the output of the match server.
+// Returns the path of the file for the output of the match server, which is for people.
 std::string leg_output(const Folder& folder, const LegId& leg);
+
+// Returns the path of the file in which the match server of Runner tells the port of its live page,
+// {"port": 1234}, or its error (record/answer.hpp). The file is there while the leg is played.
+std::string leg_answer(const Folder& folder, const LegId& leg);
 
 }  // namespace mirocup::league

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/runner.hpp"
 
+#include "record/answer.hpp"
 #include "record/team_parameters_json.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 #include "system/memory.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 namespace mirocup::league {
@@ -22,10 +21,8 @@ constexpr int joiner_tag = -1;
 constexpr std::uintmax_t least_room = 64u << 10;
 
 // True if a match server has failed because there is no room for its record.
-bool is_disk_full(const std::string& folder, const std::string& said) {
-  for (const int number : {ENOSPC, EDQUOT}) {
-    if (said.find(std::strerror(number)) != std::string::npos) return true;
-  }
+bool is_disk_full(const std::string& folder, const Json& answer) {
+  if (record::text_in(answer, "code") == to_string(Errc::no_room)) return true;
   std::error_code unknown;
   const auto space = std::filesystem::space(folder, unknown);
   return !unknown && space.available < least_room;
@@ -174,6 +171,7 @@ Result<void> Runner::start_leg(Worker& worker) {
   const int tag = static_cast<int>(&worker - workers_.data());
   auto command = leg_command(recorder_.folder(), state(), leg, match_id);
   add_network(command, "server");
+  command.insert(command.end(), {"--answer", leg_answer(recorder_.folder(), leg)});
   if (options_.watched) {
     command.insert(command.end(), {"--watch", "127.0.0.1:0"});
     const auto& teams = state().file.teams;
@@ -223,7 +221,10 @@ Result<void> Runner::finish(Worker& worker, const system::Exit& exit) {
   worker.playing.reset();
   const std::string record = recorder_.folder().record(leg.fixture, leg.leg, leg.version);
   const bool has_failed = exit.signal != 0 || exit.code != exit_yes;
-  if (has_failed && is_disk_full(recorder_.folder().path, recorder_.last_output_line(leg))) {
+  const std::string path = leg_answer(recorder_.folder(), leg);
+  const Json answer = record::last_answer(files_, path).value_or(Json());
+  (void)files_.remove(path);
+  if (has_failed && is_disk_full(recorder_.folder().path, answer)) {
     // Another attempt would fail as well, and so would the journal's next line.
     return fail(Errc::unavailable,
                 "the disk is full: " + std::to_string(state().played()) + " of " +

@@ -76,98 +76,112 @@ bool has_page(system::Files& files, const Folder& folder, const FixtureState& f,
   return counted_hash(files, folder, record).has_value();
 }
 
-// Returns the command that makes the page of a record. `module`: the name of the module's file; "":
-// the page has no proof.
-std::vector<std::string> command_for(const Folder& folder, const std::string& record,
+// Returns the path inside site/ of the file with the league's part of a record's page, and the
+// module that the page names.
+std::string part_file_of(const std::string& record) {
+  return "replays/" + std::filesystem::path(record).stem().string() + ".league.json";
+}
+
+// Returns the content of that file; null if there is none, or it cannot be read.
+Json read_part(system::Files& files, const Folder& folder, const std::string& record) {
+  const auto text = files.read(folder.site() + "/" + part_file_of(record),
+                               {.max_size = system::size_limit::note});
+  return text ? record::parse_json(*text).value : Json();
+}
+
+// A page to make, and what the league puts on it.
+struct NewPage {
+  std::string record;
+  Json part;
+};
+
+// Returns the command that makes a page. `module`: the name of the module's file; "": the page has
+// no proof.
+std::vector<std::string> command_for(const Folder& folder, const NewPage& page,
                                      const std::string& module) {
   std::vector<std::string> words{system::sibling_program("mirocup"),
                                  "replay",
-                                 folder.path + "/" + record,
+                                 folder.path + "/" + page.record,
                                  "--no-times",
                                  "--public",
                                  "-o",
-                                 folder.site() + "/" + replay_page_of(record),
+                                 folder.site() + "/" + replay_page_of(page.record),
                                  "--statistics",
-                                 folder.site() + "/" + statistics_file_of(record)};
+                                 folder.site() + "/" + statistics_file_of(page.record),
+                                 "--league-part",
+                                 record::json_text(page.part)};
   if (!module.empty()) words.insert(words.end(), {"--proof-module", "../" + module});
   return words;
 }
 
-Result<std::vector<std::string>> missing_pages(system::Files& files, const Folder& folder,
-                                               const LeagueState& state) {
-  std::vector<std::string> missing;
-  for (const FixtureState& f : state.fixtures) {
+Result<std::vector<NewPage>> missing_pages(system::Files& files, const Folder& folder,
+                                           const Overview& o, const FailedPages& failed) {
+  std::vector<NewPage> missing;
+  for (const FixtureState& f : o.state.fixtures) {
     for (const std::string& record : records_of(files, folder, f)) {
-      if (has_page(files, folder, f, record, is_pruned(state, f))) continue;
+      if (failed.refused.contains(record) || failed.has(record)) continue;
+      const bool is_gone = is_pruned(o.state, f);
+      Json part = league_part(o, record);
+      if (has_page(files, folder, f, record, is_gone) &&
+          (is_gone || has_page_with(files, folder, record, part)))
+        continue;
       for (const auto& name :
            {replay_page_of(record), commands_file_of(record), statistics_file_of(record)})
         MIROCUP_TRY_VOID(files.read_if_there(folder.site() + "/" + name,
                                              {.max_size = system::size_limit::page}));
-      missing.push_back(record);
+      missing.push_back({record, std::move(part)});
     }
   }
   return missing;
 }
 
-Result<FailedPages> make_missing_pages(system::Files& files, const Folder& folder,
-                                       const LeagueState& state, int jobs,
-                                       const std::optional<SiteModule>& module) {
-  MIROCUP_TRY(const auto missing, missing_pages(files, folder, state));
-  FailedPages failed;
-  if (missing.empty()) return failed;
+// Makes the pages that are missing or have another part, but for those that have failed.
+Result<void> make_missing_pages(system::Files& files, const Folder& folder, const Overview& o,
+                                int jobs, const std::optional<SiteModule>& module,
+                                FailedPages& failed) {
+  MIROCUP_TRY(auto missing, missing_pages(files, folder, o, failed));
+  if (missing.empty()) return {};
   for (const char* name : {"/replays", "/statistics", "/module"}) {
     if (name == std::string("/module") && !module) continue;
     MIROCUP_TRY_VOID(files.make_folder(folder.site() + name));
   }
   if (module) MIROCUP_TRY_VOID(files.write(folder.site() + "/" + module->name, module->text));
+  const std::string module_name = module ? module->name : "";
   const std::size_t at_once =
       jobs > 0 ? static_cast<std::size_t>(jobs) : system::processors().size();
   system::ProcessSet processes;
   for (std::size_t next = 0; next < missing.size() || processes.running() > 0;) {
     if (next < missing.size() && processes.running() < at_once) {
-      MIROCUP_TRY_VOID(
-          processes.start(command_for(folder, missing[next], module ? module->name : ""),
-                          static_cast<int>(next), -1, "/dev/null",
-                          {.seconds = record::limit_of_repeating(state.file.rules.half_s),
-                           .bytes = system::size_limit::page}));
+      MIROCUP_TRY_VOID(processes.start(
+          command_for(folder, missing[next], module_name), static_cast<int>(next), -1, "/dev/null",
+          {.seconds = record::limit_of_repeating(o.state.file.rules.half_s),
+           .bytes = system::size_limit::page}));
       ++next;
       continue;
     }
     const auto exit = processes.wait();
     if (!exit) return fail(Errc::interrupted, "interrupted while making replay pages");
-    const std::string& record = missing[static_cast<std::size_t>(exit->tag)];
+    NewPage& page = missing[static_cast<std::size_t>(exit->tag)];
     if (exit->signal == 0 && exit->code == exit_no) {
-      failed.refused.insert(record);
+      failed.refused.insert(page.record);
     } else if (exit->signal != 0 || exit->code != exit_yes) {
-      failed.records.push_back(record);
+      failed.records.push_back(page.record);
+    } else {
+      page.part["module"] = module_name;
+      MIROCUP_TRY_VOID(files.write(folder.site() + "/" + part_file_of(page.record),
+                                   record::json_text(page.part) + "\n"));
     }
   }
-  return failed;
+  return {};
 }
 
-// Returns the name of the file with the module that a page names; "" if it cannot be proved.
-std::string module_named_in(const std::string& page) {
-  constexpr std::string_view before = "\"module_file\":\"../";
-  const std::size_t at = page.find(before);
-  if (at == std::string::npos) return "";
-  const std::size_t begin = at + before.size();
-  return page.substr(begin, page.find('"', begin) - begin);
-}
-
-// Writes the links of each page that has others by now, and removes modules that no page names.
-Result<void> link_pages(system::Files& files, const Folder& folder, const Overview& overview) {
+// Removes modules that no page names.
+Result<void> remove_other_modules(system::Files& files, const Folder& folder,
+                                  const LeagueState& state) {
   std::set<std::string> modules;
-  for (const FixtureState& f : overview.state.fixtures) {
-    for (const std::string& record : records_of(files, folder, f)) {
-      const std::string path = folder.site() + "/" + replay_page_of(record);
-      MIROCUP_TRY(const auto page,
-                  files.read_if_there(path, {.max_size = system::size_limit::page}));
-      if (!page) continue;
-      modules.insert(module_named_in(*page));
-      const std::string linked = with_league_links(*page, overview, record);
-      if (linked == *page) continue;
-      if (auto written = files.write(path, linked); !written) return written;
-    }
+  for (const FixtureState& f : state.fixtures) {
+    for (const std::string& record : records_of(files, folder, f))
+      modules.insert(record::text_in(read_part(files, folder, record), "module"));
   }
   return remove_former_pages(files, folder.site(), "module/", modules);
 }
@@ -183,6 +197,7 @@ Result<void> remove_other_pages(system::Files& files, const Folder& folder,
       if (is_pruned(state, f)) continue;
       shown.insert(replay_page_of(record));
       shown.insert(commands_file_of(record));
+      shown.insert(part_file_of(record));
     }
   }
   for (const std::string part : {"replays/", "statistics/"}) {
@@ -246,19 +261,22 @@ Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder
                                       LeagueState& state, int jobs,
                                       const std::optional<SiteModule>& module) {
   MIROCUP_TRY_VOID(remove_other_pages(files, folder, state));
-  auto failed = make_missing_pages(files, folder, state, jobs, module);
-  if (!failed) return failed;
-  take_out(files, folder, state, failed->refused);
+  FailedPages failed;
+  const auto make = [&] {
+    return make_missing_pages(files, folder, overview(state), jobs, module, failed);
+  };
+  MIROCUP_TRY_VOID(make());
+  std::set<std::string> counting = failed.refused;
+  take_out(files, folder, state, counting);
+  MIROCUP_TRY_VOID(make());  // those that have a link to a leg that was taken out
+  failed.refused = std::move(counting);
   // Statistics of pruned nights that were missing came with their pages.
   MIROCUP_TRY_VOID(remove_other_pages(files, folder, state));
-  MIROCUP_TRY_VOID(link_pages(files, folder, overview(state)));
+  MIROCUP_TRY_VOID(remove_other_modules(files, folder, state));
   return failed;
 }
 
 namespace {
-
-constexpr std::string_view begin_mark = "<!--league-->";
-constexpr std::string_view end_mark = "<!--/league-->";
 
 Json link_to(const Overview& o, const LegView* leg) {
   if (leg == nullptr) return false;
@@ -302,55 +320,24 @@ std::string nav(const Overview& o, const std::string& record) {
                                          {"note", note}});
 }
 
-// Puts a text in place of what stands between two others, after `from`. Returns where it ends, or
-// npos if the two texts are not found.
-std::size_t put_between(std::string& page, std::size_t from, std::string_view before,
-                        std::string_view after, const std::string& text) {
-  const std::size_t at = from == std::string::npos ? from : page.find(before, from);
-  if (at == std::string::npos) return at;
-  const std::size_t first = at + before.size();
-  const std::size_t end = page.find(after, first);
-  if (end == std::string::npos) return end;
-  page.replace(first, end - first, text);
-  return first + text.size();
-}
-
-// The program that makes a page knows the names of the record. This puts the names that people
-// know into the page's title, scoreboard and data, which may still have former names.
-void put_shown_names(std::string& page, const LeagueState& state, const FixtureState& f, int leg) {
-  const int blue = blue_team(f.fixture, leg);
-  const int yellow = blue == f.fixture.home ? f.fixture.away : f.fixture.home;
-  const std::string names[] = {state.shown_name(blue), state.shown_name(yellow)};
-  const std::string title = system::html_escaped(names[0] + " – " + names[1]);
-  put_between(page, 0, "<title>", "</title>", title);
-  std::size_t at = put_between(page, 0, "<h1 class=\"visually-hidden\">", "</h1>", title);
-  for (const std::string& name : names)
-    at = put_between(page, at, "<span class=\"name\">", "</span>", system::html_escaped(name));
-  at = page.find("<script type=\"application/json\" id=\"leg\">");
-  if (at != std::string::npos) at = page.find("\"teams\":", at);
-  // The name is the first key of a team, and in a text of JSON each quote is escaped.
-  for (const std::string colour : {"blue", "yellow"}) {
-    std::string text = record::json_text(Json(names[colour == "blue" ? 0 : 1]));
-    for (std::size_t less = text.find('<'); less != std::string::npos; less = text.find('<'))
-      text.replace(less, 1, "\\u003c");
-    at = put_between(page, at, "\"" + colour + "\":{\"name\":", ",\"kind\":", text);
-  }
-}
-
 }  // namespace
 
-std::string with_league_links(std::string page, const Overview& o, const std::string& record) {
-  const std::size_t begin = page.find(begin_mark);
-  if (begin == std::string::npos) return page;
-  const std::size_t inside = begin + begin_mark.size();
-  const std::size_t end = page.find(end_mark, inside);
-  if (end == std::string::npos) return page;
-  page.replace(inside, end - inside, nav(o, record));
+Json league_part(const Overview& o, const std::string& record) {
+  Json part{{"links", nav(o, record)}, {"names", Json::array()}};
   const FixtureState* f = fixture_of_record(o.state, record);
   const std::size_t version = record.rfind('-');
-  if (f == nullptr || !f->fixture.has_both() || version == std::string::npos) return page;
-  put_shown_names(page, o.state, *f, record[version - 1] - '0');
-  return page;
+  if (f == nullptr || !f->fixture.has_both() || version == std::string::npos) return part;
+  const int blue = blue_team(f->fixture, record[version - 1] - '0');
+  const int yellow = blue == f->fixture.home ? f->fixture.away : f->fixture.home;
+  for (const int team : {blue, yellow}) part["names"].push_back(o.state.shown_name(team));
+  return part;
+}
+
+bool has_page_with(system::Files& files, const Folder& folder, const std::string& record,
+                   const Json& part) {
+  Json known = read_part(files, folder, record);
+  if (known.is_object()) known.erase("module");
+  return known == part && files.exists(folder.site() + "/" + replay_page_of(record));
 }
 
 }  // namespace mirocup::league

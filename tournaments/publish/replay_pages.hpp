@@ -4,12 +4,13 @@
 // It leaves out measured times, so that a page depends on its record only. Beside each page
 // `mirocup replay` writes the statistics of the leg (league_statistics.hpp), so a leg is simulated
 // again only once, and a record that differs from its replay gets no page. An existing page stays
-// unless its record was changed after it; only its links to the league are renewed.
+// unless its record, or what the league puts on the page, was changed after it.
 #pragma once
 
 #include "tournaments/league/folder.hpp"
 #include "tournaments/publish/leg_view.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <string>
@@ -41,6 +42,10 @@ std::string page_of_record(const LeagueState& state, const std::string& root,
 struct FailedPages {
   std::vector<std::string> records;  // without a page: paths inside the league
   std::set<std::string> refused;     // the records of the legs that were taken out
+
+  bool has(const std::string& record) const {
+    return std::find(records.begin(), records.end(), record) != records.end();
+  }
 };
 
 // Makes the missing pages, `jobs` at once (0: one for each processor), and removes pages of pruned
@@ -51,11 +56,14 @@ Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder
                                       LeagueState& state, int jobs,
                                       const std::optional<SiteModule>& module = {});
 
-// Returns the replay page of a record with links to the front page, the round, both teams and the
-// legs before and after, and a note if the leg does not count; title, scoreboard and calls have the
-// display names of the teams. `record` is the path inside the league folder. A page without the
-// comments is returned unchanged.
-std::string with_league_links(std::string page, const Overview& overview,
-                              const std::string& record);
+// Returns what the league puts on the replay page of a record: {"links": HTML with links to the
+// front page, the round, both teams and the legs before and after, and with a note if the leg does
+// not count; "names": the display names of blue and yellow, or [] if the record is of no fixture}.
+// `record` is the path inside the league folder.
+Json league_part(const Overview& overview, const std::string& record);
+
+// True if site/ has the record's page with this part.
+bool has_page_with(system::Files& files, const Folder& folder, const std::string& record,
+                   const Json& part);
 
 }  // namespace mirocup::league

@@ -83,7 +83,9 @@ static bool is_name_of(std::string_view part, std::string_view name) {
   if (part.empty()) return name == "night.html" || name == "feed.xml" || name == playground_name;
   const bool is_module = part == "module/";
   std::string_view end = is_module ? ".js" : part == "statistics/" ? ".json" : ".html";
-  if (part == "replays/" && name.ends_with(".proof.js")) end = ".proof.js";
+  for (const std::string_view beside : {".proof.js", ".league.json"}) {
+    if (part == "replays/" && name.ends_with(beside)) end = beside;
+  }
   if (!name.ends_with(end)) return false;
   const std::string_view stem = name.substr(0, name.size() - end.size());
   if (part == "teams/" || part == "digests/") return is_good_name(std::string(stem));

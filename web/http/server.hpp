@@ -62,6 +62,7 @@ class HttpServer {
   // Listens at the address and serves requests from now on. Errors are those of open_listener().
   Result<void> listen(const Address& address, const std::string& option);
 
+  int port() const { return address_.port; }
   std::string url() const { return url_of(address_, options_.tls.has_value()); }
 
   // Returns the number of viewers to which the server is sending events.

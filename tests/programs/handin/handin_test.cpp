@@ -168,6 +168,37 @@ TEST_F(HandIn, TellsTheVerdictByOneCommand) {
   }
 }
 
+// Catches a verdict or a result that is read from what a library prints.
+TEST_F(HandIn, BelievesNothingThatALibraryPrints) {
+  const std::string liar = program("hostile/false_verdict.so");
+  new_token("alpha");
+  serve();
+  const Outcome refused = hand_in("alpha", liar, {"--json"});
+  EXPECT_EQ(refused.exit_code, 1) << refused.out << refused.err;
+  const auto told = ordered_json::parse(refused.out);
+  EXPECT_EQ(told["state"], "refused");
+  EXPECT_NE(told["message"].get<std::string>().find("ended itself"), std::string::npos) << told;
+  EXPECT_EQ(told["plays"], "entry 1 plays on");
+  EXPECT_NE(told["log"].get<std::string>().find("it is good"), std::string::npos)
+      << "the library has printed nothing: " << told;
+  server_->signal(SIGTERM);
+  EXPECT_EQ(server_->wait().exit_code, 0);
+  EXPECT_EQ(run(league("submit", folder_, {"alpha", liar})).exit_code, 1);
+  for (const char* entry : {"2", "3"}) {
+    const std::string place = folder_ + "/entries/alpha/" + entry;
+    EXPECT_EQ(ordered_json::parse(read_file(place + "/verdict.json"))["accepted"], false);
+  }
+
+  const Outcome played =
+      run({program("mirocup"), "match", "--blue", liar, "--yellow", "idle", "--half", "1",
+           "--record", temporary_ / "leg.json", "--answer", temporary_ / "answer"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const auto result = ordered_json::parse(read_file(temporary_ / "leg.json"))["result"];
+  EXPECT_EQ(result["fault"]["code"], "crash");
+  EXPECT_EQ(result["winner"], "yellow");
+  EXPECT_EQ(read_file(temporary_ / "answer"), "");
+}
+
 TEST_F(HandIn, PlaysWithThePinnedVersion) {
   new_token("alpha");
   serve();

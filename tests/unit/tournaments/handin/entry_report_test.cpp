@@ -15,11 +15,13 @@ struct Answered {
   system::Disk disk;
   Folder folder{temporary / "league"};
 
-  Json with(const std::string& verdict, HandInState state, const std::string& message) {
+  Json with(const std::string& verdict, HandInState state, const std::string& message,
+            int plays = 0) {
     EXPECT_TRUE(add_entry(disk, folder, "a", 1, "library", verdict));
     WaitingHandIn waiting;
     waiting.state = state;
     waiting.message = message;
+    waiting.plays = plays;
     return *entry_report(disk, folder, "a", 1, &waiting, 0, {}, false);
   }
 };
@@ -35,9 +37,13 @@ TEST(EntryReport, TellsARefusalInFourLines) {
   EXPECT_EQ(Answered().with(verdict, HandInState::refused, message)["told"],
             (Json{"What: it threw", "Where: tick 3", "Do: catch it; gdb stops",
                   "Plays: nothing changes"}));
-  const Json after = Answered().with(verdict, HandInState::refused, message + "; entry 4 plays on");
+  const Json after = Answered().with(verdict, HandInState::refused, message, 4);
   EXPECT_EQ(after["told"][3], "Plays: entry 4 plays on");
   EXPECT_EQ(after["plays"], "entry 4 plays on");
+  EXPECT_EQ(Answered().with(R"({"accepted": false})", HandInState::refused,
+                            "a: not taken; entry 7 plays on")["plays"],
+            "nothing changes")
+      << "what plays is not read from the sentence";
 }
 
 // Catches an answer that reads the scores from sentences, and one that fails at a damaged verdict.

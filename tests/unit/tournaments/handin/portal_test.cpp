@@ -7,6 +7,7 @@
 // and a hand-in without a limit.
 #include "tournaments/handin/portal.hpp"
 
+#include "record/answer.hpp"
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/handin/book.hpp"
@@ -81,8 +82,9 @@ class Desk : public testing::Test {
                               [](const std::string&, const record::Whose& whose) {
                                 return std::optional("the replay" + names_of(whose));
                               }};
-    options.replay = [](const std::string& name, const record::Whose& whose) {
-      return std::optional("replay of " + name + names_of(whose));
+    options.replay = [](const std::string& name, const record::Whose& whose,
+                        const std::string& links) {
+      return std::optional("replay of " + name + names_of(whose) + links);
     };
     options.why_not = [this](const std::string&, const std::string&) { return why_not_; };
     auto portal = Portal::open(disk_, folder_, std::move(options), nullptr);
@@ -755,13 +757,26 @@ TEST_F(Desk, CallsAHandInVoidThatTheHostCannotCheck) {
   EXPECT_EQ(json_of(ask(put(alpha_), "ELF"))["entry"], 2) << "the same bytes may come again";
 }
 
-TEST(CheckSteps, AreReadFromWhatACheckPrints) {
-  EXPECT_EQ(last_step("step 1 of 10: file\nstep 2 of 10: complete\n"),
+// Catches a step that is taken from the middle of a line that is still written, or from a verdict.
+TEST(CheckSteps, AreReadFromTheLastWholeLineOfAnAnswer) {
+  const test_support::TemporaryFolder folder;
+  system::Disk disk;
+  const auto step = [&](const std::string& text) {
+    EXPECT_TRUE(disk.write(folder / "answer", text));
+    const auto answer = record::last_answer(disk, folder / "answer");
+    return answer ? step_in(*answer) : std::nullopt;
+  };
+  const std::string first = R"({"step": 1, "of": 10, "name": "file"})"
+                            "\n";
+  EXPECT_EQ(step(first + R"({"step": 2, "of": 10, "name": "complete"})"
+                         "\n"),
             (CheckStep{2, 10, "complete"}));
-  EXPECT_EQ(last_step("step 1 of 10: file\nstep 2 of 1"), (CheckStep{1, 10, "file"}));
-  EXPECT_EQ(last_step("step 1 of 10: file\nmirocup: a note\n"), (CheckStep{1, 10, "file"}));
-  EXPECT_EQ(last_step(""), CheckStep{});
-  EXPECT_EQ(last_step("step x of y: z\n"), CheckStep{});
+  EXPECT_EQ(step(first + R"({"step": 2, "of": 1)"), (CheckStep{1, 10, "file"}));
+  EXPECT_EQ(step(first + R"({"accepted": true})"
+                         "\n"),
+            std::nullopt);
+  EXPECT_EQ(step(""), std::nullopt);
+  EXPECT_EQ(step("step 1 of 10: file\n"), std::nullopt);
 }
 
 TEST(Logs, AreShortenedToTheirFirstAndLastLines) {
