@@ -4,11 +4,11 @@
 #include "plugins/host/elf.hpp"
 #include "plugins/host/file_advice.hpp"
 #include "plugins/host/host_program.hpp"
-#include "system/command_line.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
 #include "system/process_set.hpp"
+#include "system/text.hpp"
 
 #include <filesystem>
 #include <sched.h>
@@ -52,9 +52,8 @@ Result<TeamChoice> choose_team(const std::string& text) {
     choice.info = {std::filesystem::path(text).stem().string(), record::TeamKind::plugin,
                    std::nullopt};
   } else {
-    const std::string meant = system::closest_word(text, system::house_teams());
-    return fail(Errc::input, "\"" + text + "\" is neither a file nor a house team" +
-                                 (meant.empty() ? "" : "; did you mean " + meant + "?"));
+    return fail(Errc::input, "\"" + text + "\" is neither a file nor a house team: " +
+                                 system::joined(system::house_teams(), ", "));
   }
   auto entry = plugins::SealedEntry::open(choice.library);
   if (entry) {

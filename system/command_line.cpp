@@ -11,52 +11,17 @@
 #include <algorithm>
 #include <cstdint>
 #include <iostream>
-#include <numeric>
 #include <vector>
 
 namespace mirocup::system {
 
 namespace {
 
-constexpr std::size_t max_slips = 2;
-
-// The number of letters that were changed, left out, added, or exchanged with their neighbour
-// (optimal string alignment distance).
-std::size_t slips_between(std::string_view one, std::string_view other) {
-  std::vector<std::vector<std::size_t>> d(one.size() + 1,
-                                          std::vector<std::size_t>(other.size() + 1));
-  for (std::size_t i = 0; i <= one.size(); ++i) d[i][0] = i;
-  std::iota(d[0].begin(), d[0].end(), std::size_t{0});
-  for (std::size_t i = 1; i <= one.size(); ++i) {
-    for (std::size_t j = 1; j <= other.size(); ++j) {
-      const std::size_t changed = d[i - 1][j - 1] + (one[i - 1] == other[j - 1] ? 0 : 1);
-      d[i][j] = std::min({changed, d[i - 1][j] + 1, d[i][j - 1] + 1});
-      const bool is_exchanged =
-          i > 1 && j > 1 && one[i - 1] == other[j - 2] && one[i - 2] == other[j - 1];
-      if (is_exchanged) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-    }
-  }
-  return d[one.size()][other.size()];
-}
-
 std::vector<std::string> commands_of(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(command->get_name());
   return names;
-}
-
-// The options of the command as they are typed, "--seed".
-std::vector<std::string> options_of(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
-}
-
-std::string or_meant(const std::string& meant) {
-  return meant.empty() ? "" : "; did you mean " + meant + "?";
 }
 
 // Prints what is wrong, and where to read on.
@@ -83,7 +48,7 @@ std::string sentence_of(const CLI::App& command, const CLI::ParseError& error) {
   });
   if (unknown != left.end()) {
     const std::string name = unknown->substr(0, unknown->find('='));
-    return "there is no option " + name + or_meant(closest_word(name, options_of(command)));
+    return "there is no option " + name;
   }
   const int kind = error.get_exit_code();
   if (kind == static_cast<int>(CLI::ExitCodes::ExtrasError) && !left.empty())
@@ -109,18 +74,6 @@ int explain(const CLI::App& app, std::span<const CommandHelp> helps, const CLI::
 
 }  // namespace
 
-std::string closest_word(std::string_view word, std::span<const std::string> words) {
-  std::string best;
-  std::size_t fewest = std::min(max_slips, word.size() / 3) + 1;
-  for (const std::string& candidate : words) {
-    const std::size_t slips = slips_between(word, candidate);
-    if (slips >= fewest) continue;
-    fewest = slips;
-    best = candidate;
-  }
-  return best;
-}
-
 std::optional<int> parse_command_line(CLI::App& app, std::span<const CommandHelp> helps, int argc,
                                       char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
@@ -137,11 +90,7 @@ std::optional<int> parse_command_line(CLI::App& app, std::span<const CommandHelp
   const std::string& first = words[0];
   const bool is_known = std::find(commands.begin(), commands.end(), first) != commands.end();
   if (first.empty() || (first.front() != '-' && !is_known)) {
-    std::vector<std::string> meant = commands;
-    meant.insert(meant.end(), {"help", "version"});
-    std::string closest = closest_word(first, meant);
-    if (closest == "version") closest = "--version";
-    return complain(app.get_name(), "there is no command " + in_quotes(first) + or_meant(closest));
+    return complain(app.get_name(), "there is no command " + in_quotes(first));
   }
   try {
     std::reverse(words.begin(), words.end());  // as CLI11 wants them

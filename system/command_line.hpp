@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The common parts of all programs' command lines: `help COMMAND`, a suggestion if a command or an
-// option is misspelt, and one form of errors.
+// The common parts of all programs' command lines: `help COMMAND` and one form of errors.
 #pragma once
 
 #include "system/command_help.hpp"
@@ -9,17 +8,12 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 
 namespace CLI {
 class App;
 }
 
 namespace mirocup::system {
-
-// Returns the word of `words` for which `word` is probably a misspelling: at most two letters, and
-// at most a third of the word, are changed, missing, added or exchanged. "" if no word is similar.
-std::string closest_word(std::string_view word, std::span<const std::string> words);
 
 // Parses the arguments from argv[1] on. The app's name is the way to call it, such as "mirocup
 // league". If a subcommand was chosen, its callback has run, and the function returns nothing. If

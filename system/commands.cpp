@@ -75,8 +75,7 @@ Option Option::one_of(const std::vector<std::string>& words) const {
     std::string list = joined(words, ", ");
     if (const std::size_t last = list.rfind(", "); last != std::string::npos)
       list.replace(last, 2, " or ");
-    const std::string meant = closest_word(text, words);
-    return text + " is not " + list + (meant.empty() ? "" : "; did you mean " + meant + "?");
+    return text + " is not " + list;
   };
   option_->check(CLI::Validator(problem, "{" + joined(words, ",") + "}"));
   return *this;

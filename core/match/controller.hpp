@@ -31,6 +31,10 @@ enum class FaultCode {
 struct Fault {
   FaultCode code = FaultCode::crash;
   std::string text;  // a sentence for the team
+  // A word for programs, which read nothing in the sentence: "slept", "exited", the name of a type
+  // of Python's exceptions, or "exception " and the type of one of C++. "": not known.
+  std::string cause = {};
+  int line = 0;  // of a team's file in Python; 0: not known
 };
 
 // A failure of the machine, not of the team: the leg is void.

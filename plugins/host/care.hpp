@@ -17,11 +17,16 @@ namespace mirocup::plugins {
 // To be called before any code of the team runs.
 void begin_care(const Surroundings& surroundings);
 
-// To be called before and after each call of the team's code. after_call() returns a sentence about
-// the team's first mistake in the use of memory, or null. The sentence stays valid until the
-// process ends.
+// A mistake in the use of memory.
+struct Mistake {
+  const char* text = nullptr;    // a sentence, valid until the process ends; null: no mistake
+  const char* cause = "memory";  // Fault::cause
+};
+
+// To be called before and after each call of the team's code. after_call() returns the team's first
+// mistake.
 void before_call();
-const char* after_call();
+Mistake after_call();
 
 // Returns the observation or a copy, for the team to read during the call.
 const mirocup_observation& lend(const mirocup_observation& observation);

@@ -100,6 +100,12 @@ const char* kind_of_text(std::string_view text) {
 
 }  // namespace
 
+FileAdvice parts_of(const std::string& text) {
+  const std::size_t colon = text.rfind(": ");
+  if (colon == std::string::npos) return {text, what_is_taken};
+  return {text.substr(0, colon), text.substr(colon + 2)};
+}
+
 std::string objection_to_source(std::string_view bytes) {
   for (const Kind& kind : archives_not_taken) {
     if (bytes.starts_with(kind.begin))

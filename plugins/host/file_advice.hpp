@@ -13,6 +13,16 @@ inline constexpr const char* what_is_taken =
     "hand in a library (.so), a source (.cpp, .c), a file of Python (.py), or a project as "
     ".tar.gz, .tar or .zip";
 
+// A finding about a file, and what to do.
+struct FileAdvice {
+  std::string what;
+  std::string cure;
+};
+
+// Returns the parts of a text of this header or of read_shared_library(): the finding stands before
+// its last ": ".
+FileAdvice parts_of(const std::string& text);
+
 // Returns advice about a file of a known kind that is not a shared library, such as an archive or a
 // source; "" if the kind is not known.
 std::string advice_on_file(std::string_view bytes);

@@ -59,9 +59,9 @@ LoadState state_of(match::FaultCode code) {
 
 // Reports the team's fault on the page and ends the process.
 [[noreturn]] void refuse(CommandPage& page, const match::Fault& fault) {
-  const std::size_t length = std::min(fault.text.size(), sizeof page.text - 1);
-  std::memcpy(page.text, fault.text.data(), length);
-  page.text[length] = '\0';
+  page.text[fault.text.copy(page.text, sizeof page.text - 1)] = '\0';
+  page.cause[fault.cause.copy(page.cause, sizeof page.cause - 1)] = '\0';
+  page.refusal_line.store(fault.line, std::memory_order_relaxed);
   page.load_state.store(state_of(fault.code), std::memory_order_release);
   wake(page.answer);
   _exit(exit_refused);
@@ -85,9 +85,9 @@ auto with_care(CommandPage& page, TeamCall what, Call call) {
   pass_time_between_calls();
   before_call();
   auto answer = below_host(call);
-  const char* mistake = after_call();
+  const Mistake mistake = after_call();
   write_requests(page.requests, sizeof page.requests);
-  if (mistake != nullptr) refuse(page, {match::FaultCode::crash, mistake});
+  if (mistake.text != nullptr) refuse(page, {match::FaultCode::crash, mistake.text, mistake.cause});
   if (!answer) refuse(page, answer.error());
   return answer;
 }

@@ -30,6 +30,8 @@ struct PythonLoaded {
   const mirocup_strategy* strategy;
   void* team;     // null: the file is not a team, or its team cannot be created
   char why[256];  // if `team` is null, a sentence with the reason
+  char cause[64];
+  int line;  // Fault::line
 };
 
 // Loads the file of a team and creates the team. `setup` must outlive the team. Must be called from

@@ -49,7 +49,7 @@ enum class LoadState : std::uint32_t { loading, ready, no_load, bad_abi, crash }
 
 // The exit codes of a team's process that left a report on its page. The comments name the members
 // of CommandPage with that report.
-inline constexpr int exit_refused = 1;  // load_state and text
+inline constexpr int exit_refused = 1;  // load_state, refusal_line, cause and text
 inline constexpr int exit_faulted = 3;  // fault_signal and the fields after it
 
 inline constexpr int no_call = -1;
@@ -70,6 +70,7 @@ enum class AddressKind : std::uint32_t {
 struct CommandPage {
   std::atomic<std::uint32_t> answer;  // the last request that was answered
   std::atomic<LoadState> load_state;
+  std::atomic<int> refusal_line;  // Fault::line
   std::atomic<int> fault_signal;  // signal of the crash; 0: none
   std::atomic<int> fault_call;    // number of a forbidden system call, or no_call
   std::atomic<AddressKind> fault_address;
@@ -79,6 +80,7 @@ struct CommandPage {
   AskedRows asked_parameters;       // the rows of ObservationPage::parameters that were asked for
   char name[64];                    // name of the team from its library; any bytes
   char text[256];                   // why the team does not play, or the text of its exception
+  char cause[64];                   // Fault::cause; any bytes
   char requests[1024];              // output of write_requests(), only in mirocup-careful-host
   mirocup_command command;
   mirocup_placement placement;  // valid if the observation had placing = 1

@@ -7,8 +7,8 @@ void begin_care(const Surroundings&) {}
 
 void before_call() {}
 
-const char* after_call() {
-  return nullptr;
+Mistake after_call() {
+  return {};
 }
 
 const mirocup_observation& lend(const mirocup_observation& observation) {

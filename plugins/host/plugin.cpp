@@ -4,9 +4,14 @@
 #include "plugins/host/floating_point.hpp"
 #include "plugins/host/team_host.hpp"
 
+#include <cerrno>
 #include <cstddef>
+#include <cstdlib>
+#include <cxxabi.h>
 #include <dlfcn.h>
 #include <exception>
+#include <memory>
+#include <typeinfo>
 #include <unistd.h>
 #include <utility>
 
@@ -20,29 +25,44 @@ using match::FaultCode;
 // The members of the first strategy.h of this version. A library may lack those that came later.
 constexpr std::size_t min_strategy_size = offsetof(mirocup_strategy, place) + sizeof(void*);
 
-tl::unexpected<Fault> fault(FaultCode code, std::string text) {
-  return tl::unexpected<Fault>(Fault{code, std::move(text)});
+// Versions of strategy.h are small numbers; larger ones are what lay in memory.
+constexpr std::uint32_t latest_version = 999;
+
+tl::unexpected<Fault> fault(FaultCode code, std::string text, std::string cause = "") {
+  return tl::unexpected<Fault>(Fault{code, std::move(text), std::move(cause)});
 }
 
-// Runs foreign code and turns any exception into a fault with a sentence.
+// Returns "exception " and the type of the exception: "exception std::out_of_range".
+std::string cause_of(const std::exception& e) {
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      ::abi::__cxa_demangle(typeid(e).name(), nullptr, nullptr, nullptr), std::free);
+  return std::string("exception ") + (name ? name.get() : "");
+}
+
+// Runs foreign code and turns any exception into a fault with a sentence. Nothing is called before
+// that code, so that a careful host finds the stack as it was filled.
 template <class Call>
 tl::expected<void, Fault> guarded(const char* function, Call call) {
+  const auto threw = [function](const std::string& what, std::string cause = "exception",
+                                int line = 0) {
+    return tl::unexpected<Fault>(
+        Fault{FaultCode::crash, std::string(function) + "() threw" + what, std::move(cause), line});
+  };
   try {
     call();
     return {};
+  } catch (const RaisedError& e) {
+    return threw(std::string(": ") + e.what(), e.cause, e.line);
   } catch (const std::exception& e) {
-    return fault(FaultCode::crash, std::string(function) + "() threw: " + e.what());
+    return threw(std::string(": ") + e.what(), cause_of(e));
   } catch (const char* text) {
-    return fault(FaultCode::crash,
-                 std::string(function) + "() threw: " + (text == nullptr ? "a null text" : text));
+    return threw(std::string(": ") + (text == nullptr ? "a null text" : text));
   } catch (const std::string& text) {
-    return fault(FaultCode::crash, std::string(function) + "() threw: " + text);
+    return threw(": " + text);
   } catch (int number) {
-    return fault(FaultCode::crash,
-                 std::string(function) + "() threw the number " + std::to_string(number));
+    return threw(" the number " + std::to_string(number));
   } catch (...) {
-    return fault(FaultCode::crash,
-                 std::string(function) + "() threw something that is not a std::exception");
+    return threw(" something that is not a std::exception");
   }
 }
 
@@ -60,7 +80,7 @@ tl::expected<Plugin, Fault> Plugin::load(const std::string& path, const mirocup_
   const auto create = [&] { plugin->team_ = plugin->strategy_->create(&setup); };
   MIROCUP_TRY_VOID(guarded("create", create));
   if (plugin->team_ == nullptr)
-    return fault(FaultCode::no_load, "create() returned null" + reason_in_log(setup));
+    return fault(FaultCode::no_load, "create() returned null" + reason_in_log(setup), "no_team");
   return plugin;
 }
 
@@ -71,9 +91,11 @@ tl::expected<void, Fault> Plugin::check(const std::string& path) {
 
 // Loads the library without creating its team.
 tl::expected<Plugin, Fault> Plugin::open(const std::string& path) {
+  errno = 0;
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
-    return fault(FaultCode::no_load, std::string("the library does not load: ") + dlerror());
+    const char* cause = errno == ENOMEM ? "large_tables" : "";
+    return fault(FaultCode::no_load, std::string("the library does not load: ") + dlerror(), cause);
   }
   Plugin plugin(library, nullptr, nullptr);
 
@@ -84,16 +106,21 @@ tl::expected<Plugin, Fault> Plugin::open(const std::string& path) {
   }
   MIROCUP_TRY_VOID(guarded("mirocup_entry", [&] { plugin.strategy_ = entry(); }));
   const mirocup_strategy* strategy = plugin.strategy_;
-  if (strategy == nullptr) return fault(FaultCode::bad_abi, "mirocup_entry() returned null");
+  if (strategy == nullptr)
+    return fault(FaultCode::bad_abi, "mirocup_entry() returned null", "no_strategy");
   if (strategy->abi_version != MIROCUP_ABI_VERSION) {
     return fault(FaultCode::bad_abi,
                  "the library was built for version " + std::to_string(strategy->abi_version) +
                      " of strategy.h, this is version " + std::to_string(MIROCUP_ABI_VERSION) +
-                     ": build it again with today's strategy.h");
+                     ": build it again with today's strategy.h",
+                 strategy->abi_version == 0               ? "no_version"
+                 : strategy->abi_version > latest_version ? "wild_version"
+                                                          : "");
   }
   if (strategy->size < min_strategy_size || strategy->create == nullptr ||
       strategy->decide == nullptr) {
-    return fault(FaultCode::bad_abi, "mirocup_entry() returned an incomplete structure");
+    return fault(FaultCode::bad_abi, "mirocup_entry() returned an incomplete structure",
+                 "incomplete");
   }
   return plugin;
 }

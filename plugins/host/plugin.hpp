@@ -9,12 +9,23 @@
 
 #include <tl/expected.hpp>
 
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace mirocup::plugins {
 
 // Writes a line to standard error, which is the team's log.
 void write_line(const char* text);
+
+// An exception of a team in another language, which knows its cause.
+struct RaisedError : std::runtime_error {
+  RaisedError(const std::string& text, std::string why, int at)
+      : std::runtime_error(text), cause(std::move(why)), line(at) {}
+
+  std::string cause;
+  int line;  // Fault::line
+};
 
 class Plugin {
  public:

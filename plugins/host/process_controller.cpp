@@ -181,6 +181,8 @@ Answer ProcessController::answer_to_exit(const ExitStatus& status) {
   words.call = out_->fault_call.load(std::memory_order_relaxed);
   words.load_state = out_->load_state.load(std::memory_order_acquire);
   words.text.assign(out_->text, strnlen(out_->text, sizeof out_->text));
+  words.cause.assign(out_->cause, strnlen(out_->cause, sizeof out_->cause));
+  words.line = std::max(0, out_->refusal_line.load(std::memory_order_relaxed));
   words.address = out_->fault_address.load(std::memory_order_relaxed);
   words.team_call = out_->team_call.load(std::memory_order_relaxed);
   exit_report_ = words;
@@ -367,7 +369,8 @@ std::optional<Fault> ProcessController::find_overrun() {
   if (auto fault = find_overdraft()) return fault;
   if (has_slept_too_long()) {
     return Fault{FaultCode::hang,
-                 "the team slept more than " + seconds_text(budget_.sleep) + " in this leg"};
+                 "the team slept more than " + seconds_text(budget_.sleep) + " in this leg",
+                 "slept"};
   }
   return std::nullopt;
 }

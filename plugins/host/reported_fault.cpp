@@ -28,11 +28,13 @@ std::optional<Fault> claimed_fault(const ExitStatus& status, const LastWords& wo
       return Fault{FaultCode::crash, "the team's process died of " + signal_text(words.signal)};
   }
   if (status.exit_code == exit_refused) {
-    const std::string text = "the team's process says " + system::in_quotes(words.text);
-    if (words.load_state == LoadState::crash) return Fault{FaultCode::crash, text};
+    Fault fault{FaultCode::crash, "the team's process says " + system::in_quotes(words.text),
+                system::printable(words.cause), words.line};
+    if (words.load_state == LoadState::crash) return fault;
     if (has_played) return std::nullopt;
-    if (words.load_state == LoadState::no_load) return Fault{FaultCode::no_load, text};
-    if (words.load_state == LoadState::bad_abi) return Fault{FaultCode::bad_abi, text};
+    if (words.load_state == LoadState::no_load) fault.code = FaultCode::no_load;
+    if (words.load_state == LoadState::bad_abi) fault.code = FaultCode::bad_abi;
+    if (fault.code != FaultCode::crash) return fault;
   }
   return std::nullopt;
 }
@@ -79,12 +81,16 @@ std::string text_of(TeamCall called, const AskedMoment& moment) {
 
 Fault fault_of(const ExitStatus& status, const LastWords& words, bool has_played,
                const std::optional<AskedMoment>& moment) {
-  Fault fault = claimed_fault(status, words, has_played)
-                    .value_or(Fault{FaultCode::crash,
-                                    status.signal != 0
-                                        ? "the team's process died of " + signal_text(status.signal)
-                                        : "the team's process ended itself with exit code " +
-                                              std::to_string(status.exit_code)});
+  Fault fault =
+      claimed_fault(status, words, has_played)
+          .value_or(status.signal != 0
+                        ? Fault{FaultCode::crash,
+                                "the team's process died of " + signal_text(status.signal),
+                                status.signal == SIGSEGV ? "bad_pointer" : ""}
+                        : Fault{FaultCode::crash,
+                                "the team's process ended itself with exit code " +
+                                    std::to_string(status.exit_code),
+                                "exited"});
   if (status.exit_code == exit_faulted && status.signal == 0) fault.text += text_of(words.address);
   if (has_played && moment) fault.text += text_of(words.team_call, *moment);
   if (!has_played && fault.code != FaultCode::no_load && fault.code != FaultCode::bad_abi)

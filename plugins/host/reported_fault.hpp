@@ -23,6 +23,8 @@ struct LastWords {
   LoadState load_state = LoadState::loading;
   int signal = 0;                              // fault_signal
   int call = no_call;                          // fault_call
+  std::string cause = {};                      // raw, as the text
+  int line = 0;                                // refusal_line
   std::string text = {};                       // raw: any bytes
   AddressKind address = AddressKind::unknown;  // fault_address
   TeamCall team_call = TeamCall::none;

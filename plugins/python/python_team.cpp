@@ -3,6 +3,7 @@
 #include "plugins/python/python_team.hpp"
 
 #include "mirocup/elementary.h"
+#include "plugins/host/plugin.hpp"
 
 #include <Python.h>
 #include <cstring>
@@ -38,21 +39,26 @@ Object call(PyObject* owner, const char* function, const char* format, Arguments
   return Object(PyObject_CallMethod(owner, function, format, arguments...));
 }
 
-// Clears the exception that is set and returns it as a sentence; its traceback goes to the log.
-std::string take_error(PyObject* module, const std::string& name) {
+// Clears the exception that is set and returns it with a sentence; its traceback goes to the log.
+Fault take_error(PyObject* module, const std::string& name, FaultCode code = FaultCode::crash) {
   PyObject *type = nullptr, *value = nullptr, *trace = nullptr;
   PyErr_Fetch(&type, &value, &trace);
   PyErr_NormalizeException(&type, &value, &trace);
   const Object keep_type(type), error(value), keep_trace(trace);
-  if (error == nullptr) return "an error without a text";
+  Fault fault{code, "an error without a text"};
+  if (error == nullptr) return fault;
   if (trace != nullptr) PyException_SetTraceback(error.get(), trace);
-  const Object text = module == nullptr
-                          ? Object(PyObject_Repr(error.get()))
+  const Object told = module == nullptr
+                          ? Object(Py_BuildValue("(Osi)", PyObject_Repr(error.get()), "", 0))
                           : call(module, "_describe", "Os", error.get(), name.c_str());
-  const char* said = text != nullptr ? PyUnicode_AsUTF8(text.get()) : nullptr;
-  std::string sentence = said != nullptr ? said : "an error that cannot be told";
+  const char* text = nullptr;
+  const char* cause = nullptr;
+  const bool is_told =
+      told != nullptr && PyArg_ParseTuple(told.get(), "ssi", &text, &cause, &fault.line) != 0;
+  fault.text = is_told ? text : "an error that cannot be told";
+  if (is_told) fault.cause = cause;
   PyErr_Clear();
-  return sentence;
+  return fault;
 }
 
 // ---- the functions of the setup, as `_host` of mirocup.team has them: `self` holds the setup
@@ -208,7 +214,10 @@ void ask(void* handle, const char* method, const mirocup_observation& now, Answe
   const auto& team = *static_cast<const PythonTeam*>(handle);
   const Object bytes = call(team.runner.get(), method, "y#", reinterpret_cast<const char*>(&now),
                             static_cast<Py_ssize_t>(sizeof now));
-  if (bytes == nullptr) throw std::runtime_error(take_error(team.module.get(), team.name));
+  if (bytes == nullptr) {
+    const Fault raised = take_error(team.module.get(), team.name);
+    throw plugins::RaisedError(raised.text, raised.cause, raised.line);
+  }
   std::memcpy(&answer, PyBytes_AS_STRING(bytes.get()), sizeof answer);
 }
 
@@ -323,29 +332,29 @@ Object team_module(Surrounding surrounding) {
 
 tl::expected<LoadedTeam, Fault> load_team(const std::string& text, const std::string& name,
                                           const mirocup_setup& setup, Surrounding surrounding) {
-  const auto fault = [](FaultCode code, std::string why) {
-    return tl::unexpected<Fault>(Fault{code, std::move(why)});
+  const auto failed = [&name](PyObject* module, FaultCode code, const char* before) {
+    Fault fault = take_error(module, name, code);
+    fault.text.insert(0, before);
+    return tl::unexpected<Fault>(std::move(fault));
   };
   std::string why;
   if (Py_IsInitialized() == 0 && !start_interpreter(surrounding, why))
-    return fault(FaultCode::no_load, "Python does not start: " + why);
+    return tl::unexpected<Fault>(Fault{FaultCode::no_load, "Python does not start: " + why});
   auto team = std::make_unique<PythonTeam>();
   team->name = name;
   team->module = team_module(surrounding);
   PyObject* module = team->module.get();
-  if (module == nullptr)
-    return fault(FaultCode::no_load, "Python does not start: " + take_error(nullptr, name));
+  if (module == nullptr) return failed(nullptr, FaultCode::no_load, "Python does not start: ");
   const Object team_class =
       call(module, "_load", "y#s", text.data(), static_cast<Py_ssize_t>(text.size()), name.c_str());
-  if (team_class == nullptr) return fault(FaultCode::no_load, take_error(module, name));
+  if (team_class == nullptr) return failed(module, FaultCode::no_load, "");
   const Object host = host_of(setup);
   if (host != nullptr) {
     team->runner =
         call(module, "_create", "Oy#O", team_class.get(), reinterpret_cast<const char*>(&setup),
              static_cast<Py_ssize_t>(sizeof setup), host.get());
   }
-  if (team->runner == nullptr)
-    return fault(FaultCode::crash, "__init__() raised " + take_error(module, name));
+  if (team->runner == nullptr) return failed(module, FaultCode::crash, "__init__() raised ");
   const Object own_name(PyObject_GetAttrString(team_class.get(), "name"));
   const char* text_of_name = own_name != nullptr && PyUnicode_Check(own_name.get()) != 0
                                  ? PyUnicode_AsUTF8(own_name.get())

@@ -98,7 +98,7 @@ class Team:
 
     def decide(self, now):
         """Returns a list with (left, right) for each robot, rad/s; None in its place lets a robot stand."""
-        raise NotImplementedError("a team defines decide(self, now)")
+        raise NotImplementedError("a team defines decide(self, now): name the method decide, in small letters")
 
     def place(self, now, placement):
         """At restarts: changes the places of the own robots, and of the ball where that is allowed."""
@@ -1143,6 +1143,10 @@ class _Runner:
         if answer is _unchanged[0] and answer is not None:
             name = _unchanged[1]
             _warn(f"{name}() returns a new list, which is not used: write wheels = {name}(self.setup, now, wheels)")
+        if answer is None:
+            raise TypeError("decide() returned None: each way through decide() has to end with return and the list")
+        if hasattr(answer, "cr_await"):
+            raise TypeError("decide() returned a coroutine: write def decide(self, now), without async")
         numbers = _speeds(answer, self._robots, "decide() returned")
         return _COMMAND.pack(*numbers, *_ZEROS[len(numbers):2 * MAX_ROBOTS])
 
@@ -1163,8 +1167,8 @@ class _Runner:
             ball_x, ball_y = placement.ball
             return _PLACEMENT.pack(float(ball_x), float(ball_y), *values, *_ZEROS[len(values):])
         except (TypeError, ValueError, struct.error):
-            raise TypeError("place() left something else than (x, y, heading) for each robot and "
-                            f"(x, y) for the ball: look at {place}") from None
+            raise TypeError("place() left something else than (x, y, heading) for each robot and (x, y) for "
+                            f"the ball: write {place} = Pose(x, y, heading)") from None
 
     def _look_at(self, placement, returned, now):
         """Warns about a place() that has no effect."""
@@ -1226,10 +1230,10 @@ def _load(source, name):
     # A class that another one of the file is derived from is not the team.
     leaves = [c for c in classes if not any(d is not c and issubclass(d, c) for d in classes)]
     if not leaves:
-        raise TypeError("the file defines no class that is derived from mirocup.team.Team")
+        raise TypeError("the file defines no class that is derived from mirocup.team.Team: write class Mine(Team)")
     if len(leaves) > 1:
         names = ", ".join(c.__name__ for c in leaves)
-        raise TypeError(f"the file defines several teams: {names}; one is expected")
+        raise TypeError(f"the file defines several teams: {names}; one is expected, hand in the others by themselves")
     return leaves[0]
 
 
@@ -1250,7 +1254,7 @@ def _create(team_class, data, host):
         _warn(f"the name of the team is {_short(team_class.name)}; a text is expected")
     if not isinstance(getattr(team, "setup", None), Setup):
         raise TypeError(f"{team_class.__name__}.__init__(self, setup) has to call "
-                        "super().__init__(setup)")
+                        "super().__init__(setup) first")
     gc.collect()
     gc.freeze()
     return _Runner(team, setup.robots)
@@ -1267,12 +1271,34 @@ def _what_it_has(error):
     return f"; it has {_short(near, ', '.join)}" if near else ""
 
 
+def _cause_of(error, frames, own):
+    """Returns a word for the cause of an error, often the name of its type. The sentences of Python change."""
+    import sys
+    kind = type(error).__name__
+    if any("/multiprocessing/" in frame.filename for frame in frames):
+        return "process"
+    if frames and frames[-1].filename.endswith("/threading.py"):
+        return "thread"
+    if isinstance(error, AttributeError):
+        set_it = "read_only" if error.name is None else kind
+        return "import_package" if error.obj is sys.modules["mirocup"] else set_it
+    if isinstance(error, NameError) and error.name in ("quit", "exit"):
+        return "SystemExit"
+    if kind == "ImportError" and error.name is None:
+        return "relative_import"
+    if kind != "TypeError":
+        return kind
+    # Which call did not take its arguments: that of a method of the team, or one of its own line?
+    line = own[-1].line if own else ""
+    return "no_default" if ".parameter(" in line else "bad_point" if ".draw_" in line else kind if own else "signature"
+
+
 def _describe(error, name):
-    """Prints the traceback to the log and returns a sentence with the line of the team's file."""
+    """Prints the traceback to the log. Returns a sentence with the line of the team's file, the cause and the line."""
     import sys
     import traceback
     frames = traceback.extract_tb(error.__traceback__)
-    own = [frame.lineno for frame in frames if frame.filename == name]
+    own = [frame for frame in frames if frame.filename == name]
     first = next((i for i, frame in enumerate(frames) if frame.filename == name), len(frames))
     kept = error.__traceback__
     for _ in range(min(first, len(frames) - 1)):
@@ -1284,9 +1310,10 @@ def _describe(error, name):
     if isinstance(error, SyntaxError) and error.filename == name:
         version = f"{sys.version_info.major}.{sys.version_info.minor}"
         return (f"line {error.lineno}: {type(error).__name__}: {error.msg} (this host has Python "
-                f"{version})")
+                f"{version})", "SyntaxError", error.lineno or 0)
     try:
         text = f"{type(error).__name__}: {error}{_what_it_has(error)}" if str(error) else type(error).__name__
     except Exception:
         text = type(error).__name__
-    return f"line {own[-1]}: {text}" if own else text
+    line = own[-1].lineno if own else 0
+    return (f"line {line}: {text}" if own else text, _cause_of(error, frames, own), line)

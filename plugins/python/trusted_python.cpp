@@ -26,6 +26,8 @@ extern "C" MIROCUP_PUBLIC void mirocup_python_load(const char* path, const miroc
     loaded->team = team->team;
     return;
   }
+  team.error().cause.copy(loaded->cause, sizeof loaded->cause - 1);
+  loaded->line = team.error().line;
   const std::string& why = team.error().text;
   std::memcpy(loaded->why, why.data(), std::min(why.size(), sizeof loaded->why - 1));
 }

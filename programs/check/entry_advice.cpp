@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "programs/check/entry_advice.hpp"
 
-#include "plugins/host/function_names.hpp"
-
-#include <algorithm>
 #include <csignal>
+#include <span>
+#include <string_view>
 
 namespace mirocup::app {
 
@@ -14,11 +13,18 @@ using match::FaultCode;
 using plugins::AddressKind;
 using plugins::LastWords;
 
-// What the text of an error says, and the advice. Tables are searched from the top.
-struct ErrorAdvice {
-  const char* part;
+struct CauseAdvice {
+  std::string_view cause;
   const char* advice;
 };
+
+// Returns the advice on a cause; null if the table has none.
+const char* advice_in(std::span<const CauseAdvice> table, std::string_view cause) {
+  for (const CauseAdvice& row : table) {
+    if (row.cause == cause) return row.advice;
+  }
+  return nullptr;
+}
 
 constexpr const char* in_a_debugger =
     "build it with -g and run gdb --args mirocup match --trusted --blue FILE.so --yellow striker";
@@ -34,29 +40,6 @@ constexpr const char* no_file =
 
 bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
-}
-
-// Versions of strategy.h are small numbers; others are what lay in memory.
-bool claims_no_version(const std::string& text) {
-  constexpr std::string_view before = "built for version ";
-  constexpr std::size_t most_digits = 3;
-  const std::size_t at = text.find(before);
-  if (at == std::string::npos) return false;
-  const std::size_t end = text.find_first_not_of("0123456789", at + before.size());
-  return end != std::string::npos && end - (at + before.size()) > most_digits;
-}
-
-// Returns the name of the function that the loader misses, as it stands in the source; "" if it
-// misses none of C++.
-std::string missing_function(const std::string& text) {
-  constexpr std::string_view before = "undefined symbol: ";
-  const std::size_t at = text.find(before);
-  if (at == std::string::npos) return "";
-  const std::size_t begin = at + before.size();
-  const std::size_t end = std::min(text.find_first_of(" ,\"", begin), text.size());
-  const std::string symbol = text.substr(begin, end - begin);
-  const std::string name = plugins::readable_name(symbol);
-  return name == symbol ? "" : name + "()";
 }
 
 std::string advice_on_signal(const LastWords& words) {
@@ -90,131 +73,99 @@ std::string advice_on_signal(const LastWords& words) {
   }
 }
 
-// The words of the C++ library are for those who know it.
-constexpr ErrorAdvice library_errors[] = {
-    {"map::at", "a map does not have the key: test that by find() or contains() first"},
-    {"range_check", "an index of at() or substr() was not below the size: print the index"},
-    {"basic_string::", "a position was beyond the end of a text: print the position"},
-    {"array::at", "an index of at() was not below the size: print the index"},
-    {"threw: sto", "a text that is no number was read as one: print the text"},
-    {"bad optional access", "value() was asked of an empty optional: ask has_value() first"},
-    {"bad_function_call", "an empty std::function was called: give it a function first"},
-    {"bad variant access", "get() was asked for a type that the variant does not hold"},
-    {"bad_variant_access", "get() was asked for a type that the variant does not hold"},
-    {"max_size", "a vector or a text was given a size that is negative or huge"},
-    {"bad_array_new_length", "an array was given a size that is negative or huge"},
-    {"filesystem error", no_file}};
+// Exceptions that the team did not catch.
+constexpr CauseAdvice exceptions[] = {
+    {"exception std::out_of_range",
+     "an index of at() or substr() was not below the size, or a map does not have the key: print "
+     "the index or the key"},
+    {"exception std::invalid_argument", "a text that is no number was read as one: print the text"},
+    {"exception std::length_error",
+     "an array, a vector or a text was given a size that is negative or huge"},
+    {"exception std::logic_error",
+     "a text was made of a null pointer: test the pointer for null first"},
+    {"exception std::bad_optional_access",
+     "value() was asked of an empty optional: ask has_value() first"},
+    {"exception std::bad_function_call",
+     "an empty std::function was called: give it a function first"},
+    {"exception std::bad_variant_access",
+     "get() was asked for a type that the variant does not hold"},
+    {"exception std::system_error",
+     "a system call failed: a team has one thread, no clock to wait for, and no files"},
+    {"exception std::filesystem::__cxx11::filesystem_error", no_file}};
 
 std::string advice_on_crash(const FaultEvidence& evidence) {
   const LastWords words = evidence.words.value_or(LastWords());
-  const std::string& text = evidence.fault.text;
+  const std::string& cause = evidence.fault.cause;
+  const bool threw = cause.starts_with("exception");
   if (words.team_call == plugins::TeamCall::none && words.signal == 0)
     return "a constructor of a global object ended the process; make the object a member of the "
            "team";
-  if (has(evidence.requests, "thread\n") && has(text, "threw"))
+  if (has(evidence.requests, "thread\n") && threw)
     return "it asked for a thread: a team has one, so compute in decide()";
-  if (has(text, "bad_alloc"))
+  if (cause == "exception std::bad_alloc")
     return "it used more than 1 GiB of memory; keep what a team needs, and free the rest";
-  if (has(text, "from null is not valid") && has(evidence.requests, "variable "))
+  if (cause == "exception std::logic_error" && has(evidence.requests, "variable "))
     return "getenv() returned null: a team's process has no such variable, so test the result for "
            "null, or use a parameter";
-  if (has(text, "locale"))
-    return "a team's process has the locale \"C\" and no other: do without other locales";
-  if (has(evidence.requests, "file ") && (words.address == AddressKind::null || has(text, "threw")))
+  if (has(evidence.requests, "file ") && (words.address == AddressKind::null || threw))
     return "it asked for a file, which no team can open: put its data into the source";
   if (has(evidence.requests, "program ") && words.address == AddressKind::null)
     return "it asked for a program, which no team can run: popen() returned null";
-  if (has(evidence.requests, "connection") && has(text, "threw")) return no_file;
-  if (has(text, "threw")) {
-    std::string advice = "catch the exception, or mend the code that throws it";
-    for (const ErrorAdvice& error : library_errors) {
-      if (!has(text, error.part)) continue;
-      advice = error.advice;
-      break;
-    }
-    return advice + "; gdb stops at the throw with catch throw: " + in_a_debugger;
+  if (has(evidence.requests, "connection") && threw) return no_file;
+  if (threw) {
+    const char* known = advice_in(exceptions, cause);
+    return std::string(known != nullptr ? known : "catch the exception, or mend its cause") +
+           "; gdb stops at the throw with catch throw: " + in_a_debugger;
   }
-  if (has(text, "of its command"))
+  if (cause == "command")
     return "look at the index of wheels[]: it goes from 0 to the number of robots less 1";
-  if (has(text, "freed") || has(text, " a block of "))
+  if (cause == "memory")
     return "build a test of yours with -g -fsanitize=address, which names the line";
   if (words.signal != 0) return advice_on_signal(words);
-  if (has(text, "ended itself")) return no_exit;
-  if (has(text, "signal 11")) return std::string(bad_index) + in_a_debugger;
+  if (cause == "exited") return no_exit;
+  if (cause == "bad_pointer") return std::string(bad_index) + in_a_debugger;
   return in_a_debugger;
 }
 
 constexpr const char* methods =
     "the methods are __init__(self, setup), decide(self, now) and place(self, now, placement)";
-constexpr ErrorAdvice python_errors[] = {
-    {"coroutine object", "write def decide(self, now), without async"},
-    {"place() left something", "write placement.robots[i] = Pose(x, y, heading)"},
-    {"no known parent package", one_file},
-    {"name 'quit' is not", no_exit},
-    {"name 'exit' is not", no_exit},
+constexpr CauseAdvice python_errors[] = {
+    {"relative_import", one_file},
+    {"SystemExit", no_exit},
+    {"exited", no_exit},
     {"RecursionError", "look for a method that calls itself without end"},
-    {".parameter() missing",
+    {"no_default",
      "write self.parameter(\"name\", 0.5): 0.5 is the parameter's value in a leg that gives none"},
-    {"string to float", "a text that is no number was read as one; parameters are numbers"},
-    {".draw_", "a point is a pair: self.draw_line(\"layer\", 0xff0000ff, (0.0, 0.0), (0.1, 0.2))"},
-    {"returned None", "each way through decide() has to end with return and the list"},
-    {"decide() returned",
-     "return a list with (left, right) in rad/s for each robot, as [(10.0, 10.0)] * now.robots"},
-    {"defines decide(self, now)", "name the method decide, in small letters"},
-    {"Team.__init__() missing", "the match makes the team: leave out your line that makes one"},
-    {".decide() missing", methods},
-    {".decide() takes", methods},
-    {".place() missing", methods},
-    {".place() takes", methods},
-    {".__init__() missing", methods},
-    {".__init__() takes", methods},
+    {"bad_point",
+     "a point is a pair: self.draw_line(\"layer\", 0xff0000ff, (0.0, 0.0), (0.1, 0.2))"},
+    {"signature", methods},
     {"UnboundLocalError",
      "a name that a function assigns to is local in the function: use another name, or keep the "
      "value in self"},
     {"IndexError",
      "an index goes from 0 to the length of the list less 1; the last robot has the index "
      "now.robots - 1"},
-    {"module 'mirocup' has no attribute", "write \"from mirocup.team import Team\""},
-    {"cannot import name", "team.py has the names of all functions (docs/python.md)"},
-    {"object is not callable",
-     "brackets ( ) call a function: leave them out after data, and write an index in [ ]"},
-    {"Operation not permitted", "a team sends no signals and changes nothing of the system"},
-    {"ended itself", no_exit},
-    {"multiprocessing", no_process},
-    {"Too many open files", no_process},
-    {"Resource temporarily unavailable", no_process},
-    {"start new thread", "a team has one thread: compute in decide()"},
-    {"lost sys.stdin",
-     "a team has no standard input: use a parameter, or put its data into the source"},
-    {"EOFError", "a team has no standard input: use a parameter, or put its data into the source"},
-    {"'NoneType' object has no attribute 'read",
-     "a team has no standard input: use a parameter, or put its data into the source"},
-    {"unknown encoding: idna", no_file},
-    {"gaierror", no_file},
+    {"import_package", "write \"from mirocup.team import Team\""},
+    {"ImportError", "team.py has the names of all functions (docs/python.md)"},
     {"PermissionError", no_file},
+    {"gaierror", no_file},
+    {"process", no_process},
+    {"thread", "a team has one thread: compute in decide()"},
+    {"EOFError", "a team has no standard input: use a parameter, or put its data into the source"},
     {"FileNotFoundError", no_file},
     {"MemoryError", "it used more than 1 GiB of memory; keep what a team needs, and free the rest"},
-    {"defines no class", "derive a class: class Mine(Team), with decide(self, now)"},
-    {"defines several teams",
-     "keep one class that derives from Team, and hand in the others as separate files"},
-    {"has to call super()", "call super().__init__(setup) first in __init__()"},
     {"UnicodeDecodeError", "save the file as UTF-8"},
-    {"set attribute",
-     "named tuples are for reading: now._replace(ball_x=0.1) makes a changed copy, and in place() "
-     "write placement.robots[i] = Pose(x, y, heading)"},
-    {"does not support item assignment",
-     "observation and setup are for reading: now._replace(ball_x=0.1) makes a changed copy"},
-    {"SystemExit", no_exit}};
+    {"SyntaxError", "mend that line; the log shows it, and the version of Python of this host"},
+    {"read_only",
+     "observation and setup are for reading: now._replace(ball_x=0.1) makes a changed copy, and in "
+     "place() write placement.robots[i] = Pose(x, y, heading)"}};
 
 // A team in Python: its log has the traceback.
 std::string advice_on_python(const FaultEvidence& evidence) {
-  const std::string& text = evidence.fault.text;
   const bool is_loaded = evidence.fault.code == FaultCode::crash;
   if (is_loaded || evidence.fault.code == FaultCode::no_load) {
-    for (const ErrorAdvice& error : python_errors) {
-      if (has(text, error.part)) return error.advice;
-    }
-    if (has(text, "No module named")) {
+    if (const char* known = advice_in(python_errors, evidence.fault.cause)) return known;
+    if (evidence.fault.cause == "ModuleNotFoundError") {
       return is_loaded ? "import the module at the top of the file: no file can be opened while "
                          "the team plays"
                        : one_file;
@@ -222,8 +173,6 @@ std::string advice_on_python(const FaultEvidence& evidence) {
   }
   switch (evidence.fault.code) {
     case FaultCode::no_load:
-      if (has(text, "SyntaxError"))
-        return "mend that line; the log shows it, and the version of Python of this host";
       return "mend that line; the log shows it";
     case FaultCode::crash:
       return "mend it: the log has the traceback, and mirocup match --trusted stops at "
@@ -246,33 +195,24 @@ std::string advice_on(const FaultEvidence& evidence) {
   if (evidence.is_python) {
     if (std::string advice = advice_on_python(evidence); !advice.empty()) return advice;
   }
-  const std::string& text = evidence.fault.text;
+  const std::string& cause = evidence.fault.cause;
   switch (evidence.fault.code) {
     case FaultCode::no_load:
-      if (has(text, "undefined symbol: __ubsan_"))
-        return "it was built with -fsanitize=undefined by clang++: build it without that option";
-      if (const std::string name = missing_function(text); !name.empty()) {
-        return "it declares " + name +
-               " and does not define it: write the definition, or link the source or the library "
-               "that has it";
-      }
-      if (has(text, "undefined symbol"))
-        return "the library calls a function that is missing: link the source or the library that "
-               "defines it";
-      if (has(text, "returned null")) return "create() has to return the team";
-      if (has(text, "failed to map segment") || has(text, "cannot allocate memory"))
+      if (cause == "no_team") return "create() has to return the team";
+      if (cause == "large_tables")
         return "its tables need more than the 1 GiB of memory that a team has: make them smaller";
-      return "link into the team's library what it uses, or use libraries that the system has";
+      return "define each function that the library declares and calls, link into it what it uses, "
+             "or use libraries that the system has";
     case FaultCode::bad_abi:
-      if (has(text, "for version 0 of"))
+      if (cause == "no_version")
         return "set abi_version to MIROCUP_ABI_VERSION, and size to sizeof(mirocup_strategy)";
-      if (claims_no_version(text)) {
+      if (cause == "wild_version") {
         return "no strategy.h has that version: mirocup_entry() may return the address of a local "
                "variable; make that variable static";
       }
-      if (has(text, "returned null"))
+      if (cause == "no_strategy")
         return "mirocup_entry() has to return a pointer to a static mirocup_strategy";
-      if (has(text, "incomplete"))
+      if (cause == "incomplete")
         return "set size, create and decide of the mirocup_strategy that mirocup_entry() returns";
       return "build it again against the strategy.h of this version, and export mirocup_entry()";
     case FaultCode::start_timeout:
@@ -280,7 +220,7 @@ std::string advice_on(const FaultEvidence& evidence) {
     case FaultCode::crash:
       return advice_on_crash(evidence);
     case FaultCode::hang:
-      if (has(text, "slept")) return "do not sleep or wait in decide()";
+      if (cause == "slept") return "do not sleep or wait in decide()";
       return "look for a loop that does not end, a recursion, or a handler of signals";
     case FaultCode::budget:
       return advice_on_time;

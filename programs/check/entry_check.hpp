@@ -30,6 +30,7 @@ struct Check {
   std::string what = {};
   std::string where = {};
   std::string cure = {};
+  std::string cause = {};  // match::Fault::cause, if the entry's process has failed
 };
 
 // Behaviour that is allowed but hardly intended.

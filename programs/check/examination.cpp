@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "programs/check/examination.hpp"
 
-#include "plugins/host/file_advice.hpp"
 #include "programs/check/entry_advice.hpp"
+
 
 #include <algorithm>
 #include <utility>
@@ -23,17 +23,11 @@ bool add(Examination& e, Check check) {
   return *added.passed;
 }
 
-// Returns the line of the entry's own file that the text of a fault begins with, and the tick.
+// Returns the line of the entry's own file and the tick in which it failed.
 std::string place_of(const TrialLeg& leg, const TrialTerms& terms) {
-  constexpr std::string_view line = "line ";
-  const std::string& text = leg.fault->fault.text;
-  std::string place;
-  if (const std::size_t at = text.find(line); at != std::string::npos && at > 0) {
-    const std::size_t end = text.find_first_not_of("0123456789", at + line.size());
-    if (end != at + line.size()) place = text.substr(at, end - at) + " of the file, ";
-  }
-  if (leg.ticks() == 0 && text.find(" of tick ") == std::string::npos)
-    return place + "before the first tick";
+  const int line = leg.fault->fault.line;
+  const std::string place = line > 0 ? "line " + std::to_string(line) + " of the file, " : "";
+  if (!leg.has_begun) return place + "before the first tick";
   return place + "tick " + std::to_string(leg.ticks()) + " of a leg as " +
          std::string(to_string(terms.team));
 }
@@ -50,9 +44,9 @@ Result<std::string> mistake_in_memory(Examination& e, const TrialTerms& terms,
   evidence.requests = again.requests;
   e.requests += again.requests;
   if (!again.fault || again.ticks() >= careful.max_ticks) return std::string();
-  const std::string& text = again.fault->fault.text;
-  return is_memory_mistake(text)
-             ? "; in a second leg, in which mirocup watched the team's memory, " + text
+  return is_memory_mistake(again.fault->fault)
+             ? "; in a second leg, in which mirocup watched the team's memory, " +
+                   again.fault->fault.text
              : std::string();
 }
 
@@ -67,14 +61,6 @@ void tell_next(const Examination& e) {
 bool pass(Examination& e, std::string text) {
   return add(
       e, {.name = check_names[e.report.checks.size()], .passed = true, .text = std::move(text)});
-}
-
-bool fail_with(Examination& e, const std::string& text) {
-  const std::size_t colon = text.rfind(": ");
-  const bool has_cure = colon != std::string::npos;
-  return fail_with(e, {.what = text.substr(0, colon),
-                       .where = {},
-                       .cure = has_cure ? text.substr(colon + 2) : plugins::what_is_taken});
 }
 
 bool fail_with(Examination& e, Check failed) {
@@ -97,7 +83,8 @@ Result<bool> judge(Examination& e, const TrialLeg& leg, const TrialTerms& terms,
   return fail_with(
       e, {.what = evidence.fault.text + " (" + std::string(to_string(evidence.fault.code)) + ")",
           .where = place_of(leg, terms),
-          .cure = advice_on(evidence) + mistake});
+          .cure = advice_on(evidence) + mistake,
+          .cause = evidence.fault.cause});
 }
 
 TrialTerms trial(const Examination& e, Team team, const plugins::SealedEntry& opponent) {
@@ -138,10 +125,8 @@ void note_use(Examination& e, const TrialLeg& leg, const TrialTerms& terms) {
   e.report.bank_share = e.report.mean_tick_ms / (1e3 * plugins::Budget().bank_per_tick);
 }
 
-// What careful_memory.cpp says begins like this, in the words of the team's process.
-bool is_memory_mistake(const std::string& text) {
-  return text.find("says \"it wrote ") != std::string::npos ||
-         text.find("says \"it freed ") != std::string::npos;
+bool is_memory_mistake(const match::Fault& fault) {
+  return fault.cause == "memory" || fault.cause == "command";
 }
 
 }  // namespace mirocup::app

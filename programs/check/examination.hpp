@@ -57,9 +57,6 @@ void tell_next(const Examination& e);
 
 // These functions add the result of the next check and return true if it passed.
 bool pass(Examination& e, std::string text);
-// Adds the failure of the next check. The text has the finding and, after its last ": ", the
-// advice.
-bool fail_with(Examination& e, const std::string& text);
 bool fail_with(Examination& e, Check failed);  // text and name follow from the parts of `failed`
 // Passes with the text, or fails with the fault of the leg and advice.
 Result<bool> judge(Examination& e, const TrialLeg& leg, const TrialTerms& terms, std::string text);
@@ -75,7 +72,7 @@ Result<TrialLeg> play(Examination& e, const TrialTerms& terms);
 // Adds the entry's use and play in a leg to the report.
 void note_use(Examination& e, const TrialLeg& leg, const TrialTerms& terms);
 
-// True if the text of a fault comes from the careful process, which watches memory.
-bool is_memory_mistake(const std::string& text);
+// True if the careful process, which watches memory, has found the fault.
+bool is_memory_mistake(const match::Fault& fault);
 
 }  // namespace mirocup::app

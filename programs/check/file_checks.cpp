@@ -46,9 +46,16 @@ std::string sanitizer_of(const plugins::SharedLibrary& library, std::string_view
       if (needed.rfind(file, 0) == 0) return option;
     }
     // clang links its run-time library into the program and not into a library.
-    if (bytes.find("__" + std::string(name) + "_init") != std::string_view::npos) return option;
+    for (const char* function : {"_init", "_handle_"}) {
+      if (bytes.find("__" + std::string(name) + function) != std::string_view::npos) return option;
+    }
   }
   return "";
+}
+
+bool fail_with_advice(Examination& e, const std::string& text) {
+  const auto [what, cure] = plugins::parts_of(text);
+  return fail_with(e, Check{.what = what, .cure = cure});
 }
 
 // Whether the text is a program and has a team, Python says when it is loaded.
@@ -75,23 +82,25 @@ Result<bool> examine_file(Examination& e) {
   const auto library = plugins::read_shared_library(e.entry->bytes());
   if (!library) {
     const std::string known = plugins::advice_on_file(e.entry->bytes());
-    return fail_with(e, known.empty() ? library.error() : known);
+    return fail_with_advice(e, known.empty() ? library.error() : known);
   }
   pass(e, "a complete shared library for this kind of processor");
   e.needs = plugins::processor_for(e.entry->bytes());
   if (!library->exports_entry)
-    return fail_with(e, plugins::advice_on_missing_entry(e.entry->bytes()));
+    return fail_with_advice(e, plugins::advice_on_missing_entry(e.entry->bytes()));
   pass(e, "exports mirocup_entry()");
   if (const std::string tool = sanitizer_of(*library, e.entry->bytes()); !tool.empty()) {
-    return fail_with(e, "it was built with -fsanitize=" + tool +
-                            ", which a sandbox does not allow: hand in a build without it, and "
-                            "play this build with mirocup match --trusted");
+    return fail_with(
+        e, {.what = "it was built with -fsanitize=" + tool + ", which a sandbox does not allow",
+            .cure = "hand in a build without it, and play this build with mirocup match "
+                    "--trusted"});
   }
   std::string names;
   for (const std::string& name : library->needed) {
     if (!is_on_this_system(name)) {
-      return fail_with(e, "it needs " + system::printable(name) +
-                              ", which this system does not have: link it statically");
+      return fail_with(
+          e, {.what = "it needs " + system::printable(name) + ", which this system does not have",
+              .cure = "link it statically"});
     }
     names += (names.empty() ? "" : ", ") + system::printable(name);
   }

@@ -63,9 +63,11 @@ bool judge_time(Examination& e) {
   const double most_sleep = plugins::Budget().sleep;
   if (e.slept > most_sleep) {
     return fail_with(
-        e, system::formatted("in a leg with halves of %g s it would sleep for %.0f s, and at most "
-                             "%.0f s are allowed: do not sleep or wait in decide()",
-                             e.setup.rules.half_s, e.slept, most_sleep));
+        e, {.what = system::formatted(
+                "in a leg with halves of %g s it would sleep for %.0f s, and at most %.0f s are "
+                "allowed",
+                e.setup.rules.half_s, e.slept, most_sleep),
+            .cure = "do not sleep or wait in decide()"});
   }
   const std::string text = system::formatted(
       "a leg with halves of %g s would take %.1f s of processor time, %.0f %% of the %.1f s that a "
@@ -73,8 +75,8 @@ bool judge_time(Examination& e) {
       e.setup.rules.half_s, e.report.leg_seconds, 100.0 * e.report.leg_share,
       e.report.leg_seconds / e.report.leg_share);
   if (e.report.leg_share > refused_leg_share) {
-    return fail_with(
-        e, text + ": " + (e.entry->is_python() ? advice_on_time_in_python : advice_on_time));
+    return fail_with(e, {.what = text,
+                         .cure = e.entry->is_python() ? advice_on_time_in_python : advice_on_time});
   }
   return pass(e, text);
 }
@@ -138,9 +140,10 @@ Result<bool> load_and_answer(Examination& e) {
   if (!first.fault && first.ticks() < first_ticks) {
     note_use(e, first, terms);
     return fail_with(
-        e, "for a tick it needs " + milliseconds(1e3 * max_first_seconds / first.ticks()) +
-               " by the clock and " + milliseconds(e.report.mean_tick_ms) +
-               " of processor time, and it has 1 ms: do not sleep or wait in decide()");
+        e, {.what = "for a tick it needs " + milliseconds(1e3 * max_first_seconds / first.ticks()) +
+                    " by the clock and " + milliseconds(e.report.mean_tick_ms) +
+                    " of processor time, and it has 1 ms",
+            .cure = "do not sleep or wait in decide()"});
   }
   return judge(e, first, terms, "answers " + std::to_string(first_ticks) + " observations");
 }

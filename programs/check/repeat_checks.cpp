@@ -112,7 +112,7 @@ Result<bool> repeat_leg(Examination& e, const TrialTerms& terms_of_first, const 
   terms.surroundings = all_other;
   MIROCUP_TRY(const auto again, play(e, terms));
   e.requests += again.requests;
-  if (again.fault && is_memory_mistake(again.fault->fault.text)) return judge(e, again, terms, "");
+  if (again.fault && is_memory_mistake(again.fault->fault)) return judge(e, again, terms, "");
   const auto tick = first_difference(first, again);
   // The last tick of a leg that ended by a fault has no answer.
   if (again.fault && (!tick || *tick + 1 >= std::ssize(again.log))) {

@@ -141,6 +141,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
            (clock.now() - start > terms.max_seconds && used + meter.slept(own) > terms.max_seconds);
   };
   LegWatch watch(leg, terms.team);
+  const bool has_begun = !fault && terms.max_ticks > 0;
   while (!fault && !leg.is_over() && leg.tick() < terms.max_ticks && !is_over_time()) {
     leg.advance(*seats[0], *seats[1]);
     watch.look();
@@ -157,6 +158,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   TrialLeg played;
   played.requests = own.requests();
   if (fault) played.fault = FaultEvidence{*fault, own.exit_report(), played.requests};
+  played.has_begun = has_begun;
   played.log = leg.log();
   if (leg.is_over() && terms.is_recorded) played.recording = replay::record(leg);
   played.story = watch.story();

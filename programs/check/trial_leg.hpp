@@ -39,6 +39,7 @@ using MetRestart = std::pair<referee::Restart, bool>;
 // The result of a trial leg. A leg that was stopped early has no fault.
 struct TrialLeg {
   std::optional<FaultEvidence> fault;
+  bool has_begun = false;  // true: the team was asked for its first answer
   std::vector<match::TickLog> log;
   int bad_values = 0;                          // values of commands that were zeroed or clamped
   int moved_placements = 0;                    // requested places that were not legal

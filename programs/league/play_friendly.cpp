@@ -42,9 +42,11 @@ Result<int> run_play_friendly(const PlayFriendlyOptions& options) {
                      : FriendlyTerms::Side{folder.library(opponent, options.opponent_entry), name};
   terms.seed = static_cast<std::uint64_t>(options.number);
   terms.record = folder.friendly(options.team, options.number);
-  const std::vector<std::string> command = options.number == 0
-                                               ? drills_command(store.state(), terms.blue)
-                                               : friendly_command(store.state(), terms);
+  const std::vector<std::string> command =
+      options.number == 0
+          ? drills_command(store.state(), terms.blue,
+                           folder.drill_marks(options.team, options.entry) + ".answer")
+          : friendly_command(store.state(), terms);
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);

@@ -3,7 +3,6 @@
 // mirocup check FILE.so: prints whether the library would be accepted as an entry, and why.
 #include "programs/check/entry_check.hpp"
 #include "programs/mirocup/commands.hpp"
-#include "record/answer.hpp"
 #include "record/json_reader.hpp"
 #include "record/match_record.hpp"
 #include "record/rules_json.hpp"
@@ -46,6 +45,7 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
       one["what"] = check.what;
       one["where"] = check.where;
       one["cure"] = check.cure;
+      if (!check.cause.empty()) one["cause"] = check.cause;
     }
     checks.push_back(std::move(one));
   }
@@ -155,7 +155,7 @@ Result<void> write_gate_leg(const CheckOptions& options, const EntryReport& repo
   return record::save(disk, options.record_path, record);
 }
 
-Result<int> run(const CheckOptions& options, const record::WriteAnswer& answer) {
+Result<int> run_check(const CheckOptions& options, const record::WriteAnswer& answer) {
   MIROCUP_TRY(const auto parameters,
               record::parameters_with_changes({}, options.parameters, "--param"));
   const auto tell = [&answer](int number, int of, const char* name) {
@@ -183,17 +183,13 @@ Result<int> run(const CheckOptions& options, const record::WriteAnswer& answer) 
   return report.failure() == nullptr ? exit_yes : exit_no;
 }
 
-Result<int> run_check(const CheckOptions& options) {
-  return record::answering(options.answer,
-                           [&](const auto& answer) { return run(options, answer); });
-}
-
 }  // namespace
 
 void add_check(system::Commands& commands) {
-  const auto [command, o] = commands.add(
-      run_check, "check", for_teams, "Check whether a library would be accepted as an entry",
-      {"mirocup check mine.so", "mirocup check mine.py --league large"});
+  const auto [command, o] =
+      commands.add(answering<run_check, CheckOptions>, "check", for_teams,
+                   "Check whether a library would be accepted as an entry",
+                   {"mirocup check mine.so", "mirocup check mine.py --league large"});
   command.option("FILE", o.path, "Library of the team (.so), or its file of Python (.py)")
       .required();
   command

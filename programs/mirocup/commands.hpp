@@ -4,6 +4,7 @@
 // A run returns the exit code of an answer, exit_yes or exit_no, or an error.
 #pragma once
 
+#include "record/answer.hpp"
 #include "system/commands.hpp"
 
 #include <string>
@@ -29,7 +30,13 @@ void add_dds_domain(const system::Command& command, int& domain);
 // Adds an option KEY=VALUE for the parameters of a team, which the help calls `whose`: "the team".
 void add_parameters(const system::Command& command, const char* option,
                     std::vector<std::string>& changes, const std::string& whose);
-// Adds the option --answer FILE of a command that mirocup-league runs (record/answer.hpp).
+// A command that mirocup-league runs: `run` gets the options, which have a member `answer`, the path
+// of the option --answer, and what writes there (record/answer.hpp).
+template <auto run, class Options>
+Result<int> answering(const Options& options) {
+  return record::answering(options.answer,
+                           [&](const record::WriteAnswer& write) { return run(options, write); });
+}
 void add_answer(const system::Command& command, std::string& path);
 
 // Runs mirocup-labs in the place of this process. Returns only if it cannot be run.

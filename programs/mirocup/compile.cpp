@@ -6,7 +6,6 @@
 
 #include "plugins/host/elf.hpp"
 #include "programs/mirocup/commands.hpp"
-#include "record/answer.hpp"
 #include "record/json_reader.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
@@ -57,7 +56,7 @@ bool chooses_processor(const std::string& source) {
   return false;
 }
 
-Result<int> run(const CompileOptions& options, const record::WriteAnswer& answer) {
+Result<int> run_compile(const CompileOptions& options, const record::WriteAnswer& answer) {
   system::Disk disk;
   const plugins::SourceLanguage language = language_of(options);
   const bool is_project = language == plugins::SourceLanguage::project;
@@ -96,16 +95,11 @@ Result<int> run(const CompileOptions& options, const record::WriteAnswer& answer
   return is_compiled ? exit_yes : exit_no;
 }
 
-Result<int> run_compile(const CompileOptions& options) {
-  return record::answering(options.answer,
-                           [&](const auto& answer) { return run(options, answer); });
-}
-
 }  // namespace
 
 void add_compile(system::Commands& commands) {
   const auto [command, o] =
-      commands.add(run_compile, "compile", for_teams,
+      commands.add(answering<run_compile, CompileOptions>, "compile", for_teams,
                    "Compile a team's source as a league does: in a sandbox and with fixed options",
                    {"mirocup compile mine.cpp -o mine.so"});
   command

@@ -6,7 +6,6 @@
 #include "programs/mirocup/drill_report.hpp"
 #include "record/json_reader.hpp"
 #include "record/team_parameters_json.hpp"
-#include "system/command_line.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
@@ -36,6 +35,7 @@ struct DrillOptions {
   std::optional<double> at_least;       // the score that is asked for; less: the answer is no
   bool csv = false;
   bool json = false;
+  std::string answer;  // file for the marks, as --json prints them
 };
 
 namespace fs = std::filesystem;
@@ -66,12 +66,9 @@ Result<std::vector<std::string>> paths_of(const std::string& word) {
   const bool is_team = word.ends_with(".so") || word.ends_with(".py");
   if (is_team) return fail(Errc::input, word + " is a team: name the drill before it");
   if (disk.exists(word)) return std::vector<std::string>{word};
-  MIROCUP_TRY(auto names, disk.names_in(own));
-  for (std::string& name : names) name = fs::path(name).stem().string();
-  const std::string meant = system::closest_word(word, names);
-  return fail(Errc::input, "\"" + word + "\" is neither a drill nor a file; " +
-                               (meant.empty() ? "" : "did you mean " + meant + "? ") +
-                               "mirocup drill list prints all names of drills");
+  return fail(Errc::input, "\"" + word +
+                               "\" is neither a drill nor a file; mirocup drill list "
+                               "prints all names of drills");
 }
 
 Result<std::vector<drills::Drill>> read_drills(const std::string& word) {
@@ -225,7 +222,7 @@ Result<std::vector<std::string>> names_of_teams(const DrillOptions& options) {
   return names;
 }
 
-Result<int> run_drill(const DrillOptions& options) {
+Result<int> run_drill(const DrillOptions& options, const record::WriteAnswer& answer) {
   MIROCUP_TRY(const auto drills, read_drills(options.drill));
   if (options.drill == "list") {
     print_list(drills, options.json);
@@ -254,6 +251,7 @@ Result<int> run_drill(const DrillOptions& options) {
     MIROCUP_TRY_VOID(disk.write(list, failed_page(reports)));
     std::cerr << list << " lists the failed tries\n";
   }
+  MIROCUP_TRY_VOID(answer(json_of(reports)));
   if (options.json) {
     std::cout << record::json_text(json_of(reports)) << '\n';
   } else if (options.csv) {
@@ -272,7 +270,7 @@ Result<int> run_drill(const DrillOptions& options) {
 
 void add_drill(system::Commands& commands) {
   const auto [command, o] =
-      commands.add(run_drill, "drill", for_teams,
+      commands.add(answering<run_drill, DrillOptions>, "drill", for_teams,
                    "Try a team many times in situations and give it marks, or list the drills",
                    {"mirocup drill list", "mirocup drill shoot-open-goal mine.so --replay failed",
                     "mirocup drill all mine.so striker --csv"});
@@ -304,6 +302,7 @@ void add_drill(system::Commands& commands) {
       .between(0.0, 100.0);
   const system::Option csv = command.flag("--csv", o.csv, "Print a line of CSV for each drill");
   command.flag("--json", o.json, "Print one JSON object").excludes(csv);
+  add_answer(command, o.answer);
 }
 
 }  // namespace mirocup::app

@@ -6,7 +6,6 @@
 #include "programs/check/entry_advice.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "programs/mirocup/output_folder.hpp"
-#include "record/answer.hpp"
 #include "record/conditions_json.hpp"
 #include "record/json_reader.hpp"
 #include "record/pitch_json.hpp"
@@ -214,8 +213,9 @@ Result<void> write_record(const MatchOptions& options, server::Session& session)
 }
 
 // A name with a slip in it would otherwise have no effect, silently.
-void warn_of_unknown_parameters(const server::Session& session) {
-  if (session.leg.tick() == 0) return;  // a team that never played asked for nothing
+record::Json warn_of_unknown_parameters(const server::Session& session) {
+  record::Json unknown = record::Json::array();
+  if (session.leg.tick() == 0) return unknown;  // a team that never played asked for nothing
   const auto blue = session.seats[0].unknown_parameters();
   const auto yellow = session.seats[1].unknown_parameters();
   const auto is_known_to = [](const server::TeamSeat& seat, const match::TeamParameters& unknown,
@@ -229,7 +229,9 @@ void warn_of_unknown_parameters(const server::Session& session) {
     if (is_known_to(session.seats[0], blue, name) || is_known_to(session.seats[1], yellow, name))
       continue;
     std::cerr << "mirocup: warning: no team asked for the parameter " << name << '\n';
+    unknown.push_back(name);
   }
+  return unknown;
 }
 
 void print_calls(const server::Session& session) {
@@ -304,7 +306,7 @@ Result<void> check_output(const MatchOptions& options) {
   return expect_writable_folder_of(options.record_path);
 }
 
-Result<int> run(const MatchOptions& options, const record::WriteAnswer& answer) {
+Result<int> run_match(const MatchOptions& options, const record::WriteAnswer& answer) {
   MIROCUP_TRY(const auto past, read_past(options));
   MIROCUP_TRY(const auto setup,
               past ? Result<match::Setup>(past->recording.setup) : setup_of(options));
@@ -328,16 +330,12 @@ Result<int> run(const MatchOptions& options, const record::WriteAnswer& answer) 
     return tl::unexpected(written.error());
   }
   if (session.live) session.live->close(session.leg);
-  warn_of_unknown_parameters(session);
+  const record::Json unknown = warn_of_unknown_parameters(session);
+  if (!unknown.empty()) MIROCUP_TRY_VOID(answer({{"unknown_parameters", unknown}}));
   report(options, session);
   show_backtraces(session);
   const bool is_void = session.leg.outcome().kind == match::OutcomeKind::void_;
   return is_void ? exit_code(Errc::host) : exit_yes;
-}
-
-Result<int> run_match(const MatchOptions& options) {
-  return record::answering(options.answer,
-                           [&](const auto& answer) { return run(options, answer); });
 }
 
 void add_firasim(const system::Command& command, server::NetworkTerms& o) {
@@ -377,7 +375,7 @@ void add_firasim(const system::Command& command, server::NetworkTerms& o) {
 
 void add_match(system::Commands& commands) {
   const auto [command, o] =
-      commands.add(run_match, "match", for_teams, "Play one leg",
+      commands.add(answering<run_match, MatchOptions>, "match", for_teams, "Play one leg",
                    {"mirocup match --blue mine.so --yellow striker --seed 7 --record leg.json",
                     "mirocup match --blue mine.py --yellow chaser --watch",
                     "mirocup match --blue mine.so --yellow mine.so --blue-param wait=0.5"});

@@ -32,8 +32,9 @@ struct ReplayOptions {
   bool no_proof = false;     // without what a browser needs to simulate the leg again
   std::string proof_module;  // address of the module, seen from the page; "": it is in the page
   std::string statistics;    // file for the statistics of the leg; "": none
-  std::string league_part;   // what a league puts on the page, as league_part() makes it; "": none
-  bool open = false;         // in a browser
+  std::string links;         // HTML for the page, of a league
+  std::vector<std::string> names;  // of the teams on the page; none: those of the record
+  bool open = false;               // in a browser
 };
 
 constexpr double trail_seconds = 1.0;
@@ -139,22 +140,6 @@ void tell_of_proof(const web::ReplayPage& page, std::size_t beside) {
   }
 }
 
-struct LeaguePart {
-  std::string links;               // HTML
-  std::vector<std::string> names;  // that people know, blue and yellow; empty: those of the record
-};
-
-Result<LeaguePart> read_league_part(const std::string& text) {
-  if (text.empty()) return LeaguePart{};
-  return record::read_json<LeaguePart>(
-      text, "--league-part", Errc::input, [](const record::JsonReader& json) {
-        LeaguePart part{.links = json.at("links").text(), .names = {}};
-        for (const record::JsonReader& name : json.at("names").elements(0, 2))
-          part.names.push_back(name.text());
-        return part;
-      });
-}
-
 Result<int> run_replay(const ReplayOptions& options) {
   if (!options.clip.empty()) return run_clip(options);
   MIROCUP_TRY(const auto output, output_of(options));
@@ -174,15 +159,14 @@ Result<int> run_replay(const ReplayOptions& options) {
                              system::Links::followed));
   const web::Times times = options.no_times ? web::Times::left_out : web::Times::shown;
   MIROCUP_TRY(const auto proof, proof_of(disk, options, output));
-  MIROCUP_TRY(const auto part, read_league_part(options.league_part));
   record::MatchRecord named = record;
-  for (std::size_t i = 0; i < part.names.size(); ++i) named.teams[i].name = part.names[i];
+  for (std::size_t i = 0; i < options.names.size(); ++i) named.teams[i].name = options.names[i];
   web::ReplayPage shown;
   const auto made =
       options.svg
           ? picture_at(record.recording, *options.at)
           : web::replay_page(named, times, own, proof,
-                             shows_own ? web::Wheels::shown : web::Wheels::left_out, part.links)
+                             shows_own ? web::Wheels::shown : web::Wheels::left_out, options.links)
                 .map([&shown](web::ReplayPage page) {
                   shown = std::move(page);
                   return shown.html;
@@ -248,7 +232,8 @@ void add_replay(system::Commands& commands) {
       "--public", o.public_page,
       "Leave out the data that only the teams may see: their thoughts and logs, and the commands "
       "with which a browser can simulate the leg again");
-  command.option("--league-part", o.league_part).hidden();
+  command.option("--links", o.links).hidden();
+  command.option("--names", o.names).takes(2, 2).hidden();
   command.flag("--no-proof", o.no_proof,
                "Leave out the module and the commands with which a visitor's browser can simulate "
                "the leg again");

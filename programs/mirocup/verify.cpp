@@ -20,9 +20,10 @@ namespace {
 struct VerifyOptions {
   std::string path;
   bool json = false;
+  std::string answer;  // file for the answer
 };
 
-Result<int> run_verify(const VerifyOptions& options) {
+Result<int> run_verify(const VerifyOptions& options, const record::WriteAnswer& write) {
   system::Disk disk;
   const auto whole = record::load(disk, options.path);
   // For a record that was changed, its first wrong statement is a better answer than the checksum.
@@ -42,10 +43,11 @@ Result<int> run_verify(const VerifyOptions& options) {
     divergence = std::move(*found);
   }
 
+  record::Json answer{{"record", options.path}, {"reproduced", !divergence}};
+  answer["tick"] = divergence ? record::Json(divergence->tick) : record::Json();
+  answer["what"] = divergence ? record::Json(divergence->what) : record::Json();
+  MIROCUP_TRY_VOID(write(answer));
   if (options.json) {
-    record::Json answer{{"record", options.path}, {"reproduced", !divergence}};
-    answer["tick"] = divergence ? record::Json(divergence->tick) : record::Json();
-    answer["what"] = divergence ? record::Json(divergence->what) : record::Json();
     std::cout << record::json_text(answer) << '\n';
   } else if (divergence) {
     std::cout << system::printable(options.path) << ": differs from tick " << divergence->tick
@@ -62,11 +64,12 @@ Result<int> run_verify(const VerifyOptions& options) {
 
 void add_verify(system::Commands& commands) {
   const auto [command, o] =
-      commands.add(run_verify, "verify", after_a_leg,
+      commands.add(answering<run_verify, VerifyOptions>, "verify", after_a_leg,
                    "Simulate a record again from its commands and compare everything",
                    {"mirocup verify leg.json"});
   command.option("RECORD", o.path, "Match record").required();
   command.flag("--json", o.json, "Print the answer as one JSON object");
+  add_answer(command, o.answer);
 }
 
 }  // namespace mirocup::app

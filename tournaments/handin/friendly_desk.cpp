@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/friendly_desk.hpp"
 
+#include "record/answer.hpp"
 #include "record/json_reader.hpp"
 #include "record/match_record.hpp"
 #include "record/thoughts_file.hpp"
@@ -250,10 +251,9 @@ Json FriendlyDesk::drills_of(const std::string& team, int entry) const {
 Result<void> FriendlyDesk::played(const Friendly& friendly, std::int64_t now) {
   if (friendly.number == 0) {
     const std::string marks = folder_.drill_marks(friendly.team, friendly.entry);
-    MIROCUP_TRY(const auto printed,
-                files_.read(marks + ".out", {.max_size = system::size_limit::note}));
-    (void)files_.remove(marks + ".out");
-    return files_.write(marks, printed);
+    MIROCUP_TRY(const auto answer, record::last_answer(files_, marks + ".answer"));
+    for (const char* end : {".answer", ".out"}) (void)files_.remove(marks + end);
+    return files_.write(marks, record::json_text(answer) + "\n");
   }
   const std::string path = folder_.friendly(friendly.team, friendly.number);
   const auto text = files_.read(path, {.max_size = system::size_limit::record});

@@ -2,6 +2,7 @@
 #include "tournaments/play/comparison_run.hpp"
 
 #include "core/base/random.hpp"
+#include "record/answer.hpp"
 #include "record/json_reader.hpp"
 #include "record/match_record.hpp"
 #include "system/digest.hpp"
@@ -127,6 +128,8 @@ class Comparison {
            ".json";
   }
 
+  std::string answer_of(const Leg& leg) const { return record_of(leg) + ".answer"; }
+
   // Writes comparison.json, or compares with the one that is there.
   Result<void> open_folder() {
     MIROCUP_TRY(const auto wanted, comparison_identity(files_, run_));
@@ -164,24 +167,22 @@ class Comparison {
     if (run_.half_s > 0.0) arguments.insert(arguments.end(), {"--half", digits(run_.half_s)});
     if (!run_.conditions.empty())
       arguments.insert(arguments.end(), {"--conditions", run_.conditions});
+    arguments.insert(arguments.end(), {"--answer", answer_of(leg)});
     playing_[++tag_] = leg;
-    MIROCUP_TRY_VOID(processes_.start(arguments, tag_, cpu, record_of(leg) + ".out"));
+    MIROCUP_TRY_VOID(processes_.start(arguments, tag_, cpu, "/dev/null"));
     return {};
   }
 
   Result<void> count_child(const system::Exit& exit) {
     const Leg leg = playing_[exit.tag];
     playing_.erase(exit.tag);
-    const std::string output = record_of(leg) + ".out";
-    const auto said = files_.read(
-        output, {.max_size = system::size_limit::log, .growth = system::Growth::ignored});
-    const std::string text = said ? *said : std::string();
+    const Json answer = record::last_answer(files_, answer_of(leg)).value_or(Json());
+    MIROCUP_TRY_VOID(files_.remove(answer_of(leg)));
     if (exit.signal != 0 || exit.code != exit_yes) {
       return fail(exit.code == 2 ? Errc::input : Errc::host,
-                  "a leg could not be played: " + system::last_line(text));
+                  "a leg could not be played: " + record::text_in(answer, "error"));
     }
-    repeat_warnings(text);
-    if (auto removed = files_.remove(output); !removed) return removed;
+    repeat_warnings(answer);
     return count(leg);
   }
 
@@ -214,12 +215,12 @@ class Comparison {
     return {};
   }
 
-  // Says each warning of the match server once, as that of a parameter that no team asks for.
-  void repeat_warnings(const std::string& output) {
-    std::istringstream lines(output);
-    for (std::string line; std::getline(lines, line);) {
-      const bool is_warning = line.find("warning: ") != std::string::npos;
-      if (is_warning && warnings_.insert(line).second) progress_.say(line);
+  // Says once of each parameter that no team asks for it.
+  void repeat_warnings(const Json& answer) {
+    if (!answer.contains("unknown_parameters")) return;
+    for (const Json& name : answer["unknown_parameters"]) {
+      if (warnings_.insert(name.dump()).second)
+        progress_.say("warning: no team asked for the parameter " + name.get<std::string>());
     }
   }
 

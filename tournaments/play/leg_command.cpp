@@ -166,8 +166,8 @@ std::vector<std::string> friendly_command(const LeagueState& state, const Friend
   return arguments;
 }
 
-std::vector<std::string> drills_command(const LeagueState& state,
-                                        const FriendlyTerms::Side& entry) {
+std::vector<std::string> drills_command(const LeagueState& state, const FriendlyTerms::Side& entry,
+                                        const std::string& marks) {
   std::vector<std::string> arguments{system::sibling_program("mirocup"),
                                      "drill",
                                      "all",
@@ -176,7 +176,8 @@ std::vector<std::string> drills_command(const LeagueState& state,
                                      "3",
                                      "--jobs",
                                      "1",
-                                     "--json"};
+                                     "--answer",
+                                     marks};
   if (const auto team = state.find_team(entry.name)) {
     const auto words = seat_parameters(state.file.teams[*team], "--param");
     arguments.insert(arguments.end(), words.begin(), words.end());

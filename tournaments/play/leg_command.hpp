@@ -47,8 +47,10 @@ struct FriendlyTerms {
 std::vector<std::string> friendly_command(const LeagueState& state, const FriendlyTerms& terms);
 
 // Returns the command line of `mirocup` that tries each drill three times with an entry, with the
-// same seeds for all entries. The command takes 2 to 10 s of processor time.
-std::vector<std::string> drills_command(const LeagueState& state, const FriendlyTerms::Side& entry);
+// same seeds for all entries. The command takes 2 to 10 s of processor time. Its answer, in the file
+// `marks`, is what --json prints (record/answer.hpp).
+std::vector<std::string> drills_command(const LeagueState& state, const FriendlyTerms::Side& entry,
+                                        const std::string& marks);
 
 // Returns the path of the file for the output of the match server, which is for people.
 std::string leg_output(const Folder& folder, const LegId& leg);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/play/program.hpp"
 
-#include "record/json_reader.hpp"
+#include "record/answer.hpp"
+#include "record/json_fields.hpp"
 #include "record/kept_module.hpp"
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
@@ -79,6 +80,16 @@ Result<void> expect_program(const LeagueStore& store, const record::Software& pr
 
 namespace {
 
+// Returns a sentence of the answer of `mirocup verify` that a record is not reproduced.
+std::string problem_in(const Json& answer) {
+  if (answer.contains("tick")) {
+    return "differs from tick " + std::to_string(record::value_in(answer, "tick", 0)) +
+           " on: " + record::text_in(answer, "what");
+  }
+  const std::string error = record::text_in(answer, "error");
+  return error.empty() ? "could not be verified" : error;
+}
+
 // Verifies the records at `paths` inside the league, and adds those that can be read to `legs`.
 Result<VerifiedRecords> verify(system::Files& files, const Folder& folder,
                                const std::vector<std::string>& paths, int jobs,
@@ -108,7 +119,8 @@ Result<VerifiedRecords> verify(system::Files& files, const Folder& folder,
       ++by_program[in_words(leg.version, leg.game) + ", verified by " + server];
       const int tag = static_cast<int>(next++);
       MIROCUP_TRY_VOID(processes.start(
-          {server, "verify", folder.path + "/" + leg.path}, tag, -1, output_of(tag),
+          {server, "verify", folder.path + "/" + leg.path, "--answer", output_of(tag)}, tag, -1,
+          "/dev/null",
           {.seconds = record::limit_of_repeating(leg.half_s), .bytes = system::size_limit::log}));
       continue;
     }
@@ -117,11 +129,10 @@ Result<VerifiedRecords> verify(system::Files& files, const Folder& folder,
     if (exit->signal == 0 && exit->code == exit_yes) {
       ++done.reproduced;
     } else {
-      const std::string said =
-          files.read(output_of(exit->tag), {.max_size = system::size_limit::log}).value_or("");
+      const Json answer = record::last_answer(files, output_of(exit->tag)).value_or(Json());
       const RecordedLeg& leg = *waiting[static_cast<std::size_t>(exit->tag)];
-      done.problems.push_back({leg.path, system::last_line(said),
-                               exit->signal != 0 ? exit_code(Errc::host) : exit->code});
+      done.problems.push_back(
+          {leg.path, problem_in(answer), exit->signal != 0 ? exit_code(Errc::host) : exit->code});
     }
     (void)files.remove(output_of(exit->tag));
   }

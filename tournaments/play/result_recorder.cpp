@@ -92,9 +92,8 @@ Result<void> ResultRecorder::check_found() {
   for (const VerifiedRecords::Problem& p : verified.problems) {
     checked_[p.record] = p.text;
     if (p.code == exit_no) continue;
-    const std::size_t name = p.text.starts_with("mirocup: ") ? p.text.find(' ') + 1 : 0;
     return fail(p.code == exit_code(Errc::damaged) ? Errc::damaged : Errc::host,
-                p.text.substr(name) + "; the leg may have been played: mend " + p.record +
+                p.text + "; the leg may have been played: mend " + p.record +
                     ", or remove it to play again");
   }
   return {};

@@ -108,8 +108,9 @@ std::vector<std::string> command_for(const Folder& folder, const NewPage& page,
                                  folder.site() + "/" + replay_page_of(page.record),
                                  "--statistics",
                                  folder.site() + "/" + statistics_file_of(page.record),
-                                 "--league-part",
-                                 record::json_text(page.part)};
+                                 "--links=" + record::text_in(page.part, "links")};
+  if (!page.part["names"].empty()) words.emplace_back("--names");
+  for (const Json& name : page.part["names"]) words.push_back(name.get<std::string>());
   if (!module.empty()) words.insert(words.end(), {"--proof-module", "../" + module});
   return words;
 }

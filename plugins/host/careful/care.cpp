@@ -48,12 +48,12 @@ void before_call() {
   note_requests(true);
 }
 
-const char* after_call() {
+Mistake after_call() {
   note_requests(false);
   fill_as_freed(&loans.last(), sizeof loans.last());
-  if (!holds_zone(lent.before)) return "it wrote into memory in front of its command";
-  if (!holds_zone(lent.behind)) return "it wrote behind the end of its command";
-  return find_memory_mistake();
+  if (!holds_zone(lent.before)) return {"it wrote into memory in front of its command", "command"};
+  if (!holds_zone(lent.behind)) return {"it wrote behind the end of its command", "command"};
+  return {find_memory_mistake()};
 }
 
 mirocup_command& lend_command() {

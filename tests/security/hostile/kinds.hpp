@@ -35,6 +35,7 @@ inline const std::vector<Kind> kinds{
     {"exit_zero", "crash: exit code 0", ""},
     {"exit_like_the_host", "crash: exit code 127", ""},
     {"exit_thread", "crash", ""},
+    {"false_verdict", "crash", ""},
     {"exit_slowly", burns_tick, ""},
     {"longjmp_out", "crash: signal 11", ""},
     {"throw_std", "crash: thrown on purpose", ""},

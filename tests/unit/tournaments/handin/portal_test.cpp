@@ -427,9 +427,10 @@ TEST_F(Desk, TriesTheDrillsOfAnAcceptedEntryOnce) {
   ASSERT_TRUE(desk.failed(*drills, now_, false));
   drills = desk.begin_next();
   ASSERT_TRUE(drills) << "a check came first";
-  ASSERT_TRUE(disk_.write(folder_.drill_marks("alpha", 2) + ".out",
+  ASSERT_TRUE(disk_.write(folder_.drill_marks("alpha", 2) + ".answer",
                           R"({"team":"alpha","drills":[{"name":"save","version":1,"score":30.0,)"
-                          R"("low":1.0}],"score":30.0})"));
+                          R"("low":1.0}],"score":30.0})"
+                          "\n"));
   ASSERT_TRUE(desk.played(*drills, now_));
   EXPECT_FALSE(desk.begin_next());
   open();
@@ -574,7 +575,10 @@ TEST_F(Desk, ShowsTheThoughtsOfOwnLegsOnly) {
   web::Request asked = api(path, staff_);
   EXPECT_EQ(ask(asked).status, 404) << "of which team?";
   asked.query.emplace("team", "alpha");
-  EXPECT_EQ(ask(asked).bytes, "replay of r1-f1-1-1, blue's thoughts, yellow's thoughts");
+  EXPECT_EQ(ask(asked).bytes,
+            "replay of r1-f1-1-1, blue's thoughts, yellow's thoughts"
+            "<p class=\"path\"><a href=\"/hand-in?fixture=r1-f1&amp;leg=1#decide\">"
+            "Decide about this leg</a></p>");
 
   asked = api(path, beta_);
   EXPECT_EQ(ask(asked).status, 404);
