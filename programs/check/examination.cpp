@@ -3,7 +3,6 @@
 
 #include "programs/check/entry_advice.hpp"
 
-
 #include <algorithm>
 #include <utility>
 
