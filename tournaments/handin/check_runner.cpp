@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/check_runner.hpp"
 
+#include "record/json_fields.hpp"
 #include "record/json_reader.hpp"
 #include "system/clock.hpp"
 #include "system/locations.hpp"

@@ -17,16 +17,8 @@ struct Examined {
   Json report;
 };
 
-// The legs of a check are as long as those that the entry is for; with sanitizers they take twenty
-// times as long to play.
-#ifdef MIROCUP_SANITIZED
-constexpr const char* usual_half = "4";
-#else
-constexpr const char* usual_half = "20";
-#endif
-
 Examined check(const std::string& library, const std::vector<std::string>& more = {},
-               const std::string& half = usual_half) {
+               const std::string& half = "20") {
   std::vector<std::string> words{program("mirocup"), "check", library, "--json", "--half", half};
   words.insert(words.end(), more.begin(), more.end());
   const Outcome outcome = run(words);

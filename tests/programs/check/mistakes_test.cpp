@@ -28,16 +28,6 @@ Answer check_team_with(Mistake mistake, const char* half = "20") {
   return {outcome.exit_code, Json::parse(outcome.out, nullptr, false)};
 }
 
-// With sanitizers a leg takes twenty times as long, and the team has none: a few kinds are enough.
-bool is_left_out([[maybe_unused]] Mistake mistake) {
-#ifdef MIROCUP_SANITIZED
-  constexpr int one_of = 10;
-  return static_cast<int>(mistake) % one_of != 0;
-#else
-  return false;
-#endif
-}
-
 struct Refused {
   Mistake mistake;
   const char* name;
@@ -88,7 +78,6 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(Mistakes, AreRefusedWithTheirReason) {
   const Refused& expected = GetParam();
-  if (is_left_out(expected.mistake)) GTEST_SKIP() << "with sanitizers";
   const Answer examined = check_team_with(expected.mistake);
   EXPECT_EQ(examined.exit_code, 1) << examined.report.dump(1);
   const std::string reason = examined.report.value("reason", Json()).dump();
@@ -148,7 +137,6 @@ INSTANTIATE_TEST_SUITE_P(Kinds, HarmlessTeams,
                          [](const auto& c) { return c.param.name; });
 
 TEST_P(HarmlessTeams, AreAccepted) {
-  if (is_left_out(GetParam().mistake)) GTEST_SKIP() << "with sanitizers";
   const Answer examined = check_team_with(GetParam().mistake);
   EXPECT_EQ(examined.exit_code, 0) << examined.report["reason"];
   const std::string warnings = examined.report["warnings"].dump();
@@ -161,9 +149,6 @@ TEST_P(HarmlessTeams, AreAccepted) {
 
 // Catches --trusted that dies of a team without a word.
 TEST(Trusted, TellsWhichTeamCrashedWhere) {
-#ifdef MIROCUP_SANITIZED
-  GTEST_SKIP() << "the sanitizer tells it";
-#endif
   const auto outcome = test_support::run_mirocup(
       {"match", "--trusted", "--blue", "idle", "--yellow", program("teams/mistakes.so"), "--half",
        "60", "--yellow-param",

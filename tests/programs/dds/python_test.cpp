@@ -13,9 +13,6 @@ using namespace test_support;
 TEST(PythonTeam, PlaysAFullLeg) {
   const TemporaryFolder folder;
   const std::string id = match_id("python");
-#ifdef MIROCUP_SANITIZED
-  GTEST_SKIP() << "a program without sanitizers cannot load a library with them";
-#endif
   Running team({"/usr/bin/env", "MIROCUP_TEAM_LIBRARY=" + program("libmirocup_team.so"),
                 "PYTHONDONTWRITEBYTECODE=1", "python3", "-S",
                 MIROCUP_SOURCE_FOLDER "/examples/python/chaser.py", id, "blue", "snake"});
@@ -37,9 +34,6 @@ TEST(PythonTeam, PlaysAFullLeg) {
 TEST(PythonTeam, SaysWhereItStands) {
   const TemporaryFolder folder;
   const std::string id = match_id("python-places");
-#ifdef MIROCUP_SANITIZED
-  GTEST_SKIP() << "a program without sanitizers cannot load a library with them";
-#endif
   const std::string script =
       "import mirocup_team\n"
       "def place(setup, now, placement): placement.robots[2].x = 0.5\n"
@@ -68,9 +62,6 @@ TEST(PythonTeam, SaysWhereItStands) {
 // Catches `mirocup join` that takes a file of Python for a library that does not load, and one that
 // plays it in another way than `mirocup match` does.
 TEST(PythonTeam, JoinsWithoutAProgramOfItsOwn) {
-#ifdef MIROCUP_SANITIZED
-  GTEST_SKIP() << "Python leaks what it never ends";
-#endif
   if (!std::filesystem::exists(program("mirocup-python.so"))) GTEST_SKIP() << "not built";
   const TemporaryFolder folder;
   const std::string id = match_id("python-join");

@@ -58,25 +58,15 @@ struct SetUp {
   std::string colour;  // of the hostile team
 };
 
-#ifdef MIROCUP_SANITIZED
-constexpr bool is_sanitized = true;
-#else
-constexpr bool is_sanitized = false;
-#endif
-
 // Returns set-ups with both tiers and both colours; if the test runs as root, also with a server
-// that does not. The sandbox is built without sanitizers in every build, so a sanitized server
-// plays one of these set-ups, another one for each kind.
-std::vector<SetUp> set_ups(const Kind& kind) {
+// that does not.
+std::vector<SetUp> set_ups() {
   std::vector<SetUp> all{{"T2", User::caller, "blue"}, {"T1", User::caller, "yellow"}};
   if (geteuid() == 0) {
     all.push_back({"T2", User::nobody, "yellow"});
     all.push_back({"T1", User::nobody, "blue"});
   }
-  if (!is_sanitized) return all;
-  const auto is_kind = [&](const Kind& other) { return other.name == kind.name; };
-  const auto index = std::find_if(kinds.begin(), kinds.end(), is_kind) - kinds.begin();
-  return {all[static_cast<std::size_t>(index) % all.size()]};
+  return all;
 }
 
 std::string other_than(const std::string& colour) {
@@ -166,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(Teams, Hostile, testing::ValuesIn(kinds),
                          [](const auto& c) { return c.param.name; });
 
 TEST_P(Hostile, HurtsOnlyItself) {
-  auto all = set_ups(GetParam());
+  auto all = set_ups();
   if (!why_no_t2().empty()) {
     std::erase_if(all, [](const auto& set_up) { return set_up.isolation == "T2"; });
   }
