@@ -14,8 +14,8 @@ using Json = nlohmann::ordered_json;
 
 std::string cell_of(const Json& value) {
   if (value.is_null()) return "";
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (const auto* text = value.get_ptr<const std::string*>()) return *text;
+  if (const bool* is = value.get_ptr<const bool*>()) return *is ? "yes" : "no";
   if (!value.is_array()) return json_text(value);
   std::string text;
   for (const Json& element : value) text += (text.empty() ? "" : " ") + cell_of(element);

@@ -28,7 +28,7 @@ def main():
     rooms = {}  # room: the rooms and files that it names
     for line in (PROJECT / "layers.txt").read_text().splitlines():
         parts = [part.strip() for part in line.split("|")]
-        if len(parts) >= 3 and not line.startswith("#"):
+        if len(parts) == 4 and not line.startswith("#"):
             rooms[parts[0]] = parts[2].split(", ")
     changed = set()
     for file in changed_files(sys.argv[1] if sys.argv[1:] else "HEAD"):

@@ -52,9 +52,9 @@ struct ReplayPage {
   std::size_t proof_size = 0;            // number of bytes in the page for the proof of the leg
 };
 
-// Returns the page of the leg, with its data. `links` is HTML for the top of the page, such as links
-// to the other pages of a league. `own` has thoughts and logs of the teams; leave it out
-// for a public page. Visitors can prove the leg only if `proof` has or names a module.
+// Returns the page of the leg, with its data. `links` is HTML for the top of the page, such as
+// links to the other pages of a league. `own` has thoughts and logs of the teams; leave it out for
+// a public page. Visitors can prove the leg only if `proof` has or names a module.
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
                                                          Times times = Times::shown,
                                                          const record::OwnTexts& own = {},

@@ -175,8 +175,9 @@ Json pair_json(const PairComparison& pair, const ComparisonRun& run) {
 
 // CSV has whole numbers of Elo.
 Json rounded(Json elo) {
-  for (Json& number : elo)
-    number = number.is_null() ? number : Json(std::lround(number.get<double>()));
+  for (Json& number : elo) {
+    if (const double* of = number.get_ptr<const double*>()) number = std::lround(*of);
+  }
   return elo;
 }
 

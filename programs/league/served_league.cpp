@@ -58,8 +58,10 @@ constexpr std::string_view hand_in_link = "<p><a href=\"/hand-in\">Hand in</a></
 
 // Gives the teams of a record the names that people know.
 void name_teams(record::MatchRecord& record, const Json& part) {
-  for (std::size_t i = 0; i < part["names"].size(); ++i)
-    record.teams[i].name = part["names"][i].get<std::string>();
+  for (std::size_t i = 0; i < part["names"].size(); ++i) {
+    if (const auto* name = part["names"][i].get_ptr<const std::string*>())
+      record.teams[i].name = *name;
+  }
 }
 
 std::string with_script(std::string html, bool takes_hand_ins) {

@@ -56,7 +56,8 @@ class ServedLeague {
   std::string digest_of(const std::string& team);
 
   // Returns the replay page of a leg that a team may see, released or not. The page shows the kept
-  // thoughts and the output of the given teams. `links` is HTML that follows the links to the league.
+  // thoughts and the output of the given teams. `links` is HTML that follows the links to the
+  // league.
   std::optional<std::string> own_replay(const std::string& name, const record::Whose& whose,
                                         const std::string& links);
 

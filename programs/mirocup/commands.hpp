@@ -30,8 +30,8 @@ void add_dds_domain(const system::Command& command, int& domain);
 // Adds an option KEY=VALUE for the parameters of a team, which the help calls `whose`: "the team".
 void add_parameters(const system::Command& command, const char* option,
                     std::vector<std::string>& changes, const std::string& whose);
-// A command that mirocup-league runs: `run` gets the options, which have a member `answer`, the path
-// of the option --answer, and what writes there (record/answer.hpp).
+// A command that mirocup-league runs: `run` gets the options, which have a member `answer`, the
+// path of the option --answer, and what writes there (record/answer.hpp).
 template <auto run, class Options>
 Result<int> answering(const Options& options) {
   return record::answering(options.answer,

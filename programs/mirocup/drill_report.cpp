@@ -2,6 +2,7 @@
 #include "programs/mirocup/drill_report.hpp"
 
 #include "record/csv_rows.hpp"
+#include "record/json_fields.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
 #include "web/design/template.hpp"
@@ -114,7 +115,7 @@ std::string csv_of(const std::vector<DrillReport>& reports) {
     std::size_t tries = 0;
     Json drills = json_of(report)["drills"];
     for (Json& drill : drills) {
-      tries += drill["tries"].get<std::size_t>();
+      tries += record::value_in<std::size_t>(drill, "tries");
       drill["team"] = report.team;
       rows.push_back(drill);
     }

@@ -226,7 +226,8 @@ std::string numbers_csv(const std::vector<LegReport>& legs) {
       row["against"] = leg.statistics.teams[index_of(opponent_of(team))].all_goals();
       for (const char* key : {"duels", "play_s", "dead_ball_s", "stoppages"}) row[key] = all[key];
       for (const char* key : {"possession", "territory"})
-        if (!row[key].is_null()) row[key] = system::formatted("%.4f", row[key].get<double>());
+        if (const double* share = row[key].get_ptr<const double*>())
+          row[key] = system::formatted("%.4f", *share);
       for (const auto law : enum_names<referee::Law>) row["fouls_by_law"].emplace(law, 0);
     }
   }

@@ -15,6 +15,7 @@ complain() {
 }
 
 "$here/layers.py" "$PWD" || bad=1
+"$here/lines.py" "$PWD" || bad=1
 
 while IFS= read -r line; do
   complain "$line: a source is compiled, not included"

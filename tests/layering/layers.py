@@ -20,9 +20,9 @@ def read_layers():
         if not line or line.startswith("#"):
             continue
         parts = [part.strip() for part in line.split("|")]
-        if len(parts) == 3:
+        if len(parts) == 4:
             rooms[parts[0]] = (parts[1], [name for name in parts[2].split(", ") if name])
-        else:
+        elif len(parts) == 2:
             headers.append((parts[0].split(), parts[1].split()))
     return rooms, headers
 

@@ -85,8 +85,8 @@ class CheckRunner {
   std::chrono::steady_clock::time_point rests_until_{};
 };
 
-// The body of `check-hand-in`: checks one hand-in and answers with JSON. The exit codes are those of
-// `mirocup-league submit`.
+// The body of `check-hand-in`: checks one hand-in and answers with JSON. The exit codes are those
+// of `mirocup-league submit`.
 Result<int> check_hand_in(system::Files& files, const Folder& folder, const std::string& team,
                           int entry, const std::string& file, std::int64_t at, int compile_seconds,
                           const record::WriteAnswer& answer);

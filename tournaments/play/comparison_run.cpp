@@ -219,8 +219,9 @@ class Comparison {
   void repeat_warnings(const Json& answer) {
     if (!answer.contains("unknown_parameters")) return;
     for (const Json& name : answer["unknown_parameters"]) {
-      if (warnings_.insert(name.dump()).second)
-        progress_.say("warning: no team asked for the parameter " + name.get<std::string>());
+      const auto* text = name.get_ptr<const std::string*>();
+      if (text && warnings_.insert(*text).second)
+        progress_.say("warning: no team asked for the parameter " + *text);
     }
   }
 

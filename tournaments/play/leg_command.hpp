@@ -47,8 +47,8 @@ struct FriendlyTerms {
 std::vector<std::string> friendly_command(const LeagueState& state, const FriendlyTerms& terms);
 
 // Returns the command line of `mirocup` that tries each drill three times with an entry, with the
-// same seeds for all entries. The command takes 2 to 10 s of processor time. Its answer, in the file
-// `marks`, is what --json prints (record/answer.hpp).
+// same seeds for all entries. The command takes 2 to 10 s of processor time. Its answer, in the
+// file `marks`, is what --json prints (record/answer.hpp).
 std::vector<std::string> drills_command(const LeagueState& state, const FriendlyTerms::Side& entry,
                                         const std::string& marks);
 

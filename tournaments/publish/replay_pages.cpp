@@ -110,7 +110,9 @@ std::vector<std::string> command_for(const Folder& folder, const NewPage& page,
                                  folder.site() + "/" + statistics_file_of(page.record),
                                  "--links=" + record::text_in(page.part, "links")};
   if (!page.part["names"].empty()) words.emplace_back("--names");
-  for (const Json& name : page.part["names"]) words.push_back(name.get<std::string>());
+  for (const Json& name : page.part["names"]) {
+    if (const auto* text = name.get_ptr<const std::string*>()) words.push_back(*text);
+  }
   if (!module.empty()) words.insert(words.end(), {"--proof-module", "../" + module});
   return words;
 }

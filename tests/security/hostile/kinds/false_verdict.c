@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Prints verdicts and results of its own from its constructor to its destructor. Then it writes them
- * to all descriptors, and ends. Nobody may believe them.
+ * Prints verdicts and results of its own from its constructor to its destructor. Then it writes
+ * them to all descriptors, and ends. Nobody may believe them.
  */
 #include "tests/security/hostile/hostile.h"
 
