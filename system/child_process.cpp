@@ -162,10 +162,9 @@ Error become_sibling_program(const std::string& name, std::vector<std::string> a
   const std::string program = sibling_program(name);
   if (access(program.c_str(), F_OK) != 0) {
     const std::string build = shell_word(build_folder());
-    return {Errc::unavailable, program + ": this program is not built; cmake " +
-                                   (options.empty() ? "" : options + " ") + build +
-                                   " && cmake --build " + build + " --target " + name +
-                                   " builds it"};
+    return {Errc::unavailable,
+            name + ": this program is not built; cmake " + (options.empty() ? "" : options + " ") +
+                build + " && cmake --build " + build + " --target " + name + " builds it"};
   }
   arguments.insert(arguments.begin(), program);
   return become_program(std::move(arguments));
