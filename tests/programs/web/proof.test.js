@@ -95,7 +95,7 @@ async function served(place) {
 test('pages of a league are proved by files beside them, from disk and from a server', options, async () => {
   const place = playLeague('proofs');
   const site = join(place, 'site');
-  assert.deepEqual(names(join(site, 'replays')), legs.flatMap((leg) => [`${leg}.html`, `${leg}.proof.js`]));
+  assert.deepEqual(names(join(site, 'replays')), legs.flatMap((leg) => [`${leg}.html`, `${leg}.league.json`, `${leg}.proof.js`]));
   const modules = names(join(site, 'module'));
   assert.equal(modules.length, 1);
   const html = statSync(join(site, `replays/${legs[0]}.html`)).size;
