@@ -1144,9 +1144,9 @@ class _Runner:
             name = _unchanged[1]
             _warn(f"{name}() returns a new list, which is not used: write wheels = {name}(self.setup, now, wheels)")
         if answer is None:
-            raise TypeError("decide() returned None: each way through decide() has to end with return and the list")
+            _refuse("decide() returned None: each way through decide() has to end with return and the list")
         if hasattr(answer, "cr_await"):
-            raise TypeError("decide() returned a coroutine: write def decide(self, now), without async")
+            _refuse("decide() returned a coroutine: write def decide(self, now), without async")
         numbers = _speeds(answer, self._robots, "decide() returned")
         return _COMMAND.pack(*numbers, *_ZEROS[len(numbers):2 * MAX_ROBOTS])
 
@@ -1167,8 +1167,8 @@ class _Runner:
             ball_x, ball_y = placement.ball
             return _PLACEMENT.pack(float(ball_x), float(ball_y), *values, *_ZEROS[len(values):])
         except (TypeError, ValueError, struct.error):
-            raise TypeError("place() left something else than (x, y, heading) for each robot and (x, y) for "
-                            f"the ball: write {place} = Pose(x, y, heading)") from None
+            _refuse("place() left something else than (x, y, heading) for each robot and (x, y) for the ball: "
+                    f"write {place} = Pose(x, y, heading)")
 
     def _look_at(self, placement, returned, now):
         """Warns about a place() that has no effect."""
@@ -1253,8 +1253,7 @@ def _create(team_class, data, host):
     if not isinstance(team_class.name, str):
         _warn(f"the name of the team is {_short(team_class.name)}; a text is expected")
     if not isinstance(getattr(team, "setup", None), Setup):
-        raise TypeError(f"{team_class.__name__}.__init__(self, setup) has to call "
-                        "super().__init__(setup) first")
+        _refuse(f"{team_class.__name__}.__init__(self, setup) has to call super().__init__(setup) first")
     gc.collect()
     gc.freeze()
     return _Runner(team, setup.robots)
@@ -1269,6 +1268,10 @@ def _what_it_has(error):
     names = getattr(type(error.obj), "_fields", ())
     near = [n for n in names if n[:3] == error.name[:3]] or names
     return f"; it has {_short(near, ', '.join)}" if near else ""
+
+
+def _refuse(text):
+    raise TypeError(text)
 
 
 def _cause_of(error, frames, own):
@@ -1288,9 +1291,10 @@ def _cause_of(error, frames, own):
         return "relative_import"
     if kind != "TypeError":
         return kind
-    # Which call did not take its arguments: that of a method of the team, or one of its own line?
-    line = own[-1].line if own else ""
-    return "no_default" if ".parameter(" in line else "bad_point" if ".draw_" in line else kind if own else "signature"
+    if own:
+        return "no_default" if ".parameter(" in own[-1].line else "bad_point" if ".draw_" in own[-1].line else kind
+    # The call of a method itself does not take its arguments.
+    return "signature" if frames and frames[-1].name in ("decide", "place", "_create") else kind
 
 
 def _describe(error, name):

@@ -90,7 +90,7 @@ Result<void> ResultRecorder::check_found() {
   }
   MIROCUP_TRY(const auto verified, verify_records(files_, folder(), records, jobs_));
   for (const VerifiedRecords::Problem& p : verified.problems) {
-    checked_[p.record] = p.text;
+    checked_[p.record] = p.record + ": " + p.text;
     if (p.code == exit_no) continue;
     return fail(p.code == exit_code(Errc::damaged) ? Errc::damaged : Errc::host,
                 p.text + "; the leg may have been played: mend " + p.record +
