@@ -218,9 +218,9 @@ record::Json warn_of_unknown_parameters(const server::Session& session) {
   if (session.leg.tick() == 0) return unknown;  // a team that never played asked for nothing
   const auto blue = session.seats[0].unknown_parameters();
   const auto yellow = session.seats[1].unknown_parameters();
-  const auto is_known_to = [](const server::TeamSeat& seat, const match::TeamParameters& unknown,
+  const auto is_known_to = [](const server::TeamSeat& seat, const match::TeamParameters& unasked,
                               const std::string& name) {
-    return seat.info().parameters.count(name) != 0 && unknown.count(name) == 0;
+    return seat.info().parameters.count(name) != 0 && unasked.count(name) == 0;
   };
   match::TeamParameters all = blue;
   all.insert(yellow.begin(), yellow.end());

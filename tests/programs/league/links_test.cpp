@@ -104,7 +104,7 @@ TEST_F(LeagueOfAStranger, HasItsPagesInItsFolder) {
   for (const char* part : {"site", "site/replays", "site/statistics", "site/module", "site/rounds",
                            "site/teams", "site/digests", "site/index.html", "site/night.html",
                            "site/replays/r1-f1-1-1.html", "site/teams/alpha.html"}) {
-    // The pages of legs that are there are not made again, unless what the league has beside them is gone.
+    // Pages that are there are not made again, unless what the league has beside them is gone.
     fs::remove(league_ + "/site/replays/r1-f1-1-1.league.json");
     if (part == std::string("site/statistics")) fs::remove_all(league_ + "/site/replays");
     if (part == std::string("site/module")) fs::remove_all(league_ + "/site/statistics");

@@ -55,17 +55,17 @@ TEST(Labs, WrongLinesAreAnsweredWithOneSentence) {
   } lines[] = {
       {2,
        {"record-as-seen", "nothing.json", "-o", "seen.jsonl", "--gaps", "nan"},
-       "--gaps nan: a number from 0 to 0.9 is expected"},
+       "--gaps: nan is not a number from 0 to 0.9"},
       {2,
        {"tune", "mine.so", "--against", "chaser", "--param", "wait=nan:1"},
        "--param wait=nan:1: KEY=LOW:HIGH is expected, with LOW less than HIGH"},
       {2,
        {"league", "tune", "mine.so", "--against", "chaser", "--param", "wait=0x1:0x2"},
        "--param wait=0x1:0x2: KEY=LOW:HIGH is expected, with LOW less than HIGH"},
+      {2, {"tune", "mine.so", "--param"}, "--param: "},
       {2,
-       {"tune", "mine.so", "--param"},
-       "--param needs a value: --param KEY=LOW:HIGH; for example:"},
-      {2, {"tune", "a.so", "--against", "b.so", "--param", "k=0:1", "--half", "nan"}, "--half nan"},
+       {"tune", "a.so", "--against", "b.so", "--param", "k=0:1", "--half", "nan"},
+       "--half: nan"},
       {3,
        {"identify", "nothing.jsonl", "-o", "/nowhere/ours.json"},
        "/nowhere/ours.json: nothing can be written into /nowhere: No such file or directory"},
@@ -82,8 +82,8 @@ TEST(Labs, WrongLinesAreAnsweredWithOneSentence) {
       {3,
        {"record-as-seen", "nothing.json", "-o", "/nowhere/seen.jsonl"},
        "/nowhere/seen.jsonl: nothing can be written into /nowhere"},
-      {2, {"export", "p.npz"}, "--output is missing; for example: mirocup export"},
-      {2, {"validate", "a.jsonl", "--agianst", "box2d"}, "did you mean --against?"},
+      {2, {"export", "p.npz"}, "--output is required; for example: mirocup export"},
+      {2, {"validate", "a.jsonl", "--agianst", "box2d"}, "there is no option --agianst"},
   };
   for (const auto& line : lines) {
     std::vector<std::string> words = line.words;
