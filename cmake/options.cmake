@@ -41,6 +41,7 @@ endif()
 # A target with the property MIROCUP_NOT_SANITIZED is built without sanitizers. One with MIROCUP_LINKS_SANITIZED, a program of unit
 # tests, links sanitized libraries, but its own sources are compiled without sanitizers, in half of the time.
 if(MIROCUP_SANITIZE)
+  set(sanitized_definition MIROCUP_SANITIZED)  # for tests that do less then
   set(plain $<BOOL:$<TARGET_PROPERTY:MIROCUP_NOT_SANITIZED>>)
   set(links $<BOOL:$<TARGET_PROPERTY:MIROCUP_LINKS_SANITIZED>>)
   target_compile_options(mirocup_options INTERFACE

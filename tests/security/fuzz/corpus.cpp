@@ -17,7 +17,11 @@
 
 namespace {
 
+#ifdef MIROCUP_SANITIZED
+constexpr double max_seconds = 20.0;  // sanitizers look for errors, the release build at the costs
+#else
 constexpr double max_seconds = 2.0;
+#endif
 constexpr double max_megabytes = 512.0;
 constexpr rlim_t hang_seconds = 20;  // of processor time; then it is stopped
 
