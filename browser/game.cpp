@@ -12,7 +12,6 @@
 #include "record/rules_json.hpp"
 #include "record/situation_json.hpp"
 
-#include <cmath>
 #include <utility>
 
 extern "C" {

@@ -4,11 +4,8 @@
 #include "system/printable.hpp"
 #include "system/text.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace mirocup::record {
 

@@ -7,8 +7,6 @@
 #include "record/motion_json.hpp"
 #include "system/text.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 

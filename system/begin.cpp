@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "system/begin.hpp"
 
-#include "core/base/error.hpp"
-
 #include <csignal>
 #include <cstdio>
 #include <fcntl.h>

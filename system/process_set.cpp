@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <sched.h>
 #include <sys/wait.h>

@@ -13,7 +13,6 @@
 #include <chrono>
 #include <ctime>
 #include <fcntl.h>
-#include <memory>
 #include <poll.h>
 
 namespace mirocup::system {

@@ -6,7 +6,6 @@
 #include "record/replay_file.hpp"
 #include "record/statistics/counter.hpp"
 #include "web/design/template.hpp"
-#include "web/page_parts.hpp"
 #include "web/picture.hpp"
 
 #include <nlohmann/json.hpp>

@@ -5,7 +5,6 @@
 #include "record/json_reader.hpp"
 #include "system/locations.hpp"
 #include "web/design/template.hpp"
-#include "web/page_parts.hpp"
 #include "web/picture.hpp"
 
 #include <nlohmann/json.hpp>

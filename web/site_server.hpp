@@ -10,7 +10,6 @@
 #include "core/base/error.hpp"
 #include "web/http/server.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>

@@ -8,7 +8,6 @@
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/page_values.hpp"
-#include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"
 #include "web/playground.hpp"

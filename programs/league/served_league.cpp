@@ -10,9 +10,7 @@
 #include "tournaments/league/submission.hpp"
 #include "tournaments/play/leg_command.hpp"
 #include "tournaments/publish/night_pages.hpp"
-#include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/snapshot.hpp"
-#include "web/page.hpp"
 #include "web/page_parts.hpp"
 
 #include <algorithm>

@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
-#include <map>
 #include <mutex>
 #include <set>
 #include <string>

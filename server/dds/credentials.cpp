@@ -7,8 +7,6 @@
 #include "system/tls.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <string>
 
 namespace mirocup::dds {
 

@@ -5,7 +5,6 @@
 // for the present tick has come.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 

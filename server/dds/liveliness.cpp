@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/liveliness.hpp"
 
-#include <algorithm>
-
 namespace mirocup::dds {
 
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "server/firasim/server.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <poll.h>
 

@@ -5,8 +5,6 @@
 #include "system/printable.hpp"
 
 #include <algorithm>
-#include <array>
-#include <vector>
 
 namespace mirocup::league {
 

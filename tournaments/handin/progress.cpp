@@ -8,9 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <map>
-#include <optional>
 #include <vector>
 
 namespace mirocup::league {

@@ -14,7 +14,6 @@
 #include "tournaments/publish/rounds.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace mirocup::league {
 

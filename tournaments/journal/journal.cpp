@@ -4,7 +4,6 @@
 #include "record/json_reader.hpp"
 #include "system/digest.hpp"
 
-#include <optional>
 #include <utility>
 
 namespace mirocup::league {

@@ -4,7 +4,6 @@
 #include "system/number_of.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <sstream>
 
 namespace mirocup::league {

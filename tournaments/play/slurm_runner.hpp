@@ -16,7 +16,6 @@
 #include "tournaments/play/slurm.hpp"
 
 #include <map>
-#include <set>
 
 namespace mirocup::league {
 

@@ -12,7 +12,6 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <optional>
 #include <set>
 #include <utility>
 

@@ -14,10 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <filesystem>
-#include <map>
-#include <set>
 #include <utility>
 
 namespace mirocup::league {

@@ -15,9 +15,7 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 

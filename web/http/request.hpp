@@ -4,7 +4,6 @@
 // connection.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
