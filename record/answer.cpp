@@ -3,8 +3,6 @@
 
 #include "record/json_reader.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace mirocup::record {
 
 Result<int> answering(const std::string& path,

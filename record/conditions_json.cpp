@@ -4,8 +4,6 @@
 #include "core/base/math.hpp"
 #include "record/json_reader.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <optional>
 
 namespace mirocup::record {

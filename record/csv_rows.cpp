@@ -4,8 +4,6 @@
 #include "record/json_reader.hpp"
 #include "system/csv.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace mirocup::record {
 
 namespace {

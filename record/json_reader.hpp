@@ -28,6 +28,8 @@
 // Documents may come from strangers. Only parse_json() turns text into a tree. It builds no tree
 // beyond JsonLimits, so no tree is too deep for recursive functions. A message quotes at most
 // a short piece of the document.
+//
+// This header includes the JSON library for all who read or write JSON.
 #pragma once
 
 #include "core/base/error.hpp"

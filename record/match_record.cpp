@@ -12,8 +12,6 @@
 #include "system/digest.hpp"
 #include "system/number_of.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 #include <utility>
 

@@ -4,8 +4,6 @@
 #include "record/json_reader.hpp"
 #include "system/number_of.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <optional>
 
 namespace mirocup::record {

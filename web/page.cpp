@@ -8,8 +8,6 @@
 #include "web/design/template.hpp"
 #include "web/picture.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cctype>

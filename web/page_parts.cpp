@@ -8,8 +8,6 @@
 #include "web/design/template.hpp"
 #include "web/markings.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <zlib.h>
 

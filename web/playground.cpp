@@ -7,8 +7,6 @@
 #include "web/design/template.hpp"
 #include "web/picture.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <array>
 #include <string_view>
 

@@ -12,8 +12,6 @@
 #include "tournaments/play/comparison_run.hpp"
 #include "tournaments/play/scratch_folder.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <iostream>

@@ -12,8 +12,6 @@
 #include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/grades.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 #include <iostream>
 #include <string>

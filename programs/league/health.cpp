@@ -8,8 +8,6 @@
 #include "system/clock.hpp"
 #include "system/printable.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <iostream>
 
 namespace mirocup::league {

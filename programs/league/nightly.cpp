@@ -18,8 +18,6 @@
 #include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <filesystem>
 #include <iostream>

@@ -12,8 +12,6 @@
 #include "tournaments/publish/snapshot.hpp"
 #include "web/playground.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <iostream>
 #include <set>
 #include <vector>

@@ -20,8 +20,6 @@
 #include "web/page_parts.hpp"
 #include "web/site_server.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
 #include <iostream>

@@ -11,8 +11,6 @@
 #include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/site.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <iostream>
 
 namespace mirocup::league {

@@ -9,8 +9,6 @@
 #include "tournaments/league/firasim_team.hpp"
 #include "tournaments/league/submission.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 #include <iostream>
 

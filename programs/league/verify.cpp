@@ -9,8 +9,6 @@
 #include "tournaments/play/backup.hpp"
 #include "tournaments/play/program.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <iostream>
 

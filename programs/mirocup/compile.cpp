@@ -11,8 +11,6 @@
 #include "system/locations.hpp"
 #include "system/printable.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <iostream>
 #include <sstream>
 

@@ -10,8 +10,6 @@
 #include "system/locations.hpp"
 #include "system/printable.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <filesystem>
 #include <functional>

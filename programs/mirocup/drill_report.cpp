@@ -7,8 +7,6 @@
 #include "system/text.hpp"
 #include "web/design/template.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -18,8 +18,6 @@
 #include "system/printable.hpp"
 #include "system/text.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <cstdint>
 #include <filesystem>
 #include <iostream>

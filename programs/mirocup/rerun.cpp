@@ -11,8 +11,6 @@
 #include "system/interrupt.hpp"
 #include "system/printable.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 #include <iostream>
 

@@ -6,8 +6,6 @@
 #include "record/scene_json.hpp"
 #include "system/files.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <iostream>
 
 namespace mirocup::app {

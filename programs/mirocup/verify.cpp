@@ -7,8 +7,6 @@
 #include "record/kept_module.hpp"
 #include "system/printable.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <iostream>
 #include <string>
 #include <utility>

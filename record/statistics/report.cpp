@@ -8,8 +8,6 @@
 #include "system/printable.hpp"
 #include "system/text.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <map>
 

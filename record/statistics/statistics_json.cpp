@@ -6,8 +6,6 @@
 #include "record/touch_fields.hpp"
 #include "system/number_of.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 
 namespace mirocup::statistics {

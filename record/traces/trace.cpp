@@ -5,8 +5,6 @@
 #include "record/json_reader.hpp"
 #include "record/rules_json.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 
 namespace mirocup::traces {

@@ -8,8 +8,6 @@
 #include "record/team_parameters_json.hpp"
 #include "system/text.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <set>
 

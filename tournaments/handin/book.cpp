@@ -3,8 +3,6 @@
 
 #include "record/json_reader.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cstdlib>
 

@@ -5,8 +5,6 @@
 
 #include "record/json_reader.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 
 namespace mirocup::league {

@@ -9,8 +9,6 @@
 #include "tournaments/handin/replies.hpp"
 #include "tournaments/league/hand_ins.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 
 namespace mirocup::league {

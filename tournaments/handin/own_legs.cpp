@@ -4,8 +4,6 @@
 #include "record/json_reader.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 
 namespace mirocup::league {

@@ -5,8 +5,6 @@
 #include "system/text.hpp"
 #include "tournaments/table/rating.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <map>
 #include <vector>

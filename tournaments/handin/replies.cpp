@@ -4,8 +4,6 @@
 #include "record/json_reader.hpp"
 #include "system/number_of.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace mirocup::league {
 
 web::Reply json_reply(int status, const nlohmann::ordered_json& json) {

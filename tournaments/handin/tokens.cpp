@@ -5,8 +5,6 @@
 #include "system/digest.hpp"
 #include "system/secret.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 
 namespace mirocup::league {

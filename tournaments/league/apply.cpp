@@ -7,8 +7,6 @@
 #include "tournaments/league/decisions.hpp"
 #include "tournaments/league/schedule_growth.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <memory>
 #include <utility>
 

@@ -4,8 +4,6 @@
 #include "record/conditions_json.hpp"
 #include "record/json_fields.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <type_traits>
 
 namespace mirocup::league {

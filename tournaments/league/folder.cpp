@@ -10,8 +10,6 @@
 #include "system/printable.hpp"
 #include "system/users.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <utility>
 

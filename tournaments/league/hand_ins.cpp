@@ -3,8 +3,6 @@
 
 #include "record/json_fields.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cstdlib>
 

@@ -6,8 +6,6 @@
 #include "system/memory.hpp"
 #include "tournaments/league/gaps.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <filesystem>
 #include <map>

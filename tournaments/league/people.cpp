@@ -4,8 +4,6 @@
 #include "record/json_reader.hpp"
 #include "system/printable.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <set>
 #include <unicode/bytestream.h>
 #include <unicode/normalizer2.h>

@@ -4,8 +4,6 @@
 #include "record/json_reader.hpp"
 #include "tournaments/league/hand_ins.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <map>
 
 namespace mirocup::league {

@@ -10,8 +10,6 @@
 #include "system/locations.hpp"
 #include "system/text.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 
 namespace mirocup::league {

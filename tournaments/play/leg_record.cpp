@@ -7,8 +7,6 @@
 #include "record/match_record.hpp"
 #include "record/team_parameters_json.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace mirocup::league {
 
 namespace {

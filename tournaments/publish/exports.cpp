@@ -7,8 +7,6 @@
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -5,8 +5,6 @@
 #include "tournaments/league/apply.hpp"
 #include "tournaments/publish/page_values.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 
 namespace mirocup::league {

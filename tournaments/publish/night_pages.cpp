@@ -8,8 +8,6 @@
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -12,8 +12,6 @@
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/site.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 #include <utility>
 

@@ -7,8 +7,6 @@
 #include "tournaments/league/apply.hpp"
 #include "tournaments/league/decisions.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <optional>
 
