@@ -3,7 +3,6 @@
 // The subcommand compare.
 #include "programs/league/commands.hpp"
 #include "programs/league/progress_bar.hpp"
-#include "record/csv_rows.hpp"
 #include "record/json_reader.hpp"
 #include "record/rules_json.hpp"
 #include "system/printable.hpp"
@@ -29,10 +28,9 @@ struct CompareOptions {
   int most = 0;      // fixtures of a pair; 0: the default
   std::string keep;  // folder for the records; "": they are not kept
   bool json = false;
-  bool csv = false;
 };
 
-// What is reported of a pair, for text, JSON and CSV alike.
+// What is reported of a pair, for text and JSON alike.
 struct PairReport {
   std::array<std::string, 2> names;  // printable
   ComparisonInterval difference;     // Elo, the first team less the second
@@ -171,40 +169,6 @@ Json pair_json(const PairComparison& pair, const ComparisonRun& run) {
           {"results", results}};
 }
 
-// CSV has whole numbers of Elo.
-Json rounded(Json elo) {
-  for (Json& number : elo) {
-    if (const double* of = number.get_ptr<const double*>()) number = std::lround(*of);
-  }
-  return elo;
-}
-
-std::string pairs_csv(const std::vector<PairComparison>& pairs, const ComparisonRun& run) {
-  std::vector<std::string> columns{"A",
-                                   "B",
-                                   "verdict",
-                                   "copies",
-                                   "fixtures",
-                                   "distinct_legs",
-                                   "elo=difference/elo",
-                                   "elo_low=difference/low",
-                                   "elo_high=difference/high",
-                                   "won",
-                                   "level",
-                                   "lost",
-                                   "goals_A=goals/A/all",
-                                   "goals_B=goals/B/all"};
-  for (const char* team : {"A", "B"}) {
-    for (const auto name : enum_names<match::GoalKind>)
-      columns.push_back(
-          system::formatted("%s_%s=goals/%s/kinds/%s", name.data(), team, team, name.data()));
-  }
-  Json rows = Json::array();
-  for (const PairComparison& pair : pairs) rows.push_back(pair_json(pair, run));
-  for (Json& row : rows) row["difference"] = rounded(row["difference"]);
-  return record::csv_of(rows, columns);
-}
-
 // A row of the rated table, the strongest team first.
 struct RatedTeam {
   int team = 0;
@@ -278,25 +242,10 @@ Json table_json(const std::vector<RatedTeam>& table, const ComparisonRun& run) {
   return rows;
 }
 
-std::string table_csv(const std::vector<RatedTeam>& table, const ComparisonRun& run) {
-  Json rows = table_json(table, run);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i]["rank"] = i + 1;
-    rows[i]["strength"] = rounded(rows[i]["strength"]);
-  }
-  return record::csv_of(rows, {"rank", "team", "strength=strength/value",
-                               "strength_low=strength/low", "strength_high=strength/high", "won",
-                               "level", "lost", "goals", "goals_against", "legs_to_tell"});
-}
-
 void print(const std::vector<PairComparison>& pairs, const ComparisonRun& run,
            const CompareOptions& options) {
   const bool has_table = run.plays_all;
   const auto table = has_table ? rated_table(pairs, run) : std::vector<RatedTeam>();
-  if (options.csv) {
-    std::cout << (has_table ? table_csv(table, run) : pairs_csv(pairs, run));
-    return;
-  }
   if (!options.json) {
     for (const PairComparison& pair : pairs) std::cout << pair_text(pair, run);
     if (has_table) std::cout << table_text(table, run);
@@ -374,12 +323,7 @@ void add_compare(system::Commands& commands) {
       .shows_default();
   command.option("--keep", o.keep,
                  "Folder for the records; the same command, called again, continues from them");
-  const system::Option json = command.flag("--json", o.json, "Print one JSON object");
-  command
-      .flag(
-          "--csv", o.csv,
-          "Print comma-separated values: a row for each pair, or the rated table of --against all")
-      .excludes(json);
+  command.flag("--json", o.json, "Print one JSON object");
 }
 
 }  // namespace mirocup::league
