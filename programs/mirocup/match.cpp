@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup match: plays one leg and writes its record.
-#include "core/match/call_text.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "programs/check/entry_advice.hpp"
 #include "programs/mirocup/commands.hpp"
@@ -16,7 +15,6 @@
 #include "server/session.hpp"
 #include "system/number_of.hpp"
 #include "system/printable.hpp"
-#include "system/text.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -41,7 +39,6 @@ struct MatchOptions {
   std::string start_path;  // of a situation; "": the leg starts with its kick-off
   std::string from_path;   // of the record to play on from; "": none
   std::optional<std::uint32_t> tick;  // of that record
-  bool calls = false;                 // print them
   std::optional<double> half_s;
   std::vector<std::string> rule_changes;       // KEY=VALUE
   std::string conditions;                      // a preset; "": those of the pitch, or the default
@@ -232,20 +229,6 @@ record::Json warn_of_unknown_parameters(const server::Session& session) {
   return unknown;
 }
 
-void print_calls(const server::Session& session) {
-  const match::ByTeam<std::string> names{session.seats[0].info().name,
-                                         session.seats[1].info().name};
-  match::ByTeam<int> score{};
-  for (const match::LoggedDecision& call : session.leg.decisions()) {
-    if (call.decision.verdict == referee::Verdict::GOAL && call.team) {
-      ++score[index_of(*call.team)];
-    }
-    const int seconds = static_cast<int>(call.decision.clock);
-    std::cout << system::formatted("%2d:%02d  ", seconds / 60, seconds % 60)
-              << system::printable(match::call_text(call, names, score)) << '\n';
-  }
-}
-
 // Says what to do about a fault of a team whose author may be here.
 void advise(const MatchOptions& options, const server::Session& session,
             const match::TeamFault& f) {
@@ -266,7 +249,6 @@ void report(const MatchOptions& options, const server::Session& session) {
     std::cout << record::json_text(record::to_json(server::record_of(session))) << '\n';
     return;
   }
-  if (options.calls) print_calls(session);
   const match::Outcome& r = session.leg.outcome();
   std::cout << system::printable(session.seats[0].info().name) << " (blue) " << r.score[0] << " : "
             << r.score[1] << " " << system::printable(session.seats[1].info().name) << " (yellow), "
@@ -434,7 +416,6 @@ void add_match(system::Commands& commands) {
           "--watch", o.watch,
           "Show the match in browsers at [HOST:]PORT (default: this host only, any free port)")
       .named("[PORT]");
-  command.flag("--calls", o.calls, "Also print each goal and each call of the referee");
   command.option("--half", o.half_s, "Length of a half in seconds")
       .between(record::min_half_s, record::max_half_s)
       .excludes(from);
