@@ -50,27 +50,12 @@ std::string shell_word(const std::string& text) {
 }
 
 std::string html_escaped(std::string_view text) {
+  constexpr std::string_view marks = "&<>\"'";
+  constexpr const char* references[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
   std::string out;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
+    const std::size_t mark = marks.find(c);
+    out += mark == std::string_view::npos ? std::string(1, c) : references[mark];
   }
   return out;
 }
