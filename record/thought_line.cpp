@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 
 namespace mirocup::record {
 
@@ -17,22 +16,6 @@ constexpr std::uint32_t units_per_metre = 10'000;  // 0.1 mm
 constexpr double furthest = 1e3;            // m; what is further away is no part of a picture
 constexpr std::size_t most_of_number = 10;  // bytes of "-1000.1234"
 
-// "00", "01", … "99".
-constexpr std::array<char, 200> make_pairs_of_digits() {
-  std::array<char, 200> pairs{};
-  for (std::size_t i = 0; i < 100; ++i) {
-    pairs[2 * i] = static_cast<char>('0' + i / 10);
-    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
-  }
-  return pairs;
-}
-constexpr std::array<char, 200> pairs_of_digits = make_pairs_of_digits();
-
-char* put_pair(char* out, std::uint32_t number) {
-  std::memcpy(out, pairs_of_digits.data() + std::size_t{2} * number, 2);
-  return out + 2;
-}
-
 // Writes at most most_of_number bytes and returns their end. Zeros at the end are left out.
 char* put_metres(char* out, double metres) {
   const double bounded = std::clamp(metres, -furthest, furthest) * units_per_metre;
@@ -41,14 +24,11 @@ char* put_metres(char* out, double metres) {
   const auto units = static_cast<std::uint32_t>(std::abs(rounded));
   const std::uint32_t whole = units / units_per_metre;
   const std::uint32_t rest = units % units_per_metre;
-  if (whole < 10) {
-    *out++ = static_cast<char>('0' + whole);
-  } else {
-    out = std::to_chars(out, out + 4, whole).ptr;
-  }
+  out = std::to_chars(out, out + 4, whole).ptr;
   if (rest == 0) return out;
   *out++ = '.';
-  out = put_pair(put_pair(out, rest / 100), rest % 100);
+  for (std::uint32_t unit = units_per_metre / 10; unit > 0; unit /= 10)
+    *out++ = static_cast<char>('0' + rest / unit % 10);
   while (out[-1] == '0') --out;
   return out;
 }
@@ -79,20 +59,12 @@ void append_colour(std::string& line, std::uint32_t colour) {
   line.append(text, sizeof text);
 }
 
-bool is_plain(char c) {
-  return c >= ' ' && c <= '~' && c != '"' && c != '\\';
-}
-
 // Appends foreign text as a JSON string.
 void append_text(std::string& line, std::string_view text) {
   line += '"';
-  if (std::all_of(text.begin(), text.end(), is_plain)) {
-    line += text;
-  } else {
-    for (const char c : system::printable(text)) {
-      if (c == '"' || c == '\\') line += '\\';
-      line += c == '\t' ? ' ' : c;
-    }
+  for (const char c : system::printable(text)) {
+    if (c == '"' || c == '\\') line += '\\';
+    line += c == '\t' ? ' ' : c;
   }
   line += '"';
 }
