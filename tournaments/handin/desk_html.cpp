@@ -8,7 +8,11 @@
 namespace mirocup::league {
 
 std::string desk_page(const std::string& title, const std::string& content) {
-  return filled_page("desk.html", {{"root", "/"}, {"page_title", title}, {"content", content}});
+  return filled_page("plain.html", {{"root", "/"},
+                                    {"league", "League"},
+                                    {"page_title", title},
+                                    {"heading", title},
+                                    {"content", content}});
 }
 
 std::string number_text(const Json& object, const char* key, const char* format) {
