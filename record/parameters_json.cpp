@@ -40,8 +40,23 @@ void read_per_pair(const JsonReader& json, double max, PerPair& value) {
   read("robot_robot", value.robot_robot);
 }
 
+double read_grip(const JsonReader& json) {
+  if (!json.is_string()) return json.number(min_grip, max_parameter);
+  if (json.text() != "infinite") json.complain("a number or \"infinite\" is expected");
+  return infinite_grip;
+}
+
+Json to_json(const PerPair& value) {
+  return {{"ball_wall", value.ball_wall},
+          {"ball_robot", value.ball_robot},
+          {"robot_wall", value.robot_wall},
+          {"robot_robot", value.robot_robot}};
+}
+
+}  // namespace
+
 // A convex polygon around the origin, with its corners in either direction.
-geometry::OutlineCorners read_corners(const JsonReader& json) {
+geometry::OutlineCorners read_outline(const JsonReader& json) {
   geometry::OutlineCorners outline;
   if (!json.expect_array(3, geometry::max_corners)) return outline;
   const std::size_t n = json.size();
@@ -65,25 +80,6 @@ geometry::OutlineCorners read_corners(const JsonReader& json) {
   }
   outline.corners = static_cast<int>(n);
   return outline;
-}
-
-double read_grip(const JsonReader& json) {
-  if (!json.is_string()) return json.number(min_grip, max_parameter);
-  if (json.text() != "infinite") json.complain("a number or \"infinite\" is expected");
-  return infinite_grip;
-}
-
-Json to_json(const PerPair& value) {
-  return {{"ball_wall", value.ball_wall},
-          {"ball_robot", value.ball_robot},
-          {"robot_wall", value.robot_wall},
-          {"robot_robot", value.robot_robot}};
-}
-
-}  // namespace
-
-geometry::OutlineCorners read_outline(const JsonReader& json) {
-  return read_corners(json);
 }
 
 void read_physics(const JsonReader& json, Parameters& p) {

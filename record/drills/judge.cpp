@@ -15,11 +15,6 @@ constexpr double pass_min_length = 0.15;  // m that the ball rolls between the t
 constexpr double save_min_speed = 0.2;    // m/s of the ball
 constexpr double contact_gap_ticks = 1;   // a longer pause begins another contact
 
-// The angle of `heading` as seen from `reference`, in (-pi, pi].
-double turn_between(const Heading& heading, const Heading& reference) {
-  return heading.seen_from(reference).angle();
-}
-
 End end_of(const match::Leg& leg, Team team) {
   return team == leg.snapshot().left ? End::left : End::right;
 }
@@ -156,7 +151,7 @@ bool Judge::is_in_pose(const Event& event) const {
     const Pose pose = team_frame(end, robot);
     const double off = std::sqrt((pose.position - wanted.position).squaredNorm());
     // A robot drives both ways, so its back may be its front.
-    const double turn = std::abs(turn_between(pose.heading, wanted.heading));
+    const double turn = std::abs(pose.heading.seen_from(wanted.heading).angle());
     const double turned = std::min(turn, 3.141592653589793 - turn);
     if (off <= event.within && turned <= event.within_angle) return true;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/statistics/advice.hpp"
 
-#include "system/text.hpp"
+#include "record/statistics/report.hpp"
 
 #include <algorithm>
 
@@ -41,10 +41,6 @@ const char* drill_for(const Loss& loss) {
 
 std::string of(int part, int all) {
   return std::to_string(part) + " of " + std::to_string(all);
-}
-
-std::string in_percent(double share) {
-  return system::formatted("%.0f %%", 100.0 * share);
 }
 
 // Adds the goals in open play by how the ball was lost before.
@@ -92,7 +88,7 @@ void add_play(const TeamTotals& team, std::vector<Advice>& all) {
                    0.05 * (decided - own.duels_won)});
   const auto held = share(own.possession_s, team.against.possession_s);
   if (held && *held < low_share)
-    all.push_back({"touch-the-ball", "it had the ball in " + in_percent(*held) + " of the play",
+    all.push_back({"touch-the-ball", "it had the ball in " + percent(held) + " of the play",
                    0.5 * team.legs});
   const int crowd = own.fouls[at(referee::Law::push)];
   if (crowd > team.legs)

@@ -30,10 +30,6 @@ bool is_same_process(std::uint64_t one, std::uint64_t other) {
   return process_of_nonce(one) == process_of_nonce(other);
 }
 
-std::string milliseconds_text(double seconds) {
-  return std::to_string(std::lround(1e3 * seconds)) + " ms";
-}
-
 std::string seconds_text(double seconds) {
   return std::to_string(static_cast<int>(seconds)) + " s";
 }
@@ -188,8 +184,9 @@ void Seat::take_commands() {
       case Arrival::late:
         if (terms_.tick) take_late(command);
         if (terms_.tick && taken && ++late_in_a_row_ == late_commands_to_tell) {
-          tell(of_lateness_, "answers come " + milliseconds_text(*taken - *terms_.tick) +
-                                 " too late; the robots drive the last command that came");
+          tell(of_lateness_, "answers come " +
+                                 std::to_string(std::lround(1e3 * (*taken - *terms_.tick))) +
+                                 " ms too late; the robots drive the last command that came");
         }
         break;
       case Arrival::repeated:

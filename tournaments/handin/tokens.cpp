@@ -18,10 +18,6 @@ constexpr const char* tokens_schema = "mirocup/tokens/1";
 constexpr std::size_t token_bytes = 16;  // 26 characters
 constexpr std::size_t max_typed = 200;   // characters; nobody types more by mistake
 
-std::string new_text() {
-  return system::base32(system::random_bytes(token_bytes));
-}
-
 // Returns the token as it was printed.
 std::string as_printed(std::string_view typed) {
   std::string text;
@@ -67,7 +63,7 @@ std::string TokenList::add(const std::string& team, const std::string& now,
 }
 
 std::string TokenList::add_for(Role role, const std::string& now, const std::string& expires) {
-  std::string text = new_text();
+  std::string text = system::base32(system::random_bytes(token_bytes));
   tokens.push_back({.team = "",
                     .role = role,
                     .sha256 = system::sha256(text),

@@ -37,10 +37,6 @@ std::vector<std::string> ids_of(const std::vector<SlurmTask>& tasks) {
   return ids;
 }
 
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
-
 }  // namespace
 
 SlurmRunner::SlurmRunner(system::Files& files, LeagueStore store, ProgressReporter& progress)
@@ -107,7 +103,8 @@ Result<std::string> SlurmRunner::run_slurm(const CommandLine& command) {
     return fail(Errc::unavailable,
                 command[0] + " is not there: is this a host of a Slurm cluster?");
   }
-  return fail(Errc::unavailable, command[0] + ": " + first_line(answer.output));
+  return fail(Errc::unavailable,
+              command[0] + ": " + answer.output.substr(0, answer.output.find('\n')));
 }
 
 // Reads the queue. False if squeue does not answer.

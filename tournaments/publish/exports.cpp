@@ -130,10 +130,6 @@ std::optional<int> legs_to_next(const Overview& o, std::size_t row) {
   return legs_to_tell(o.ratings, o.table[row].team, o.table[row + 1].team);
 }
 
-std::string fault_text(const PlayedLeg& leg) {
-  return leg.fault ? leg.fault->summary() : "";
-}
-
 Json legs_json(const Overview& o) {
   Json legs = Json::array();
   for (const LegView& leg : o.legs) {
@@ -147,7 +143,7 @@ Json legs_json(const Overview& o) {
       const PlayedLeg& p = *leg.played;
       json["score"] = {{"home", p.result.home_goals}, {"away", p.result.away_goals}};
       json["end"] = to_string(p.end);
-      json["fault"] = or_null(fault_text(p));
+      json["fault"] = p.fault ? Json(p.fault->summary()) : Json();
       json["ruling"] = or_null(p.ruling);
       json["record"] = or_null(p.record);
       json["replay"] = or_null(leg.page());
