@@ -110,12 +110,11 @@ Result<std::string> read_token(const std::string& path) {
   if (stat(path.c_str(), &about) == 0 && (about.st_mode & (S_IRGRP | S_IROTH)) != 0)
     std::cerr << "others on this computer can read the token: chmod 600 " << system::printable(path)
               << '\n';
-  auto text = disk.read_named(path, max_token_file);
-  if (!text) return text;
-  std::erase_if(*text, [](char c) { return c == '\n' || c == '\r' || c == ' ' || c == '\t'; });
-  if (!std::all_of(text->begin(), text->end(), [](unsigned char c) { return std::isalnum(c); }))
+  MIROCUP_TRY(std::string text, disk.read_named(path, max_token_file));
+  std::erase_if(text, [](char c) { return c == '\n' || c == '\r' || c == ' ' || c == '\t'; });
+  if (!std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c); }))
     return fail(Errc::input, path + ": a token is expected, letters and digits");
-  if (text->empty()) return fail(Errc::input, path + " is empty; a token is expected");
+  if (text.empty()) return fail(Errc::input, path + " is empty; a token is expected");
   return text;
 }
 

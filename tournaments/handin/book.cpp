@@ -125,21 +125,19 @@ Result<int> HandInBook::take(WaitingHandIn handed,
 
 Result<void> HandInBook::answer(const std::string& team, int entry, HandInState state,
                                 const std::string& message, std::int64_t at, int plays) {
-  auto written = journal_.append(std::string(answered), {{"team", team},
-                                                         {"entry", entry},
-                                                         {"state", to_string(state)},
-                                                         {"message", message},
-                                                         {"plays", plays},
-                                                         {"at", at}});
-  if (!written) return written;
+  MIROCUP_TRY_VOID(journal_.append(std::string(answered), {{"team", team},
+                                                           {"entry", entry},
+                                                           {"state", to_string(state)},
+                                                           {"message", message},
+                                                           {"plays", plays},
+                                                           {"at", at}}));
   queue_.answer(team, entry, state, message, plays);
   return {};
 }
 
 Result<void> HandInBook::pin(const std::string& team, int entry, std::int64_t at) {
-  auto written =
-      journal_.append(std::string(pinned), {{"team", team}, {"entry", entry}, {"at", at}});
-  if (!written) return written;
+  MIROCUP_TRY_VOID(
+      journal_.append(std::string(pinned), {{"team", team}, {"entry", entry}, {"at", at}}));
   pins_[team] = entry;
   pin_times_[team].push_back(at);
   return {};
@@ -214,14 +212,13 @@ Result<int> FriendlyBook::add(Friendly friendly) {
 
 Result<void> FriendlyBook::finish(const std::string& team, int number, FriendlyState state,
                                   int goals, int against, const std::string& end, std::int64_t at) {
-  auto written = journal_.append(std::string(ended_line), {{"team", team},
-                                                           {"number", number},
-                                                           {"state", to_string(state)},
-                                                           {"goals", goals},
-                                                           {"against", against},
-                                                           {"end", end},
-                                                           {"at", at}});
-  if (!written) return written;
+  MIROCUP_TRY_VOID(journal_.append(std::string(ended_line), {{"team", team},
+                                                             {"number", number},
+                                                             {"state", to_string(state)},
+                                                             {"goals", goals},
+                                                             {"against", against},
+                                                             {"end", end},
+                                                             {"at", at}}));
   friendlies_.finish(team, number, state, goals, against, end);
   return {};
 }

@@ -42,9 +42,8 @@ Result<Json> Entries::reports(const std::string& team, int before) {
       page["older"] = *std::prev(number);
       break;
     }
-    auto one = report(team, *number, false);
-    if (!one) return one;
-    if (!one->is_null()) page["entries"].push_back(std::move(*one));
+    MIROCUP_TRY(Json one, report(team, *number, false));
+    if (!one.is_null()) page["entries"].push_back(std::move(one));
   }
   return page;
 }

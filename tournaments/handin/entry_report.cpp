@@ -76,9 +76,7 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
     report["reason"] = Json();
     report["message"] = Json();
   } else {
-    const auto read = verdict_of(files, folder, team, entry);
-    if (!read) return read;
-    const Json& verdict = *read;
+    MIROCUP_TRY(const Json verdict, verdict_of(files, folder, team, entry));
     MIROCUP_TRY(const auto is_accepted, is_accepted_entry(files, folder, team, entry));
     report["state"] = to_string(waiting != nullptr         ? waiting->state
                                 : is_stored && is_accepted ? HandInState::accepted

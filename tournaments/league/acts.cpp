@@ -144,10 +144,9 @@ class Deciding {
       const auto index = state().find_fixture(act_.fixture);
       const std::string before =
           index ? before_in_words(state().fixtures[*index], leg) : std::string();
-      auto written = write(
-          event, act_.fixture + " leg " + std::to_string(leg) + ": " + words + " (" + before + ")");
-      if (!written) return written;
-      lines.insert(lines.end(), written->begin(), written->end());
+      MIROCUP_TRY(const Lines written, write(event, act_.fixture + " leg " + std::to_string(leg) +
+                                                        ": " + words + " (" + before + ")"));
+      lines.insert(lines.end(), written.begin(), written.end());
     }
     return lines;
   }

@@ -112,9 +112,8 @@ Result<void> add_entry(system::Files& files, const Folder& folder, const std::st
 
 Result<std::vector<int>> entries_of(system::Files& files, const Folder& folder,
                                     const std::string& team) {
-  auto numbers = numbers_in(files, folder, team);
-  if (!numbers) return numbers;
-  std::erase_if(*numbers,
+  MIROCUP_TRY(auto numbers, numbers_in(files, folder, team));
+  std::erase_if(numbers,
                 [&](int number) { return !files.exists(folder.entry_file(team, number)); });
   return numbers;
 }

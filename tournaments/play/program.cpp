@@ -150,13 +150,12 @@ Result<VerifiedRecords> verify_records(system::Files& files, const LeagueStore& 
     if (name.ends_with(".json") && !name.starts_with('.')) paths.push_back("records/" + name);
   }
   std::map<std::string, RecordedLeg> legs;
-  auto done = verify(files, store.folder(), paths, jobs, legs);
-  if (!done) return done;
-  compare_with_journal(store, legs, *done);
+  MIROCUP_TRY(auto done, verify(files, store.folder(), paths, jobs, legs));
+  compare_with_journal(store, legs, done);
   MIROCUP_TRY(const auto found, gaps(files, store, is_being_played(store.folder())));
-  if (!found.lost.empty()) done->problems.push_back({"journal.jsonl", found.lost, exit_no});
+  if (!found.lost.empty()) done.problems.push_back({"journal.jsonl", found.lost, exit_no});
   for (const std::string& path : found.not_booked)
-    done->problems.push_back({path, "the journal has no line of it", exit_no});
+    done.problems.push_back({path, "the journal has no line of it", exit_no});
   return done;
 }
 

@@ -91,9 +91,8 @@ bool Runner::is_taken(const std::string& id) const {
 Result<bool> Runner::fill_workers() {
   bool any = false;
   for (Worker& worker : workers_) {
-    const auto filled = start_next_leg(worker);
-    if (!filled) return filled;
-    any = any || *filled;
+    MIROCUP_TRY(const bool filled, start_next_leg(worker));
+    any = any || filled;
   }
   return any;
 }
@@ -141,9 +140,8 @@ Result<bool> Runner::start_next_leg(Worker& worker) {
     const LegId leg = *recorder_.next_leg(*next);
     // A shard may have played it, or an earlier run may have died before it booked it.
     if (checked_records_.insert(Folder::record_name(leg.fixture, leg.leg, leg.version)).second) {
-      const auto booked = recorder_.book_found(leg);
-      if (!booked) return booked;
-      if (*booked) continue;
+      MIROCUP_TRY(const bool booked, recorder_.book_found(leg));
+      if (booked) continue;
     }
     worker.playing = leg;
     MIROCUP_TRY_VOID(start_leg(worker));

@@ -173,9 +173,8 @@ Result<void> SlurmRunner::requeue(const SlurmTask& task) {
 Result<std::vector<std::string>> SlurmRunner::unqueued_fixtures() {
   std::set<std::string> covered;
   for (const SlurmTask& task : tasks_) {
-    const auto planned = fixtures_of(task);
-    if (!planned) return planned;
-    covered.insert(planned->begin(), planned->end());
+    MIROCUP_TRY(const auto planned, fixtures_of(task));
+    covered.insert(planned.begin(), planned.end());
   }
   std::vector<std::string> fixtures;
   for (const std::string& id : open_shards(state())) {
