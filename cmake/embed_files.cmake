@@ -2,11 +2,12 @@
 # files of FOLDER for the function NAME (embed.cmake). A page of it is edited as a file and needs no other step.
 set(embed_script ${CMAKE_CURRENT_LIST_DIR}/embed.cmake)
 function(embed_files source folder namespace name header)
-  list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/ OUTPUT_VARIABLE paths)
+  get_filename_component(folder ${folder} ABSOLUTE)
+  list(TRANSFORM ARGN PREPEND ${folder}/ OUTPUT_VARIABLE paths)
   list(JOIN ARGN "|" names)
   add_custom_command(OUTPUT ${source}
     COMMAND ${CMAKE_COMMAND} -DOUTPUT=${CMAKE_CURRENT_BINARY_DIR}/${source} -DFILES=${names}
-      -DFOLDER=${CMAKE_CURRENT_SOURCE_DIR}/${folder} -DNAMESPACE=${namespace} -DNAME=${name} -DHEADER=${header}
+      -DFOLDER=${folder} -DNAMESPACE=${namespace} -DNAME=${name} -DHEADER=${header}
       -P ${embed_script}
     DEPENDS ${paths} ${embed_script} VERBATIM)
 endfunction()

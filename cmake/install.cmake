@@ -66,7 +66,7 @@ install(FILES cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup
   DESTINATION ${package_folder} COMPONENT mirocup-dev)
 
 # python3-mirocup: teams in Python.
-install(FILES plugins/python/__init__.py plugins/python/team.py DESTINATION ${MIROCUP_PYTHON_DIR}/mirocup COMPONENT python3-mirocup)
+install(FILES plugins/python/__init__.py ${PROJECT_BINARY_DIR}/python/mirocup/team.py DESTINATION ${MIROCUP_PYTHON_DIR}/mirocup COMPONENT python3-mirocup)
 install(TARGETS mirocup_skills LIBRARY COMPONENT python3-mirocup NAMELINK_SKIP)
 if(TARGET mirocup-python)
   install(TARGETS mirocup-python-host RUNTIME DESTINATION libexec/mirocup COMPONENT python3-mirocup)

@@ -324,91 +324,73 @@ def _ball(b):
     return Ball(_point(b.at), _point(b.velocity))
 
 
-# What a parameter is, by its name: its type in C, and how a call converts it. All others are numbers.
+# What a function of skills.h takes: how a call converts an argument, and what an error says is expected. The key is a type of C, or
+# a type and the name of the parameter. All other pointers are addresses.
+_Kind = namedtuple("_Kind", "from_param expected")
 _KINDS = {
-    **dict.fromkeys(("setup",), (_address, "_setup_bytes({})")),
-    **dict.fromkeys(("now", "seen"), (_address, "_observation_bytes({})")),
-    **dict.fromkeys(("robot", "before", "after"), (_address, "_ROBOT.pack(*{})")),
-    **dict.fromkeys(("target", "obstacle", "point", "p", "aim", "at", "here", "velocity", "along", "ball",
-                     "goal", "spot", "where"), (_CPoint, "_CPoint(*{})")),
-    **dict.fromkeys(("i", "me"), (_whole, "_own({})")),
-    "rank": (_whole, "{}"),
-    "wheels": (_CWheels, "_CWheels(*{})"),
-    "pose": (_CPose, "_CPose(*{})"),
-    "moving": (_CBall, "_CBall(_CPoint(*{0}[0]), _CPoint(*{0}[1]))"),
-    "shot": (_CShot, "_CShot(_CPoint(*{0}[0]), _CPoint(*{0}[1]), {0}[2], {0}[3])"),
-    "role": (ctypes.c_char_p, "str({}).encode()"),
+    "double": _Kind(_real.from_param, "a number"),
+    "int32_t": _Kind(_whole.from_param, "a whole number"),
+    "int32_t i": _Kind(lambda i: _whole.from_param(_own(i)), "the number of an own robot"),
+    "int32_t me": _Kind(lambda i: _whole.from_param(_own(i)), "the number of an own robot"),
+    "const char*": _Kind(lambda text: str(text).encode(), "a text"),
+    "const mirocup_setup*": _Kind(_setup_bytes, "the setup of a team"),
+    "const mirocup_observation*": _Kind(_observation_bytes, "an observation"),
+    "const mirocup_robot*": _Kind(lambda robot: _ROBOT.pack(*robot), "a robot, such as now.own[1],"),
+    "const mirocup_robot* robots": _Kind(lambda robots: b"".join([_ROBOT.pack(*r) for r in robots]), "a list of robots"),
+    "const mirocup_command*": _Kind(lambda wheels: _command(wheels), "a list with (left, right) for each robot"),
+    "mirocup_point": _Kind(lambda p: _CPoint(*p), "a point (x, y)"),
+    "mirocup_wheels": _Kind(lambda w: _CWheels(*w), "(left, right) in rad/s"),
+    "mirocup_pose": _Kind(lambda pose: _CPose(*pose), "a pose (x, y, heading)"),
+    "mirocup_ball": _Kind(lambda b: _CBall(_CPoint(*b[0]), _CPoint(*b[1])), "a Ball, ((x, y), (vx, vy)),"),
+    "mirocup_shot": _Kind(lambda s: _CShot(_CPoint(*s[0]), _CPoint(*s[1]), s[2], s[3]), "a Shot"),
 }
-
-
-class _Expected(dict):
-    def __missing__(self, key):
-        kind, parameter = key
-        named = {"setup": "the setup of a team", "now": "an observation", "seen": "an observation",
-                 "i": "the number of an own robot", "me": "the number of an own robot"}
-        return named.get(parameter) or self[kind]
-
-
-_EXPECTED = _Expected({_real: "a number", _whole: "a whole number", _address: "a robot, such as now.own[1],",
-                       _CPoint: "a point (x, y)", _CWheels: "(left, right) in rad/s",
-                       _CPose: "a pose (x, y, heading)", _CBall: "a Ball, ((x, y), (vx, vy)),",
-                       _CShot: "a Shot", ctypes.c_char_p: "a text"})
-# What a function returns, by its annotation: the type in C, and how a call converts it.
+# What a function returns: the type in C, and how a call converts it.
 _RESULTS = {
-    Wheels: (_CWheels, lambda w: Wheels(w.left, w.right)),
-    Point: (_CPoint, _point),
-    Pose: (_CPose, lambda p: Pose(p.x, p.y, p.heading)),
-    Robot: (_CRobot, lambda r: Robot(r.x, r.y, r.heading, r.vx, r.vy, r.turn)),
-    Ball: (_CBall, _ball),
-    Shot: (_CShot, lambda s: Shot(_point(s.at), _point(s.along), s.aside, bool(s.is_on_line))),
-    Crossing: (_CCrossing, lambda c: Crossing(c.seconds, c.y) if c.is_ahead else None),
-    Interception: (_CInterception, lambda i: Interception(_ball(i.ball), i.seconds, bool(i.is_reached))),
-    float: (_real, None),
-    bool: (_whole, bool),
-    None: (None, None),
+    "mirocup_wheels": (_CWheels, lambda w: Wheels(w.left, w.right)),
+    "mirocup_point": (_CPoint, _point),
+    "mirocup_pose": (_CPose, lambda p: Pose(p.x, p.y, p.heading)),
+    "mirocup_robot": (_CRobot, lambda r: Robot(r.x, r.y, r.heading, r.vx, r.vy, r.turn)),
+    "mirocup_ball": (_CBall, _ball),
+    "mirocup_shot": (_CShot, lambda s: Shot(_point(s.at), _point(s.along), s.aside, bool(s.is_on_line))),
+    "mirocup_crossing": (_CCrossing, lambda c: Crossing(c.seconds, c.y) if c.is_ahead else None),
+    "mirocup_interception": (_CInterception, lambda i: Interception(_ball(i.ball), i.seconds, bool(i.is_reached))),
+    "mirocup_predicted": (_CPredicted, lambda p: Predicted(p.own, p.opponent, p.last, p.events)),
+    "const mirocup_command*": (ctypes.POINTER(_CCommand), lambda command: command[0]),
+    "double": (_real, None),
+    "int32_t": (_whole, None),
+    "void": (None, None),
 }
 
 
-def _kind_of(parameter, parameters):
-    kind, how = _KINDS.get(parameter, (_real, "{}"))
-    return kind, "_own({}, now.robots)" if how == "_own({})" and "now" in parameters else how
-
-
-def _explain(name, given):
-    """Raises a sentence about the first argument that its parameter does not take."""
-    for parameter, value in given.items():
-        kind, how = _kind_of(parameter, given)
-        try:
-            made = eval(how.format("_value"), {**globals(), "_value": value, "now": given.get("now")})
-            if kind in (_real, _whole):
-                kind(made)
-        except Exception:
-            raise TypeError(f"{name}(): {parameter} is {_short(value)}; {_EXPECTED[kind, parameter]} is "
-                            "expected") from None
-
-
-def _bound(name, result, *arguments):
+def _bound(result, name, parameters):
+    """Returns the function mirocup_NAME, with its declaration in C."""
     function = getattr(_c, "mirocup_" + name)
-    function.restype, function.argtypes = result, arguments
+    function.restype, convert = _RESULTS.get(result, (_address, None))
+    if convert:
+        function.errcheck = lambda result, *_: convert(result)
+    function.argtypes = [_KINDS.get(p) or _KINDS.get(p.rpartition(" ")[0]) or _Kind(_address.from_param, "an address")
+                         for p in parameters.split(", ") if p]
     return function
 
 
-def _skill(declared):
-    """Makes a function of its declaration: it calls mirocup_NAME with its parameters in their order."""
-    name = declared.__name__
-    parameters = declared.__code__.co_varnames[:declared.__code__.co_argcount]
-    kinds = [_kind_of(p, parameters) for p in parameters]
-    result, convert = _RESULTS[declared.__annotations__["return"]]
-    function = _bound(name, result, *[kind for kind, _ in kinds])
-    call = f"_function({', '.join(how.format(p) for p, (_, how) in zip(parameters, kinds))})"
-    names = {**globals(), "_function": function, "_convert": convert}
-    text = (f"def {name}({', '.join(parameters)}):\n  try: return {f'_convert({call})' if convert else call}\n"
-            f"  except Exception: _explain({name!r}, dict({', '.join(f'{p}={p}' for p in parameters)})); raise")
-    exec(compile(text, f"<mirocup.team.{name}>", "exec"), names)
-    made = names[name]
-    made.__defaults__, made.__doc__ = declared.__defaults__, declared.__doc__
-    made.__module__ = __name__
-    return made
+def _explain(function, given):
+    """Raises a sentence about the first argument that its parameter does not take."""
+    for (parameter, value), kind in zip(given.items(), function.argtypes):
+        try:
+            kind.from_param(value)
+            if parameter in ("i", "me") and "now" in given:
+                _own(value, given["now"].robots)
+        except Exception:
+            raise TypeError(f"{function.__name__[8:]}(): {parameter} is {_short(value)}; {kind.expected} is "
+                            "expected") from None
+
+
+def _called(function, **given):
+    try:
+        return function(*given.values())
+    except Exception:
+        _explain(function, given)
+        raise
 
 
 def _speeds(answer, robots, who):
@@ -443,443 +425,41 @@ def _pairs(command, robots):
     return [Wheels(command[2 * i], command[2 * i + 1]) for i in range(robots)]
 
 
-def _changing(name):
-    """Returns the function that changes a command, as one that changes a list of wheel speeds."""
-    function = _bound(name, None, _address, _address, _address)
-
-    def changed(setup, now, wheels):
-        global _unchanged
-        _unchanged = wheels, name
-        command = _command(wheels, now.robots, name + "() was given")
-        function(_setup_bytes(setup), _observation_bytes(now), command)
-        return _pairs(command, now.robots)
-    return changed
+# SKILLS
 
 
-_keep_laws, _avoid_own_goals, _spare_keeper = map(_changing, ("keep_laws", "avoid_own_goals", "spare_keeper"))
-_follow_field = _bound("follow_field", _CWheels, _address, _address, _CPose, _real, _address, _whole, _real,
-                       _real, _real)
-_cheapest_robot = _bound("cheapest_robot", _whole, _address, _whole, _whole, _real, _address)
-_assign_places = _bound("assign_places", None, _address, _address, _address, _address, _whole, _real, _address)
-_out_of_reach = _bound("out_of_reach", _real, _address, _whole, _CPoint)
-
-
-# ---- mirocup/driving.hpp: one robot drives
-
-@_skill
-def wheels_for(setup, forward, turn) -> Wheels:
-    """Returns the wheel speeds for a forward speed (m/s) and an angular velocity (rad/s)."""
-
-
-@_skill
-def turn_to(setup, robot, heading) -> Wheels:
-    """Turns on the spot towards a heading, rad."""
-
-
-@_skill
-def drive_to(setup, robot, target, arrival=0.0, fastest=1.5) -> Wheels:
-    """Drives to a point, forwards or backwards, and passes it at `arrival` m/s (0: stops there)."""
-
-
-@_skill
-def drive_to_pose(setup, robot, target, heading, fastest=1.5) -> Wheels:
-    """Drives to a point and turns to a heading there."""
-
-
-@_skill
-def ball_after(now, seconds) -> Point:
-    """Returns the place of the ball after some seconds, without robots and walls."""
-
-
-@_skill
-def elbow_room(setup) -> float:
-    """Returns how far from a wall a robot can still turn, m."""
-
-
-@_skill
-def behind_ball(setup) -> float:
-    """Returns how far behind the ball a robot can turn without touching it, m."""
-
-
-@_skill
-def inside(setup, p, margin) -> Point:
-    """Returns the nearest point of the field at least `margin` (m) from the walls."""
-
-
-_inside = inside
-
+# ---- those of skills.h that are different in Python
 
 def inside(setup, p, margin=None) -> Point:
     """Returns the nearest point of the field at least `margin` (m; None: to turn) from the walls."""
-    return _inside(setup, p, elbow_room(setup) if margin is None else margin)
+    return _called(_inside, setup=setup, p=p, margin=elbow_room(setup) if margin is None else margin)
 
 
-@_skill
-def meeting_point(setup, now, robot, pace=1.2) -> Point:
-    """Returns the place where a robot that drives at `pace` m/s meets the ball."""
+def _changed(function, setup, now, wheels):
+    """Calls a function that changes a command, with a list of wheel speeds; returns the list that it makes of it."""
+    global _unchanged
+    name = function.__name__[8:]
+    _unchanged = wheels, name
+    command = _command(wheels, now.robots, name + "() was given")
+    _called(function, setup=setup, now=now, command=command)
+    return _pairs(command, now.robots)
 
-
-@_skill
-def squared(heading) -> float:
-    """Returns the multiple of a right angle that is nearest to a heading, rad."""
-
-
-@_skill
-def drive_round(setup, robot, target, obstacle, arrival=0.0, fastest=1.5) -> Wheels:
-    """Drives to a point, around an obstacle on the line to it."""
-
-
-@_skill
-def drive_clear(setup, now, robot, target, arrival=0.0, fastest=1.5) -> Wheels:
-    """Drives to a point, around the ball or an opponent that is on the line to it."""
-
-
-@_skill
-def slide_to(setup, robot, y, fastest=1.5) -> Wheels:
-    """Drives along the goal line to a y, and looks along the line all the time."""
-
-
-# ---- mirocup/laws.hpp: the laws, and the ball out of the own goal
-
-@_skill
-def keep_out(setup, i, p) -> Point:
-    """Returns a target of robot `i`, moved out of the areas that the laws forbid. Not for keepers."""
-
-
-@_skill
-def make_way(setup, now, p) -> Point:
-    """Returns a place for a waiting robot, moved aside where a ball that the keeper clears would rebound."""
-
-
-@_skill
-def is_stuck(now, patience=0.6) -> bool:
-    """True if the ball has got nowhere for `patience` s and nearly stands."""
-
-
-@_skill
-def without_pushing(setup, now, robot, wheels) -> Wheels:
-    """Returns the wheel speeds, or slower ones where the robot would push an opponent."""
-
-
-@_skill
-def out_of_area(setup, i, robot, wheels) -> Wheels:
-    """Returns the wheel speeds, or ones that take robot `i` out of an area that keep_out() forbids."""
-
-
-def keep_laws(setup, now, wheels):
-    """Returns the list after without_pushing() and out_of_area(), for all robots but the keeper, 0."""
-    return _keep_laws(setup, now, wheels)
-
-
-@_skill
-def rolls_into_own_goal(setup, ball, velocity, margin) -> bool:
-    """True if a ball that rolls straight on goes in, or up to `margin` (m) beside the posts."""
-
-
-@_skill
-def would_turn_ball_in(setup, now, robot, soon_s=0.4) -> bool:
-    """True if a ball that comes to the robot within `soon_s` would rebound into the own goal."""
-
-
-def avoid_own_goals(setup, now, wheels):
-    """Returns the list, changed for robots from which a ball would rebound into the own goal."""
-    return _avoid_own_goals(setup, now, wheels)
-
-
-# ---- mirocup/strategy.hpp: roles to start from
-
-@_skill
-def kick_to(setup, now, robot, point, pace=1.5) -> Wheels:
-    """Kicks the ball towards a point: drives behind the ball first, and then through it."""
-
-
-@_skill
-def must_kick_off(now) -> bool:
-    """True if the ball is still on the spot of your own kick-off. It has to go backwards first."""
-
-
-@_skill
-def kick_off(setup, robot) -> Wheels:
-    """Takes a kick-off: rolls the ball straight back to the team-mates."""
-
-
-@_skill
-def middle_of_goal_view(setup, ball) -> float:
-    """Returns the y of the middle of the own goal, as the ball sees it, m."""
-
-
-@_skill
-def free_ball(setup, now, robot) -> Wheels:
-    """Gets a stuck ball free: drives at it, and spins beside it."""
-
-
-@_skill
-def keep_goal(setup, now, robot) -> Wheels:
-    """Keeps the goal: stays in its mouth where the ball meets its face, kicks a slow ball away."""
-
-
-# ---- mirocup/skills/drive.hpp: turning and driving in the shortest time
-
-@_skill
-def nose_of(robot) -> Point:
-    """Returns the direction in which the robot looks, of length 1."""
-
-
-@_skill
-def speed_ahead(robot) -> float:
-    """Returns the forward speed, m/s; negative if it drives backwards."""
-
-
-@_skill
-def greatest_speed(setup) -> float:
-    """Returns the greatest forward speed of a robot, m/s."""
-
-
-@_skill
-def when_commanded(setup, robot, wheels) -> Robot:
-    """Returns the robot one tick later, if it drives `wheels` until then."""
-
-
-@_skill
-def wheels_turning_first(setup, forward, turn) -> Wheels:
-    """Returns the wheel speeds: first for the turn (rad/s), with what is left for the speed (m/s)."""
-
-
-@_skill
-def turn_for(setup, turn, error, part=0.9) -> float:
-    """Returns the turn (rad/s) after which a robot that turns at `turn` ends `error` rad farther."""
-
-
-@_skill
-def turn_quickly(setup, robot, heading) -> Wheels:
-    """Turns on the spot to a heading, without overshoot."""
-
-
-@_skill
-def head_for(setup, robot, direction, speed, distance=1e9) -> Wheels:
-    """Drives at up to `speed` m/s in a direction; `distance`: to the stop, m."""
-
-
-@_skill
-def drive_quickly(setup, robot, target, arrival=0.0, speed=1.8) -> Wheels:
-    """Drives to a point and stops there, or passes it at `arrival` m/s."""
-
-
-@_skill
-def take_pose(setup, robot, target, heading, near=0.012, speed=1.8) -> Wheels:
-    """Drives to a point and turns to a heading there, forwards or backwards."""
-
-
-# ---- mirocup/skills/ball_path.hpp, intercept.hpp: where the ball goes, where a robot meets it
 
 def moving_ball(now) -> Ball:
     return Ball(ball(now), ball_velocity(now))
 
 
-@_skill
-def rolled(setup, moving, seconds) -> Ball:
-    """Returns a Ball after `seconds`, walls included."""
-
-
-@_skill
-def time_at_x(setup, moving, x, most_s=1.5) -> Crossing:
-    """Returns when and where a Ball comes to the line x from the right; None: not within `most_s`."""
-
-
-@_skill
-def intercept(setup, now, robot, pace=1.2, most_s=1.5) -> Interception:
-    """Returns where and when a robot that drives at `pace` m/s meets the ball."""
-
-
-@_skill
-def rough_meeting(setup, now, robot, pace=1.2) -> Point:
-    """Returns about where it meets the ball, at a fraction of the cost."""
-
-
-# ---- mirocup/skills/shoot.hpp
-
-@_skill
-def follow_line(setup, robot, point, heading, speed, aim_ahead=0.2, gain=10.0, lead_s=0.08) -> Wheels:
-    """Drives along the line through `point` with direction `heading`, also from beside it."""
-
-
-@_skill
-def shoot(setup, robot, ball, aim, speed=1.8) -> Wheels:
-    """Drives through a ball so that it goes to `aim`; the robot is behind the ball."""
-
-
-@_skill
-def open_corner(setup, now, margin=0.05, y_bias=0.0) -> Point:
-    """Returns the point on the opponents' goal line to aim at."""
-
-
-@_skill
-def run_up(ball, aim, distance=0.2) -> Pose:
-    """Returns the pose from which to shoot a resting ball."""
-
-
-@_skill
-def must_take_kick(now, spot) -> bool:
-    """True while the ball of your own penalty or free kick lies where it was put, `spot`."""
-
-
-# ---- mirocup/skills/univector_field.hpp: a field of directions that leads to a pose
-
-@_skill
-def field_heading(here, pose, radius=0.075, smooth=0.07) -> float:
-    """Returns the direction at `here` that leads to the pose (x, y, heading), rad."""
-
-
-@_skill
-def around(heading, here, velocity, moving, nearest=0.085, width=0.045, lead_s=0.15) -> float:
-    """Returns `heading`, turned aside by an obstacle, a Ball (at, velocity)."""
-
-
-@_skill
-def round_others(now, me, robot, target, heading, sight=0.35) -> float:
-    """Returns `heading`, turned aside by the other robots, except those at `target`."""
-
-
-@_skill
-def follow_heading(setup, robot, heading, speed, turn=0.0) -> Wheels:
-    """Drives in a direction; `turn`: rad/s that the direction itself turns."""
-
-
-def follow_field(setup, robot, pose, speed, obstacles=(), radius=0.075, smooth=0.07, lead_s=0.08):
+def follow_field(setup, robot, pose, speed, obstacles=(), radius=0.075, smooth=0.07, lead_s=0.08) -> Wheels:
     """Drives along the field to a pose, round obstacles: pairs (at, velocity)."""
-    others = (_CBall * max(1, len(obstacles)))(*[_CBall(_CPoint(*at), _CPoint(*v)) for at, v in obstacles])
-    wheels = _follow_field(_setup_bytes(setup), _ROBOT.pack(*robot), _CPose(*pose), speed, others,
-                           len(obstacles), radius, smooth, lead_s)
-    return Wheels(wheels.left, wheels.right)
-
-
-# ---- mirocup/skills/attack.hpp
-
-@_skill
-def shooting_aim(setup, now, where) -> Point:
-    """Returns where a ball at `where` shall go: to the open corner, or along a wall."""
-
-
-@_skill
-def shot_of(robot, at, aim) -> Shot:
-    """Returns the shot of a robot at the ball that will be at `at`."""
-
-
-@_skill
-def through(shot) -> Point:
-    """Returns the point to drive to for a robot that is on the line of the shot."""
-
-
-@_skill
-def pose_at_ball(setup, me, shot) -> Pose:
-    """Returns the pose that robot `me` shall have at the ball."""
-
-
-@_skill
-def attack_ball_at(setup, now, me, at, aim, speed=1.8, sight=1e9, lead_s=0.08) -> Wheels:
-    """Shoots the ball that robot `me` meets at `at` to `aim`, round all other robots."""
-
-
-@_skill
-def attack_ball(setup, now, me, aim, speed=1.8, sight=1e9, lead_s=0.08) -> Wheels:
-    """Shoots the ball to `aim` from where robot `me` meets it, and draws both points."""
-
-
-@_skill
-def supporting_place(setup, now, me, rank) -> Point:
-    """Returns the place of a robot that does not attack: between the ball and the own goal."""
-
-
-# ---- mirocup/skills/keeper.hpp, hold_goal.hpp: two ways of keeping the goal
-
-@_skill
-def y_on_line(ball, along, x) -> float:
-    """Returns the y at which the line through a ball along a direction crosses x, m."""
-
-
-@_skill
-def y_of_coming_shot(now, x) -> float:
-    """Returns the y at which a resting ball will cross x, as an opponent drives at it; NaN: none does."""
-
-
-@_skill
-def cover_point(setup, now, line=0.05, inside_post=0.0) -> Point:
-    """Returns the place on the keeper's line from which it covers the goal."""
-
-
-@_skill
-def guard_goal(setup, now, robot, line=0.05, inside_post=0.0, clear_speed=0.5, spin=25.0) -> Wheels:
-    """Guards the goal from a line before it, and clears to the side."""
-
-
-@_skill
-def rough_guard(setup, now, robot) -> Wheels:
-    """A keeper for predictions: cheaper, and clears nothing."""
-
-
-@_skill
-def holding_y(setup, now, line=0.027, inside_post=0.0385) -> float:
-    """Returns the y in the mouth of the goal at which the keeper has to be, m."""
-
-
-@_skill
-def hold_goal(setup, now, robot, line=0.027, inside_post=0.0385, slow=0.2, patience=1.0) -> Wheels:
-    """Keeps the goal from its mouth; `robot`: at its next command (when_commanded)."""
-
-
-@_skill
-def lies_in_area(setup, now, slow) -> bool:
-    """True if a ball slower than `slow` lies in the own goal area."""
-
-
-@_skill
-def slide_quickly(setup, robot, target) -> Wheels:
-    """Drives along the goal line to the y of `target` in the shortest time."""
-
-
-@_skill
-def push_outwards(setup, robot, outwards) -> Wheels:
-    """Pushes along the goal line, to y * `outwards` (1 or -1)."""
-
-
-@_skill
-def return_to(setup, robot, target, ball) -> Wheels:
-    """Drives home to the goal, round the ball."""
-
-
-# ---- mirocup/skills/laws.hpp
-
-@_skill
-def has_ball(setup, now, robot, along) -> bool:
-    """True if the ball is at the robot, on the side of the direction `along`."""
-
-
-def spare_keeper(setup, now, wheels):
-    """Returns the list, with slower robots before the opponents' keeper."""
-    return _spare_keeper(setup, now, wheels)
-
-
-@_skill
-def must_leave_area(setup, robot) -> bool:
-    """True if a robot that does not attack has to leave the opponents' goal area."""
-
-
-@_skill
-def leave_area(setup, robot) -> Wheels:
-    """Drives out of that area."""
-
-
-# ---- mirocup/skills/roles.hpp
-
-@_skill
-def time_behind(setup, now, i, round_s=0.35) -> float:
-    """Returns how soon own robot `i` is behind the ball, s."""
+    others = (_CBall * len(obstacles))(*[_CBall(_CPoint(*at), _CPoint(*v)) for at, v in obstacles])
+    return _called(_follow_field, setup=setup, robot=robot, pose=pose, speed=speed, obstacles=others, count=len(others),
+                   radius=radius, smooth=smooth, lead_s=lead_s)
 
 
 def cheapest_robot(now, first, last, bonus, cost):
     """Returns the own robot from `first` on with the least cost(i); `last` costs `bonus` less."""
     costs = (_real * MAX_ROBOTS)(*_own(first) * [0.0], *[cost(i) for i in range(first, now.robots)])
-    return _cheapest_robot(_observation_bytes(now), first, last, bonus, costs)
+    return _cheapest_robot(now, first, last, bonus, costs)
 
 
 def assign_places(now, places, free, last, bonus=0.1):
@@ -891,43 +471,14 @@ def assign_places(now, places, free, last, bonus=0.1):
                          "tick; as many of each are expected")
     free, last = [_own(i, now.robots) for i in free], [int(i) for i in last]
     chosen = (_whole * count)()
-    _assign_places(_observation_bytes(now), (_CPoint * count)(*[_CPoint(*p) for p in places]),
+    _assign_places(now, (_CPoint * count)(*[_CPoint(*p) for p in places]),
                    (_whole * count)(*free), (_whole * count)(*last), count, bonus, chosen)
     return list(chosen)
 
 
-# ---- mirocup/skills/worth.hpp: how good a scene is
-
-@_skill
-def worth_of(setup, now) -> float:
-    """Returns the worth of a scene: about 1 is a goal, -1 a goal against."""
-
-
-@_skill
-def time_to_get_behind(robot, ball, goal) -> float:
-    """Returns about how long a robot takes to get behind the ball, seen from a goal, s."""
-
-
 def out_of_reach(robots, ball) -> float:
     """Returns how far from the robots a ball passes that goes in: 0 at one, 1 out of reach of all."""
-    return _out_of_reach(b"".join([_ROBOT.pack(*r) for r in robots]), len(robots), _CPoint(*ball))
-
-
-# ---- mirocup/skills/draw.hpp
-
-@_skill
-def draw_role(setup, robot, role) -> None:
-    """Writes what a robot does beside it in the replay."""
-
-
-@_skill
-def draw_target(setup, robot, target) -> None:
-    """Draws where a robot drives."""
-
-
-@_skill
-def draw_shot(setup, robot, at, aim) -> None:
-    """Draws where a robot meets the ball, and where the ball shall go."""
+    return _called(_out_of_reach, robots=robots, count=len(robots), ball=ball)
 
 
 # ---- what remembers: mirocup/skills/filter.hpp, penalty.hpp, mirocup/predict.hpp
@@ -938,15 +489,13 @@ class _Handle:
     _kind = ""
 
     def __init__(self, *arguments, new="new"):
-        self._handle = _address(self._call(new, *arguments, result=_address))
+        self._handle = getattr(_c, f"mirocup_{self._kind}_{new}")(*arguments)
 
-    def _call(self, function, *arguments, result=None):
-        called = getattr(_c, f"mirocup_{self._kind}_{function}")
-        called.restype = result
-        return called(*arguments)
+    def _call(self, function, *arguments):
+        return getattr(_c, f"mirocup_{self._kind}_{function}")(self._handle, *arguments)
 
     def __del__(self):
-        self._call("free", self._handle)
+        self._call("free")
 
 
 class Filter(_Handle):
@@ -955,17 +504,17 @@ class Filter(_Handle):
     _kind = "filter"
 
     def __init__(self, setup):
-        super().__init__(_setup_bytes(setup))
+        super().__init__(setup)
 
     def see(self, seen, ticks_ahead=1):
         """Returns the observation `ticks_ahead` ticks later. Once in every tick."""
         now = ctypes.create_string_buffer(_OBSERVATION.size)
-        self._call("see", self._handle, _observation_bytes(seen), _whole(ticks_ahead), now)
+        self._call("see", seen, ticks_ahead, now)
         return _observation_of(now.raw)
 
     def sent(self, wheels):
         """Remembers the answer to the last observation of see()."""
-        self._call("sent", self._handle, _command(wheels))
+        self._call("sent", wheels)
 
 
 class PenaltyTaker(_Handle):
@@ -975,30 +524,11 @@ class PenaltyTaker(_Handle):
 
     def stand(self, setup, now, y_bias):
         """Returns the Pose of the kicker, for place()."""
-        pose = self._call("stand", self._handle, _setup_bytes(setup), _observation_bytes(now), _real(y_bias),
-                          result=_CPose)
-        return Pose(pose.x, pose.y, pose.heading)
+        return self._call("stand", setup, now, y_bias)
 
     def drive(self, setup, now, robot):
         """Returns the wheel speeds of the kicker."""
-        wheels = self._call("drive", self._handle, _setup_bytes(setup), _observation_bytes(now),
-                            _ROBOT.pack(*robot), result=_CWheels)
-        return Wheels(wheels.left, wheels.right)
-
-
-@_skill
-def sent_wheels(setup, wheels) -> Wheels:
-    """Returns the wheel speeds that are driven: rounded, and clamped to the limit."""
-
-
-@_skill
-def robot_after(setup, robot, wheels, seconds) -> Robot:
-    """Returns a robot after `seconds` under these wheel speeds, if it meets nothing."""
-
-
-@_skill
-def driven_wheels(setup, before, after) -> Wheels:
-    """Returns the wheel speeds that took a robot from one observation to the next."""
+        return self._call("drive", setup, now, robot)
 
 
 class Tracker(_Handle):
@@ -1007,22 +537,22 @@ class Tracker(_Handle):
     _kind = "tracker"
 
     def __init__(self, setup):
-        super().__init__(_setup_bytes(setup))
+        super().__init__(setup)
         self._robots = setup.robots
 
     def saw(self, now):
-        self._call("saw", self._handle, _observation_bytes(now))
+        self._call("saw", now)
 
     def sent(self, wheels):
-        self._call("sent", self._handle, _command(wheels))
+        self._call("sent", wheels)
 
     def in_flight(self):
         """Returns your answer to the observation before, which is driven in this tick."""
-        return _pairs(self._call("in_flight", self._handle, result=ctypes.POINTER(_CCommand))[0], self._robots)
+        return _pairs(self._call("in_flight"), self._robots)
 
     def opponents(self):
         """Returns the wheel speeds of the opponents in the last tick."""
-        return _pairs(self._call("opponents", self._handle, result=ctypes.POINTER(_CCommand))[0], self._robots)
+        return _pairs(self._call("opponents"), self._robots)
 
 
 class Scene(_Handle):
@@ -1034,7 +564,7 @@ class Scene(_Handle):
         if isinstance(now, Scene):
             super().__init__(now._handle, new="copy_new")
         else:
-            super().__init__(_observation_bytes(now))
+            super().__init__(now)
 
     def copy(self):
         return Scene(self)
@@ -1049,7 +579,7 @@ class Scene(_Handle):
 
     def _shown(self, function, now):
         seen = ctypes.create_string_buffer(_observation_bytes(now), _OBSERVATION.size)
-        self._call(function, self._handle, seen)
+        self._call(function, seen)
         return _observation_of(seen.raw)
 
 
@@ -1059,16 +589,14 @@ class Simulator(_Handle):
     _kind = "simulator"
 
     def __init__(self, setup, coarse=False):
-        super().__init__(_setup_bytes(setup), _whole(coarse))
+        super().__init__(setup, coarse)
 
     def advance(self, scene, own, opponent, ticks=1):
         """Plays a tick from the scene, in place, with lists of wheel speeds; returns what happened."""
         if not isinstance(scene, Scene) or ticks < 1:
             raise TypeError(f"advance() was given {_short(scene)} and {ticks} ticks; a Scene and at least one "
                             "are expected")
-        tick = self._call("advance", self._handle, scene._handle, _command(own), _command(opponent),
-                          _whole(ticks), result=_CPredicted)
-        return Predicted(tick.own, tick.opponent, tick.last, tick.events)
+        return self._call("advance", scene._handle, own, opponent, ticks)
 
 
 __all__ = [name for name, value in globals().items()

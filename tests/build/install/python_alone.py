@@ -8,7 +8,7 @@ import shutil
 import sys
 import tempfile
 
-source = pathlib.Path(__file__).resolve().parents[3] / "plugins" / "python"
+source = pathlib.Path(sys.argv[1]) / "python" / "mirocup"
 with tempfile.TemporaryDirectory() as folder:
     package = pathlib.Path(folder) / "python" / "mirocup"
     package.mkdir(parents=True)
