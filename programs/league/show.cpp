@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <mutex>
 #include <set>
@@ -49,15 +50,18 @@ std::optional<std::size_t> number_in(const std::string& path, std::string_view b
 
 // A round of a knockout changes the bracket, every other one the table.
 std::string standing_html(const Overview& o, const std::string& heading, bool is_of_knockout) {
-  const bool is_by_leg = o.state.file.format.takes_entries();  // such a table ranks by points a leg
+  const bool by_strength = o.state.file.format.takes_entries();
   Json rows = Json::array();
   for (const TableRow& row : o.table) {
     if (is_of_knockout) break;
     const std::int64_t difference = row.difference();
     rows.push_back(
-        {{"rank", rows.size() + 1},
+        {{"rank", rank_in_words(row)},
          {"name", o.state.shown_name(row.team)},
-         {"points", is_by_leg ? points_per_leg(row) : std::to_string(row.points)},
+         {"points", !by_strength ? std::to_string(row.points)
+                    : row.rank > 0
+                        ? std::to_string(std::lround(o.ratings.strengths[row.team].value))
+                        : "–"},
          {"played", row.played},
          {"goals", std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against)},
          {"difference", (difference > 0 ? "+" : "") + std::to_string(difference)}});
@@ -65,7 +69,7 @@ std::string standing_html(const Overview& o, const std::string& heading, bool is
   return web::filled(show_file, "standing.html",
                      {{"heading", heading},
                       {"has_table", !is_of_knockout},
-                      {"points", is_by_leg ? "Pts/leg" : "Pts"},
+                      {"points", by_strength ? "Strength" : "Pts"},
                       {"rows", rows},
                       {"bracket", is_of_knockout ? bracket_svg(o) : ""}});
 }

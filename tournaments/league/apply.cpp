@@ -196,7 +196,9 @@ PlayedLeg played_leg(const LeagueState& state, const Fixture& fixture, const Leg
                 .away_goals = e.score.away,
                 .both_lose = e.end == LegEnd::double_forfeit,
                 .home_penalties = e.penalties.home,
-                .away_penalties = e.penalties.away};
+                .away_penalties = e.penalties.away,
+                .home_entry = state.teams[fixture.home].entry,
+                .away_entry = state.teams[fixture.away].entry};
   for (const int team : {fixture.home, fixture.away}) {
     if (e.winner == state.name(team)) leg.winner = team;
   }

@@ -4,6 +4,7 @@
 #include "core/base/random.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mirocup::league {
 
@@ -121,9 +122,37 @@ std::vector<LegResult> LeagueState::results() const {
   return results;
 }
 
+Ratings LeagueState::ratings() const {
+  std::vector<FixtureResults> fixtures_played;
+  std::vector<int> present(teams.size(), no_entry);
+  for (const FixtureState& f : fixtures) {
+    FixtureResults played;
+    for (int i = 0; i < f.needed(); ++i) {
+      // A leg that was not played says nothing about strength.
+      const PlayedLeg* leg = f.legs[i].played.get();
+      if (leg != nullptr && !leg->record.empty()) played.push_back(leg->result);
+    }
+    if (!played.empty()) fixtures_played.push_back(std::move(played));
+  }
+  if (!file.format.takes_entries()) return rate(static_cast<int>(teams.size()), fixtures_played);
+  for (const LegResult& leg : results()) {
+    if (leg.counts_for_home) present[leg.home] = teams[leg.home].entry;
+    if (leg.counts_for_away) present[leg.away] = teams[leg.away].entry;
+  }
+  return rate_entries(present, std::move(fixtures_played), file.format.kind == FormatKind::ladder);
+}
+
 std::vector<TableRow> LeagueState::table() const {
+  return table(file.format.takes_entries() ? ratings() : Ratings());
+}
+
+std::vector<TableRow> LeagueState::table(const Ratings& ratings) const {
   TableRules rules = file.table_rules();
   rules.by_points_per_leg = file.format.takes_entries();
+  // Strengths that pages show as equal are equal.
+  for (const Strength& strength : ratings.strengths) {
+    if (rules.by_points_per_leg) rules.strengths.push_back(std::round(strength.value));
+  }
   for (const TeamState& team : teams)
     rules.has_left.push_back(team.status == TeamStatus::withdrawn);
   return make_table(all_teams(static_cast<int>(file.teams.size())), results(), rules,

@@ -11,6 +11,7 @@
 #include "tournaments/format/league_file.hpp"
 #include "tournaments/format/schedule.hpp"
 #include "tournaments/league/event.hpp"
+#include "tournaments/table/rating.hpp"
 
 #include <array>
 #include <cstddef>
@@ -130,6 +131,13 @@ struct LeagueState {
   bool is_over() const;
 
   std::vector<LegResult> results() const;
+
+  // Returns the strengths, from the legs that were played and count. In a league that takes entries
+  // they are those of the present entries; absent teams have none.
+  Ratings ratings() const;
+
+  // Returns the table. `ratings` are those of this state; they rank a league that takes entries.
+  std::vector<TableRow> table(const Ratings& ratings) const;
   std::vector<TableRow> table() const;
 
   // Returns the index of a fixture or a team; nothing if none has the name.

@@ -126,8 +126,25 @@ using record::or_null;
 // Returns how many legs would tell the team of a row from the next one: nothing for the last row,
 // and if it takes too many.
 std::optional<int> legs_to_next(const Overview& o, std::size_t row) {
-  if (row + 1 == o.table.size()) return {};
+  if (row + 1 == o.table.size() || o.table[row + 1].rank == 0) return {};
   return legs_to_tell(o.ratings, o.table[row].team, o.table[row + 1].team);
+}
+
+std::optional<bool> is_decided_from_next(const Overview& o, std::size_t row) {
+  return is_decided(o.state, o.ratings, o.table[row],
+                    row + 1 < o.table.size() ? &o.table[row + 1] : nullptr);
+}
+
+std::string table_csv(const Overview& o) {
+  std::vector<std::string> columns;
+  columns.insert(
+      columns.end(),
+      {"rank", "team", "played", "won", "drawn", "lost", "goals_for", "goals_against",
+       "goal_difference", "points", "penalties", "separated_by", "strength=strength/value",
+       "strength_low=strength/low", "strength_high=strength/high", "legs_to_tell"});
+  if (o.state.file.format.takes_entries())
+    columns.insert(columns.end(), {"points_per_leg", "decided"});
+  return csv_of(table_json(o)["table"], columns);
 }
 
 Json legs_json(const Overview& o) {
@@ -207,9 +224,9 @@ Json table_json(const Overview& o) {
     const TableRow& row = o.table[i];
     const TableRow* next = i + 1 < o.table.size() ? &o.table[i + 1] : nullptr;
     const Strength& strength = o.ratings.strengths[row.team];
-    const std::string reason = reason_in_words(row, next);
+    const std::string reason = reason_in_words(o.ratings, row, next);
     const auto legs = legs_to_next(o, i);
-    rows.push_back({{"rank", i + 1},
+    rows.push_back({{"rank", row.rank > 0 ? Json(row.rank) : Json()},
                     {"team", o.state.name(row.team)},
                     {"played", row.played},
                     {"won", row.won},
@@ -227,6 +244,12 @@ Json table_json(const Overview& o) {
                       {"low", std::lround(strength.low)},
                       {"high", std::lround(strength.high)}}},
                     {"legs_to_tell", legs ? Json(*legs) : Json()}});
+    if (row.rank == 0) rows.back()["strength"] = nullptr;
+    if (!o.state.file.format.takes_entries()) continue;
+    const auto decided = is_decided_from_next(o, i);
+    rows.back()["points_per_leg"] =
+        row.rank > 0 ? Json(std::round(1000.0 * row.points / row.played) / 1000.0) : Json();
+    rows.back()["decided"] = decided ? Json(*decided) : Json();
   }
   return {{"title", o.state.file.title},
           {"format", to_string(o.state.file.format.kind)},
@@ -242,14 +265,7 @@ FileMakers exports(const Overview& o) {
           {"bracket.json", [&o, lines_of] { return lines_of(bracket_json(o.state)); }},
           {"legs.json", [&o, lines_of] { return lines_of(legs_json(o)); }},
           {"decisions.json", [&o] { return decisions_json(o.state) + "\n"; }},
-          {"table.csv",
-           [&o] {
-             return csv_of(table_json(o)["table"],
-                           {"rank", "team", "played", "won", "drawn", "lost", "goals_for",
-                            "goals_against", "goal_difference", "points", "penalties",
-                            "separated_by", "strength=strength/value", "strength_low=strength/low",
-                            "strength_high=strength/high", "legs_to_tell"});
-           }},
+          {"table.csv", [&o] { return table_csv(o); }},
           {"legs.csv",
            [&o] {
              return csv_of(legs_json(o)["legs"],

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <set>
 
 namespace mirocup::league {
@@ -38,18 +39,19 @@ Json row_values(const Overview& o, const std::vector<TableRow>& table, std::size
   const TableRow& row = table[i];
   const TableRow* next = i + 1 < table.size() ? &table[i + 1] : nullptr;
   const std::int64_t difference = row.difference();
-  return {{"rank", i + 1},
+  return {{"rank", rank_in_words(row)},
           {"team", team_values(o, row.team, "")},
           {"status", status_of(o.state.teams[row.team])},
           {"points", row.points},
-          {"points_per_leg", points_per_leg(row)},
+          {"points_per_leg", row.rank > 0 ? points_per_leg(row) : "–"},
           {"played", row.played},
           {"won", row.won},
           {"drawn", row.drawn},
           {"lost", row.lost},
           {"goals", std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against)},
           {"difference", (difference > 0 ? "+" : "") + std::to_string(difference)},
-          {"reason", reason_in_words(row, next)}};
+          {"is_open", is_decided(o.state, o.ratings, row, next) == false},
+          {"reason", reason_in_words(o.ratings, row, next)}};
 }
 
 Json table_values(const Overview& o) {
@@ -197,7 +199,7 @@ Json crosstable_values(const Overview& o, const std::string& root) {
   for (const TableRow& row : o.table) {
     if (!teams.contains(row.team)) continue;
     Json team = team_values(o, row.team, root);
-    team["rank"] = &row - o.table.data() + 1;
+    team["rank"] = rank_in_words(row);
     heads.push_back(team);
     Json cells = Json::array();
     for (const TableRow& column : o.table) {
@@ -235,11 +237,11 @@ Json champion_values(const Overview& o) {
   const TableRow& first = o.table[0];
   const TableRow& second = o.table[1];
   Json values = team_values(o, first.team, "");
-  values["why"] = reason_in_words(first, &second);
+  values["why"] = reason_in_words(o.ratings, first, &second);
   values["second"] = team_values(o, second.team, "");
   if (o.table.size() > 2) values["third"] = team_values(o, o.table[2].team, "");
-  if (const auto legs = legs_to_tell(o.ratings, first.team, second.team))
-    values["legs_to_tell"] = std::to_string(*legs);
+  const auto legs = legs_to_tell(o.ratings, first.team, second.team);
+  if (legs && second.rank > 0) values["legs_to_tell"] = std::to_string(*legs);
   return values;
 }
 
@@ -255,6 +257,8 @@ std::string front_html(const SiteContent& c) {
   values["last"] = last_round(c);
   values["next"] = next_round(c);
   values["table"] = table_values(o);
+  values["is_any_open"] = std::any_of(values["table"].begin(), values["table"].end(),
+                                      [](const Json& row) { return row["is_open"]; });
   values["bracket"] = bracket_svg(o);
   values["groups"] = groups_values(o);
   values["per_leg"] = o.state.file.format.takes_entries();

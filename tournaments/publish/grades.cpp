@@ -110,10 +110,12 @@ std::vector<Graded> all_graded(const Overview& o, const PeopleOfTeams& people) {
   std::vector<Graded> all;
   for (const bool is_out : {false, true}) {
     for (const TableRow& row : o.table) {
-      if ((o.state.teams[row.team].status == TeamStatus::withdrawn) != is_out) continue;
+      const bool is_last = !o.state.file.format.takes_entries() &&
+                           o.state.teams[row.team].status == TeamStatus::withdrawn;
+      if (is_last != is_out) continue;
       Graded one{
           .name = o.state.name(row.team), .team = row.team, .row = row, .rank = {}, .who = {}};
-      one.rank = std::to_string(all.size() + 1);
+      if (row.rank > 0) one.rank = std::to_string(all.size() + 1);
       if (const auto known = people.find(one.name); known != people.end()) one.who = known->second;
       all.push_back(std::move(one));
     }
@@ -156,8 +158,11 @@ Result<std::string> students(const Overview& o, const std::vector<Graded>& all,
   for (const Graded& one : all) {
     const int win = o.state.file.points.win;
     const double best = static_cast<double>(one.row.played) * win;
+    // A team without a leg that counts has no grade.
     const std::string score =
-        with_digits(best > 0.0 ? 100.0 * static_cast<double>(one.row.points) / best : 0.0, 2);
+        one.row.played == 0
+            ? ""
+            : with_digits(best > 0.0 ? 100.0 * static_cast<double>(one.row.points) / best : 0.0, 2);
     std::size_t count = one.students();
     for (const std::string& column : {mail, number}) {
       const std::string cell = one.more(column, std::nullopt);
@@ -224,7 +229,8 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
   std::string text = system::csv_line(cells);
   for (const Graded& one : all) {
     const auto strength = [&](double Strength::*part) {
-      return one.team ? std::to_string(std::lround(o.ratings.strengths[*one.team].*part)) : "";
+      return one.rank.empty() ? ""
+                              : std::to_string(std::lround(o.ratings.strengths[*one.team].*part));
     };
     const int entry = one.team ? o.state.teams[*one.team].entry : 0;
     const double a_leg =
@@ -243,7 +249,7 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
                !by_member                ? system::joined(one.who.members, "; ")
                : one.who.members.empty() ? ""
                                          : one.who.members[i],
-               with_digits(a_leg, 3),
+               one.rank.empty() && one.team ? "" : with_digits(a_leg, 3),
                state_of(o, one.team),
                entry > 0 ? std::to_string(entry) : ""};
       for (const std::string& column : columns) cells.push_back(one.more(column, member));

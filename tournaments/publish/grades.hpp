@@ -22,7 +22,9 @@ enum class GradesLayout {
 
 // Returns grades.csv. It has a row for each team of the table, withdrawn teams last, then a row for
 // each other team in `people`:
-//   rank, team, points, played           as in table.csv; no rank for a team without a row there
+//   rank, team, points, played           as in table.csv; no rank for a team without a row there,
+//                                        or without a leg that counts in a league that takes
+//                                        entries; such a team has no strength and no score
 //   strength, strength_low, strength_high  the strength, and the ends of its interval
 //   house_beaten                         the house teams against which the team has won more legs
 //                                        than it has lost, of the legs that count

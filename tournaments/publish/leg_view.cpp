@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace mirocup::league {
@@ -78,38 +79,12 @@ void LegTotals::add(const LegView& leg, int team) {
   against += leg.goals_against(team);
 }
 
-namespace {
-
-// Fits the strengths. Where entries are replaced, the legs of the former ones of a team are those
-// of another player, so that a strength is that of the entry that plays now.
-Ratings rate_present(const LeagueState& state, std::vector<FixtureResults> fixtures) {
-  const int teams = static_cast<int>(state.file.teams.size());
-  bool any_is_past = false;
-  for (FixtureResults& legs : fixtures) {
-    for (LegResult& leg : legs) {
-      any_is_past = any_is_past || !leg.counts_for_home || !leg.counts_for_away;
-      if (!leg.counts_for_home) leg.home += teams;
-      if (!leg.counts_for_away) leg.away += teams;
-    }
-  }
-  if (!any_is_past) return rate(teams, fixtures);
-  Ratings all = rate(2 * teams, fixtures);
-  all.strengths.resize(teams);
-  double mean = 0.0;
-  for (const Strength& s : all.strengths) mean += s.value / teams;
-  for (Strength& s : all.strengths) s = {s.value - mean, s.low - mean, s.high - mean};
-  return all;
-}
-
-}  // namespace
-
 Overview overview(const LeagueState& state, const FactsOfLegs& facts) {
-  Overview o{state, state.table(), {}, {}, {}};
+  Ratings ratings = state.ratings();
+  Overview o{state, state.table(ratings), std::move(ratings), {}, {}};
   o.decided_legs.resize(state.file.teams.size());
-  std::vector<FixtureResults> results;
   for (const FixtureState& f : state.fixtures) {
     if (!f.fixture.has_both()) continue;
-    FixtureResults fixture;
     const std::string round = round_in_words(state, f.fixture);
     for (int i = 0; i < f.needed(); ++i) {
       const PlayedLeg* played = f.legs[i].played.get();
@@ -127,12 +102,8 @@ Overview overview(const LeagueState& state, const FactsOfLegs& facts) {
         for (const int team : {f.fixture.home, f.fixture.away})
           o.decided_legs[team].push_back(o.legs.size() - 1);
       }
-      // A leg that was not played says nothing about strength.
-      if (played != nullptr && !played->record.empty()) fixture.push_back(played->result);
     }
-    if (!fixture.empty()) results.push_back(std::move(fixture));
   }
-  o.ratings = rate_present(state, std::move(results));
   return o;
 }
 
@@ -174,12 +145,28 @@ std::string points_per_leg(const TableRow& row) {
   return system::formatted("%.2f", double(row.points) / std::max(1, row.played));
 }
 
-std::string reason_in_words(const TableRow& row, const TableRow* next) {
+std::string rank_in_words(const TableRow& row) {
+  return row.rank > 0 ? std::to_string(row.rank) : "–";
+}
+
+std::optional<bool> is_decided(const LeagueState& state, const Ratings& ratings,
+                               const TableRow& row, const TableRow* next) {
+  if (!state.file.format.takes_entries() || next == nullptr || next->rank == 0 ||
+      row.separated_by == "withdrawn")
+    return std::nullopt;
+  return are_apart(ratings, row.team, next->team);
+}
+
+std::string reason_in_words(const Ratings& ratings, const TableRow& row, const TableRow* next) {
   const std::string& by = row.separated_by;
   if (by.empty() || next == nullptr) return "";
   if (row.played == 0 && next->played == 0) return "";  // nothing has been decided yet
   if (by == "knockout") return "came further in the knockout";
+  if (by == "absent") return "the next team has no leg that counts";
   if (by == "withdrawn") return "the next team has withdrawn";
+  if (by == "strength")
+    return "strength" + to(std::lround(ratings.strengths[row.team].value),
+                           std::lround(ratings.strengths[next->team].value));
   if (by == "points") return "points" + to(row.points, next->points);
   if (by == "points per leg")
     return "points per leg, " + points_per_leg(row) + " to " + points_per_leg(*next);
@@ -213,7 +200,7 @@ std::string reason_in_words(const TableRow& row, const TableRow* next) {
 }
 
 std::string legs_to_tell_in_words(const Overview& o, const TableRow& row, const TableRow* next) {
-  if (next == nullptr) return "";
+  if (next == nullptr || next->rank == 0) return "";
   const auto legs = legs_to_tell(o.ratings, row.team, next->team);
   return legs ? std::to_string(*legs) : "—";
 }

@@ -9,6 +9,7 @@
 #include "tournaments/table/rating.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,12 +78,22 @@ std::string fault_in_words(const LegFault& fault);
 // Returns a team's points per leg, such as "2.15"; "0.00" before the team's first leg.
 std::string points_per_leg(const TableRow& row);
 
+// Returns the rank of a row, "–" for an absent team.
+std::string rank_in_words(const TableRow& row);
+
 // Returns the reason why a row of the table is above the next row: "goal difference, +5 to +2"; ""
 // for the last row, or if either team has not played. `next` is null for the last row.
-std::string reason_in_words(const TableRow& row, const TableRow* next);
+std::string reason_in_words(const Ratings& ratings, const TableRow& row, const TableRow* next);
+
+// In a league that strengths rank: returns whether the strengths of a row and the next row differ
+// beyond chance. Returns nothing in other leagues, for the last row, or if the next team is absent
+// or has left.
+std::optional<bool> is_decided(const LeagueState& state, const Ratings& ratings,
+                               const TableRow& row, const TableRow* next);
 
 // Returns how many legs between the teams of two neighbouring rows would tell the teams apart
-// (legs_to_tell()): "120"; "—" for more than max_legs_to_tell; "" for the last row.
+// (legs_to_tell()): "120"; "—" for more than max_legs_to_tell; "" for the last row, or if the next
+// team is absent.
 std::string legs_to_tell_in_words(const Overview& o, const TableRow& row, const TableRow* next);
 
 }  // namespace mirocup::league

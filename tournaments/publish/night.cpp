@@ -103,7 +103,7 @@ std::vector<TeamDigest> digests(const Night& night, const Overview& now) {
     digest.team = team;
     digest.rank = rank_of(now, team);
     digest.rank_before = rank_of(before, team);
-    digest.strength = now.ratings.strengths[team];
+    if (row.rank > 0) digest.strength = now.ratings.strengths[team];
     if (digest.rank_before > 0) digest.strength_before = before.ratings.strengths[team];
     digest.entry = now.state.teams[team].entry;
     // A team that joined in the night is not in the league before.

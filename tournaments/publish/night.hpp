@@ -48,8 +48,8 @@ struct WorstMoment {
 struct TeamDigest {
   int team = 0;
   int rank = 0;
-  int rank_before = 0;  // 0: the team had not played
-  Strength strength;
+  int rank_before = 0;                      // 0: the team had not played
+  std::optional<Strength> strength;         // empty: no leg of its entry counts
   std::optional<Strength> strength_before;  // empty: the team had not played
   int entry = 0;                            // the entry that plays; 0: none
   bool has_new_entry = false;               // true: the entry is new since the night before

@@ -39,10 +39,11 @@ std::string rank_in_words(const TeamDigest& d) {
 
 std::string strength_in_words(const TeamDigest& d) {
   const auto rounded = [](double value) { return std::to_string(std::lround(value)); };
-  std::string words = rounded(d.strength.value) + " (95 %: " + rounded(d.strength.low) + " to " +
-                      rounded(d.strength.high) + ")";
+  if (!d.strength) return "–";
+  std::string words = rounded(d.strength->value) + " (95 %: " + rounded(d.strength->low) + " to " +
+                      rounded(d.strength->high) + ")";
   if (!d.strength_before) return words;
-  const long change = std::lround(d.strength.value) - std::lround(d.strength_before->value);
+  const long change = std::lround(d.strength->value) - std::lround(d.strength_before->value);
   return words + ", " + (change >= 0 ? "+" : "") + std::to_string(change) + " since yesterday";
 }
 
@@ -72,15 +73,17 @@ std::string night_page(const Overview& o, const Night& night, const std::vector<
   Json teams = Json::array();
   for (const TeamDigest& d : all) {
     Json row = team_values(o, d.team, "");
-    const long change = d.strength_before
-                            ? std::lround(d.strength.value) - std::lround(d.strength_before->value)
+    const long change = d.strength && d.strength_before
+                            ? std::lround(d.strength->value) - std::lround(d.strength_before->value)
                             : 0;
     row.update(
         {{"rank", d.rank > 0 ? std::to_string(d.rank) : "–"},
          {"yesterday", d.rank_before > 0 ? std::to_string(d.rank_before) : "–"},
          {"legs", legs_in_words(d)},
-         {"strength", std::lround(d.strength.value)},
-         {"change", !d.strength_before ? "new" : (change >= 0 ? "+" : "") + std::to_string(change)},
+         {"strength", d.strength ? std::to_string(std::lround(d.strength->value)) : "–"},
+         {"change", !d.strength          ? "–"
+                    : !d.strength_before ? "new"
+                                         : (change >= 0 ? "+" : "") + std::to_string(change)},
          {"digest", page_of_digest(o.state, d.team)},
          {"is_new", d.has_new_entry}});
     teams.push_back(row);
@@ -164,7 +167,7 @@ Json digest_json(const Overview& o, const TeamDigest& d) {
       {"team", o.state.name(d.team)},
       {"rank", d.rank > 0 ? Json(d.rank) : Json()},
       {"rank_before", d.rank_before > 0 ? Json(d.rank_before) : Json()},
-      {"strength", std::lround(d.strength.value)},
+      {"strength", d.strength ? Json(std::lround(d.strength->value)) : Json()},
       {"strength_before", d.strength_before ? Json(std::lround(d.strength_before->value)) : Json()},
       {"entry", d.entry > 0 ? Json(d.entry) : Json()},
       {"new_entry", d.has_new_entry},

@@ -7,6 +7,7 @@
 #include "tournaments/publish/team_page.hpp"
 #include "web/design/template.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -15,25 +16,34 @@ namespace mirocup::league {
 
 std::string table_text(const LeagueState& state) {
   std::ostringstream out;
-  const auto line = [&out](const std::string& rank, const std::string& team,
-                           const std::string& numbers, const std::string& goals,
-                           const std::string& points, const std::string& by) {
+  const bool by_strength = state.file.format.takes_entries();
+  const auto line = [&](const std::string& rank, const std::string& team,
+                        const std::string& numbers, const std::string& goals,
+                        const std::string& points, const std::string& strength,
+                        const std::string& by) {
     out << std::setw(3) << rank << "  " << std::left << std::setw(20) << team << std::right
         << std::setw(20) << numbers << std::setw(12) << goals << std::setw(8) << points
-        << (by.empty() ? "" : "   ") << by << '\n';
+        << std::setw(by_strength ? 10 : 0) << strength << (by.empty() ? "" : "   ") << by << '\n';
   };
-  line("", "Team", "legs  won drawn lost", "goals", "points", "ahead of the next by");
-  const std::vector<TableRow> table = state.table();
+  line("", "Team", "legs  won drawn lost", "goals", "points", by_strength ? "strength" : "",
+       "ahead of the next by");
+  const Ratings ratings = by_strength ? state.ratings() : Ratings();
+  const std::vector<TableRow> table = state.table(ratings);
   for (std::size_t i = 0; i < table.size(); ++i) {
     const TableRow& row = table[i];
     std::ostringstream numbers;
     numbers << std::setw(4) << row.played << std::setw(5) << row.won << std::setw(6) << row.drawn
             << std::setw(5) << row.lost;
     const bool is_out = state.teams[row.team].status == TeamStatus::withdrawn;
-    line(std::to_string(i + 1), state.name(row.team) + (is_out ? " (withdrawn)" : ""),
-         numbers.str(), std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against),
+    const TableRow* next = i + 1 < table.size() ? &table[i + 1] : nullptr;
+    std::string by = reason_in_words(ratings, row, next);
+    if (is_decided(state, ratings, row, next) == false) by += "; not decided";
+    const bool has_strength = by_strength && row.rank > 0;
+    line(row.rank > 0 ? rank_in_words(row) : "  –",  // three bytes for one column
+         state.name(row.team) + (is_out ? " (withdrawn)" : ""), numbers.str(),
+         std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against),
          std::to_string(row.points),
-         reason_in_words(row, i + 1 < table.size() ? &table[i + 1] : nullptr));
+         has_strength ? std::to_string(std::lround(ratings.strengths[row.team].value)) : "", by);
   }
   if (const std::string what = unpaired_in_words(state); !what.empty()) out << what << '\n';
   return out.str();

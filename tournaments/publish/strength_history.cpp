@@ -63,6 +63,7 @@ class Chart {
     }
     // The first teams of the table in front.
     for (std::size_t i = o_.table.size(); i-- > 0;) {
+      if (o_.table[i].rank == 0) continue;
       const std::string css =
           i < named_curves ? "team c" + std::to_string(i) : std::string("other");
       svg += curve(o_.table[i].team, css);
@@ -136,8 +137,9 @@ class Chart {
     };
     std::vector<Label> labels;
     const std::size_t last = history_.after.size() - 1;
-    for (std::size_t i = 0; i < std::min(named_curves, o_.table.size()); ++i)
-      labels.push_back({i, y(value(last, o_.table[i].team))});
+    for (std::size_t i = 0; i < std::min(named_curves, o_.table.size()); ++i) {
+      if (o_.table[i].rank > 0) labels.push_back({i, y(value(last, o_.table[i].team))});
+    }
     std::stable_sort(labels.begin(), labels.end(),
                      [](const Label& a, const Label& b) { return a.y < b.y; });
     int free = top;
@@ -183,14 +185,24 @@ StrengthHistory strength_history(const Overview& o, const std::vector<RoundView>
   for (const RoundView& round : rounds) played += round.decided > 0 ? 1 : 0;
   const std::size_t step = (played + max_rounds - 1) / max_rounds;
   std::vector<FixtureResults> results;
+  std::vector<int> present(teams, no_entry);
+  const bool is_ladder = o.state.file.format.kind == FormatKind::ladder;
   std::size_t number = 0;
   for (const RoundView& round : rounds) {
     for (const FixtureView& f : round.fixtures) {
-      if (FixtureResults legs = results_of(f); !legs.empty()) results.push_back(std::move(legs));
+      FixtureResults legs = results_of(f);
+      for (const LegResult& leg : legs) {
+        present[leg.home] = leg.home_entry;
+        present[leg.away] = leg.away_entry;
+      }
+      if (!legs.empty()) results.push_back(std::move(legs));
     }
     if (round.decided == 0 || (++number != played && number % step != 0)) continue;
     history.rounds.push_back(round.title);
-    history.after.push_back(number == played ? o.ratings : rate(static_cast<int>(teams), results));
+    history.after.push_back(number == played ? o.ratings
+                            : is_ladder || o.state.file.format.kind == FormatKind::nightly
+                                ? rate_entries(present, results, is_ladder)
+                                : rate(static_cast<int>(teams), results));
   }
   return history;
 }

@@ -143,10 +143,12 @@ std::string team_html(const SiteContent& c, int team) {
   const TeamState& now = o.state.teams[team];
   Json values = page_values(o, "../", o.state.shown_name(team));
   values["mark"] = mark_of(o.state, team);
-  values["rank"] = row - o.table.begin() + 1;
-  values["teams"] = o.table.size();
+  values["rank"] = row->rank > 0 ? Json(row->rank) : Json(false);
+  values["teams"] =
+      std::count_if(o.table.begin(), o.table.end(), [](const TableRow& r) { return r.rank > 0; });
   values["points"] = row->points;
-  values["reason"] = reason_in_words(*row, row + 1 == o.table.end() ? nullptr : &*(row + 1));
+  values["reason"] =
+      reason_in_words(o.ratings, *row, row + 1 == o.table.end() ? nullptr : &*(row + 1));
   values["strength"] = strength_values(o, team);
   values["is_paused"] = now.status == TeamStatus::paused;
   values["is_withdrawn"] = now.status == TeamStatus::withdrawn;

@@ -1,29 +1,41 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/table/rating.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
+#include "core/base/math.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <numeric>
 #include <utility>
 
 namespace mirocup::league {
 
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+// Only the elements of the lower triangle. Without a fill-reducing order and without packets, every
+// machine adds in the same order.
+using Curvature = Eigen::SparseMatrix<double>;
+using Factors = Eigen::SimplicialLDLT<Curvature, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
 constexpr int max_iterations = 100;
 constexpr double converged = 1e-9;  // what a step would still gain, in units of the log-likelihood
-const double scale = 400.0 / std::log(10.0);  // strength per unit of log(g)
+constexpr double log_2 = 0.69314718055994531;
+constexpr double scale = 173.71779276130073;  // 400 / ln(10): strength per unit of log(g)
 // Wins and losses against the virtual team. With a half the intervals cover best: with a quarter
 // too seldom, with one they are drawn to the middle.
 constexpr double virtual_legs = 0.5;
 // Half a draw and half a leg with a winner, between equal teams, keep v finite and above 0.
 constexpr double virtual_draws = 0.5;
+// How firmly an entry of a ladder leans on the former entry of its team: 1 over the variance of the
+// step between the two in log(g), a standard deviation of 40 in strength.
+constexpr double lean = 18.9;
 constexpr double z_95 = 1.959964;  // quantiles of the normal distribution
 constexpr double z_80 = 0.841621;
 constexpr int fewest_legs_to_tell = 6;  // all of them won: 2 * 0.5^6 is below 5 %
@@ -42,40 +54,55 @@ struct LegOdds {
   double one = 0.0;
   double other = 0.0;
   double draw = 0.0;
-  double log_sum = 0.0;  // logarithm of the three terms' sum
 
   double score() const { return one + 0.5 * draw; }
   double variance() const { return one + 0.25 * draw - score() * score(); }
 };
 
-// The arguments are logarithms of g, g and v.
+// The first two arguments are logarithms of g, the third is v.
 LegOdds odds(double one, double other, double draws) {
-  const double level = draws + 0.5 * (one + other);
-  const double top = std::max({one, other, level});
-  LegOdds odds{std::exp(one - top), std::exp(other - top), std::exp(level - top), 0.0};
-  const double sum = odds.one + odds.other + odds.draw;
-  odds.one /= sum;
-  odds.other /= sum;
-  odds.draw /= sum;
-  odds.log_sum = top + std::log(sum);
-  return odds;
+  const double root = exp(-0.5 * std::abs(one - other));  // of g, weaker over stronger
+  const double sum = 1.0 + root * root + draws * root;
+  const double stronger = 1.0 / sum;
+  const double weaker = root * root / sum;
+  return {one > other ? stronger : weaker, one > other ? weaker : stronger, draws * root / sum};
+}
+
+// The logarithm of the sum that odds() divides by.
+double log_of_sum(double one, double other, double draws) {
+  const double root = exp(-0.5 * std::abs(one - other));
+  return std::max(one, other) + log1p(root * (root + draws));
 }
 
 // log(1 + exp(x))
 double soft_plus(double x) {
-  return x > 0.0 ? x + std::log1p(std::exp(-x)) : std::log1p(std::exp(x));
+  return x > 0.0 ? x + log1p(exp(-x)) : log1p(exp(x));
 }
 
 double logistic(double x) {
-  return 1.0 / (1.0 + std::exp(-x));
+  return 1.0 / (1.0 + exp(-x));
 }
 
-// The penalised log-likelihood of the unknowns: log(g) of each team, then log(v). It is concave, so
-// Newton's method with shortened steps finds its maximum.
+// The players of a fit, in the order in which their strengths are eliminated: players who do not
+// play any more come first. So the matrix of second derivatives fills only between players who
+// played at the same time.
+struct Players {
+  std::vector<int> former;  // by player: the player on whom this one leans; no_player: none
+  int present = 0;          // the last players, whose strengths are asked for
+
+  int count() const { return static_cast<int>(former.size()); }
+};
+constexpr int no_player = -1;
+
+// The penalised log-likelihood of the unknowns: log(g) of each player, then log(v). It is concave,
+// so Newton's method with shortened steps finds its maximum.
 class Likelihood {
  public:
-  Likelihood(int teams, const std::vector<FixtureResults>& fixtures)
-      : teams_(teams), losses_(VectorXd::Constant(teams, virtual_legs)), meetings_(teams) {
+  Likelihood(const Players& players, const std::vector<FixtureResults>& fixtures)
+      : players_(players),
+        count_(players.count()),
+        losses_(VectorXd::Constant(count_, virtual_legs)),
+        meetings_(count_) {
     for (const FixtureResults& fixture : fixtures) {
       for (const LegResult& leg : fixture) add(leg);
     }
@@ -86,45 +113,74 @@ class Likelihood {
   }
 
   double at(const VectorXd& x) const {
-    double sum = virtual_draws * (x[teams_] - 2.0 * log_of_level_legs(x));
-    for (int i = 0; i < teams_; ++i) sum += of_virtual_legs(i, x[i]);
+    double sum = virtual_draws * (x[count_] - 2.0 * log_of_level_legs(x));
+    for (int i = 0; i < count_; ++i) sum += of_player_alone(i, x[i], x);
+    const double draws = exp(x[count_]);
     for (const auto& [who, results] : pairs_)
-      sum += of_meetings(results, x[who.first], x[who.second], x[teams_]);
+      sum += of_meetings(results, x[who.first], x[who.second], x[count_], draws);
     return sum;
   }
 
-  // Returns the terms in which the strength of one team occurs, with another value for it.
-  double of_team(int team, double value, const VectorXd& x) const {
-    double sum = of_virtual_legs(team, value);
-    for (const auto& [opponent, results] : meetings_[team])
-      sum += of_meetings(results, value, x[opponent], x[teams_]);
+  // Returns the terms in which the strength of a present player occurs, with another value for it.
+  double of_player(int player, double value, const VectorXd& x) const {
+    double sum = of_player_alone(player, value, x);
+    const double draws = exp(x[count_]);
+    for (const auto& [opponent, results] : meetings_[player])
+      sum += of_meetings(results, value, x[opponent], x[count_], draws);
     return sum;
   }
 
-  // Sets the gradient, and the negative matrix of second derivatives.
-  void derivatives(const VectorXd& x, VectorXd& gradient, MatrixXd& curvature) const {
-    gradient.setZero(teams_ + 1);
-    curvature.setZero(teams_ + 1, teams_ + 1);
-    const double level = logistic(x[teams_] - std::log(2.0));
-    gradient[teams_] = virtual_draws * (1.0 - 2.0 * level);
-    curvature(teams_, teams_) = 2.0 * virtual_draws * level * (1.0 - level);
-    for (int i = 0; i < teams_; ++i) {
-      const double win = logistic(x[i]);
-      gradient[i] = virtual_legs - (virtual_legs + losses_[i]) * win;
-      curvature(i, i) = (virtual_legs + losses_[i]) * win * (1.0 - win);
+  // The same for two players.
+  double of_two(int one, int other, double value, double other_value, VectorXd x) const {
+    x[one] = value;
+    double sum = of_player(other, other_value, x) + of_player_alone(one, value, x);
+    const double draws = exp(x[count_]);
+    for (const auto& [opponent, results] : meetings_[one]) {
+      if (opponent != other) sum += of_meetings(results, value, x[opponent], x[count_], draws);
     }
-    for (const auto& [who, results] : pairs_)
-      add_derivatives(who.first, who.second, results, x, gradient, curvature);
+    return sum;
+  }
+
+  // Sets the gradient, and returns the negative matrix of second derivatives.
+  Curvature derivatives(const VectorXd& x, VectorXd& gradient) const {
+    gradient.setZero(count_ + 1);
+    std::vector<Eigen::Triplet<double>> terms;
+    terms.reserve(6 * pairs_.size() + 4 * static_cast<std::size_t>(count_) + 1);
+    const auto add = [&terms](int row, int column, double term) {
+      terms.emplace_back(std::max(row, column), std::min(row, column), term);
+    };
+    const double level = logistic(x[count_] - log_2);
+    gradient[count_] = virtual_draws * (1.0 - 2.0 * level);
+    add(count_, count_, 2.0 * virtual_draws * level * (1.0 - level));
+    for (int i = 0; i < count_; ++i) {
+      const double win = logistic(x[i]);
+      gradient[i] += virtual_legs - (virtual_legs + losses_[i]) * win;
+      add(i, i, (virtual_legs + losses_[i]) * win * (1.0 - win));
+      const int former = players_.former[i];
+      if (former == no_player) continue;
+      gradient[i] -= lean * (x[i] - x[former]);
+      gradient[former] += lean * (x[i] - x[former]);
+      add(i, i, lean);
+      add(former, former, lean);
+      add(i, former, -lean);
+    }
+    const double draws = exp(x[count_]);
+    for (const auto& [who, results] : pairs_) {
+      const LegOdds p = odds(x[who.first], x[who.second], draws);
+      add_derivatives(who.first, who.second, results, p, gradient, add);
+    }
+    Curvature curvature(count_ + 1, count_ + 1);
+    curvature.setFromTriplets(terms.begin(), terms.end());
+    return curvature;
   }
 
   VectorXd maximum() const {
-    VectorXd x = VectorXd::Zero(teams_ + 1);
+    VectorXd x = VectorXd::Zero(count_ + 1);
     VectorXd gradient;
-    MatrixXd curvature;
     double value = at(x);
     for (int i = 0; i < max_iterations; ++i) {
-      derivatives(x, gradient, curvature);
-      VectorXd step = curvature.llt().solve(gradient);
+      const Curvature curvature = derivatives(x, gradient);
+      VectorXd step = Factors(curvature).solve(gradient);
       if (step.dot(gradient) < converged) break;
       double next = at(x + step);
       for (int halved = 0; next < value && halved < 40; ++halved) {
@@ -154,55 +210,58 @@ class Likelihood {
     (ahead > 0 ? pair.one : ahead < 0 ? pair.other : pair.draws) += 1.0;
   }
 
-  double log_of_level_legs(const VectorXd& x) const {
-    return std::log(2.0) + soft_plus(x[teams_] - std::log(2.0));
+  double log_of_level_legs(const VectorXd& x) const { return log_2 + soft_plus(x[count_] - log_2); }
+
+  // Of the legs against the virtual team, and of the lean.
+  double of_player_alone(int player, double value, const VectorXd& x) const {
+    const int former = players_.former[player];
+    const double apart = former == no_player ? 0.0 : value - x[former];
+    return virtual_legs * value - (virtual_legs + losses_[player]) * soft_plus(value) -
+           0.5 * lean * apart * apart;
   }
 
-  double of_virtual_legs(int team, double value) const {
-    return virtual_legs * value - (virtual_legs + losses_[team]) * soft_plus(value);
-  }
-
-  static double of_meetings(const PairResults& results, double one, double other, double draws) {
+  // `log_draws` is the logarithm of `draws`.
+  static double of_meetings(const PairResults& results, double one, double other, double log_draws,
+                            double draws) {
     return results.one * one + results.other * other +
-           results.draws * (draws + 0.5 * (one + other)) -
-           results.played() * odds(one, other, draws).log_sum;
+           results.draws * (log_draws + 0.5 * (one + other)) -
+           results.played() * log_of_sum(one, other, draws);
   }
 
-  void add_derivatives(int i, int j, const PairResults& results, const VectorXd& x,
-                       VectorXd& gradient, MatrixXd& curvature) const {
-    const int v = teams_;
+  template <class Add>
+  void add_derivatives(int i, int j, const PairResults& results, const LegOdds& p,
+                       VectorXd& gradient, const Add& add) const {
+    const int v = count_;
     const double played = results.played();
-    const LegOdds p = odds(x[i], x[j], x[v]);
     const double one = p.score();
     const double other = p.other + 0.5 * p.draw;
     gradient[i] += results.one + 0.5 * results.draws - played * one;
     gradient[j] += results.other + 0.5 * results.draws - played * other;
     gradient[v] += results.draws - played * p.draw;
-    const auto add = [&](int row, int column, double covariance) {
-      curvature(row, column) += played * covariance;
-      if (row != column) curvature(column, row) += played * covariance;
-    };
-    add(i, i, p.variance());
-    add(j, j, p.other + 0.25 * p.draw - other * other);
-    add(i, j, 0.25 * p.draw - one * other);
-    add(v, i, 0.5 * p.draw - one * p.draw);
-    add(v, j, 0.5 * p.draw - other * p.draw);
-    add(v, v, p.draw - p.draw * p.draw);
+    add(i, i, played * p.variance());
+    add(j, j, played * (p.other + 0.25 * p.draw - other * other));
+    add(i, j, played * (0.25 * p.draw - one * other));
+    add(v, i, played * (0.5 * p.draw - one * p.draw));
+    add(v, j, played * (0.5 * p.draw - other * p.draw));
+    add(v, v, played * (p.draw - p.draw * p.draw));
   }
 
-  int teams_;
+  const Players& players_;
+  int count_;
   VectorXd losses_;                                   // against the virtual team
-  std::map<std::pair<int, int>, PairResults> pairs_;  // by the two teams, the lower number first
-  std::vector<std::vector<Meeting>> meetings_;        // the same by team
+  std::map<std::pair<int, int>, PairResults> pairs_;  // by the two players, the lower number first
+  std::vector<std::vector<Meeting>> meetings_;        // the same by player
 };
 
-// Returns how far a team's value may move up (sign 1) or down (-1), while twice the log-likelihood
-// falls by at most `fall`. That function is concave, so there is one such place on each side.
-double reach(const Likelihood& likelihood, int team, const VectorXd& best, double sign,
+// Returns how far a player's value may move up (sign 1) or down (-1), while twice the
+// log-likelihood falls by at most `fall`. That function is concave, so there is one such place on
+// each side.
+double reach(const Likelihood& likelihood, int player, const VectorXd& best, double sign,
              double fall) {
-  const double top = likelihood.of_team(team, best[team], best);
+  const double top = likelihood.of_player(player, best[player], best);
   const auto is_within = [&](double distance) {
-    return 2.0 * (top - likelihood.of_team(team, best[team] + sign * distance, best)) < fall;
+    const double value = best[player] + sign * distance;
+    return 2.0 * (top - likelihood.of_player(player, value, best)) < fall;
   };
   double low = 0.0;
   double high = 0.1;
@@ -217,38 +276,153 @@ double reach(const Likelihood& likelihood, int team, const VectorXd& best, doubl
   return low;
 }
 
+double product(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+// A likelihood and its maximum.
+struct Fit {
+  Fit(Players who, const std::vector<FixtureResults>& fixtures)
+      : players(std::move(who)),
+        likelihood(players, fixtures),
+        best(likelihood.maximum()),
+        curvature(likelihood.derivatives(best, gradient)) {
+    const Factors factors(curvature);
+    for (int i = first(); i < players.count(); ++i) {
+      VectorXd column = VectorXd::Unit(players.count() + 1, i);
+      factors.matrixL().solveInPlace(column);
+      std::vector<double> error;
+      for (int row = first(); row <= players.count(); ++row)
+        error.push_back(column[row] / std::sqrt(factors.vectorD()[row]));
+      errors.push_back(std::move(error));
+    }
+  }
+
+  int first() const { return players.count() - players.present; }
+
+  Players players;
+  Likelihood likelihood;
+  VectorXd best;
+  VectorXd gradient;
+  Curvature curvature;
+  std::vector<std::vector<double>> errors;  // of the present players; their products: covariances
+  std::vector<int> player_of_team;
+};
+
+namespace {
+
+// Sets the strengths of the teams that have a player.
+Ratings ratings_of(std::shared_ptr<Fit> made, std::vector<int> player_of_team) {
+  Fit& fit = *made;
+  const int present = fit.players.present;
+  Ratings ratings{.strengths = std::vector<Strength>(player_of_team.size()),
+                  .draws = exp(fit.best[fit.players.count()])};
+  std::vector<double> of_mean(present + 1, 0.0);
+  double mean = 0.0;
+  for (int i = 0; i < present; ++i) {
+    for (int row = 0; row <= present; ++row) of_mean[row] += fit.errors[i][row] / present;
+    mean += fit.best[fit.first() + i] / present;
+  }
+  const double share = 1.0 - 1.0 / present;  // of a value, by which it moves from the mean
+  for (std::size_t team = 0; team < player_of_team.size(); ++team) {
+    const int player = player_of_team[team];
+    if (player == no_player) continue;
+    Strength& strength = ratings.strengths[team];
+    strength.value = strength.low = strength.high = scale * (fit.best[player] - mean);
+    if (present == 1) continue;
+    std::vector<double> error = fit.errors[player - fit.first()];
+    for (int row = 0; row <= present; ++row) error[row] -= of_mean[row];
+    const double fall =
+        z_95 * z_95 * product(error, error) * fit.curvature.coeff(player, player) / (share * share);
+    strength.low -= scale * share * reach(fit.likelihood, player, fit.best, -1.0, fall);
+    strength.high += scale * share * reach(fit.likelihood, player, fit.best, 1.0, fall);
+  }
+  fit.player_of_team = std::move(player_of_team);
+  ratings.fit = std::move(made);
+  return ratings;
+}
+
 }  // namespace
 
 Ratings rate(int teams, const std::vector<FixtureResults>& fixtures) {
-  Ratings ratings;
-  ratings.strengths.resize(teams);
-  if (teams == 0) return ratings;
-  const Likelihood likelihood(teams, fixtures);
-  const VectorXd best = likelihood.maximum();
-  ratings.draws = std::exp(best[teams]);
-  VectorXd gradient;
-  MatrixXd curvature;
-  likelihood.derivatives(best, gradient, curvature);
-  const MatrixXd covariance =
-      curvature.llt().solve(MatrixXd::Identity(teams + 1, teams + 1)).topLeftCorner(teams, teams);
-  const VectorXd with_mean = covariance.rowwise().mean();  // covariance with the mean of all teams
-  const double mean = best.head(teams).mean();
-  const double share = 1.0 - 1.0 / teams;  // by which a value rises above the mean with its team
-  for (int i = 0; i < teams; ++i) {
-    Strength& strength = ratings.strengths[i];
-    strength.value = strength.low = strength.high = scale * (best[i] - mean);
-    if (teams == 1) continue;
-    const double variance = covariance(i, i) - 2.0 * with_mean[i] + with_mean.mean();
-    const double fall = z_95 * z_95 * variance * curvature(i, i) / (share * share);
-    strength.low -= scale * share * reach(likelihood, i, best, -1.0, fall);
-    strength.high += scale * share * reach(likelihood, i, best, 1.0, fall);
+  std::vector<int> players(teams);
+  std::iota(players.begin(), players.end(), 0);
+  return ratings_of(
+      std::make_shared<Fit>(Players{std::vector<int>(teams, no_player), teams}, fixtures), players);
+}
+
+Ratings rate_entries(const std::vector<int>& present, std::vector<FixtureResults> fixtures,
+                     bool leans) {
+  using Entry = std::pair<int, int>;  // team and number
+  std::map<Entry, std::size_t> last;  // the place of the entry's last fixture
+  for (std::size_t i = 0; i < fixtures.size(); ++i) {
+    for (const LegResult& leg : fixtures[i])
+      last[{leg.home, leg.home_entry}] = last[{leg.away, leg.away_entry}] = i;
   }
-  return ratings;
+  std::vector<std::pair<std::size_t, Entry>> order;  // as in Players
+  std::vector<int> teams;                            // with a present entry
+  for (const auto& [entry, place] : last) {
+    if (present[entry.first] != entry.second) order.push_back({place, entry});
+  }
+  std::sort(order.begin(), order.end());
+  for (int team = 0; team < static_cast<int>(present.size()); ++team) {
+    if (present[team] == no_entry) continue;
+    teams.push_back(team);
+    order.push_back({fixtures.size(), {team, present[team]}});
+  }
+  std::map<Entry, int> player;
+  for (const auto& one : order) player.emplace(one.second, static_cast<int>(player.size()));
+  Players players{.former = std::vector<int>(order.size(), no_player),
+                  .present = static_cast<int>(teams.size())};
+  for (auto entry = player.begin(); leans && entry != player.end(); ++entry) {
+    const auto next = std::next(entry);
+    // An entry that came back plays after its followers.
+    if (next != player.end() && next->first.first == entry->first.first &&
+        entry->second < next->second)
+      players.former[next->second] = entry->second;
+  }
+  for (FixtureResults& fixture : fixtures) {
+    for (LegResult& leg : fixture) {
+      leg.home = player.at({leg.home, leg.home_entry});
+      leg.away = player.at({leg.away, leg.away_entry});
+    }
+  }
+  std::vector<int> player_of_team(present.size(), no_player);
+  for (std::size_t team = 0; team < present.size(); ++team) {
+    if (present[team] != no_entry)
+      player_of_team[team] = player.at({static_cast<int>(team), present[team]});
+  }
+  return ratings_of(std::make_shared<Fit>(std::move(players), fixtures), std::move(player_of_team));
+}
+
+// As for the interval of a strength, the other strengths stay, and the permitted fall is multiplied
+// by a ratio of two variances.
+bool are_apart(const Ratings& ratings, int one, int other) {
+  const Fit& fit = *ratings.fit;
+  const int i = fit.player_of_team[one];
+  const int j = fit.player_of_team[other];
+  const std::vector<double>& of_one = fit.errors[i - fit.first()];
+  const std::vector<double>& of_other = fit.errors[j - fit.first()];
+  const double covariance = product(of_one, of_other);
+  const double variance = product(of_one, of_one) + product(of_other, of_other) - 2.0 * covariance;
+  // The shares of the two in the way to the same strength.
+  const double a = (product(of_one, of_one) - covariance) / variance;
+  const double b = 1.0 - a;
+  const double curvature = a * a * fit.curvature.coeff(i, i) + b * b * fit.curvature.coeff(j, j) -
+                           2.0 * a * b * fit.curvature.coeff(std::max(i, j), std::min(i, j));
+  const double same = fit.best[i] - a * (fit.best[i] - fit.best[j]);
+  const double fall = 2.0 * (fit.likelihood.of_two(i, j, fit.best[i], fit.best[j], fit.best) -
+                             fit.likelihood.of_two(i, j, same, same, fit.best));
+  return fall > z_95 * z_95 * variance * curvature;
 }
 
 std::optional<int> legs_to_tell(const Ratings& ratings, int one, int other) {
   const LegOdds p = odds(ratings.strengths[one].value / scale,
-                         ratings.strengths[other].value / scale, std::log(ratings.draws));
+                         ratings.strengths[other].value / scale, ratings.draws);
   const double lead = p.score() - 0.5;
   const double needed = (z_95 + z_80) * (z_95 + z_80) * p.variance();
   if (!(needed <= max_legs_to_tell * lead * lead)) return {};

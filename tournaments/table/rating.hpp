@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The strengths of the teams, fitted to all results at once by the model of Bradley and Terry
-// (1952) with the draws of Davidson (1970). The table decides a league; the strengths and their
-// intervals say how certain the order of the table is.
+// (1952) with the draws of Davidson (1970). In leagues that take entries while they are played, the
+// strengths decide the table; in other leagues the strengths and their intervals say how certain
+// the order of the table is.
 //
 // Team i beats team j with probability  g_i / (g_i + g_j + v sqrt(g_i g_j)).  For a draw the
 // numerator is v sqrt(g_i g_j). A strength is 400 log10(g): a team that is 400 stronger wins ten
@@ -22,6 +23,7 @@
 
 #include "tournaments/table/table.hpp"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -33,9 +35,12 @@ struct Strength {
   double high = 0.0;
 };
 
+struct Fit;
+
 struct Ratings {
-  std::vector<Strength> strengths;  // by team
-  double draws = 1.0;               // v: draws per win between two equal teams
+  std::vector<Strength> strengths;      // by team
+  double draws = 1.0;                   // v: draws per win between two equal teams
+  std::shared_ptr<const Fit> fit = {};  // for are_apart(); null if no function here made it
 };
 
 // The results of one fixture.
@@ -43,8 +48,23 @@ using FixtureResults = std::vector<LegResult>;
 
 // Returns the strengths of the teams 0 to teams-1. After a double forfeit both teams lose to the
 // virtual team. The computing time grows with the cube of the number of teams; a thousand teams
-// take seconds.
+// take seconds. Every machine computes the same bits.
 Ratings rate(int teams, const std::vector<FixtureResults>& fixtures);
+
+// Like rate(), but each entry of a team is a player of its own, so that a result counts against the
+// entry that played. Returns the strengths of the entries `present`, by team: the number of the
+// entry with which the team plays now, or no_entry for a team that gets no strength. `fixtures` are
+// in the order in which they were played. The mean strength of the present entries is 0. If
+// `leans`, the strength of an entry is drawn to that of the former entry of its team, so that few
+// legs change little. The computing time grows with the number of entries, and with the cube of the
+// number of teams.
+inline constexpr int no_entry = -1;
+Ratings rate_entries(const std::vector<int>& present, std::vector<FixtureResults> fixtures,
+                     bool leans);
+
+// True if the 95 % interval of the difference of two strengths excludes 0. Both teams must have a
+// strength.
+bool are_apart(const Ratings& ratings, int one, int other);
 
 // Returns how many legs two teams must play against each other until a 95 % interval of their
 // difference in strength excludes 0 with a probability of 80 %, if the fitted difference is true.

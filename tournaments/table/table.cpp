@@ -58,15 +58,18 @@ class Ranking {
   std::vector<TableRow> rows() {
     if (stage_reached_.empty()) {
       split(
-          teams_, "withdrawn", [this](int team) { return left(team) ? 0.0 : 1.0; },
-          [this](const std::vector<int>& level, bool) { by_points(level); });
+          teams_, "absent", [this](int team) { return is_absent(team) ? 0.0 : 1.0; },
+          [this](const std::vector<int>& level, bool) { by_strength(level); });
     } else {
       split(
           teams_, "knockout", [this](int team) { return double(stage_reached_[team]); },
           [this](const std::vector<int>& level, bool) { by_points(level); });
     }
     std::vector<TableRow> ordered;
-    for (const int team : order_) ordered.push_back(total_[team]);
+    for (const int team : order_) {
+      ordered.push_back(total_[team]);
+      ordered.back().rank = is_absent(team) ? 0 : static_cast<int>(ordered.size());
+    }
     if (!ordered.empty()) ordered.back().separated_by.clear();
     return ordered;
   }
@@ -104,6 +107,19 @@ class Ranking {
                  rules_.points);
       legs_of_[r.away].push_back(index);
     }
+  }
+
+  bool is_absent(int team) const { return rules_.by_points_per_leg && total_[team].played == 0; }
+
+  void by_strength(const std::vector<int>& all) {
+    split(
+        all, "withdrawn", [this](int team) { return left(team) ? 0.0 : 1.0; },
+        [this](const std::vector<int>& present, bool) {
+          split(
+              present, "strength",
+              [this](int team) { return rules_.strengths.empty() ? 0.0 : rules_.strengths[team]; },
+              [this](const std::vector<int>& level, bool) { by_points(level); });
+        });
   }
 
   void by_points(const std::vector<int>& level) {

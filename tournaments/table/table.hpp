@@ -27,6 +27,8 @@ struct LegResult {
   int away_penalties = 0;
   bool counts_for_home = true;  // false: the home team has replaced the entry that played
   bool counts_for_away = true;
+  int home_entry = 0;  // the number of the entry that played; 0: not known
+  int away_entry = 0;
 
   // Returns how many goals a team is ahead; negative if the team is behind.
   int difference(int team) const {
@@ -63,6 +65,7 @@ inline constexpr std::array<TieBreak, 6> default_tie_breaks{
 
 struct TableRow {
   int team = 0;
+  int rank = 0;  // from 1; 0: the team is absent, see TableRules::by_points_per_leg
   int played = 0;
   int won = 0;
   int drawn = 0;
@@ -84,8 +87,11 @@ struct TableRules {
   Points points;
   std::vector<TieBreak> tie_breaks{default_tie_breaks.begin(), default_tie_breaks.end()};
   std::uint64_t seed = 1;  // the seed of the lots
-  // True for a ladder or a nightly league, in which teams play different numbers of legs.
+  // True for a ladder or a nightly league, in which teams play different numbers of legs. A team
+  // without a leg that counts is then absent: it has no rank and comes after all other teams.
   bool by_points_per_leg = false;
+  // By team, whole numbers: they rank the teams before points do. Empty: points rank the teams.
+  std::vector<double> strengths = {};
   std::vector<bool> has_left = {};  // true for each team that has left; empty: no team has left
 };
 

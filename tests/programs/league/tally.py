@@ -14,6 +14,7 @@ import os
 import sys
 
 VIRTUAL_LEGS = 0.5  # each player draws half a leg against the mean, and half a leg in the league is a draw
+NO_STRENGTH = -1e9  # of a team without a leg that counts
 
 
 class Tally:
@@ -29,7 +30,7 @@ class Tally:
         undone = {line["line"] for line in self.lines if line["kind"] == "undo"}
         for line in self.lines:
             self.take(line, line["n"] in undone)
-        self.players = {team: {"points": 0, "legs": 0, "strength": 0.0} for team in self.teams}
+        self.players = {team: {"points": 0, "legs": 0, "strength": NO_STRENGTH} for team in self.teams}
         for leg in self.legs.values():
             for own, other in (("home", "away"), ("away", "home")):
                 if leg["entry"][own] == self.entries.get(leg[own]):
@@ -71,9 +72,9 @@ class Tally:
             del self.legs[key]
 
     def fit(self):
-        """Strengths after Bradley and Terry, draws after Davidson, by gradient ascent. What a team played before is a player."""
+        """Strengths after Bradley and Terry, draws after Davidson, by gradient ascent. Each entry is a player."""
         def player(leg, own):
-            return leg[own] if leg["entry"][own] == self.entries.get(leg[own]) else leg[own] + " before"
+            return leg[own], leg["entry"][own]
 
         pairs = {}
         for leg in self.legs.values():
@@ -83,8 +84,8 @@ class Tally:
                 home, away, ahead = away, home, -ahead
             wins, draws, legs = pairs.get((home, away), (0, 0, 0))
             pairs[home, away] = wins + (ahead > 0), draws + (ahead == 0), legs + 1
-        x = {name: 0.0 for name in self.teams}
-        x.update({name: 0.0 for pair in pairs for name in pair})
+        present = {team: (team, self.entries.get(team)) for team in self.teams if self.players[team]["legs"] > 0}
+        x = {name: 0.0 for pair in [present.values(), *pairs] for name in pair}
         v = 0.0
         step = 1.0 / (1.0 + max([sum(n[2] for pair, n in pairs.items() if name in pair) for name in x] + [1]))
         for _ in range(20_000):
@@ -102,13 +103,13 @@ class Tally:
             v += step * slope_v / max(1, len(pairs))
             if max(map(abs, slope.values())) < 1e-5 and abs(slope_v) < 1e-3:
                 break
-        mean = sum(x[name] for name in self.teams) / len(self.teams)
-        for name in self.teams:
-            self.players[name]["strength"] = 400.0 * (x[name] - mean) / math.log(10.0)
+        mean = sum(x[name] for name in present.values()) / max(1, len(present))
+        for team, name in present.items():
+            self.players[team]["strength"] = 400.0 * (x[name] - mean) / math.log(10.0)
 
-    def share(self, team):
-        player = self.players[team]
-        return player["points"] / player["legs"] if player["legs"] else -1.0
+    def told_strength(self, team):
+        strength = self.players[team]["strength"]
+        return None if strength == NO_STRENGTH else strength
 
     def house_beaten(self, folder, team):
         """The house teams against which the present entry has won more legs than it has lost."""
@@ -184,14 +185,16 @@ def compare_digests(folder, comparison, night=None):
             comparison.expect(where + ": lost to", told_losses, sorted(losses))
             comparison.expect(where + ": entry", told["entry"], now.entries[team])
             comparison.expect(where + ": new entry", told["new_entry"], before.entries.get(team) != now.entries[team])
-            comparison.expect(where + ": strength", told["strength"], now.players[team]["strength"], 1.0)
+            comparison.expect(where + ": strength", told["strength"], now.told_strength(team), 1.0)
+            comparison.expect(where + ": rank only of who played", told["rank"] is None, now.players[team]["legs"] == 0)
             has_before = team in before.players and before.players[team]["legs"] > 0
             comparison.expect(where + ": strength before", told["strength_before"],
                               before.players[team]["strength"] if has_before else None, 1.0)
             comparison.expect(where + ": at most three moments", len(told["moments"]) <= 3, True)
             for other, told_other in digests.items():
                 if told["rank"] and told_other["rank"] and told["rank"] < told_other["rank"]:
-                    comparison.expect(where + f": before {other}", now.share(team) >= now.share(other), True)
+                    ahead = now.players[team]["strength"] - now.players[other]["strength"]
+                    comparison.expect(where + f": before {other}", ahead > -1.5, True)
     return count
 
 
@@ -203,14 +206,18 @@ def compare_grades(folder, text, comparison):
         player = tally.players[row["team"]]
         comparison.expect(f"grades, {row['team']}: points", int(row["points"]), player["points"])
         comparison.expect(f"grades, {row['team']}: legs", int(row["played"]), player["legs"])
-        comparison.expect(f"grades, {row['team']}: strength", int(row["strength"]), player["strength"], 1.0)
-        low, high = int(row["strength_low"]), int(row["strength_high"])
-        comparison.expect(f"grades, {row['team']}: interval", low < int(row["strength"]) < high, True)
+        comparison.expect(f"grades, {row['team']}: no rank", row["rank"] == "", player["legs"] == 0)
+        strength = int(row["strength"]) if row["strength"] else None
+        comparison.expect(f"grades, {row['team']}: strength", strength, tally.told_strength(row["team"]), 1.0)
+        if strength is not None:
+            comparison.expect(f"grades, {row['team']}: interval", int(row["strength_low"]) < strength < int(row["strength_high"]), True)
         comparison.expect(f"grades, {row['team']}: house", row["house_beaten"].split(),
                           tally.house_beaten(folder, row["team"]))
-    # Teams that have withdrawn come last.
-    shares = [tally.share(row["team"]) if row["team"] not in tally.withdrawn else -2.0 for row in rows]
-    comparison.expect("grades: order", shares, sorted(shares, reverse=True))
+    # Teams that have withdrawn come after those that play, and teams without a leg that counts come last.
+    ranked = [row["team"] for row in rows if tally.players[row["team"]]["legs"] > 0]
+    comparison.expect("grades: who has no rank comes last", [row["team"] for row in rows][:len(ranked)], ranked)
+    strengths = [tally.players[team]["strength"] - (1e6 if team in tally.withdrawn else 0.0) for team in ranked]
+    comparison.expect("grades: order", all(a - b > -1.5 for a, b in zip(strengths, strengths[1:])), True)
     comparison.expect("grades: teams", sorted(row["team"] for row in rows), sorted(tally.teams))
     return len(rows)
 

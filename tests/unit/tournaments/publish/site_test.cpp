@@ -9,9 +9,12 @@
 #include "tests/unit/tournaments/whole_site.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/play/leg_record.hpp"
+#include "tournaments/publish/grades.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <cmath>
 
 namespace mirocup::league {
 namespace {
@@ -295,7 +298,7 @@ TEST(Site, SaysWhoWonALevelTie) {
 TEST(Site, SumsTheNightsOfATerm) {
   LeagueFile file;
   file.format.kind = FormatKind::nightly;
-  for (const char* name : {"ada", "bob"}) file.teams.push_back({name, "submitted", false});
+  for (const char* name : {"ada", "bob", "eve"}) file.teams.push_back({name, "submitted", false});
   LeagueState state = new_league(file);
   league::apply(state, Started{.config_sha256 = "x", .version = ""});
   for (int night = 1; night <= 4; ++night) {
@@ -317,10 +320,28 @@ TEST(Site, SumsTheNightsOfATerm) {
       league::apply(state, event);
     }
   }
-  const std::string front = page(make_site({state}), "index.html");
+  const std::vector<SiteFile> site = make_site({state});
+  const std::string front = page(site, "index.html");
   EXPECT_NE(front.find("<span>8–0–0</span>"), std::string::npos) << front;
   EXPECT_NE(front.find("<span>16:0</span>"), std::string::npos);
-  EXPECT_NE(front.find("<td class=\"number points\">3.00</td>"), std::string::npos);
+  const TableRow first = state.table()[0];
+  const long strength = std::lround(state.ratings().strengths[first.team].value);
+  EXPECT_GT(strength, 0);
+  EXPECT_NE(front.find("<td class=\"number points\">" + std::to_string(strength) + "</td>"),
+            std::string::npos);
+  // Eve has not handed in.
+  EXPECT_EQ(front.find("class=\"open\""), std::string::npos) << "eight legs decide";
+  EXPECT_NE(front.find("<td class=\"number\">–</td><th scope=\"row\"><a href=\"teams/eve.html\""),
+            std::string::npos);
+  EXPECT_NE(page(site, "teams/eve.html").find("No rank yet"), std::string::npos);
+  EXPECT_NE(page(site, "teams/ada.html").find("Rank 1 of 2,"), std::string::npos);
+  const std::string csv = page(site, "table.csv");
+  EXPECT_NE(csv.find("\r\n,eve,0,0,0,0,0,0,0,0,0,,,,,,,\r\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",3.00,yes\r\n"), std::string::npos) << csv;
+  const auto grades_csv = grades(overview(state), {}, "", "");
+  ASSERT_TRUE(grades_csv);
+  EXPECT_NE(grades_csv->bytes.find("\r\n,eve,0,0,,,,,,,,no entry,\r\n"), std::string::npos)
+      << grades_csv->bytes;
 }
 
 TEST(LegFacts, AreThoseOfTheRecordAsTheHomeTeamSeesThem) {

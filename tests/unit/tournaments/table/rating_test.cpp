@@ -88,6 +88,94 @@ TEST(Strength, IsNothingWithoutTeamsAndZeroForOne) {
   EXPECT_EQ(rate(1, {}).strengths[0].high, 0.0);
 }
 
+LegResult of_entries(LegResult leg, int home_entry, int away_entry) {
+  leg.home_entry = home_entry;
+  leg.away_entry = away_entry;
+  return leg;
+}
+
+// Two teams of equal play, of which the first handed in early and beat everybody's first weeks.
+// Catches a fit in which a result counts against the team and not against the entry that played.
+TEST(StrengthOfEntries, DoesNotGrowWithWinsAgainstEntriesThatWereReplaced) {
+  std::vector<FixtureResults> term;
+  for (int night = 0; night < 10; ++night) {
+    term.push_back({of_entries(leg_result(0, 1, 1, 0), 1, 1),
+                    of_entries(leg_result(1, 0, night < 2 ? 1 : 0, 1), 1, 1)});
+    term.push_back({of_entries(leg_result(1, 2, 0, 0), 1, 1)});
+    term.push_back({of_entries(leg_result(0, 2, night < 8 ? 1 : 0, 0), 1, 1)});
+  }
+  for (int night = 0; night < 10; ++night) {
+    term.push_back({of_entries(leg_result(0, 1, 1, 0), 1, 2)});
+    term.push_back({of_entries(leg_result(1, 0, 1, 0), 2, 1)});
+    term.push_back({of_entries(leg_result(1, 2, 1, 0), 2, 1)});
+    term.push_back({of_entries(leg_result(0, 2, 1, 0), 1, 1)});
+  }
+  const Ratings found = rate_entries({1, 2, 1}, term, false);
+  EXPECT_NEAR(found.strengths[0].value, found.strengths[1].value, 60.0);
+  EXPECT_FALSE(are_apart(found, 0, 1));
+  EXPECT_TRUE(are_apart(found, 0, 2));
+  for (FixtureResults& fixture : term) {
+    for (LegResult& leg : fixture) leg.home_entry = leg.away_entry = 1;
+  }
+  const Ratings of_teams = rate_entries({1, 1, 1}, term, false);
+  EXPECT_GT(of_teams.strengths[0].value, of_teams.strengths[1].value + 100.0);
+}
+
+TEST(StrengthOfEntries, IsThatOfTheTeamsIfNoneWasReplaced) {
+  Random random(3);
+  const auto results = season({300.0, 0.0, -300.0}, 4, random);
+  const Ratings teams = rate(3, results);
+  const Ratings entries = rate_entries({no_entry, 0, 0}, results, true);
+  ASSERT_EQ(entries.strengths.size(), 3u);
+  EXPECT_EQ(entries.strengths[0].value, 0.0) << "no entry, no strength";
+  std::vector<FixtureResults> numbered = results;
+  for (FixtureResults& fixture : numbered) {
+    for (LegResult& leg : fixture) leg.home_entry = leg.away_entry = 1;
+  }
+  const Ratings ones = rate_entries({1, 1, 1}, numbered, true);
+  for (int team = 0; team < 3; ++team) {
+    EXPECT_EQ(ones.strengths[team].value, teams.strengths[team].value);
+    EXPECT_EQ(ones.strengths[team].low, teams.strengths[team].low);
+  }
+}
+
+// Catches a ladder in which a lucky fixture of the same play jumps over everybody.
+TEST(StrengthOfEntries, LeansOnTheFormerEntryWhenLegsAreFew) {
+  Random random(4);
+  std::vector<FixtureResults> ladder = season({100.0, 0.0, -100.0}, 5, random);
+  for (FixtureResults& fixture : ladder) {
+    for (LegResult& leg : fixture) leg.home_entry = leg.away_entry = 1;
+  }
+  const double before = rate_entries({1, 1, 1}, ladder, true).strengths[2].value;
+  ladder.push_back({of_entries(leg_result(2, 0, 1, 0), 2, 1)});
+  ladder.push_back({of_entries(leg_result(0, 2, 0, 1), 1, 2)});
+  const double leaning = rate_entries({1, 1, 2}, ladder, true).strengths[2].value;
+  const double alone = rate_entries({1, 1, 2}, ladder, false).strengths[2].value;
+  EXPECT_GT(leaning, before);
+  EXPECT_LT(leaning, before + 50.0);
+  EXPECT_GT(alone, before + 150.0);
+}
+
+// The order of a table must not depend on the computer that makes it. Catches the exponential
+// function of a C library, fused multiply-add, and sums whose order follows from caches.
+TEST(StrengthOfEntries, HasTheSameBitsEverywhere) {
+  Random random(5);
+  std::vector<FixtureResults> term;
+  for (int night = 1; night <= 40; ++night) {
+    for (FixtureResults fixture : season({300.0, 100.0, 0.0, -100.0, -300.0}, 1, random)) {
+      for (LegResult& leg : fixture) {
+        leg.home_entry = 1 + night / (leg.home + 2);
+        leg.away_entry = 1 + night / (leg.away + 2);
+      }
+      term.push_back(fixture);
+    }
+  }
+  const Ratings found = rate_entries({21, 14, 11, 9, 7}, term, true);
+  EXPECT_EQ(found.strengths[0].value, 0x1.2d8eda6bfe6a4p+8);
+  EXPECT_EQ(found.strengths[3].value, -0x1.1cf9aa96f43ffp+6);
+  EXPECT_EQ(found.strengths[4].low, -0x1.8d64515d139eep+8);
+}
+
 // Catches a count that is not what experiment gives: with so many legs between two teams, the
 // difference is told from 0 in 80 % of the trials.
 TEST(LegsToTell, SufficeInFourOfFiveTrials) {

@@ -31,6 +31,27 @@ TEST(Table, CountsPointsAndGoals) {
   EXPECT_EQ(rows[0].separated_by, "points");
 }
 
+// A team that played and lost everything is ahead of one that never handed in. Catches an absent
+// team with a rank, and points a leg that rank before the strength.
+TEST(Table, RanksByStrengthAndLeavesOutTheAbsent) {
+  TableRules rules;
+  rules.by_points_per_leg = true;
+  rules.strengths = {-50.0, 0.0, 60.0, -50.0};
+  rules.has_left = {false, false, true, false};
+  const auto rows =
+      make_table(all_teams(4),
+                 {leg_result(A, C, 0, 9), leg_result(D, A, 1, 0), leg_result(C, D, 1, 0)}, rules);
+  EXPECT_EQ(order(rows), (std::vector<int>{D, A, C, B}));
+  EXPECT_EQ(rows[0].separated_by, "points per leg") << "equal strengths";
+  EXPECT_EQ(rows[1].separated_by, "withdrawn");
+  EXPECT_EQ(rows[2].separated_by, "absent");
+  EXPECT_EQ(rows[2].rank, 3);
+  EXPECT_EQ(rows[3].rank, 0);
+  rules.strengths = {-40.0, 0.0, 60.0, -50.0};
+  EXPECT_EQ(
+      make_table(all_teams(4), {leg_result(A, C, 0, 9), leg_result(D, A, 1, 0)}, rules)[0].team, A);
+}
+
 TEST(Table, GoesByGoalDifferenceInARing) {
   const auto rows = make_table(
       all_teams(3), {leg_result(A, B, 2, 1), leg_result(B, C, 3, 1), leg_result(C, A, 1, 0)}, {});
