@@ -6,11 +6,17 @@
 #include "tournaments/league/acts.hpp"
 
 #include "programs/league/commands.hpp"
+#include "programs/league/finals.hpp"
+#include "programs/league/playing.hpp"
+#include "programs/league/progress_bar.hpp"
 #include "programs/league/publishing.hpp"
 #include "system/clock.hpp"
 #include "system/printable.hpp"
+#include "tournaments/league/apply.hpp"
 #include "tournaments/league/league_store.hpp"
+#include "tournaments/publish/site.hpp"
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 
@@ -21,12 +27,40 @@ namespace {
 struct ActOptions {
   std::string folder;
   Act act;
+  int legs = legs_per_fixture;  // of each pair in the closing round
+  int jobs = 0;                 // legs of the closing round at once; 0: one for each processor
 };
+
+// Makes and plays the closing round. An interrupted one is continued by `league start`.
+Result<int> play_closing_round(system::Files& files, const LeagueStore& season,
+                               const LeagueFile& file, int jobs) {
+  const Folder folder = folder_of_closing_round(season.folder());
+  MIROCUP_TRY_VOID(init_from(files, season, folder, file));
+  MIROCUP_TRY(const int announced, publish_league(files, season.folder(), jobs));
+  MIROCUP_TRY(auto held, hold_league(files, folder, ""));
+  auto progress = make_progress_reporter();
+  MIROCUP_TRY(const auto end, play_league(files, std::move(held.store), *progress, {.jobs = jobs}));
+  progress->say("making pages");
+  MIROCUP_TRY(const int published, publish_league(files, folder, jobs));
+  progress.reset();
+  std::cout << table_text(end.state);
+  if (end.state.legs() != end.state.played()) say_what_is_left(end.state);
+  const bool is_whole = end.state.legs() == end.state.played() && end.refused == 0;
+  return is_whole ? std::max(announced, published) : exit_no;
+}
 
 Result<int> run_act(const ActOptions& options) {
   MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   system::Disk disk;
   MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
+  LeagueFile closing;
+  if (!options.act.final.empty()) {
+    MIROCUP_TRY(closing, closing_round(disk, store, *from_string<FormatKind>(options.act.final),
+                                       options.legs));
+    if (disk.exists(folder_of_closing_round(store.folder()).config()))
+      return fail(Errc::input, options.folder + "/final is there already: mirocup league start " +
+                                   options.folder + "/final continues it");
+  }
   MIROCUP_TRY(const auto lines, perform(disk, store, options.act, system::now_s()));
   for (const std::string& line : lines) std::cout << system::printable(line) << '\n';
   // What is held back must not stay on the pages, and what is released is looked for there.
@@ -34,7 +68,11 @@ Result<int> run_act(const ActOptions& options) {
       disk.exists(store.folder().site())) {
     return publish_league(disk, store.folder());
   }
-  return exit_yes;
+  if (options.act.final.empty()) return exit_yes;
+  std::cout << closing.teams.size() << " teams, " << new_league(closing).legs()
+            << " legs in the closing round, " << options.folder << "/final\n"
+            << std::flush;
+  return options.act.is_dry_run ? exit_yes : play_closing_round(disk, store, closing, options.jobs);
 }
 
 // The description of an act in the help, and an example of its subcommand.
@@ -80,6 +118,18 @@ void add_freeze(const system::Command& command, Act& act) {
                                            "(+01:00) or in the league's zone (default: now)");
   at.named("TIME");
   command.flag("--lift", act.is_lifted, "Take entries again").excludes(at);
+}
+
+void add_close(const system::Command& command, ActOptions& options) {
+  const system::Option final =
+      command.option("--final", options.act.final,
+                     "Play a closing round of the last entries in DIR/final, which decides the "
+                     "season: every pair plays equally often");
+  final.one_of({"double_round_robin", "round_robin"});
+  command.option("--legs", options.legs, "Legs of each pair in the closing round (1 to 100)")
+      .between(1, 100)
+      .needs(final);
+  command.jobs(options.jobs, "legs of the closing round played");
 }
 
 void add_release(const system::Command& command, Act& act) {
@@ -131,6 +181,7 @@ void add_acts(system::Commands& commands) {
         kind == ActKind::resume)
       command.option("TEAM", act.team, "Name of the team").required();
     add_own_options(command, act);
+    if (kind == ActKind::close) add_close(command, options);
     command.option("--reason", act.reason, "Reason, which is published").required();
     command.option("--by", act.by, "Name of the person who decides; it is published");
     command.flag("--dry-run", act.is_dry_run, "Print what would change, and change nothing");

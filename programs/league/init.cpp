@@ -2,12 +2,11 @@
 //
 // mirocup league init: makes a league.
 #include "programs/league/commands.hpp"
+#include "programs/league/finals.hpp"
 #include "record/rules_json.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/league/league_store.hpp"
-#include "tournaments/league/people.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -30,49 +29,6 @@ struct InitOptions {
 std::string name_of_folder(const std::string& path) {
   const auto whole = std::filesystem::absolute(path).lexically_normal();
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
-}
-
-// Returns a team of another league with the entry with which it plays there.
-Result<TeamConfig> finalist(system::Files& files, const LeagueStore& store, int team) {
-  namespace fs = std::filesystem;
-  TeamConfig config = store.state().file.teams[team];
-  config.has_joined = false;
-  const fs::path base = fs::absolute(store.folder().path).lexically_normal();
-  if (config.is_firasim()) {
-    config.program.folder = (base / config.program.folder).lexically_normal().string();
-  } else if (!config.is_house() && !config.over_dds) {
-    int entry = store.state().teams[team].entry;
-    if (entry == 0) {
-      MIROCUP_TRY(entry, last_accepted_entry(files, store.folder(), config.name));
-    }
-    if (entry == 0) return fail(Errc::input, config.name + " has no accepted entry");
-    config.source = Folder{base.string()}.library(config.name, entry);
-  }
-  return config;
-}
-
-// Returns the league of the first teams of another league's table, the first as the best seed. It
-// plays as that one does, except for its format.
-Result<LeagueFile> finals(system::Files& files, const LeagueStore& store,
-                          const InitOptions& options) {
-  const LeagueState& season = store.state();
-  LeagueFile file = season.file;
-  file.title = name_of_folder(options.folder);
-  file.freeze.clear();
-  file.site.clear();
-  file.format = {.kind = FormatKind::knockout};
-  file.teams.clear();
-  for (const TableRow& row : season.table()) {
-    if (season.teams[row.team].status == TeamStatus::withdrawn || row.played == 0) continue;
-    if (static_cast<int>(file.teams.size()) == options.top) break;
-    MIROCUP_TRY(auto team, finalist(files, store, row.team));
-    file.teams.push_back(std::move(team));
-  }
-  if (static_cast<int>(file.teams.size()) < options.top)
-    return fail(Errc::input, "--top " + std::to_string(options.top) + ": only " +
-                                 std::to_string(file.teams.size()) + " teams of " + options.from +
-                                 " have played and have not withdrawn");
-  return file;
 }
 
 // `season` is the league of --from, or null.
@@ -98,7 +54,7 @@ Result<LeagueFile> file_from(system::Files& files, const InitOptions& options,
   LeagueFile file;
   file.title = name_of_folder(options.folder);
   if (season != nullptr) {
-    MIROCUP_TRY(file, finals(files, *season, options));
+    MIROCUP_TRY(file, finals(files, *season, file.title, options.top));
   }
   file.seed = options.seed;
   if (!options.format.empty()) file.format.kind = *from_string<FormatKind>(options.format);
@@ -135,17 +91,8 @@ Result<int> run_init(const InitOptions& options) {
       return fail(Errc::input, options.folder + ": " + why);
   }
   const Folder folder{options.folder};
-  MIROCUP_TRY_VOID(init_folder(disk, folder, file));
-  if (season) {
-    MIROCUP_TRY(auto people, read_people(disk, season->folder()));
-    std::erase_if(people, [&](const auto& one) {
-      return std::none_of(file.teams.begin(), file.teams.end(),
-                          [&](const TeamConfig& team) { return team.name == one.first; });
-    });
-    if (!people.empty()) {
-      MIROCUP_TRY_VOID(write_people(disk, folder, people));
-    }
-  }
+  MIROCUP_TRY_VOID(season ? init_from(disk, *season, folder, file)
+                          : init_folder(disk, folder, file));
   const LeagueState state = new_league(file);
   std::cout << folder.path << ": " << file.teams.size()
             << (file.teams.size() == 1 ? " team, " : " teams, ") << state.legs() << " legs\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "programs/league/served_league.hpp"
 
+#include "programs/league/finals.hpp"
 #include "programs/league/publishing.hpp"
 #include "record/answer.hpp"
 #include "record/json_fields.hpp"
@@ -178,7 +179,8 @@ void ServedLeague::begin_pages() {
                                             .reports = std::move(reports),
                                             .facts = facts_,
                                             .night = std::move(night),
-                                            .playground = playground_maker(files_)});
+                                            .playground = playground_maker(files_),
+                                            .closing_page = "final/site/index.html"});
   note_what_is_shown();
   records_.clear();
   for (const FixtureState& f : site_->state().fixtures) {
@@ -222,6 +224,8 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
     poll();
     if (const web::Page* made = page_of_site(path)) return *made;
     if (path.starts_with("/module/")) return module_page(path.substr(1));
+    if (path.starts_with("/final/site/") && !site_->state().closing_round.empty())
+      return page_of_closing_round(path.substr(std::string_view("/final/site/").size()));
     // Only files that the journal names are read from disk.
     const std::filesystem::path file(path);
     stem = file.filename();
@@ -264,6 +268,19 @@ std::optional<web::Page> ServedLeague::module_page(const std::string& name) {
   if (kept) return web::Page{type_of(name), "", std::move(*kept)};
   if (!module() || module()->name != name) return std::nullopt;
   return web::Page{type_of(name), "", module()->text};
+}
+
+// Returns a page of the closing round as it was published; links lead out of no folder.
+std::optional<web::Page> ServedLeague::page_of_closing_round(const std::string& name) {
+  const std::string plain = std::filesystem::path(name).lexically_normal();
+  if (plain != name || name.starts_with('.') || name.starts_with('/')) return std::nullopt;
+  auto bytes = files_.read(folder_of_closing_round(store_.folder()).site() + "/" + name,
+                           {.max_size = system::size_limit::page});
+  if (!bytes) return std::nullopt;
+  const bool has_own_script = name.starts_with("replays/") || name == playground_name;
+  const std::string type = type_of(name);
+  return web::Page{type, type.starts_with("text/html") && !has_own_script ? policy : "",
+                   std::move(*bytes)};
 }
 
 // Returns the commands of a leg for its page.

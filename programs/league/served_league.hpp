@@ -107,6 +107,7 @@ class ServedLeague {
                                            const Json& part);
   std::optional<web::Page> module_page(const std::string& name);
   std::optional<web::Page> commands_page(const std::string& stem);
+  std::optional<web::Page> page_of_closing_round(const std::string& name);
   std::optional<web::Proof> proof(const std::string& root, const std::string& commands_file = "");
   const std::optional<SiteModule>& module();
 

@@ -105,7 +105,7 @@ class Deciding {
       case ActKind::release:
         return release();
       case ActKind::close:
-        return write(signed_as(Closed{}),
+        return write(signed_as(Closed{.closing_round = act_.final}),
                      "the league is closed: no night follows, and no entry is "
                      "taken");
       case ActKind::undo:

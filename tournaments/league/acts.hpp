@@ -29,6 +29,7 @@ struct Act {
   bool is_lifted = false;     // freeze: entries are taken again
   std::string level = {};     // release: "all", "teams" or "hidden"
   std::string through = {};   // release: a round; "": as for Released::through
+  std::string final = {};     // close: the format of the closing round; "": none
   int decision = 0;           // undo: the number of a decision in the list
   std::string reason = {};    // the reason of the act
   std::string by = {};        // the person who decides; "": not named

@@ -229,7 +229,10 @@ struct Applier {
 
   void operator()(const Frozen& e) const { state.freeze = e.from; }
 
-  void operator()(const Closed&) const { state.is_closed = true; }
+  void operator()(const Closed& e) const {
+    state.is_closed = true;
+    state.closing_round = e.closing_round;
+  }
 
   void operator()(const Released& e) const { state.release = e; }
 

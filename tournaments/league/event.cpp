@@ -119,6 +119,7 @@ static void list_fields(auto& f, Frozen& e) {
 }
 
 static void list_fields(auto& f, Closed& e) {
+  f.if_set("final", e.closing_round);
   list_signature(f, e);
 }
 

@@ -226,6 +226,8 @@ struct Frozen {
 struct Closed {
   static constexpr std::string_view kind = "close";
 
+  // The format of the closing round in the folder final/, which decides the season; "": none.
+  std::string closing_round = {};
   std::string why;
   std::string by;
   std::string at = {};

@@ -100,6 +100,7 @@ struct LeagueState {
   std::vector<Decision> decisions;     // decisions of persons, in the order of the journal
   bool is_started = false;
   bool is_closed = false;
+  std::string closing_round;     // as Closed::closing_round
   std::string config_sha256;     // of league.json when the league was started
   match::Conditions conditions;  // of the league's legs, once the league has started
   record::Software program;      // the program with which the league was started

@@ -44,7 +44,11 @@ struct DecisionWriter {
                             : "from " + shown_time(state.file, e.from) + " on, no entry is taken");
   }
 
-  DecisionView operator()(const Closed& e) const { return signed_by(e, "the league is closed"); }
+  DecisionView operator()(const Closed& e) const {
+    return signed_by(e,
+                     std::string("the league is closed") +
+                         (e.closing_round.empty() ? "" : "; a closing round decides the season"));
+  }
 
   DecisionView operator()(const Released& e) const {
     return signed_by(e, "pages show " + (!e.through.empty() ? "the rounds through " + e.through

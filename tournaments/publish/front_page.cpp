@@ -252,7 +252,8 @@ std::string front_html(const SiteContent& c) {
   values["notice"] = o.state.notice;
   const std::string frozen = o.state.frozen_from();
   values["frozen"] = frozen.empty() ? "" : shown_time(o.state.file, frozen);
-  values["champion"] = champion_values(o);
+  if (!o.state.closing_round.empty()) values["closing_page"] = c.closing_page;
+  values["champion"] = o.state.closing_round.empty() ? champion_values(o) : Json(false);
   values["unpaired"] = unpaired_in_words(o.state);
   values["last"] = last_round(c);
   values["next"] = next_round(c);

@@ -20,6 +20,7 @@ struct SiteContent {
   StrengthHistory history;
   bool has_night = false;  // true: the site has night.html
   bool has_playground = false;
+  std::string closing_page = {};  // as SiteSource::closing_page
 };
 
 // Returns the first three teams and the certainty of the first place as values of a template; false

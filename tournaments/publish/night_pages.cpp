@@ -16,6 +16,7 @@ namespace mirocup::league {
 
 namespace {
 
+constexpr const char* closing_words = "A closing round of the last entries decides the season";
 constexpr double run_up_s = 3.0;  // a moment is shown from a little before
 
 std::string page_of_moment(const Overview& o, const std::string& root, const WorstMoment& moment) {
@@ -115,13 +116,15 @@ std::string digest_html(const Overview& o, const Night& night, const TeamDigest&
   for (const WorstMoment& moment : d.moments)
     moments.push_back(
         {{"page", page_of_moment(o, root, moment)}, {"what", moment_in_words(moment)}});
-  return filled_page("digest.html", {{"title", title_of(night)},
-                                     {"rank", rank_in_words(d)},
-                                     {"strength", strength_in_words(d)},
-                                     {"legs", legs_in_words(d)},
-                                     {"entry", entry_in_words(d)},
-                                     {"losses", losses},
-                                     {"moments", moments}});
+  return filled_page("digest.html",
+                     {{"title", title_of(night)},
+                      {"rank", rank_in_words(d)},
+                      {"strength", strength_in_words(d)},
+                      {"legs", legs_in_words(d)},
+                      {"entry", entry_in_words(d)},
+                      {"closing", o.state.closing_round.empty() ? "" : closing_words},
+                      {"losses", losses},
+                      {"moments", moments}});
 }
 
 std::string digest_text(const Overview& o, const Night& night, const TeamDigest& d,
@@ -134,6 +137,7 @@ std::string digest_text(const Overview& o, const Night& night, const TeamDigest&
   text += "\n\n" + o.state.shown_name(d.team) + "\nRank:     " + rank_in_words(d) +
           "\nStrength: " + strength_in_words(d) + "\nLegs:     " + legs_in_words(d) + "\n";
   if (d.entry > 0) text += "Entry:    " + entry_in_words(d) + "\n";
+  if (!o.state.closing_round.empty()) text += closing_words + std::string("\n");
   text += "\nLost to:\n";
   if (d.losses.empty()) text += "  nobody\n";
   for (const LostLeg& leg : d.losses) {

@@ -52,8 +52,13 @@ std::string table_text(const LeagueState& state) {
 Site::Site(SiteSource source)
     : source_(std::move(source)),
       overview_(league::overview(source_.state, source_.facts)),
-      content_{overview_, source_.reports,           rounds_of(overview_),
-               {},        source_.night.has_value(), source_.playground != nullptr},
+      content_{overview_,
+               source_.reports,
+               rounds_of(overview_),
+               {},
+               source_.night.has_value(),
+               source_.playground != nullptr,
+               source_.closing_page},
       makers_(makers()) {
   content_.history = strength_history(overview_, content_.rounds);
 }

@@ -31,6 +31,7 @@ struct SiteSource {
   FactsOfLegs facts = {};                        // of the played legs; optional
   std::optional<Night> night = {};               // adds night.html and digests/
   std::function<std::string()> playground = {};  // makes playground.html; null: no playground
+  std::string closing_page = "../final/site/index.html";  // of the closing round, from index.html
 };
 
 // Makes each file of the site only when a caller asks for the file. Threads: any number at a time.

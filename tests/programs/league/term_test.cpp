@@ -171,6 +171,33 @@ TEST_F(Term, PrunedNightsKeepTheirRecordsAndNumbers) {
   EXPECT_FALSE(fs::exists(folder_ + "/pruned.json"));
 }
 
+// Catches a closing round that plays with the entries of the last night, one that leaves out who
+// handed in after it, one in which pairs meet unequally often, and pages that do not lead there.
+TEST_F(Term, AClosingRoundOfTheLastEntriesDecidesTheSeason) {
+  go_to_day(0);
+  init();
+  ask("submit", {"alpha", house("chaser")});
+  ask("nightly");
+  ask("submit", {"alpha", house("keeper")});
+  ask("submit", {"beta", house("chaser")});
+  EXPECT_EQ(ask("close", {"--legs", "2", "--reason", "over"}, 2).out, "") << "legs of what?";
+  ask("close", {"--final", "double_round_robin", "--reason", "over", "--dry-run"});
+  EXPECT_FALSE(fs::exists(folder_ + "/final"));
+  const Outcome closed =
+      ask("close", {"--final", "double_round_robin", "--legs", "4", "--reason", "over"});
+  EXPECT_TRUE(contains(closed.out, "4 teams, 24 legs in the closing round")) << closed.out;
+  const std::string entry = "/strategy.so";
+  EXPECT_EQ(read_file(folder_ + "/final/entries/alpha/1" + entry),
+            read_file(folder_ + "/entries/alpha/2" + entry));
+  const Json table = read_json(folder_ + "/final/site/table.json")["table"];
+  ASSERT_EQ(table.size(), 4u);
+  for (const Json& row : table) EXPECT_EQ(row["played"], 12) << row;
+  EXPECT_TRUE(contains(page("index.html"), "href=\"../final/site/index.html\""));
+  EXPECT_TRUE(contains(page("digests/alpha.html"), "A closing round of the last entries"));
+  ask("close", {"--final", "round_robin", "--reason", "again"}, 2);
+  ask("nightly", {}, 2);
+}
+
 // Catches finals with other entries than those of the table, in another order, with a team that has
 // left, and without the names that people know.
 TEST_F(Term, FinalsTakeTheFirstOfTheTable) {
