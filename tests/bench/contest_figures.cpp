@@ -13,6 +13,9 @@
 // contest_figures ladders COUNT SEED: ladders of eight teams in which one team hands in the same
 // play six times; how many ranks the team spans.
 //
+// contest_figures marks COUNT SEED: closing rounds of 20 teams and the two house teams of a scale;
+// how often the interval of a mark holds the true mark.
+//
 // contest_figures comparisons COUNT MOST: reads the half points (0 to 4) of played fixtures from
 // standard input. Draws the fixtures of COUNT comparisons from them, and counts wrong claims.
 #include "core/base/random.hpp"
@@ -316,6 +319,37 @@ void ladders(int count, std::uint64_t seed) {
   std::fflush(stdout);
 }
 
+// The scale goes from mark 4 at a strength of -200 to mark 1 at 200. Students are between the two.
+void marks(int count, std::uint64_t seed) {
+  constexpr int students = 20;
+  const std::vector<ScaleStep> scale{{4.0, students}, {1.0, students + 1}};
+  Random random(mix_seed(seed));
+  int held = 0, given = 0;
+  double width = 0.0;
+  for (int term = 0; term < count; ++term) {
+    std::vector<double> truth = true_strengths(students, 380.0, Spread::even, random);
+    truth.insert(truth.end(), {-200.0, 200.0});
+    std::vector<FixtureResults> fixtures;
+    for (int times = 0; times < 2; ++times) {
+      const auto one = season(truth, random);
+      fixtures.insert(fixtures.end(), one.begin(), one.end());
+    }
+    const Ratings ratings = rate(students + 2, fixtures);
+    for (int team = 0; team < students; ++team) {
+      const auto mark = mark_of(ratings, scale, 5.0, team);
+      if (!mark) continue;
+      const double true_mark = 4.0 - 3.0 * (truth[team] + 200.0) / 400.0;
+      ++given;
+      const auto [low, high] = std::minmax(mark->low, mark->high);
+      held += low <= true_mark && true_mark <= high ? 1 : 0;
+      width += high - low;
+    }
+  }
+  std::printf("{\"marks\": %d, \"held\": %.3f, \"width\": %.2f}\n", given, double(held) / given,
+              width / given);
+  std::fflush(stdout);
+}
+
 // How the fixtures of a simulated comparison come from the pool.
 struct Drawing {
   const char* name;
@@ -402,6 +436,10 @@ int main(int argc, char** argv) {
     ladders(std::atoi(argv[2]), std::strtoull(argv[3], nullptr, 10));
     return EXIT_SUCCESS;
   }
+  if (what == "marks" && argc > 3) {
+    marks(std::atoi(argv[2]), std::strtoull(argv[3], nullptr, 10));
+    return EXIT_SUCCESS;
+  }
   if (what == "comparisons" && argc > 3) {
     const std::vector<int> pool = read_pool();
     if (pool.empty()) return 2;
@@ -413,6 +451,7 @@ int main(int argc, char** argv) {
   std::fprintf(
       stderr,
       "usage: contest_figures leagues COUNT | terms COUNT SEED OPPONENTS | ladders COUNT SEED | "
+      "marks COUNT SEED | "
       "comparisons COUNT MOST < POINTS\n");
   return 2;
 }

@@ -122,7 +122,7 @@ std::vector<LegResult> LeagueState::results() const {
   return results;
 }
 
-Ratings LeagueState::ratings() const {
+Ratings LeagueState::ratings(const std::vector<FixtureResults>& further) const {
   std::vector<FixtureResults> fixtures_played;
   std::vector<int> present(teams.size(), no_entry);
   for (const FixtureState& f : fixtures) {
@@ -134,6 +134,7 @@ Ratings LeagueState::ratings() const {
     }
     if (!played.empty()) fixtures_played.push_back(std::move(played));
   }
+  fixtures_played.insert(fixtures_played.end(), further.begin(), further.end());
   if (!file.format.takes_entries()) return rate(static_cast<int>(teams.size()), fixtures_played);
   for (const LegResult& leg : results()) {
     if (leg.counts_for_home) present[leg.home] = teams[leg.home].entry;

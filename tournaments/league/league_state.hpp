@@ -134,8 +134,9 @@ struct LeagueState {
   std::vector<LegResult> results() const;
 
   // Returns the strengths, from the legs that were played and count. In a league that takes entries
-  // they are those of the present entries; absent teams have none.
-  Ratings ratings() const;
+  // they are those of the present entries; absent teams have none. `further` are fixtures between
+  // present entries that are not in the table.
+  Ratings ratings(const std::vector<FixtureResults>& further = {}) const;
 
   // Returns the table. `ratings` are those of this state; they rank a league that takes entries.
   std::vector<TableRow> table(const Ratings& ratings) const;

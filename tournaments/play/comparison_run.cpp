@@ -167,6 +167,7 @@ class Comparison {
     if (run_.half_s > 0.0) arguments.insert(arguments.end(), {"--half", digits(run_.half_s)});
     if (!run_.conditions.empty())
       arguments.insert(arguments.end(), {"--conditions", run_.conditions});
+    arguments.insert(arguments.end(), run_.terms.begin(), run_.terms.end());
     arguments.insert(arguments.end(), {"--answer", answer_of(leg)});
     playing_[++tag_] = leg;
     MIROCUP_TRY_VOID(processes_.start(arguments, tag_, cpu, "/dev/null"));
@@ -258,13 +259,15 @@ Result<nlohmann::ordered_json> comparison_identity(system::Files& files, const C
                 files.read_named(house.empty() ? path : house, system::size_limit::entry));
     teams.push_back({{"team", team}, {"sha256", system::sha256(library)}});
   }
-  return Json{{"schema", "mirocup/comparison/1"},
-              {"game", record::this_software().behaviour_hash},
-              {"teams", teams},
-              {"league", to_string(run.league)},
-              {"half_s", run.half_s},
-              {"conditions", run.conditions},
-              {"seed", run.seed}};
+  Json identity{{"schema", "mirocup/comparison/1"},
+                {"game", record::this_software().behaviour_hash},
+                {"teams", teams},
+                {"league", to_string(run.league)},
+                {"half_s", run.half_s},
+                {"conditions", run.conditions},
+                {"seed", run.seed}};
+  if (!run.terms.empty()) identity["terms"] = run.terms;
+  return identity;
 }
 
 ComparedTeam compared_team(const std::string& text) {

@@ -37,8 +37,9 @@ struct ComparisonRun {
   std::vector<std::string> teams;  // texts of compared_team(); at least two
   bool all_pairs = false;          // false: the first team against each other team
   League league = League::small;
-  double half_s = 0.0;     // length of a half, s; 0: as in the rules
-  std::string conditions;  // a preset; "": the default of a match
+  double half_s = 0.0;             // length of a half, s; 0: as in the rules
+  std::string conditions;          // a preset; "": the default of a match
+  std::vector<std::string> terms;  // further options of `mirocup match`: the terms of a league
   std::uint64_t seed = 1;
   int jobs = 0;             // 0: one for each processor
   int max_fixtures = 4000;  // after so many fixtures a pair's answer is "undecided"

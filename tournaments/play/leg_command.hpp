@@ -33,6 +33,9 @@ std::uint64_t leg_seed(const LeagueState& state, const LegId& id);
 std::vector<std::string> leg_command(const Folder& folder, const LeagueState& state,
                                      const LegId& leg, const std::string& match_id);
 
+// Returns the options of `mirocup match` for the rules, the conditions and the pitch of a league.
+std::vector<std::string> term_options(const LeagueState& state);
+
 // A leg that counts for nothing, under the conditions of the league.
 struct FriendlyTerms {
   struct Side {

@@ -130,11 +130,6 @@ std::optional<int> legs_to_next(const Overview& o, std::size_t row) {
   return legs_to_tell(o.ratings, o.table[row].team, o.table[row + 1].team);
 }
 
-std::optional<bool> is_decided_from_next(const Overview& o, std::size_t row) {
-  return is_decided(o.state, o.ratings, o.table[row],
-                    row + 1 < o.table.size() ? &o.table[row + 1] : nullptr);
-}
-
 std::string table_csv(const Overview& o) {
   std::vector<std::string> columns;
   columns.insert(
@@ -246,7 +241,7 @@ Json table_json(const Overview& o) {
                     {"legs_to_tell", legs ? Json(*legs) : Json()}});
     if (row.rank == 0) rows.back()["strength"] = nullptr;
     if (!o.state.file.format.takes_entries()) continue;
-    const auto decided = is_decided_from_next(o, i);
+    const auto decided = is_decided(o.state, o.ratings, row, next);
     rows.back()["points_per_leg"] =
         row.rank > 0 ? Json(std::round(1000.0 * row.points / row.played) / 1000.0) : Json();
     rows.back()["decided"] = decided ? Json(*decided) : Json();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/grades.hpp"
 
+#include "record/json_reader.hpp"
 #include "system/csv.hpp"
 #include "system/text.hpp"
 
@@ -141,7 +142,8 @@ std::string column_of(const std::vector<std::string>& columns,
 
 // A row for each student, for a program that knows students by mail and number.
 Result<std::string> students(const Overview& o, const std::vector<Graded>& all,
-                             const std::vector<std::string>& columns, GradesLayout layout) {
+                             const std::vector<std::string>& columns, GradesLayout layout,
+                             const MarksOfTeams& marks) {
   const std::string mail =
       column_of(columns, {"mail", "email", "emailaddress", "mailaddress", "emailadresse"});
   const std::string number =
@@ -160,7 +162,9 @@ Result<std::string> students(const Overview& o, const std::vector<Graded>& all,
     const double best = static_cast<double>(one.row.played) * win;
     // A team without a leg that counts has no grade.
     const std::string score =
-        one.row.played == 0
+        !marks.empty()
+            ? (one.team && marks[*one.team] ? with_digits(marks[*one.team]->value, 2) : "")
+        : one.row.played == 0
             ? ""
             : with_digits(best > 0.0 ? 100.0 * static_cast<double>(one.row.points) / best : 0.0, 2);
     std::size_t count = one.students();
@@ -194,8 +198,32 @@ Result<std::string> students(const Overview& o, const std::vector<Graded>& all,
 
 }  // namespace
 
+Result<Scale> read_scale(std::string_view text, const std::string& path) {
+  return record::read_json<Scale>(text, path, Errc::input, [](const record::JsonReader& json) {
+    Scale scale;
+    std::optional<double> below;
+    for (const record::JsonReader& element : json.elements(2, 20)) {
+      element.expect_object({"mark", "beats"});
+      const double mark = element.at("mark").number(-1000.0, 1000.0);
+      std::string beats;
+      element.read_if_present("beats", beats);
+      if (!beats.empty()) {
+        scale.steps.push_back({mark, beats});
+      } else if (scale.steps.empty() && !below) {
+        below = mark;
+      } else {
+        element.complain("only the first element may lack \"beats\"");
+      }
+    }
+    if (scale.steps.size() < 2) json.complain("two house teams at least are needed");
+    if (!scale.steps.empty()) scale.below = below.value_or(scale.steps[0].mark);
+    return scale;
+  });
+}
+
 Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::string_view drills_csv,
-                        const std::string& path, GradesLayout layout) {
+                        const std::string& path, GradesLayout layout,
+                        const MarksOfTeams& of_scale) {
   MIROCUP_TRY(const auto marks,
               path.empty() ? Result<Marks>(Marks{}) : read_drill_marks(drills_csv, path));
   const std::vector<Graded> all = all_graded(o, people);
@@ -212,7 +240,7 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
       });
   if (!any_is_known) return fail(Errc::input, path + ": it has no team of this league");
   if (layout == GradesLayout::moodle || layout == GradesLayout::gradescope) {
-    MIROCUP_TRY(auto text, students(o, all, columns, layout));
+    MIROCUP_TRY(auto text, students(o, all, columns, layout, of_scale));
     return SiteFile{layout == GradesLayout::moodle ? "moodle.csv" : "gradescope.csv",
                     std::move(text)};
   }
@@ -226,6 +254,8 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
                                  "entry"};
   cells.insert(cells.end(), columns.begin(), columns.end());
   cells.insert(cells.end(), marks.drills.begin(), marks.drills.end());
+  if (!of_scale.empty())
+    cells.insert(cells.end(), {"mark", "mark_low", "mark_high", "mark_decided"});
   std::string text = system::csv_line(cells);
   for (const Graded& one : all) {
     const auto strength = [&](double Strength::*part) {
@@ -257,6 +287,12 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
       for (const std::string& drill : marks.drills) {
         const bool has_mark = of_team != marks.of_team.end() && of_team->second.count(drill) != 0;
         cells.push_back(has_mark ? of_team->second.at(drill) : "");
+      }
+      if (!of_scale.empty()) {
+        const auto mark = one.team ? of_scale[*one.team] : std::nullopt;
+        for (double ScaleMark::*part : {&ScaleMark::value, &ScaleMark::low, &ScaleMark::high})
+          cells.push_back(mark ? with_digits((*mark).*part, 2) : "");
+        cells.push_back(!mark ? "" : mark->is_decided ? "yes" : "no");
       }
       text += system::csv_line(cells);
     }

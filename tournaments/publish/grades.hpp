@@ -8,8 +8,10 @@
 #include "tournaments/publish/leg_view.hpp"
 #include "tournaments/publish/site_file.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mirocup::league {
 
@@ -42,8 +44,28 @@ enum class GradesLayout {
 // numbers has no row. Errc::input if `drills_csv` is not such an output or names no team of the
 // league, if the class list has columns neither of mails nor of numbers, or if it gives a member
 // neither.
+//
+// `marks`, by team, adds the columns mark, mark_low, mark_high and mark_decided at the end; for
+// Moodle the mark is the score. Empty: the staff has no scale.
+using MarksOfTeams = std::vector<std::optional<ScaleMark>>;
 Result<SiteFile> grades(const Overview& overview, const PeopleOfTeams& people,
                         std::string_view drills_csv, const std::string& path,
-                        GradesLayout layout = GradesLayout::teams);
+                        GradesLayout layout = GradesLayout::teams, const MarksOfTeams& marks = {});
+
+// A step of a scale as its file names it.
+struct NamedStep {
+  double mark = 0.0;
+  std::string beats;  // a house team
+};
+
+struct Scale {
+  std::vector<NamedStep> steps;  // at least two, the weakest first
+  double below = 0.0;            // the mark of who is weaker than the first step
+};
+
+// Reads a scale, a JSON list: [{"mark": 5.0}, {"mark": 4.0, "beats": "chaser"}, {"mark": 1.0,
+// "beats": "tactician"}]. Only the first element may lack `beats`; without such an element, who is
+// weaker than the first step has the first step's mark. Errors: Errc::input.
+Result<Scale> read_scale(std::string_view text, const std::string& path);
 
 }  // namespace mirocup::league

@@ -276,12 +276,6 @@ double reach(const Likelihood& likelihood, int player, const VectorXd& best, dou
   return low;
 }
 
-double product(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 }  // namespace
 
 // A likelihood and its maximum.
@@ -295,21 +289,20 @@ struct Fit {
     for (int i = first(); i < players.count(); ++i) {
       VectorXd column = VectorXd::Unit(players.count() + 1, i);
       factors.matrixL().solveInPlace(column);
-      std::vector<double> error;
-      for (int row = first(); row <= players.count(); ++row)
-        error.push_back(column[row] / std::sqrt(factors.vectorD()[row]));
-      errors.push_back(std::move(error));
+      const VectorXd scaled = column.array() / factors.vectorD().array().sqrt();
+      errors.push_back(scaled.tail(players.present + 1));
     }
   }
 
   int first() const { return players.count() - players.present; }
+  const VectorXd& error_of(int team) const { return errors[player_of_team[team] - first()]; }
 
   Players players;
   Likelihood likelihood;
   VectorXd best;
   VectorXd gradient;
   Curvature curvature;
-  std::vector<std::vector<double>> errors;  // of the present players; their products: covariances
+  std::vector<VectorXd> errors;  // of the present players; their products are the covariances
   std::vector<int> player_of_team;
 };
 
@@ -321,10 +314,10 @@ Ratings ratings_of(std::shared_ptr<Fit> made, std::vector<int> player_of_team) {
   const int present = fit.players.present;
   Ratings ratings{.strengths = std::vector<Strength>(player_of_team.size()),
                   .draws = exp(fit.best[fit.players.count()])};
-  std::vector<double> of_mean(present + 1, 0.0);
+  VectorXd of_mean = VectorXd::Zero(present + 1);
   double mean = 0.0;
   for (int i = 0; i < present; ++i) {
-    for (int row = 0; row <= present; ++row) of_mean[row] += fit.errors[i][row] / present;
+    of_mean += fit.errors[i] / present;
     mean += fit.best[fit.first() + i] / present;
   }
   const double share = 1.0 - 1.0 / present;  // of a value, by which it moves from the mean
@@ -334,10 +327,9 @@ Ratings ratings_of(std::shared_ptr<Fit> made, std::vector<int> player_of_team) {
     Strength& strength = ratings.strengths[team];
     strength.value = strength.low = strength.high = scale * (fit.best[player] - mean);
     if (present == 1) continue;
-    std::vector<double> error = fit.errors[player - fit.first()];
-    for (int row = 0; row <= present; ++row) error[row] -= of_mean[row];
+    const double variance = (fit.errors[player - fit.first()] - of_mean).squaredNorm();
     const double fall =
-        z_95 * z_95 * product(error, error) * fit.curvature.coeff(player, player) / (share * share);
+        z_95 * z_95 * variance * fit.curvature.coeff(player, player) / (share * share);
     strength.low -= scale * share * reach(fit.likelihood, player, fit.best, -1.0, fall);
     strength.high += scale * share * reach(fit.likelihood, player, fit.best, 1.0, fall);
   }
@@ -363,27 +355,24 @@ Ratings rate_entries(const std::vector<int>& present, std::vector<FixtureResults
     for (const LegResult& leg : fixtures[i])
       last[{leg.home, leg.home_entry}] = last[{leg.away, leg.away_entry}] = i;
   }
-  std::vector<std::pair<std::size_t, Entry>> order;  // as in Players
-  std::vector<int> teams;                            // with a present entry
-  for (const auto& [entry, place] : last) {
-    if (present[entry.first] != entry.second) order.push_back({place, entry});
-  }
-  std::sort(order.begin(), order.end());
+  Players players;
   for (int team = 0; team < static_cast<int>(present.size()); ++team) {
     if (present[team] == no_entry) continue;
-    teams.push_back(team);
-    order.push_back({fixtures.size(), {team, present[team]}});
+    ++players.present;
+    last[{team, present[team]}] = fixtures.size();
   }
+  std::vector<std::pair<std::size_t, Entry>> order;  // as in Players
+  for (const auto& [entry, place] : last) order.push_back({place, entry});
+  std::sort(order.begin(), order.end());
   std::map<Entry, int> player;
   for (const auto& one : order) player.emplace(one.second, static_cast<int>(player.size()));
-  Players players{.former = std::vector<int>(order.size(), no_player),
-                  .present = static_cast<int>(teams.size())};
-  for (auto entry = player.begin(); leans && entry != player.end(); ++entry) {
-    const auto next = std::next(entry);
+  players.former.assign(order.size(), no_player);
+  Entry before{no_player, 0};
+  for (const auto& [entry, number] : player) {
     // An entry that came back plays after its followers.
-    if (next != player.end() && next->first.first == entry->first.first &&
-        entry->second < next->second)
-      players.former[next->second] = entry->second;
+    if (leans && entry.first == before.first && player[before] < number)
+      players.former[number] = player[before];
+    before = entry;
   }
   for (FixtureResults& fixture : fixtures) {
     for (LegResult& leg : fixture) {
@@ -405,12 +394,10 @@ bool are_apart(const Ratings& ratings, int one, int other) {
   const Fit& fit = *ratings.fit;
   const int i = fit.player_of_team[one];
   const int j = fit.player_of_team[other];
-  const std::vector<double>& of_one = fit.errors[i - fit.first()];
-  const std::vector<double>& of_other = fit.errors[j - fit.first()];
-  const double covariance = product(of_one, of_other);
-  const double variance = product(of_one, of_one) + product(of_other, of_other) - 2.0 * covariance;
+  const VectorXd error = fit.error_of(one) - fit.error_of(other);
+  const double variance = error.squaredNorm();
   // The shares of the two in the way to the same strength.
-  const double a = (product(of_one, of_one) - covariance) / variance;
+  const double a = fit.error_of(one).dot(error) / variance;
   const double b = 1.0 - a;
   const double curvature = a * a * fit.curvature.coeff(i, i) + b * b * fit.curvature.coeff(j, j) -
                            2.0 * a * b * fit.curvature.coeff(std::max(i, j), std::min(i, j));
@@ -418,6 +405,37 @@ bool are_apart(const Ratings& ratings, int one, int other) {
   const double fall = 2.0 * (fit.likelihood.of_two(i, j, fit.best[i], fit.best[j], fit.best) -
                              fit.likelihood.of_two(i, j, same, same, fit.best));
   return fall > z_95 * z_95 * variance * curvature;
+}
+
+std::optional<ScaleMark> mark_of(const Ratings& ratings, const std::vector<ScaleStep>& scale,
+                                 double below, int team) {
+  const Fit& fit = *ratings.fit;
+  const auto strength = [&](int of) { return fit.best[fit.player_of_team[of]]; };
+  for (std::size_t i = 0; i + 1 < scale.size(); ++i) {
+    if (!(strength(scale[i].team) < strength(scale[i + 1].team))) return std::nullopt;
+  }
+  const auto segment = [&](double at) {
+    std::size_t i = 0;
+    while (i + 2 < scale.size() && at > strength(scale[i + 1].team)) ++i;
+    return i;
+  };
+  const auto share = [&](std::size_t i, double at) {
+    const double low = strength(scale[i].team);
+    return std::clamp((at - low) / (strength(scale[i + 1].team) - low), 0.0, 1.0);
+  };
+  const auto mark = [&](double at) {
+    if (at < strength(scale[0].team)) return below;
+    const std::size_t i = segment(at);
+    return scale[i].mark + share(i, at) * (scale[i + 1].mark - scale[i].mark);
+  };
+  // The error of the team's place between the two steps beside it.
+  const double at = strength(team);
+  const std::size_t beside = segment(at);
+  const double upper = share(beside, at);
+  const VectorXd error = fit.error_of(team) - (1.0 - upper) * fit.error_of(scale[beside].team) -
+                         upper * fit.error_of(scale[beside + 1].team);
+  const double reach = z_95 * error.norm();
+  return ScaleMark{mark(at), mark(at - reach), mark(at + reach)};
 }
 
 std::optional<int> legs_to_tell(const Ratings& ratings, int one, int other) {

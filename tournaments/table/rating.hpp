@@ -66,6 +66,27 @@ Ratings rate_entries(const std::vector<int>& present, std::vector<FixtureResults
 // strength.
 bool are_apart(const Ratings& ratings, int one, int other);
 
+// The mark of a team that is as strong as a team of the ratings.
+struct ScaleStep {
+  double mark = 0.0;
+  int team = 0;
+};
+
+struct ScaleMark {
+  double value = 0.0;
+  double low = 0.0;  // the ends of the 95 % interval, of which `low` belongs to the weaker end
+  double high = 0.0;
+  // True: it is decided for each step which is better. mark_of() leaves it to the caller.
+  bool is_decided = false;
+};
+
+// Returns the mark of a team on a scale of at least two steps, the weakest first. Between two steps
+// the mark is linear in strength, so the other teams of a league do not change it. Above the last
+// step the mark is that of the step, below the first step it is `below`. Returns nothing if the
+// strengths of the steps do not grow.
+std::optional<ScaleMark> mark_of(const Ratings& ratings, const std::vector<ScaleStep>& scale,
+                                 double below, int team);
+
 // Returns how many legs two teams must play against each other until a 95 % interval of their
 // difference in strength excludes 0 with a probability of 80 %, if the fitted difference is true.
 // Returns nothing for more than max_legs_to_tell legs.

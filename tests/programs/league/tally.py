@@ -101,7 +101,7 @@ class Tally:
             for name, value in slope.items():
                 x[name] += step * value
             v += step * slope_v / max(1, len(pairs))
-            if max(map(abs, slope.values())) < 1e-5 and abs(slope_v) < 1e-3:
+            if max(map(abs, slope.values()), default=0.0) < 1e-5 and abs(slope_v) < 1e-3:
                 break
         mean = sum(x[name] for name in present.values()) / max(1, len(present))
         for team, name in present.items():

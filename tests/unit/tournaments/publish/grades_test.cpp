@@ -95,6 +95,39 @@ TEST(Grades, HaveARowForEachTeam) {
       << file->bytes;
 }
 
+// Catches a mark in the row of another team, and per cent of points where the staff has a scale.
+TEST(Grades, HaveAMarkIfThereIsAScale) {
+  const LeagueState state = league_of_two();
+  PeopleOfTeams people;
+  people["alpha"] = {.display = "A", .members = {"Ada"}, .more = {{"mail", "ada@x"}}};
+  people["be,ta"] = {.display = "B", .members = {"Bo"}, .more = {{"mail", "bo@x"}}};
+  const MarksOfTeams marks{ScaleMark{1.7, 2.1, 1.3, true}, std::nullopt};
+  const auto file = grades(overview(state), people, "", "", GradesLayout::teams, marks);
+  ASSERT_TRUE(file) << file.error().what;
+  EXPECT_NE(file->bytes.find(",mark,mark_low,mark_high,mark_decided\r\n"), std::string::npos);
+  EXPECT_NE(file->bytes.find(",ada@x,1.70,2.10,1.30,yes\r\n"), std::string::npos) << file->bytes;
+  EXPECT_NE(file->bytes.find(",bo@x,,,,\r\n"), std::string::npos) << file->bytes;
+  const auto moodle = grades(overview(state), people, "", "", GradesLayout::moodle, marks);
+  ASSERT_TRUE(moodle);
+  EXPECT_NE(moodle->bytes.find("ada@x,,1.70\r\n"), std::string::npos) << moodle->bytes;
+}
+
+TEST(Scale, NamesAtLeastTwoHouseTeams) {
+  const auto scale = read_scale(R"([{"mark": 5}, {"mark": 4, "beats": "chaser"},
+                                    {"mark": 1, "beats": "tactician"}])",
+                                "s.json");
+  ASSERT_TRUE(scale) << scale.error().what;
+  EXPECT_EQ(scale->below, 5.0);
+  ASSERT_EQ(scale->steps.size(), 2u);
+  EXPECT_EQ(scale->steps[1].beats, "tactician");
+  EXPECT_EQ(read_scale(R"([{"mark": 4, "beats": "a"}, {"mark": 1, "beats": "b"}])", "s")->below, 4);
+  for (const char* wrong :
+       {R"([{"mark": 4, "beats": "a"}])", R"([{"mark": 4, "beats": "a"}, {"mark": 1}])",
+        R"([{"mark": 5}, {"mark": 4, "beats": "a"}])", R"([{"mark": "x"}, {"mark": 1}])", "{}"}) {
+    EXPECT_FALSE(read_scale(wrong, "s.json")) << wrong;
+  }
+}
+
 TEST(Grades, HaveARowForEachStudent) {
   const LeagueState state = league_of_two();
   PeopleOfTeams people;

@@ -176,6 +176,27 @@ TEST(StrengthOfEntries, HasTheSameBitsEverywhere) {
   EXPECT_EQ(found.strengths[4].low, -0x1.8d64515d139eep+8);
 }
 
+// Catches a mark that follows from the classmates, one that is linear in something else than
+// strength, and an interval that leaves out how well the house teams are known.
+TEST(Marks, AreLinearInStrengthBetweenTheHouseTeams) {
+  Random random(7);
+  const std::vector<ScaleStep> scale{{4.0, 1}, {2.0, 3}, {1.0, 5}};
+  const Ratings ratings = rate(6, season({-100.0, -200.0, 100.0, 0.0, 500.0, 200.0}, 60, random));
+  const auto mark = [&](int team) { return mark_of(ratings, scale, 5.0, team); };
+  const auto strength = [&](int team) { return ratings.strengths[team].value; };
+  ASSERT_TRUE(mark(0));
+  EXPECT_NEAR(mark(0)->value, 4.0 - 2.0 * (strength(0) - strength(1)) / (strength(3) - strength(1)),
+              1e-9);
+  EXPECT_GT(mark(0)->low, mark(0)->value);  // the weaker end
+  EXPECT_LT(mark(0)->high, mark(0)->value);
+  EXPECT_NEAR(mark(2)->value, 2.0 - (strength(2) - strength(3)) / (strength(5) - strength(3)),
+              1e-9);
+  EXPECT_EQ(mark(4)->value, 1.0) << "above the last step";
+  EXPECT_EQ(mark(1)->value, 4.0);
+  EXPECT_EQ(mark_of(ratings, {{4.0, 0}, {1.0, 5}}, 5.0, 1)->value, 5.0) << "below the first step";
+  EXPECT_FALSE(mark_of(ratings, {{4.0, 5}, {1.0, 1}}, 5.0, 0)) << "the scale is upside down";
+}
+
 // Catches a count that is not what experiment gives: with so many legs between two teams, the
 // difference is told from 0 in 80 % of the trials.
 TEST(LegsToTell, SufficeInFourOfFiveTrials) {
