@@ -2,46 +2,87 @@
 #include "tournaments/format/groups.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <set>
 #include <tuple>
-#include <utility>
 
 namespace mirocup::league {
 
 namespace {
 
-// Returns the seeds of the knockout: the winners of all groups, then all second teams, and so on.
-// Seeds of equal places are swapped until no team meets one of its own group first.
-std::vector<TeamSource> qualified(const std::vector<std::vector<int>>& groups, int qualifiers) {
-  std::vector<TeamSource> seeds;
-  for (int place = 0; place < qualifiers; ++place) {
-    for (int group = 0; group < static_cast<int>(groups.size()); ++group) {
-      if (place < static_cast<int>(groups[group].size()))
-        seeds.push_back({.kind = TeamSource::Kind::place, .index = group, .place = place});
+// Seeds the places of groups in a bracket: all winners first, so that they have the byes, then all
+// seconds. Groups of one place may change their seeds, so that group mates meet late.
+class Seeding {
+ public:
+  Seeding(const std::vector<std::vector<int>>& groups, int qualifiers) : groups_(groups) {
+    int count = 0;
+    for (int place = 0; place < qualifiers; ++place) {
+      for (const auto& group : groups) count += place < static_cast<int>(group.size()) ? 1 : 0;
+    }
+    seeds_.resize(count);
+    for (int size = 1; size < count; size *= 2) ++rounds_;
+    const std::vector<int> order = bracket_order(1 << rounds_);
+    slot_.resize(order.size());
+    for (std::size_t slot = 0; slot < order.size(); ++slot)
+      slot_[order[slot]] = static_cast<int>(slot);
+    for (earliest_ = rounds_; !have_places(qualifiers); --earliest_) {
     }
   }
-  const int count = static_cast<int>(seeds.size());
-  int size = 1;
-  while (size < count) size *= 2;
-  // The seed that a seed meets first: in round 1, or in round 2 if both have a bye.
-  const auto opponent = [&](int seed) {
-    const int other = size - 1 - seed;
-    if (other < count) return other;
-    const int later = size / 2 - 1 - seed;
-    return size - 1 - later < count ? no_team : later;
-  };
-  const auto clashes = [&](int seed) {
-    const int other = opponent(seed);
-    return other != no_team && other != seed && seeds[seed].index == seeds[other].index;
-  };
-  for (int seed = count - 1; seed >= 0; --seed) {
-    for (int other = count - 1; other >= 0 && clashes(seed); --other) {
-      if (other == seed || seeds[other].place != seeds[seed].place) continue;
-      std::swap(seeds[seed], seeds[other]);
-      if (clashes(seed) || clashes(other)) std::swap(seeds[seed], seeds[other]);
+
+  const std::vector<TeamSource>& seeds() const { return seeds_; }
+
+ private:
+  // Tries to seed all places so that no group mates meet before round `earliest_`.
+  bool have_places(int qualifiers) {
+    parts_.assign(groups_.size(), {});
+    first_ = 0;
+    for (int place = 0; place < qualifiers; ++place) {
+      std::vector<int> groups;
+      for (std::size_t group = 0; group < groups_.size(); ++group) {
+        if (place < static_cast<int>(groups_[group].size()))
+          groups.push_back(static_cast<int>(group));
+      }
+      group_of_.assign(groups.size(), no_team);
+      for (std::size_t i = 0; i < groups.size(); ++i) {
+        std::set<std::size_t> asked;
+        if (!give_seed(groups[i], i, asked)) return false;
+      }
+      for (std::size_t i = 0; i < groups.size(); ++i) {
+        parts_[group_of_[i]].insert(part(i));
+        seeds_[first_ + i] = {
+            .kind = TeamSource::Kind::place, .index = group_of_[i], .place = place};
+      }
+      first_ += groups.size();
     }
+    return true;
   }
-  return seeds;
-}
+
+  // The part of the bracket that a seed wins in the round before `earliest_`.
+  int part(std::size_t seed) const { return slot_[first_ + seed] >> (earliest_ - 1); }
+
+  // Gives a group a seed of the present place, its natural one if it can; another group may have to
+  // take another seed for it.
+  bool give_seed(int group, std::size_t natural, std::set<std::size_t>& asked) {
+    for (std::size_t i = 0; i < group_of_.size(); ++i) {
+      const std::size_t seed = i == 0 ? natural : i <= natural ? i - 1 : i;
+      if (parts_[group].contains(part(seed)) || !asked.insert(seed).second) continue;
+      const int other = group_of_[seed];
+      if (other != no_team && !give_seed(other, seed, asked)) continue;
+      group_of_[seed] = group;
+      return true;
+    }
+    return false;
+  }
+
+  const std::vector<std::vector<int>>& groups_;
+  std::vector<TeamSource> seeds_;
+  std::vector<int> slot_;  // by seed: its slot in the bracket
+  int rounds_ = 0;
+  int earliest_ = 0;                  // the round in which group mates may meet
+  std::vector<std::set<int>> parts_;  // by group: the parts in which it has a team
+  std::size_t first_ = 0;             // the first seed of the present place
+  std::vector<int> group_of_;         // by seed of the present place
+};
 
 }  // namespace
 
@@ -70,7 +111,7 @@ std::vector<Fixture> groups_then_knockout(int teams, const GroupsOptions& option
   std::stable_sort(fixtures.begin(), fixtures.end(), [](const Fixture& a, const Fixture& b) {
     return std::tie(a.round, a.group) < std::tie(b.round, b.group);
   });
-  const auto ties = knockout(qualified(groups, options.qualifiers), options.knockout,
+  const auto ties = knockout(Seeding(groups, options.qualifiers).seeds(), options.knockout,
                              static_cast<int>(fixtures.size()));
   fixtures.insert(fixtures.end(), ties.begin(), ties.end());
   return fixtures;

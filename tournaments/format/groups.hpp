@@ -20,8 +20,9 @@ struct GroupsOptions {
 // to 1), so that the groups are of equal strength. Sizes of groups differ by at most one.
 std::vector<std::vector<int>> deal_groups(int teams, int groups);
 
-// Returns the round robins of all groups, round by round, then the knockout. Teams of one group do
-// not meet in their first tie of the knockout if that can be avoided.
+// Returns the round robins of all groups, round by round, then the knockout. The teams of a group
+// meet again as late as the number of groups and of qualifiers allows: two of them only in the
+// final.
 std::vector<Fixture> groups_then_knockout(int teams, const GroupsOptions& options);
 
 }  // namespace mirocup::league

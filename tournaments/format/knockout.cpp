@@ -5,9 +5,7 @@
 
 namespace mirocup::league {
 
-// Returns the seeds (from 0) in the order of their places in a bracket, from the top down. `size`,
-// the number of places, is a power of two.
-static std::vector<int> bracket_order(int size) {
+std::vector<int> bracket_order(int size) {
   MIROCUP_ASSERT(size > 0 && (size & (size - 1)) == 0);
   // In every round the best left meets the worst left: the pairs of each seed add up to one less
   // than the number of places.

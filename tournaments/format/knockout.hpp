@@ -16,6 +16,10 @@ struct KnockoutOptions {
   bool third_place = true;      // true: the losers of the semi-finals also play
 };
 
+// Returns the seeds (from 0) in the order of their places in a bracket, from the top down. `size`,
+// the number of places, is a power of two.
+std::vector<int> bracket_order(int size);
+
 // Returns the ties of a knockout for `seeds`, at least two teams, the best first. `first` is the
 // index of the first tie in the schedule. A tie of a later round names, by its index in the
 // schedule, each tie whose winner plays in it. The ties of a round are numbered from the top of the

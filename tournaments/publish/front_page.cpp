@@ -51,7 +51,7 @@ Json row_values(const Overview& o, const std::vector<TableRow>& table, std::size
           {"goals", std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against)},
           {"difference", (difference > 0 ? "+" : "") + std::to_string(difference)},
           {"is_open", is_decided(o.state, o.ratings, row, next) == false},
-          {"reason", reason_in_words(o.ratings, row, next)}};
+          {"reason", reason_in_words(o, row, next)}};
 }
 
 Json table_values(const Overview& o) {
@@ -237,7 +237,7 @@ Json champion_values(const Overview& o) {
   const TableRow& first = o.table[0];
   const TableRow& second = o.table[1];
   Json values = team_values(o, first.team, "");
-  values["why"] = reason_in_words(o.ratings, first, &second);
+  values["why"] = reason_in_words(o, first, &second);
   values["second"] = team_values(o, second.team, "");
   if (o.table.size() > 2) values["third"] = team_values(o, o.table[2].team, "");
   const auto legs = legs_to_tell(o.ratings, first.team, second.team);

@@ -66,6 +66,11 @@ std::string LegView::page(const std::string& root) const {
   return has_replay() && !is_pruned ? root + replay_page_of(played->record) : "";
 }
 
+bool LegView::is_by_lot() const {
+  return played != nullptr && played->end == LegEnd::shoot_out && played->winner >= 0 &&
+         facts != nullptr && facts->shoot_out && facts->shoot_out->home == facts->shoot_out->away;
+}
+
 char LegView::letter(int team) const {
   if (played->result.both_lose || goals(team) < goals_against(team)) return 'L';
   return goals(team) == goals_against(team) ? 'D' : 'W';
@@ -121,10 +126,12 @@ std::string round_in_words(const LeagueState& state, const Fixture& fixture) {
   return "Knockout, " + round;
 }
 
-std::string end_in_words(const LeagueState& state, const PlayedLeg& leg) {
+std::string end_in_words(const LeagueState& state, const LegView& view) {
+  const PlayedLeg& leg = *view.played;
   std::string words(end_words[static_cast<std::size_t>(leg.end)]);
   if (leg.end == LegEnd::shoot_out && leg.winner >= 0) {
-    words += ", won by " + state.shown_name(leg.winner);
+    words +=
+        (view.is_by_lot() ? ", level, won by lot by " : ", won by ") + state.shown_name(leg.winner);
   }
   if (leg.fault) {
     LegFault fault = *leg.fault;
@@ -143,6 +150,30 @@ std::string fault_in_words(const LegFault& fault) {
 
 std::string points_per_leg(const TableRow& row) {
   return system::formatted("%.2f", double(row.points) / std::max(1, row.played));
+}
+
+bool is_by_lot(const Overview& o, const FixtureState& tie) {
+  if (tie.fixture.part != Part::knockout || !tie.fixture.has_both() || !tie.is_decided())
+    return false;
+  const bool is_level = tie.goals(tie.fixture.home) == tie.goals(tie.fixture.away);
+  return is_level && std::all_of(o.legs.begin(), o.legs.end(), [&tie](const LegView& leg) {
+           if (leg.fixture != tie.fixture.id() || leg.played == nullptr) return true;
+           if (leg.played->end == LegEnd::withdrawn) return false;
+           return leg.played->end != LegEnd::shoot_out || leg.played->winner == no_team ||
+                  leg.is_by_lot();
+         });
+}
+
+std::string reason_in_words(const Overview& o, const TableRow& row, const TableRow* next) {
+  const std::string words = reason_in_words(o.ratings, row, next);
+  const bool by_lot =
+      row.separated_by == "knockout" && next != nullptr &&
+      std::any_of(o.state.fixtures.begin(), o.state.fixtures.end(), [&](const FixtureState& tie) {
+        return std::minmax(tie.fixture.home, tie.fixture.away) ==
+                   std::minmax(row.team, next->team) &&
+               is_by_lot(o, tie);
+      });
+  return by_lot ? words + ", by lot" : words;
 }
 
 std::string rank_in_words(const TableRow& row) {

@@ -31,6 +31,8 @@ struct LegView {
   std::string page(const std::string& root = "") const;
 
   bool has_replay() const { return played != nullptr && !played->record.empty(); }
+  // True if the leg's shoot-out was level, so that a lot chose its winner.
+  bool is_by_lot() const;
   bool is_of(int team) const { return home == team || away == team; }
   int goals(int team) const;
   int goals_against(int team) const { return goals(team == home ? away : home); }
@@ -69,8 +71,13 @@ Overview overview(const LeagueState& state, const FactsOfLegs& facts = no_facts)
 // Returns the name of a fixture's round: "Final", "Semi-final", "Group 2, round 1", "Round 3".
 std::string round_in_words(const LeagueState& state, const Fixture& fixture);
 
-// Returns the end of a leg with its fault and its ruling: "forfeit: a: crash: ...; ruling: ...".
-std::string end_in_words(const LeagueState& state, const PlayedLeg& leg);
+// Returns the end of a decided leg with its fault and its ruling: "forfeit: a: crash: ...; ruling:
+// ...".
+std::string end_in_words(const LeagueState& state, const LegView& leg);
+
+// True if a lot decided a tie of a knockout: after a level shoot-out, or because no leg told the
+// two teams apart.
+bool is_by_lot(const Overview& overview, const FixtureState& tie);
 
 // Returns a sentence for a fault, without its team.
 std::string fault_in_words(const LegFault& fault);
@@ -83,6 +90,7 @@ std::string rank_in_words(const TableRow& row);
 
 // Returns the reason why a row of the table is above the next row: "goal difference, +5 to +2"; ""
 // for the last row, or if either team has not played. `next` is null for the last row.
+std::string reason_in_words(const Overview& overview, const TableRow& row, const TableRow* next);
 std::string reason_in_words(const Ratings& ratings, const TableRow& row, const TableRow* next);
 
 // In a league that strengths rank: returns whether the strengths of a row and the next row differ

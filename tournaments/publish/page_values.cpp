@@ -25,18 +25,7 @@ std::string_view word_of(char letter) {
 std::string note_of(const Overview& o, const LegView& leg, bool has_several) {
   const PlayedLeg& played = *leg.played;
   if (played.end == LegEnd::full_time && !played.fault && played.ruling.empty()) return "";
-  return (has_several ? "Leg " + std::to_string(leg.leg) + ": " : "") +
-         end_in_words(o.state, played);
-}
-
-// True if all legs of a tie that is over left it level, `ahead` being the goals of the home team
-// beyond those of the other one.
-bool is_by_lot(const FixtureState& tie, int ahead) {
-  return ahead == 0 && std::all_of(tie.legs.begin(), tie.legs.end(), [](const LegState& leg) {
-           return !leg.played ||
-                  (leg.played->end != LegEnd::withdrawn &&
-                   (leg.played->end != LegEnd::shoot_out || leg.played->winner == no_team));
-         });
+  return (has_several ? "Leg " + std::to_string(leg.leg) + ": " : "") + end_in_words(o.state, leg);
 }
 
 std::string tenths(double value) {
@@ -151,7 +140,7 @@ Json fixture_values(const Overview& o, const FixtureView& fixture, const std::st
     const int winner = outcome(o.state, *fixture.state).winner;
     home["won"] = winner == f.home;
     away["won"] = winner == f.away;
-    if (is_by_lot(*fixture.state, ahead))
+    if (is_by_lot(o, *fixture.state))
       notes.push_back("level: decided by lot for " + o.state.shown_name(winner));
   }
   return {{"id", f.id()},   {"round", round_in_words(o.state, f)},

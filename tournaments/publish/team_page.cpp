@@ -147,8 +147,7 @@ std::string team_html(const SiteContent& c, int team) {
   values["teams"] =
       std::count_if(o.table.begin(), o.table.end(), [](const TableRow& r) { return r.rank > 0; });
   values["points"] = row->points;
-  values["reason"] =
-      reason_in_words(o.ratings, *row, row + 1 == o.table.end() ? nullptr : &*(row + 1));
+  values["reason"] = reason_in_words(o, *row, row + 1 == o.table.end() ? nullptr : &*(row + 1));
   values["strength"] = strength_values(o, team);
   values["is_paused"] = now.status == TeamStatus::paused;
   values["is_withdrawn"] = now.status == TeamStatus::withdrawn;

@@ -143,6 +143,47 @@ TEST_P(Formats, GroupsAreAlikeAndTheirFirstGoOn) {
   }
 }
 
+// Catches a bracket in which group mates meet earlier than they must, and one that takes a bye from
+// a winner of a group.
+TEST(Groups, KeepTheTeamsOfAGroupApart) {
+  for (int groups = 2; groups <= 8; ++groups) {
+    for (int qualifiers = 2; qualifiers <= 4 && groups * qualifiers <= 32; ++qualifiers) {
+      const auto fixtures = groups_then_knockout(groups * (qualifiers + 1),
+                                                 {.groups = groups, .qualifiers = qualifiers});
+      int rounds = 0;
+      int earliest = 100;
+      int worst_bye = 0;  // the place in its group of a team that enters later
+      int best_tie = qualifiers;
+      std::vector<std::multiset<int>> of_tie(fixtures.size());  // the groups that can play a tie
+      for (std::size_t i = 0; i < fixtures.size(); ++i) {
+        const Fixture& f = fixtures[i];
+        if (f.part != Part::knockout || f.is_for_third_place()) continue;
+        rounds = std::max(rounds, f.round);
+        std::multiset<int> sides[2];
+        for (const bool is_home : {true, false}) {
+          const TeamSource& source = is_home ? f.home_source : f.away_source;
+          std::multiset<int>& side = sides[is_home ? 0 : 1];
+          if (source.kind == TeamSource::Kind::winner) {
+            side = of_tie[source.index];
+          } else {
+            side = {source.index};
+            if (f.round > 1) worst_bye = std::max(worst_bye, source.place);
+            if (f.round == 1) best_tie = std::min(best_tie, source.place);
+          }
+        }
+        for (const int group : sides[0]) {
+          if (sides[1].contains(group)) earliest = std::min(earliest, f.round);
+        }
+        of_tie[i] = sides[0];
+        of_tie[i].insert(sides[1].begin(), sides[1].end());
+      }
+      const int halvings = qualifiers > 2 ? 2 : 1;
+      EXPECT_GE(earliest, rounds - halvings + 1) << groups << " groups, " << qualifiers;
+      EXPECT_LE(worst_bye, best_tie) << groups << " groups, " << qualifiers;
+    }
+  }
+}
+
 TEST_P(Formats, SwissPairsNobodyTwiceAndGivesOneByeAtMost) {
   const int n = GetParam();
   for (std::uint64_t seed = 0; seed < 5; ++seed) {

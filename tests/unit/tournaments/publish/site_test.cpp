@@ -259,8 +259,10 @@ TEST(Decisions, OfLegsOfATeamThatLeavesNoResultsCountForNothing) {
             std::string::npos);
 }
 
-// Plays a tie of a knockout that is level by goals: its third leg ends in that way.
-std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner) {
+// Plays a tie of a knockout that is level by goals: its third leg ends in that way. Returns the
+// page of its round and the front page.
+std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner,
+                              const FactsOfLegs& facts = {}) {
   LeagueFile file;
   file.format.kind = FormatKind::knockout;
   for (const char* name : {"ada", "bob"}) file.teams.push_back({name, "house:idle", false});
@@ -280,7 +282,8 @@ std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner) {
     EXPECT_TRUE(validate(state, event));
     league::apply(state, event);
   }
-  return page(make_site({state}), "rounds/k1.html");
+  const std::vector<SiteFile> site = make_site({.state = state, .facts = facts});
+  return page(site, "rounds/k1.html") + page(site, "index.html");
 }
 
 // Catches a tie that does not say why one of the teams goes on.
@@ -291,6 +294,14 @@ TEST(Site, SaysWhoWonALevelTie) {
   const std::string by_shoot_out = page_of_level_tie(LegEnd::shoot_out, "bob");
   EXPECT_EQ(by_shoot_out.find("a lot decided"), std::string::npos);
   EXPECT_NE(by_shoot_out.find("\"away won\""), std::string::npos) << by_shoot_out;
+  EXPECT_EQ(by_shoot_out.find("by lot"), std::string::npos) << by_shoot_out;
+  // The shoot-out was level as well. Catches a bracket that says that it was won.
+  FactsOfLegs facts;
+  facts["records/x.json"].shoot_out = HomeAway{.home = 2, .away = 2};
+  const std::string level = page_of_level_tie(LegEnd::shoot_out, "bob", facts);
+  EXPECT_NE(level.find("shoot-out, level, won by lot by bob"), std::string::npos) << level;
+  EXPECT_NE(level.find(">by lot</text>"), std::string::npos) << "the bracket";
+  EXPECT_NE(level.find("came further in the knockout, by lot"), std::string::npos) << "the table";
 }
 
 // Catches a term whose crosstable has a line for each leg, and a table that is ordered by a number
