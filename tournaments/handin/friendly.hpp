@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Friendlies: single legs that count for nothing. A team asks for a friendly against a team that it
-// chooses. Each accepted entry plays a burst of friendlies against the house teams and the
-// neighbours in the table, and tries all drills. The server plays friendlies while no hand-in waits
+// chooses. Each accepted entry plays a burst of friendlies against the team's former entry, the
+// house teams and the neighbours in the table, and tries all drills. The server plays friendlies while no hand-in waits
 // for its check, and teams take turns.
 //
 // The state is a pure function of the events that it is given. Threads: one at a time.
@@ -32,7 +32,8 @@ struct Friendly {
   std::string team;
   int number = 0;             // number among the team's friendlies, from 1; 0: no leg, but drills
   int entry = 0;              // the team's entry that plays
-  std::string opponent = {};  // a team of the league, or "house:NAME"
+  std::string opponent = {};  // a team of the league, or "house:NAME"; the team itself: a former
+                              // entry of it
   int opponent_entry = 0;     // number of the opponent's entry; 0: a house team
   bool is_burst = false;      // belongs to the burst of an accepted entry
   std::int64_t at = 0;        // s since 1970

@@ -15,7 +15,8 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr int most_failures = 5;  // of the host, until a leg is void
+constexpr int legs_against_former = 10;  // of an accepted entry against the entry before it
+constexpr int most_failures = 5;         // of the host, until a leg is void
 
 // The leg as the team of that colour sees it, for LegCosts and log_path().
 OwnLeg leg_of(const Friendly& friendly, const std::string& viewer) {
@@ -65,6 +66,14 @@ Result<void> FriendlyDesk::entry_accepted(const std::string& team, int entry, st
         book_.finish(team, number, FriendlyState::void_, 0, 0, "a later entry was accepted", now));
   }
   Friendly leg{.team = team, .entry = entry, .is_burst = true, .at = now};
+  const auto before = book_.friendlies().bursts().find(team);
+  const int former = before == book_.friendlies().bursts().end() ? 0 : before->second;
+  for (int i = 0; former > 0 && i < legs_against_former; ++i) {
+    leg.opponent = team;
+    leg.opponent_entry = former;
+    MIROCUP_TRY_VOID(book_.add(leg));
+  }
+  leg.opponent_entry = 0;
   for (const std::string& house : options_.house) {
     leg.opponent = "house:" + house;
     MIROCUP_TRY_VOID(book_.add(leg));
@@ -146,6 +155,7 @@ Json FriendlyDesk::json_of(const Friendly& one, const std::string& viewer, LegCo
             {"goals", is_played ? Json(is_own ? one.goals : one.against) : Json()},
             {"against", is_played ? Json(is_own ? one.against : one.goals) : Json()},
             {"end", record::or_null(one.end)}};
+  if (one.opponent == one.team) json["opponent_entry"] = one.opponent_entry;
   const std::string record = folder_.friendly(one.team, one.number);
   if (!is_played || !files_.exists(record)) return json;
   const std::string path = "/" + one.team + "/" + std::to_string(one.number);

@@ -91,6 +91,34 @@ std::vector<Strength> ratings_of(const std::vector<HouseLeg>& legs,
   return all;
 }
 
+// Returns what is said of an entry and the entry before it, by the legs in which they met; null if
+// there are none.
+Json against_former(const Json& friendlies, int entry) {
+  FixtureResults legs;
+  int former = 0;
+  for (const Json& one : friendlies) {
+    if (!one.contains("opponent_entry") || text_in(one, "state") != "played" ||
+        value_in(one, "entry", 0) != entry)
+      continue;
+    former = value_in(one, "opponent_entry", 0);
+    legs.push_back({.home = 0,
+                    .away = 1,
+                    .home_goals = value_in(one, "goals", 0),
+                    .away_goals = value_in(one, "against", 0)});
+  }
+  if (legs.empty()) return {};
+  // The mean of the two strengths is 0.
+  const Strength half = rate(2, {legs}).strengths[0];
+  return {{"entry", former},
+          {"legs", legs.size()},
+          {"difference", 2.0 * half.value},
+          {"low", 2.0 * half.low},
+          {"high", 2.0 * half.high},
+          {"verdict", half.low > 0.0    ? "better"
+                      : half.high < 0.0 ? "worse"
+                                        : "not told apart"}};
+}
+
 Json entry_json(int number, const EntryLegs& entry, const Strength& rating) {
   Json against = Json::object();
   for (const auto& [name, met] : entry.against)
@@ -161,6 +189,7 @@ Json progress_of(const Json& friendlies, const std::function<Json(int)>& drills_
   for (const auto& [number, entry] : entries) {
     rows.push_back(entry_json(number, entry, ratings[rows.size()]));
     rows.back()["drills"] = drills_of(number);
+    rows.back()["former"] = against_former(friendlies, number);
   }
   std::reverse(rows.begin(), rows.end());
   return Json(rows);
@@ -195,6 +224,13 @@ std::string change_in_words(const Json& progress) {
   }
   if (now["drills"].is_object() && before["drills"].is_object())
     text += drills_in_words(now["drills"], before["drills"]);
+  if (const Json& former = now["former"]; former.is_object()) {
+    text += ". In " + former["legs"].dump() + " legs against entry " + former["entry"].dump() +
+            ": " + text_in(former, "verdict") +
+            system::formatted(", difference in strength %+.0f (95 %% interval %+.0f to %+.0f)",
+                              value_in(former, "difference", 0.0), value_in(former, "low", 0.0),
+                              value_in(former, "high", 0.0));
+  }
   return text + ".";
 }
 

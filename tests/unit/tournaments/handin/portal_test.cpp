@@ -403,6 +403,15 @@ TEST_F(Desk, PlaysFriendliesAndShowsThemToTheTwo) {
   ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 2, now_));
   EXPECT_EQ(json_of(ask(api("/api/v1/friendlies", alpha_)))["friendlies"].size(), all.size());
   EXPECT_EQ(json_of(ask(api("/api/v1/friendlies", beta_)))["friendlies"].size(), 2u);
+  // A later entry meets the one before it.
+  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 3, now_));
+  const Json later = json_of(ask(api("/api/v1/friendlies", alpha_)))["friendlies"];
+  EXPECT_EQ(std::count_if(later.begin(), later.end(),
+                          [](const Json& one) {
+                            return one["opponent"] == "alpha" && one["entry"] == 3 &&
+                                   one["opponent_entry"] == 2;
+                          }),
+            10);
 }
 
 // Catches drills that are tried before the legs, twice, or not again after a check came first, and

@@ -65,6 +65,31 @@ TEST(Progress, ComparesEntriesByTheirLegsAgainstHouseTeams) {
   EXPECT_EQ(progress_of(friendlies, no_drills)[0]["legs"], 4);
 }
 
+// Catches a comparison that counts legs of other pairs, and one that claims a difference from noise.
+TEST(Progress, ComparesAnEntryWithTheFormerOneByTheirOwnLegs) {
+  Json friendlies = Json::array({leg(4, "house:striker", 1, 1), leg(3, "house:striker", 1, 1)});
+  EXPECT_TRUE(progress_of(friendlies, no_drills)[0]["former"].is_null());
+  const auto meet = [&friendlies](int entry, int former, int goals, int against) {
+    Json own = leg(entry, "ours", goals, against);
+    own["opponent_entry"] = former;
+    friendlies.push_back(own);
+  };
+  for (int i = 0; i < 10; ++i) meet(4, 3, i < 5 ? 1 : 0, i < 5 ? 0 : 1);
+  meet(3, 2, 0, 9);
+  const Json same = progress_of(friendlies, no_drills)[0]["former"];
+  EXPECT_EQ(same["entry"], 3);
+  EXPECT_EQ(same["legs"], 10);
+  EXPECT_EQ(same["verdict"], "not told apart");
+  EXPECT_LT(same["low"].get<double>(), -100.0);
+  for (int i = 0; i < 10; ++i) meet(4, 3, 2, 0);
+  const Json progress = progress_of(friendlies, no_drills);
+  EXPECT_EQ(progress[0]["former"]["verdict"], "better");
+  EXPECT_GT(progress[0]["former"]["low"].get<double>(), 0.0);
+  EXPECT_NE(change_in_words(progress).find("In 20 legs against entry 3: better, difference"),
+            std::string::npos)
+      << change_in_words(progress);
+}
+
 // Catches drills of another entry, marks of two versions of a drill side by side, and a mean over
 // drills that only one entry has tried.
 TEST(Progress, ComparesTheDrillsThatBothHaveTried) {
