@@ -44,9 +44,9 @@ Result<int> play_closing_round(system::Files& files, const LeagueStore& season,
   MIROCUP_TRY(const int published, publish_league(files, folder, jobs));
   progress.reset();
   std::cout << table_text(end.state);
-  if (end.state.legs() != end.state.played()) say_what_is_left(end.state);
-  const bool is_whole = end.state.legs() == end.state.played() && end.refused == 0;
-  return is_whole ? std::max(announced, published) : exit_no;
+  const bool is_over = end.state.legs() == end.state.played();
+  if (!is_over) say_what_is_left(end.state);
+  return is_over && end.refused == 0 ? std::max(announced, published) : exit_no;
 }
 
 Result<int> run_act(const ActOptions& options) {

@@ -15,9 +15,9 @@ namespace mirocup::league {
 Result<LeagueFile> finals(system::Files& files, const LeagueStore& season, const std::string& title,
                           int top);
 
-// Returns the closing round of a season: a round robin with `legs` legs of each pair, in which every
-// team that has not withdrawn and has an accepted entry plays with its last one, or with the entry
-// that it has pinned. Errors: Errc::input if there are fewer than two such teams.
+// Returns the closing round of a season: a round robin with `legs` legs of each pair. Every team
+// that has not withdrawn and has an accepted entry plays with its last one, or with the entry that
+// it has pinned. Errors: Errc::input if there are fewer than two such teams.
 Result<LeagueFile> closing_round(system::Files& files, const LeagueStore& season, FormatKind kind,
                                  int legs);
 

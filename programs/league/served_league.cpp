@@ -272,8 +272,8 @@ std::optional<web::Page> ServedLeague::module_page(const std::string& name) {
 
 // Returns a page of the closing round as it was published; links lead out of no folder.
 std::optional<web::Page> ServedLeague::page_of_closing_round(const std::string& name) {
-  const std::string plain = std::filesystem::path(name).lexically_normal();
-  if (plain != name || name.starts_with('.') || name.starts_with('/')) return std::nullopt;
+  const bool is_plain = std::filesystem::path(name).lexically_normal() == name;
+  if (!is_plain || name.starts_with('.') || name.starts_with('/')) return std::nullopt;
   auto bytes = files_.read(folder_of_closing_round(store_.folder()).site() + "/" + name,
                            {.max_size = system::size_limit::page});
   if (!bytes) return std::nullopt;

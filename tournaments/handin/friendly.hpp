@@ -2,8 +2,8 @@
 //
 // Friendlies: single legs that count for nothing. A team asks for a friendly against a team that it
 // chooses. Each accepted entry plays a burst of friendlies against the team's former entry, the
-// house teams and the neighbours in the table, and tries all drills. The server plays friendlies while no hand-in waits
-// for its check, and teams take turns.
+// house teams and the neighbours in the table, and tries all drills. The server plays friendlies
+// while no hand-in waits for its check, and teams take turns.
 //
 // The state is a pure function of the events that it is given. Threads: one at a time.
 #pragma once

@@ -65,7 +65,7 @@ TEST(Progress, ComparesEntriesByTheirLegsAgainstHouseTeams) {
   EXPECT_EQ(progress_of(friendlies, no_drills)[0]["legs"], 4);
 }
 
-// Catches a comparison that counts legs of other pairs, and one that claims a difference from noise.
+// Catches a comparison that counts legs of other pairs, and one that finds a difference in noise.
 TEST(Progress, ComparesAnEntryWithTheFormerOneByTheirOwnLegs) {
   Json friendlies = Json::array({leg(4, "house:striker", 1, 1), leg(3, "house:striker", 1, 1)});
   EXPECT_TRUE(progress_of(friendlies, no_drills)[0]["former"].is_null());
