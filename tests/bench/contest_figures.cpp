@@ -67,14 +67,20 @@ LegResult played(int home, int away, double difference, Random& random) {
   return leg;
 }
 
+std::vector<std::pair<int, int>> pairs_of(const std::vector<double>& teams) {
+  std::vector<std::pair<int, int>> pairs;
+  for (int i = 0; i < static_cast<int>(teams.size()); ++i) {
+    for (int j = 0; j < i; ++j) pairs.emplace_back(i, j);
+  }
+  return pairs;
+}
+
 // Every team meets each other in one fixture of two legs.
 std::vector<FixtureResults> season(const std::vector<double>& truth, Random& random) {
   std::vector<FixtureResults> fixtures;
-  for (int i = 0; i < static_cast<int>(truth.size()); ++i) {
-    for (int j = 0; j < i; ++j) {
-      const double difference = truth[i] - truth[j];
-      fixtures.push_back({played(i, j, difference, random), played(j, i, -difference, random)});
-    }
+  for (const auto& [i, j] : pairs_of(truth)) {
+    const double difference = truth[i] - truth[j];
+    fixtures.push_back({played(i, j, difference, random), played(j, i, -difference, random)});
   }
   return fixtures;
 }
@@ -104,12 +110,16 @@ void leagues(int count, int teams, double spread, Spread kind) {
   std::fflush(stdout);
 }
 
-LegResult played(int home, int home_entry, int away, int away_entry, double difference,
-                 Random& random) {
-  LegResult leg = played(home, away, difference, random);
-  leg.home_entry = home_entry;
-  leg.away_entry = away_entry;
-  return leg;
+// A fixture of two legs between the entries of two teams; `difference` is that of their strengths.
+FixtureResults fixture(int one, int other, const std::vector<int>& entries, double difference,
+                       Random& random) {
+  FixtureResults legs{played(one, other, difference, random),
+                      played(other, one, -difference, random)};
+  for (LegResult& leg : legs) {
+    leg.home_entry = entries[leg.home];
+    leg.away_entry = entries[leg.away];
+  }
+  return legs;
 }
 
 double points_of(const LegResult& leg, int team) {
@@ -120,43 +130,37 @@ double points_of(const LegResult& leg, int team) {
 // What a rule of ranking does in many terms.
 struct Rule {
   const char* name;
-  double concordant = 0.0;  // pairs in the right order, less those in the wrong order
-  double ordered = 0.0;     // pairs that the rule orders
-  double tau = 0.0;         // sum over the terms
-  double equals = 0.0;      // pairs of equal last entries of which one was handed in earlier
-  double earlier = 0.0;     // of these, how often the earlier entry is above; half of a tie
+  double tau = 0.0;      // sum over the terms
+  double equals = 0.0;   // pairs of equal last entries of which one was handed in earlier
+  double earlier = 0.0;  // of these, how often the earlier entry is above; half of a tie
 
   void add(const std::vector<double>& value, const std::vector<double>& truth,
            const std::vector<int>& since) {
-    concordant = ordered = 0.0;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const double same = (value[i] - value[j]) * (truth[i] - truth[j]);
-        concordant += same > 0.0 ? 1.0 : same < 0.0 ? -1.0 : 0.0;
-        ordered += same != 0.0 ? 1.0 : 0.0;
-        if (std::abs(truth[i] - truth[j]) >= 20.0 || std::abs(since[i] - since[j]) < 3) continue;
-        const auto [early, late] = since[i] < since[j] ? std::pair(i, j) : std::pair(j, i);
-        equals += 1.0;
-        earlier += value[early] > value[late] ? 1.0 : value[early] == value[late] ? 0.5 : 0.0;
-      }
+    double concordant = 0.0, ordered = 0.0;
+    for (const auto& [i, j] : pairs_of(truth)) {
+      const double same = (value[i] - value[j]) * (truth[i] - truth[j]);
+      concordant += same > 0.0 ? 1.0 : same < 0.0 ? -1.0 : 0.0;
+      ordered += same != 0.0 ? 1.0 : 0.0;
+      if (std::abs(truth[i] - truth[j]) >= 20.0 || std::abs(since[i] - since[j]) < 3) continue;
+      const double above = (value[i] - value[j]) * (since[j] - since[i]);
+      equals += 1.0;
+      earlier += above > 0.0 ? 1.0 : above == 0.0 ? 0.5 : 0.0;
     }
     tau += concordant / std::max(1.0, ordered);
   }
 };
 
-// Each team improves by its own steps and hands in every fourth night, and
-// before the last night every second team does.
+// Each team improves by its own steps and hands in every fourth night, and before the last night
+// every second team does.
 void terms(int count, std::uint64_t seed, int opponents) {
   constexpr int teams = 30;
   constexpr int nights = 20;
   Random random(mix_seed(seed));
   Rule rules[]{{"points a leg"}, {"strength"}, {"closing round"}};
-  double held = 0.0, apart = 0.0, apart_wrongly = 0.0, neighbours = 0.0, same = 0.0,
-         same_apart = 0.0;
+  double held = 0.0;
   for (int term = 0; term < count; ++term) {
-    std::vector<double> skill(teams), entry(teams), work(teams);
+    std::vector<double> skill(teams), entry(teams), work(teams), sum(teams), legs(teams);
     std::vector<int> since(teams, 1);
-    std::vector<std::vector<double>> points(teams);
     std::vector<FixtureResults> fixtures;
     for (double& most : work) most = 10.0 + 50.0 * random.uniform();
     for (int night = 1; night <= nights; ++night) {
@@ -165,158 +169,93 @@ void terms(int count, std::uint64_t seed, int opponents) {
         if (night > 1 && random.uniform() >= (night < nights ? 0.25 : 0.5)) continue;
         entry[team] = skill[team];
         since[team] = night;
-        points[team].clear();
+        sum[team] = legs[team] = 0.0;
       }
-      std::vector<std::pair<int, int>> pairs;
-      for (int i = 0; i < teams; ++i) {
-        for (int j = 0; j < i; ++j) pairs.emplace_back(i, j);
-      }
+      auto pairs = pairs_of(entry);
       for (std::size_t i = pairs.size(); i > 1; --i)
         std::swap(pairs[i - 1], pairs[random.below(i)]);
       std::vector<int> met(teams);
       for (const auto& [i, j] : pairs) {
         if (opponents > 0 && (met[i] >= opponents || met[j] >= opponents)) continue;
-        ++met[i];
-        ++met[j];
-        const double d = entry[i] - entry[j];
-        fixtures.push_back({played(i, since[i], j, since[j], d, random),
-                            played(j, since[j], i, since[i], -d, random)});
-        for (const LegResult& leg : fixtures.back()) {
-          for (const int team : {i, j}) points[team].push_back(points_of(leg, team));
+        fixtures.push_back(fixture(i, j, since, entry[i] - entry[j], random));
+        for (const int team : {i, j}) {
+          ++met[team];
+          legs[team] += 2.0;
+          for (const LegResult& leg : fixtures.back()) sum[team] += points_of(leg, team);
         }
       }
     }
-    std::vector<double> a_leg, strength, closing(teams);
+    std::vector<double> a_leg(teams), strength(teams), closing(teams);
     const Ratings ratings = rate_entries(since, fixtures, false);
     const double mean = std::accumulate(entry.begin(), entry.end(), 0.0) / teams;
     for (int team = 0; team < teams; ++team) {
-      a_leg.push_back(std::accumulate(points[team].begin(), points[team].end(), 0.0) /
-                      std::max<double>(1.0, double(points[team].size())));
+      a_leg[team] = sum[team] / std::max(1.0, legs[team]);
       const Strength& s = ratings.strengths[team];
-      strength.push_back(s.value);
+      strength[team] = s.value;
       held += s.low <= entry[team] - mean && entry[team] - mean <= s.high ? 1.0 : 0.0;
     }
-    for (int i = 0; i < teams; ++i) {
-      for (int j = 0; j < i; ++j) {
-        for (int leg = 0; leg < 4; ++leg) {
-          const LegResult result = played(i, j, entry[i] - entry[j], random);
-          closing[i] += points_of(result, i);
-          closing[j] += points_of(result, j);
-        }
-      }
-    }
-    std::vector<int> order = all_teams(teams);
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return strength[a] > strength[b]; });
-    for (int i = 0; i + 1 < teams; ++i) {
-      neighbours += 1.0;
-      if (!are_apart(ratings, order[i], order[i + 1])) continue;
-      apart += 1.0;
-      apart_wrongly += entry[order[i]] <= entry[order[i + 1]] ? 1.0 : 0.0;
-    }
-    for (int i = 0; i < teams; ++i) {
-      for (int j = 0; j < i; ++j) {
-        if (std::abs(entry[i] - entry[j]) >= 5.0) continue;
-        same += 1.0;
-        same_apart += are_apart(ratings, i, j) ? 1.0 : 0.0;
+    for (const auto& [i, j] : pairs_of(entry)) {
+      for (int leg = 0; leg < 4; ++leg) {
+        const LegResult result = played(i, j, entry[i] - entry[j], random);
+        for (const int team : {i, j}) closing[team] += points_of(result, team);
       }
     }
     rules[0].add(a_leg, entry, since);
     rules[1].add(strength, entry, since);
     rules[2].add(closing, entry, since);
   }
-  for (const Rule& rule : rules) {
-    std::printf(
-        "{\"rule\": \"%s\", \"opponents\": %d, \"seed\": %d, \"terms\": %d, \"tau\": %.3f, "
-        "\"equals\": %.0f, \"earlier_above\": %.3f}\n",
-        rule.name, opponents, static_cast<int>(seed), count, rule.tau / count, rule.equals,
-        rule.earlier / rule.equals);
-  }
-  std::printf(
-      "{\"intervals_that_hold\": %.3f, \"neighbours_decided\": %.3f, \"of_these_wrong\": %.3f, "
-      "\"equals_apart\": %.3f}\n",
-      held / (count * teams), apart / neighbours, apart_wrongly / std::max(1.0, apart),
-      same_apart / same);
-  std::fflush(stdout);
+  for (const Rule& rule : rules)
+    std::printf("{\"rule\": \"%s\", \"tau\": %.3f, \"equals\": %.0f, \"earlier_above\": %.3f}\n",
+                rule.name, rule.tau / count, rule.equals, rule.earlier / rule.equals);
+  std::printf("{\"intervals_that_hold\": %.3f}\n", held / (count * teams));
 }
 
-// One of eight teams hands in the same play six times, and each time meets three of the others in
-// fixtures of two legs.
+// One of eight teams, 700 from the best to the worst, hands in the same play six times, and each
+// time meets three of the others. A seventh entry is 200 stronger.
 void ladders(int count, std::uint64_t seed) {
   constexpr int teams = 8;
   constexpr int hand_ins = 6;
   Random random(mix_seed(seed));
   std::array<int, teams> spans{};
-  std::array<int, teams> spans_by_points{};
   int risen = 0;
   for (int i = 0; i < count; ++i) {
     const std::vector<double> truth = true_strengths(teams, 700.0, Spread::even, random);
     std::vector<int> entries(teams, 1);
     std::vector<FixtureResults> fixtures;
     const int own = static_cast<int>(random.below(teams));
-    const auto meet = [&](int team, int most, double better) {
+    const auto meet_three = [&](int team, double better) {
       std::vector<int> others = all_teams(teams);
       std::erase(others, team);
-      for (int n = 0; n < most; ++n) {
-        const std::size_t chosen = random.below(others.size());
-        const int other = others[chosen];
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(chosen));
-        const double d = truth[team] - truth[other] + better;
-        fixtures.push_back({played(team, entries[team], other, entries[other], d, random),
-                            played(other, entries[other], team, entries[team], -d, random)});
+      for (int n = 0; n < 3; ++n) {
+        const int other = others[random.below(others.size())];
+        std::erase(others, other);
+        fixtures.push_back(
+            fixture(team, other, entries, truth[team] - truth[other] + better, random));
       }
     };
-    for (int team = 0; team < teams; ++team) meet(team, 3, 0.0);
-    const auto rank = [&](bool by_points) {
-      std::vector<double> value(teams);
-      if (by_points) {
-        for (int team = 0; team < teams; ++team) {
-          double sum = 0.0, legs = 0.0;
-          for (const FixtureResults& fixture : fixtures) {
-            for (const LegResult& leg : fixture) {
-              if ((leg.home != team || leg.home_entry != entries[team]) &&
-                  (leg.away != team || leg.away_entry != entries[team]))
-                continue;
-              sum += points_of(leg, team);
-              legs += 1.0;
-            }
-          }
-          value[team] = sum / std::max(1.0, legs);
-        }
-      } else {
-        const Ratings ratings = rate_entries(entries, fixtures, true);
-        for (int team = 0; team < teams; ++team) value[team] = ratings.strengths[team].value;
-      }
-      return static_cast<int>(
-          std::count_if(value.begin(), value.end(), [&](double v) { return v > value[own]; }));
+    const auto rank = [&] {
+      const Ratings found = rate_entries(entries, fixtures, true);
+      return static_cast<int>(std::count_if(
+          found.strengths.begin(), found.strengths.end(),
+          [&](const Strength& one) { return one.value > found.strengths[own].value; }));
     };
-    std::vector<int> ranks, by_points;
-    for (int n = 0; n < hand_ins; ++n) {
-      if (n > 0) {
-        ++entries[own];
-        meet(own, 3, 0.0);
-      }
-      ranks.push_back(rank(false));
-      by_points.push_back(rank(true));
+    for (int team = 0; team < teams; ++team) meet_three(team, 0.0);
+    std::vector<int> ranks{rank()};
+    for (int n = 1; n < hand_ins; ++n) {
+      ++entries[own];
+      meet_three(own, 0.0);
+      ranks.push_back(rank());
     }
-    const auto span = [](const std::vector<int>& r) {
-      const auto [low, high] = std::minmax_element(r.begin(), r.end());
-      return *high - *low;
-    };
-    ++spans[span(ranks)];
-    ++spans_by_points[span(by_points)];
-    const int before = rank(false);
+    const auto [low, high] = std::minmax_element(ranks.begin(), ranks.end());
+    ++spans[*high - *low];
     ++entries[own];
-    meet(own, 3, 200.0);
-    risen += rank(false) < before || rank(false) == 0 ? 1 : 0;
+    meet_three(own, 200.0);
+    risen += rank() < ranks.back() || ranks.back() == 0 ? 1 : 0;
   }
-  for (const auto* of : {&spans, &spans_by_points}) {
-    std::printf("{\"ladders\": %d, \"seed\": %d, \"by\": \"%s\", \"span\": [", count,
-                static_cast<int>(seed), of == &spans ? "strength" : "points a leg");
-    for (std::size_t i = 0; i < of->size(); ++i) std::printf("%s%d", i > 0 ? ", " : "", (*of)[i]);
-    std::printf("]}\n");
-  }
-  std::printf("{\"entries_200_better_that_rise\": %.3f}\n", double(risen) / count);
-  std::fflush(stdout);
+  std::printf("{\"ladders\": %d, \"rose_if_200_better\": %d, \"span\": [%d", count, risen,
+              spans[0]);
+  for (int span = 1; span < teams; ++span) std::printf(", %d", spans[span]);
+  std::printf("]}\n");
 }
 
 // The scale goes from mark 4 at a strength of -200 to mark 1 at 200. Students are between the two.
@@ -329,25 +268,21 @@ void marks(int count, std::uint64_t seed) {
   for (int term = 0; term < count; ++term) {
     std::vector<double> truth = true_strengths(students, 380.0, Spread::even, random);
     truth.insert(truth.end(), {-200.0, 200.0});
-    std::vector<FixtureResults> fixtures;
-    for (int times = 0; times < 2; ++times) {
-      const auto one = season(truth, random);
-      fixtures.insert(fixtures.end(), one.begin(), one.end());
-    }
+    std::vector<FixtureResults> fixtures = season(truth, random);
+    for (const FixtureResults& again : season(truth, random)) fixtures.push_back(again);
     const Ratings ratings = rate(students + 2, fixtures);
     for (int team = 0; team < students; ++team) {
       const auto mark = mark_of(ratings, scale, 5.0, team);
       if (!mark) continue;
-      const double true_mark = 4.0 - 3.0 * (truth[team] + 200.0) / 400.0;
-      ++given;
+      const double true_mark = 2.5 - 3.0 * truth[team] / 400.0;
       const auto [low, high] = std::minmax(mark->low, mark->high);
+      ++given;
       held += low <= true_mark && true_mark <= high ? 1 : 0;
       width += high - low;
     }
   }
   std::printf("{\"marks\": %d, \"held\": %.3f, \"width\": %.2f}\n", given, double(held) / given,
               width / given);
-  std::fflush(stdout);
 }
 
 // How the fixtures of a simulated comparison come from the pool.
@@ -428,18 +363,10 @@ int main(int argc, char** argv) {
     }
     return EXIT_SUCCESS;
   }
-  if (what == "terms" && argc > 4) {
-    terms(std::atoi(argv[2]), std::strtoull(argv[3], nullptr, 10), std::atoi(argv[4]));
-    return EXIT_SUCCESS;
-  }
-  if (what == "ladders" && argc > 3) {
-    ladders(std::atoi(argv[2]), std::strtoull(argv[3], nullptr, 10));
-    return EXIT_SUCCESS;
-  }
-  if (what == "marks" && argc > 3) {
-    marks(std::atoi(argv[2]), std::strtoull(argv[3], nullptr, 10));
-    return EXIT_SUCCESS;
-  }
+  const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+  if (what == "terms" && argc > 4) return terms(std::atoi(argv[2]), seed, std::atoi(argv[4])), 0;
+  if (what == "ladders") return ladders(std::atoi(argv[2]), seed), 0;
+  if (what == "marks") return marks(std::atoi(argv[2]), seed), 0;
   if (what == "comparisons" && argc > 3) {
     const std::vector<int> pool = read_pool();
     if (pool.empty()) return 2;
@@ -448,10 +375,10 @@ int main(int argc, char** argv) {
       comparisons(std::atoi(argv[2]) / 4, std::atoi(argv[3]), pool, drawing);
     return EXIT_SUCCESS;
   }
-  std::fprintf(
-      stderr,
+  std::fputs(
       "usage: contest_figures leagues COUNT | terms COUNT SEED OPPONENTS | ladders COUNT SEED | "
       "marks COUNT SEED | "
-      "comparisons COUNT MOST < POINTS\n");
+      "comparisons COUNT MOST < POINTS\n",
+      stderr);
   return 2;
 }

@@ -243,7 +243,7 @@ Json table_json(const Overview& o) {
     if (!o.state.file.format.takes_entries()) continue;
     const auto decided = is_decided(o.state, o.ratings, row, next);
     rows.back()["points_per_leg"] =
-        row.rank > 0 ? Json(std::round(1000.0 * row.points / row.played) / 1000.0) : Json();
+        row.rank > 0 ? Json(std::round(1e3 * double(row.points) / row.played) / 1e3) : Json();
     rows.back()["decided"] = decided ? Json(*decided) : Json();
   }
   return {{"title", o.state.file.title},
