@@ -147,9 +147,8 @@ std::vector<std::string> term_options(const LeagueState& state) {
   const LeagueFile& file = state.file;
   const match::Conditions conditions =
       state.is_started ? state.conditions : file.conditions.value_or(default_conditions());
-  std::vector<std::string> options;
-  for (const auto& words :
-       {rule_options(file.rules, file.league), condition_options(conditions), pitch_option(file)})
+  std::vector<std::string> options = rule_options(file.rules, file.league);
+  for (const auto& words : {condition_options(conditions), pitch_option(file)})
     options.insert(options.end(), words.begin(), words.end());
   return options;
 }
@@ -159,8 +158,7 @@ std::vector<std::string> friendly_command(const LeagueState& state, const Friend
   std::vector<std::string> arguments = match_command(file, terms.blue, terms.yellow, terms.seed);
   arguments.insert(arguments.end(), {"--record", terms.record});
   if (file.keeps_thoughts) arguments.push_back("--thoughts");
-  const std::vector<std::string> options = term_options(state);
-  arguments.insert(arguments.end(), options.begin(), options.end());
+  for (const std::string& option : term_options(state)) arguments.push_back(option);
   const auto add_parameters = [&](const std::string& name, const std::string& option) {
     const auto team = state.find_team(name);
     if (!team) return;

@@ -159,23 +159,20 @@ TEST(Groups, KeepTheTeamsOfAGroupApart) {
         const Fixture& f = fixtures[i];
         if (f.part != Part::knockout || f.is_for_third_place()) continue;
         rounds = std::max(rounds, f.round);
-        std::multiset<int> sides[2];
-        for (const bool is_home : {true, false}) {
-          const TeamSource& source = is_home ? f.home_source : f.away_source;
-          std::multiset<int>& side = sides[is_home ? 0 : 1];
+        for (const TeamSource& source : {f.home_source, f.away_source}) {
+          std::multiset<int> side{source.index};
           if (source.kind == TeamSource::Kind::winner) {
             side = of_tie[source.index];
+          } else if (f.round > 1) {
+            worst_bye = std::max(worst_bye, source.place);
           } else {
-            side = {source.index};
-            if (f.round > 1) worst_bye = std::max(worst_bye, source.place);
-            if (f.round == 1) best_tie = std::min(best_tie, source.place);
+            best_tie = std::min(best_tie, source.place);
           }
+          for (const int group : side) {
+            if (of_tie[i].contains(group)) earliest = std::min(earliest, f.round);
+          }
+          of_tie[i].merge(side);
         }
-        for (const int group : sides[0]) {
-          if (sides[1].contains(group)) earliest = std::min(earliest, f.round);
-        }
-        of_tie[i] = sides[0];
-        of_tie[i].insert(sides[1].begin(), sides[1].end());
       }
       const int halvings = qualifiers > 2 ? 2 : 1;
       EXPECT_GE(earliest, rounds - halvings + 1) << groups << " groups, " << qualifiers;

@@ -94,6 +94,13 @@ LegResult of_entries(LegResult leg, int home_entry, int away_entry) {
   return leg;
 }
 
+std::vector<FixtureResults> of_first_entries(std::vector<FixtureResults> fixtures) {
+  for (FixtureResults& fixture : fixtures) {
+    for (LegResult& leg : fixture) leg.home_entry = leg.away_entry = 1;
+  }
+  return fixtures;
+}
+
 // Two teams of equal play, of which the first handed in early and beat everybody's first weeks.
 // Catches a fit in which a result counts against the team and not against the entry that played.
 TEST(StrengthOfEntries, DoesNotGrowWithWinsAgainstEntriesThatWereReplaced) {
@@ -114,10 +121,7 @@ TEST(StrengthOfEntries, DoesNotGrowWithWinsAgainstEntriesThatWereReplaced) {
   EXPECT_NEAR(found.strengths[0].value, found.strengths[1].value, 60.0);
   EXPECT_FALSE(are_apart(found, 0, 1));
   EXPECT_TRUE(are_apart(found, 0, 2));
-  for (FixtureResults& fixture : term) {
-    for (LegResult& leg : fixture) leg.home_entry = leg.away_entry = 1;
-  }
-  const Ratings of_teams = rate_entries({1, 1, 1}, term, false);
+  const Ratings of_teams = rate_entries({1, 1, 1}, of_first_entries(term), false);
   EXPECT_GT(of_teams.strengths[0].value, of_teams.strengths[1].value + 100.0);
 }
 
@@ -128,11 +132,7 @@ TEST(StrengthOfEntries, IsThatOfTheTeamsIfNoneWasReplaced) {
   const Ratings entries = rate_entries({no_entry, 0, 0}, results, true);
   ASSERT_EQ(entries.strengths.size(), 3u);
   EXPECT_EQ(entries.strengths[0].value, 0.0) << "no entry, no strength";
-  std::vector<FixtureResults> numbered = results;
-  for (FixtureResults& fixture : numbered) {
-    for (LegResult& leg : fixture) leg.home_entry = leg.away_entry = 1;
-  }
-  const Ratings ones = rate_entries({1, 1, 1}, numbered, true);
+  const Ratings ones = rate_entries({1, 1, 1}, of_first_entries(results), true);
   for (int team = 0; team < 3; ++team) {
     EXPECT_EQ(ones.strengths[team].value, teams.strengths[team].value);
     EXPECT_EQ(ones.strengths[team].low, teams.strengths[team].low);
@@ -142,10 +142,7 @@ TEST(StrengthOfEntries, IsThatOfTheTeamsIfNoneWasReplaced) {
 // Catches a ladder in which a lucky fixture of the same play jumps over everybody.
 TEST(StrengthOfEntries, LeansOnTheFormerEntryWhenLegsAreFew) {
   Random random(4);
-  std::vector<FixtureResults> ladder = season({100.0, 0.0, -100.0}, 5, random);
-  for (FixtureResults& fixture : ladder) {
-    for (LegResult& leg : fixture) leg.home_entry = leg.away_entry = 1;
-  }
+  std::vector<FixtureResults> ladder = of_first_entries(season({100.0, 0.0, -100.0}, 5, random));
   const double before = rate_entries({1, 1, 1}, ladder, true).strengths[2].value;
   ladder.push_back({of_entries(leg_result(2, 0, 1, 0), 2, 1)});
   ladder.push_back({of_entries(leg_result(0, 2, 0, 1), 1, 2)});
