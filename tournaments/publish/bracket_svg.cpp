@@ -81,7 +81,7 @@ class BracketPicture {
     team(f.fixture.away, o, {at.x, at.y + 43}, name_room(f));
     if (f.fixture.has_both()) goals(f, o, at);
     if (f.fixture.is_for_third_place()) text("round", {at.x, at.y - 6}, "Third place");
-    if (is_by_lot(o_, f)) text("round", {at.x + box_width - 48, at.y - 6}, "by lot");
+    if (is_by_lot(o_, f)) text("round", {at.x + box_width - 48, at.y - 3}, "by lot");
     for (const TeamSource& source : {f.fixture.home_source, f.fixture.away_source}) {
       if (source.kind != TeamSource::Kind::winner) continue;
       const Fixture& before = state_.fixtures[source.index].fixture;

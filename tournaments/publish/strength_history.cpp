@@ -56,7 +56,7 @@ class Chart {
     svg += scale();
     if (highlighted_ >= 0) {
       for (const TableRow& row : o_.table) {
-        if (row.team != highlighted_) svg += curve(row.team, "other");
+        if (row.team != highlighted_ && row.rank > 0) svg += curve(row.team, "other");
       }
       svg += band(highlighted_) + curve(highlighted_, "own");
       return svg + "</svg>\n";

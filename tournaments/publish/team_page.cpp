@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace mirocup::league {
@@ -68,7 +69,7 @@ int other_of(const LegView& leg, int team) {
 // that the other team is stronger.
 double achievement(const Overview& o, const LegView& leg, int team) {
   const double stronger =
-      o.ratings.strengths[other_of(leg, team)].value - o.ratings.strengths[team].value;
+      std::round(o.ratings.strengths[other_of(leg, team)].value - o.ratings.strengths[team].value);
   return leg.goals(team) - leg.goals_against(team) + stronger / 100.0;
 }
 
@@ -157,7 +158,7 @@ std::string team_html(const SiteContent& c, int team) {
     values["sha256"] = now.sha256.substr(0, 16);
   }
   values["form"] = form_values(o, team, form_length, "../");
-  values["chart"] = strength_picture(o, c.history, team);
+  values["chart"] = row->rank > 0 ? strength_picture(o, c.history, team) : "";
   const PlayedLegs legs = played_legs(o, team);
   values["totals"] = totals_values(o, team, legs);
   values["best"] = extremes(o, team, legs, true);
