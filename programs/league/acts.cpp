@@ -16,7 +16,6 @@
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/site.hpp"
 
-#include <algorithm>
 #include <array>
 #include <iostream>
 
@@ -36,7 +35,7 @@ Result<int> play_closing_round(system::Files& files, const LeagueStore& season,
                                const LeagueFile& file, int jobs) {
   const Folder folder = folder_of_closing_round(season.folder());
   MIROCUP_TRY_VOID(init_from(files, season, folder, file));
-  MIROCUP_TRY(const int announced, publish_league(files, season.folder(), jobs));
+  MIROCUP_TRY_VOID(publish_league(files, season.folder(), jobs));
   MIROCUP_TRY(auto held, hold_league(files, folder, ""));
   auto progress = make_progress_reporter();
   MIROCUP_TRY(const auto end, play_league(files, std::move(held.store), *progress, {.jobs = jobs}));
@@ -46,7 +45,7 @@ Result<int> play_closing_round(system::Files& files, const LeagueStore& season,
   std::cout << table_text(end.state);
   const bool is_over = end.state.legs() == end.state.played();
   if (!is_over) say_what_is_left(end.state);
-  return is_over && end.refused == 0 ? std::max(announced, published) : exit_no;
+  return is_over && end.refused == 0 ? published : exit_no;
 }
 
 Result<int> run_act(const ActOptions& options) {
