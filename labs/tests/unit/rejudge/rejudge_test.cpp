@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Catches a difference where no rule was changed, and a changed law without one.
-#include "core/replay/rejudge.hpp"
+#include "labs/rejudge/rejudge.hpp"
 
 #include "tests/support/offenders.hpp"
 
