@@ -110,11 +110,3 @@ export function record(canvas, from, to, paint) {
     requestAnimationFrame(frame);
   });
 }
-
-export function save(blob, name) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-}

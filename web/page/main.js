@@ -2,7 +2,7 @@
 //
 // Builds the page from its data (embedded in it or sent by a server), the player and the controls.
 import { Calls } from './calls.js';
-import { canRecord, Painter, record, save } from './clip.js';
+import { canRecord, Painter, record } from './clip.js';
 import { Inspector } from './inspector.js';
 import { listen } from './live.js';
 import { momentum, MomentumView } from './momentum.js';
@@ -267,7 +267,7 @@ async function saveClip() {
   };
   try {
     const from = Math.max(to - clipSeconds, player.begin);
-    save(await record(painter.canvas, from, to, paint), `clip-${from.toFixed(0)}-${to.toFixed(0)}.webm`);
+    download(`clip-${from.toFixed(0)}-${to.toFixed(0)}.webm`, await record(painter.canvas, from, to, paint), 'video/webm');
     by('clip').textContent = 'Clip';
   } catch {
     by('clip').textContent = 'No video here';

@@ -82,9 +82,10 @@ export function situationAt({ track, tick, moment, call, league }) {
   }, null, 1);
 }
 
-export function download(name, text) {
+// Saves a text or a Blob as a file.
+export function download(name, data, type = 'application/json') {
   const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([text], { type: 'application/json' }));
+  link.href = URL.createObjectURL(new Blob([data], { type }));
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
