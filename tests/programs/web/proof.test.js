@@ -152,7 +152,7 @@ test('pages of a league are proved by files beside them, from disk and from a se
 
 test('a host who says no has pages without a proof', options, async () => {
   const place = playLeague('private', { proofs: false });
-  assert.deepEqual(names(join(place, 'site/replays')), legs.map((leg) => `${leg}.html`));
+  assert.deepEqual(names(join(place, 'site/replays')), legs.flatMap((leg) => [`${leg}.html`, `${leg}.league.json`]));
   assert.deepEqual(names(join(place, 'site/module')), []);
   const host = await served(place);
   assert.equal((await fetch(`${host.url}replays/${legs[0]}.proof.js`)).status, 404);
