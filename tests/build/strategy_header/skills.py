@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""mirocup.team calls each function of skills.h with its parameters in their order, of their types and with the usual values that
-the header gives; and what a test of a student puts together is packed as the host packs it. Catches a function that Python lacks,
-a parameter at another place, a default that differs, and a member of the setup or the observation that moved.
+"""mirocup.team has each function of skills.h with its parameters in their order and with the usual values that the header gives; and
+what a test of a student puts together is packed as the host packs it. Catches a function that declarations.py leaves out, one that
+Python defines by itself with another parameter or usual value, and a member of the setup or the observation that moved.
 Usage: skills.py ROOT BUILD"""
-import ctypes
 import math
 import re
 import sys
@@ -14,10 +13,11 @@ sys.path.insert(0, build + "/python")
 import mirocup.team as m  # noqa: E402
 
 header = re.sub(r"\s+", " ", open(root + "/plugins/include/mirocup/skills.h").read().split('extern "C" {')[1])
-value = {"double": ctypes.c_double, "int32_t": ctypes.c_int32, "mirocup_point": m._CPoint, "mirocup_wheels": m._CWheels,
-         "mirocup_pose": m._CPose, "mirocup_ball": m._CBall, "mirocup_shot": m._CShot, "mirocup_robot": m._CRobot,
-         "mirocup_crossing": m._CCrossing, "mirocup_interception": m._CInterception, "void": None}
-handled = ("filter", "penalty", "scene", "simulator", "tracker")
+returned = {"double": float, "int32_t": bool, "void": None, "mirocup_wheels": m.Wheels, "mirocup_point": m.Point, "mirocup_pose": m.Pose,
+            "mirocup_robot": m.Robot, "mirocup_ball": m.Ball, "mirocup_shot": m.Shot, "mirocup_crossing": m.Crossing,
+            "mirocup_interception": m.Interception}
+# Python makes these arrays itself, or changes a command by returning another one.
+different = {"follow_field", "cheapest_robot", "assign_places", "out_of_reach", "keep_laws", "avoid_own_goals", "spare_keeper"}
 failures = []
 
 
@@ -26,30 +26,21 @@ def expect(holds, what):
         failures.append(what)
 
 
-functions = re.findall(r"(\w+)(?: const)?(\*?) mirocup_(\w+)\(([^)]*)\);(?: /\* ([^*]*) \*/)?", header)
+functions = re.findall(r"(\w+)(?: const)?(\*?) mirocup_(\w+)\(([^)]*)\);(?: /\* \{?([-\d., e]*)\}? \*/)?", header)
 expect(len(functions) > 90, f"only {len(functions)} functions were found")
 for result, star, name, text, usual in functions:
-    if name.split("_")[0] in handled:
-        expect(hasattr(m._c, "mirocup_" + name), f"{name}: not in the library")
+    expect(len(getattr(m, "_" + name).argtypes) == text.count(",") + (text != "void"), f"{name}: arguments of {text}")
+    if name.split("_")[0] in ("filter", "penalty", "scene", "simulator", "tracker"):
         continue
     expect(name in m.__all__, f"{name}: Python lacks it")
-    if name not in m.__all__:
-        continue
-    parameters = [p.strip() for p in text.split(",")]
-    bound = getattr(m, {"inside": "_inside"}.get(name, name))
-    if name in ("keep_laws", "avoid_own_goals", "spare_keeper", "follow_field", "cheapest_robot", "assign_places", "out_of_reach"):
-        function = {"out_of_reach": m._out_of_reach, "follow_field": m._follow_field, "cheapest_robot": m._cheapest_robot,
-                    "assign_places": m._assign_places}.get(name) or getattr(m, "_" + name).__closure__[0].cell_contents
-    else:
-        function = bound.__globals__["_function"]
-        names = [re.search(r"\w+$", p)[0] for p in parameters]
-        expect(names == list(bound.__code__.co_varnames[:bound.__code__.co_argcount]), f"{name}: {names}")
-    types = [ctypes.c_char_p if "char" in p else ctypes.c_void_p if "*" in p else value[p.split()[0]] for p in parameters]
-    expect(function.argtypes == types or list(function.argtypes) == types, f"{name}: {text} is called as {function.argtypes}")
-    expect(function.restype == value[result], f"{name}: returns {result}, not {function.restype}")
-    numbers = [float(n) for n in re.findall(r"(?<![\w.])\d[\d.e]*", usual)] if usual and "mirocup_" not in usual else []
+    bound = getattr(m, name)
+    expect(bound.__doc__, f"{name}: no description")
     given = [float(d) for d in bound.__defaults__ or () if isinstance(d, (int, float))]
-    expect(given == numbers, f"{name}: Python has {given}, the header says {numbers}")
+    expect(given == [float(n) for n in usual.split(",") if n], f"{name}: Python has {given}, the header says {usual}")
+    if name not in different:
+        names = [re.search(r"\w+$", p)[0] for p in text.split(",")]
+        expect(names == list(bound.__code__.co_varnames[:bound.__code__.co_argcount]), f"{name}: {names}")
+        expect(bound.__annotations__["return"] == returned[result], f"{name}: returns {bound.__annotations__['return']}")
 
 # What a test puts together is what the host would send.
 SETUP = m.Setup(*range(3), *[0.5 + n for n in range(37)], (1.5, 2.5, 3.5, 4.5), (1, 2, 3, 0), (m.Point(1.0, 2.0), m.Point(3.0, 4.0), m.Point(5.0, 6.0)))
@@ -64,6 +55,13 @@ expect(m.ball_after(moved, 0.0) == (-0.5, 0.2), "a skill sees the observation be
 
 # Each function can be called, and takes what Python has: tuples, whole numbers, None for a robot that stands.
 expect(m.drive_to(SETUP, now.own[0], (1, 0)) == m.drive_to(SETUP, now.own[0], m.Point(1.0, 0.0)), "whole numbers")
+expect(m.out_of_reach(now.own, (0.5, 0.0)) == m.out_of_reach([tuple(r) for r in now.own], m.Point(0.5, 0.0)), "a list of robots")
+try:
+    m.attack_ball(SETUP, now, 3, (0.5, 0.0))
+except TypeError as error:
+    expect("me is 3; the number of an own robot is expected" in str(error), f"of a robot that is not there: {error}")
+else:
+    expect(False, "a robot that is not there attacks")
 expect(len(m.keep_laws(SETUP, now, [None, (1, 2), (3, 4)])) == 3, "None for a robot")
 expect(m.time_at_x(SETUP, ((0.0, 0.0), (1.0, 0.0)), -0.3) is None, "a ball that goes away crosses a line")
 expect(math.isfinite(m.worth_of(SETUP, now)), "worth_of")
