@@ -250,7 +250,8 @@ void ladders(int count, std::uint64_t seed) {
     ++spans[*high - *low];
     ++entries[own];
     meet_three(own, 200.0);
-    risen += rank() < ranks.back() || ranks.back() == 0 ? 1 : 0;
+    const int after = rank();
+    risen += after < ranks.back() || after == 0 ? 1 : 0;
   }
   std::printf("{\"ladders\": %d, \"rose_if_200_better\": %d, \"span\": [%d", count, risen,
               spans[0]);
