@@ -18,7 +18,7 @@ inline constexpr const char* for_engineers = "Pitches and physics";
 
 // Each declares its subcommand.
 using Add = void(system::Commands& commands);
-Add add_export, add_identify, add_new, add_record_as_seen, add_rejudge, add_tune, add_validate;
+Add add_export, add_identify, add_new, add_record_as_seen, add_tune, add_validate;
 
 // Runs mirocup-bench, the only program that is linked to other engines, in the place of this
 // process. Returns only if it cannot be run.

@@ -40,7 +40,7 @@ static std::variant<system::Run, int> read_command_line(int argc, char** argv) {
                             record::software_version(),
                             "mirocup help COMMAND explains a command, with examples.");
   for (Add* const add :
-       {add_export, add_tune, add_record_as_seen, add_identify, add_validate, add_rejudge, add_new})
+       {add_export, add_tune, add_record_as_seen, add_identify, add_validate, add_new})
     add(commands);
   commands.add_other({"bench",
                       for_engineers,

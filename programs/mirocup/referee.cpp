@@ -2,13 +2,19 @@
 //
 // mirocup referee TRACE.jsonl: reads one situation a line and prints one verdict a line, in the
 // same order.
+//
+// mirocup referee --record FILE: judges a played match again, with other parameters.
+#include "core/replay/rejudge.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "record/json_reader.hpp"
+#include "record/match_record.hpp"
+#include "record/rules_json.hpp"
 #include "record/traces/trace_verdict.hpp"
 #include "system/printable.hpp"
 
 #include <iostream>
 #include <sstream>
+#include <vector>
 
 namespace mirocup::app {
 
@@ -16,7 +22,9 @@ namespace {
 
 struct RefereeOptions {
   std::string trace_path;
-  bool json = false;  // verdicts are JSON in any case
+  std::string record_path;
+  std::vector<std::string> rule_changes;  // KEY=VALUE
+  bool json = false;                      // verdicts on traces are JSON in any case
 };
 
 using Json = nlohmann::ordered_json;
@@ -32,8 +40,7 @@ void print(const Json& json) {
   std::cout << record::json_text(json) << '\n';
 }
 
-Result<int> run_referee(const RefereeOptions& options) {
-  const std::string& path = options.trace_path;
+Result<int> judge_traces(const std::string& path) {
   system::Disk disk;
   MIROCUP_TRY(const auto text, disk.read_named(path, system::size_limit::trace));
   std::istringstream lines(text);
@@ -64,14 +71,86 @@ Result<int> run_referee(const RefereeOptions& options) {
   return all_judged ? exit_yes : exit_no;
 }
 
+Json decision_json(const std::optional<match::LoggedDecision>& logged) {
+  if (!logged) return nullptr;
+  return {{"decision", to_string(logged->decision.verdict)},
+          {"law", to_string(logged->decision.law)},
+          {"team", logged->team ? Json(to_string(*logged->team)) : Json()},
+          {"reason", logged->decision.reason}};
+}
+
+std::string decision_text(const std::optional<match::LoggedDecision>& logged) {
+  if (!logged) return "nothing";
+  return std::string(to_string(logged->decision.verdict)) + " (" +
+         std::string(to_string(logged->decision.law)) + ": " + logged->decision.reason + ")";
+}
+
+Result<int> judge_record(const RefereeOptions& options) {
+  system::Disk disk;
+  MIROCUP_TRY(const auto record, record::load(disk, options.record_path));
+  const match::Setup& setup = record.recording.setup;
+  MIROCUP_TRY(const auto rules, record::rules_with_changes(record::to_json(setup.rules),
+                                                           options.rule_changes, setup.league));
+  const auto judged = replay::rejudge(record.recording, rules);
+  if (!judged && record::has_other_behaviour(record)) {
+    return tl::unexpected(
+        record::behaviour_mismatch(options.record_path, record, judged.error().tick));
+  }
+  if (!judged) {
+    std::cerr << "mirocup: " << system::printable(options.record_path)
+              << ": cannot be judged, it differs from tick " << judged.error().tick
+              << " on: " << system::printable(judged.error().what) << '\n';
+    return exit_no;
+  }
+  const std::vector<replay::Difference>& differences = *judged;
+
+  Json list = Json::array();
+  for (const replay::Difference& d : differences) {
+    const match::LoggedDecision& any = d.given ? *d.given : *d.would_be;
+    if (options.json) {
+      list.push_back({{"tick", d.tick},
+                      {"clock", any.decision.clock},
+                      {"given", decision_json(d.given)},
+                      {"would_be", decision_json(d.would_be)}});
+    } else {
+      std::cout << "tick " << d.tick << ", clock " << any.decision.clock << " s: given "
+                << decision_text(d.given) << ", would be " << decision_text(d.would_be) << '\n';
+    }
+  }
+  if (options.json) {
+    print({{"record", options.record_path},
+           {"rules", record::to_json(rules)},
+           {"differences", list}});
+  } else {
+    std::cout
+        << system::printable(options.record_path) << ": " << differences.size()
+        << " decisions would differ; the course of the match itself is taken from the record\n";
+  }
+  return differences.empty() ? exit_yes : exit_no;
+}
+
+Result<int> run_referee(const RefereeOptions& options) {
+  if (!options.record_path.empty()) return judge_record(options);
+  if (options.trace_path.empty()) return fail(Errc::input, "TRACE or --record is required");
+  return judge_traces(options.trace_path);
+}
+
 }  // namespace
 
 void add_referee(system::Commands& commands) {
-  const auto [command, o] =
-      commands.add(run_referee, "referee", for_engineers, "Judge recorded situations",
-                   {"mirocup referee trace.jsonl"});
-  command.option("TRACE", o.trace_path, "File of situations, one JSON object on each line")
-      .required();
+  const auto [command, o] = commands.add(
+      run_referee, "referee", for_engineers,
+      "Judge recorded situations, or judge a played match with other parameters",
+      {"mirocup referee trace.jsonl", "mirocup referee --record leg.json --rule stalemate_s=5"});
+  const system::Option trace =
+      command.option("TRACE", o.trace_path, "File of situations, one JSON object on each line");
+  const system::Option record =
+      command.option("--record", o.record_path, "Match record to judge again").excludes(trace);
+  command
+      .option("--rule", o.rule_changes,
+              "Change a parameter of the record's rules; may be given several times")
+      .named("KEY=VALUE")
+      .needs(record);
   command.flag("--json", o.json, "Print the answer as one JSON object");
 }
 

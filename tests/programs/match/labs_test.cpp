@@ -21,7 +21,6 @@ TEST(WithoutLabs, CommandsSayWhatBuildsThem) {
         {"export", "p.npz", "-o", "p.cpp"},
         {"identify", "seen.jsonl", "-o", "ours.json"},
         {"record-as-seen", "leg.json", "-o", "seen.jsonl"},
-        {"rejudge", "leg.json", "--rule", "stalemate_s=5"},
         {"tune", "mine.so", "--param", "wait=0:1", "--against", "chaser"},
         {"validate", "seen.jsonl"},
         {"new", folder / "mine", "--from-simurosot", "old"}}) {

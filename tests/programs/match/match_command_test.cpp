@@ -184,6 +184,21 @@ TEST(MatchCommand, WritesNoRecordWhenItIsInterrupted) {
   EXPECT_EQ(access((folder / "leg.json").c_str(), F_OK), -1);
 }
 
+TEST(RefereeCommand, JudgesARecordWithOtherParameters) {
+  const TemporaryFolder folder;
+  run(match("striker", "chaser", {"--half", "20", "--record", folder / "leg.json"}));
+  const std::vector<std::string> referee{program("mirocup"), "referee", "--record",
+                                         folder / "leg.json"};
+  EXPECT_EQ(run(referee).exit_code, 0) << "with its own it differs nowhere";
+  auto shorter = referee;
+  for (const char* word : {"--rule", "half_s=10", "--json"}) shorter.push_back(word);
+  const Outcome outcome = run(shorter);
+  EXPECT_EQ(outcome.exit_code, 1);
+  const auto answer = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(answer["rules"]["half_s"], 10);
+  EXPECT_EQ(answer["differences"][0]["would_be"]["decision"], "HALF_END");
+}
+
 TEST(VerifyCommand, TellsTruthFromForgeryAndDamage) {
   const TemporaryFolder folder;
   run(match("striker", "chaser", {"--half", "20", "--record", folder / "leg.json"}));

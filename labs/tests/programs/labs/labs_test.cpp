@@ -21,7 +21,6 @@ TEST(Labs, EachCommandHasItsHelp) {
                                                                   {"tune", "--generations"},
                                                                   {"record-as-seen", "--noise-mm"},
                                                                   {"identify", "--page"},
-                                                                  {"rejudge", "--rule"},
                                                                   {"validate", "--against"}}) {
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{name, "--help"}, {"help", name}}) {
@@ -36,21 +35,6 @@ TEST(Labs, EachCommandHasItsHelp) {
         << name;
   }
   EXPECT_EQ(run({program("mirocup"), "league", "tune", "--help"}).exit_code, 0);
-}
-
-// Catches a referee that does not use the other numbers, and calls that differ with the same ones.
-TEST(Rejudge, JudgesARecordWithOtherParameters) {
-  const test_support::TemporaryFolder folder;
-  const std::string record = folder / "leg.json";
-  run({program("mirocup"), "match", "--blue", "striker", "--yellow", "chaser", "--half", "20",
-       "--record", record});
-  EXPECT_EQ(run({program("mirocup"), "rejudge", record}).exit_code, 0);
-  const auto outcome =
-      run({program("mirocup"), "rejudge", record, "--rule", "half_s=10", "--json"});
-  EXPECT_EQ(outcome.exit_code, 1);
-  const auto answer = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(answer["rules"]["half_s"], 10);
-  EXPECT_EQ(answer["differences"][0]["would_be"]["decision"], "HALF_END");
 }
 
 // Catches a page of the manual without options, and one that the package mirocup has, too.

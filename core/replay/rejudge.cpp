@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "labs/rejudge/rejudge.hpp"
+#include "core/replay/rejudge.hpp"
 
 #include "core/replay/verification.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Catches a difference where no rule was changed, and a changed law without one.
-#include "labs/rejudge/rejudge.hpp"
+#include "core/replay/rejudge.hpp"
 
 #include "tests/support/offenders.hpp"
 
