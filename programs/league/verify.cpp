@@ -6,7 +6,6 @@
 #include "record/kept_module.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/league_store.hpp"
-#include "tournaments/play/backup.hpp"
 #include "tournaments/play/program.hpp"
 
 #include <algorithm>
@@ -40,7 +39,6 @@ Result<int> run_verify_league(const VerifyOptions& options) {
       problems.push_back({{"record", p.record}, {"code", p.code}, {"what", p.text}});
     std::cout << record::json_text({{"records", done.records},
                                     {"reproduced", done.reproduced},
-                                    {"programs", done.programs},
                                     {"problems", problems}})
               << '\n';
     return result;
@@ -48,7 +46,6 @@ Result<int> run_verify_league(const VerifyOptions& options) {
   for (const auto& problem : done.problems)
     std::cout << system::printable(problem.record) << ": " << system::printable(problem.text)
               << '\n';
-  for (const std::string& program : done.programs) std::cout << system::printable(program) << '\n';
   std::cout << done.reproduced << " of " << done.records << " records reproduced\n";
   return result;
 }

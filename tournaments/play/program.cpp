@@ -6,7 +6,6 @@
 #include "record/kept_module.hpp"
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
-#include "system/text.hpp"
 #include "tournaments/league/gaps.hpp"
 #include "tournaments/play/scratch_folder.hpp"
 
@@ -23,8 +22,6 @@ std::string in_words(const std::string& version, const std::string& game) {
 // What is needed of a record before it is verified.
 struct RecordedLeg {
   std::string path;  // inside the league
-  std::string version;
-  std::string game;
   std::string state_hash;
   double half_s = 0.0;
 };
@@ -35,10 +32,7 @@ Result<RecordedLeg> read_leg(system::Files& files, const Folder& folder, const s
   MIROCUP_TRY_VOID(record::expect_whole(text, file));
   return record::read_json<RecordedLeg>(
       text, file, Errc::damaged, [&path](const record::JsonReader& json) {
-        const record::JsonReader software = json.at("software");
         return RecordedLeg{.path = path,
-                           .version = software.at("version").text(),
-                           .game = software.at("game").text(),
                            .state_hash = json.at("state_hash").text(),
                            .half_s = json.at("rules").at("half_s").number()};
       });
@@ -111,12 +105,10 @@ Result<VerifiedRecords> verify(system::Files& files, const Folder& folder,
   const std::string server = system::sibling_program("mirocup");
   system::ProcessSet processes;
   if (jobs <= 0) jobs = static_cast<int>(system::processors().size());
-  std::map<std::string, int> by_program;
   const auto output_of = [&output](int tag) { return output.path() + "/" + std::to_string(tag); };
   for (std::size_t next = 0; next < waiting.size() || processes.running() > 0;) {
     if (next < waiting.size() && static_cast<int>(processes.running()) < jobs) {
       const RecordedLeg& leg = *waiting[next];
-      ++by_program[in_words(leg.version, leg.game) + ", verified by " + server];
       const int tag = static_cast<int>(next++);
       MIROCUP_TRY_VOID(processes.start(
           {server, "verify", folder.path + "/" + leg.path, "--answer", output_of(tag)}, tag, -1,
@@ -136,8 +128,6 @@ Result<VerifiedRecords> verify(system::Files& files, const Folder& folder,
     }
     (void)files.remove(output_of(exit->tag));
   }
-  for (const auto& [program, count] : by_program)
-    done.programs.push_back(std::to_string(count) + " records of " + program);
   return done;
 }
 

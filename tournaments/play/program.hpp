@@ -25,7 +25,6 @@ struct VerifiedRecords {
   };
   int records = 0;
   int reproduced = 0;
-  std::vector<std::string> programs;  // "mirocup 0.1.0 (game 1234): 56 records, verified by PATH"
   std::vector<Problem> problems;
 };
 
