@@ -49,12 +49,9 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
   for (std::size_t i = 0; i < rows.size(); ++i) {
     RosterRow& row = rows[i];
     row.people = people.at(row.team);
-    MIROCUP_TRY(const auto newest, last_entry(files, folder, row.team));
-    MIROCUP_TRY(const auto playing, playing_entry(files, folder, row.team));
-    MIROCUP_TRY(const auto sha256, sha256_of_entry(files, folder, row.team, playing));
-    row.last_entry = newest;
-    row.last_accepted = playing;
-    row.sha256 = sha256;
+    MIROCUP_TRY(row.last_entry, last_entry(files, folder, row.team));
+    MIROCUP_TRY(row.last_accepted, playing_entry(files, folder, row.team));
+    MIROCUP_TRY(row.sha256, sha256_of_entry(files, folder, row.team, row.last_accepted));
     if (!row.sha256.empty()) by_file[row.sha256].push_back(i);
     MIROCUP_TRY(const auto known, read_hand_ins(files, folder, row.team));
     if (known.tries.empty()) continue;
@@ -86,10 +83,9 @@ std::string last_leg_at(const Journal& journal) {
 
 Json roster_json(const std::vector<RosterRow>& rows) {
   Json teams = Json::array();
-  const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
   for (const RosterRow& row : rows) {
     teams.push_back({{"team", row.team},
-                     {"display", or_null(row.people.display)},
+                     {"display", record::or_null(row.people.display)},
                      {"members", row.people.members},
                      {"house", row.is_house},
                      {"joined", row.has_joined},
@@ -99,9 +95,9 @@ Json roster_json(const std::vector<RosterRow>& rows) {
                      {"plays_with", row.playing_entry > 0 ? Json(row.playing_entry) : Json()},
                      {"last_accepted", row.last_accepted > 0 ? Json(row.last_accepted) : Json()},
                      {"state", row.state()},
-                     {"handed_in", or_null(row.handed_in)},
-                     {"message", or_null(row.message)},
-                     {"sha256", or_null(row.sha256)},
+                     {"handed_in", record::or_null(row.handed_in)},
+                     {"message", record::or_null(row.message)},
+                     {"sha256", record::or_null(row.sha256)},
                      {"same_file_as", row.same_as}});
   }
   return teams;
