@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/scene_json.hpp"
 
-#include "core/base/math.hpp"
 #include "record/json_reader.hpp"
 #include "record/motion_json.hpp"
 #include "record/parameters_json.hpp"

@@ -8,7 +8,6 @@
 #include "web/design/template.hpp"
 #include "web/picture.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>

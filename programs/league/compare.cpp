@@ -4,7 +4,6 @@
 #include "programs/league/commands.hpp"
 #include "programs/league/progress_bar.hpp"
 #include "record/json_reader.hpp"
-#include "record/rules_json.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/event.hpp"

@@ -3,7 +3,6 @@
 // mirocup league decisions: what the staff has decided.
 #include "programs/league/commands.hpp"
 #include "programs/league/publishing.hpp"
-#include "record/json_reader.hpp"
 #include "system/printable.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/exports.hpp"

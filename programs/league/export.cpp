@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
-#include <vector>
 
 namespace mirocup::league {
 

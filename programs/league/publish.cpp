@@ -4,7 +4,6 @@
 #include "programs/league/commands.hpp"
 #include "programs/league/publishing.hpp"
 #include "tournaments/league/league_store.hpp"
-#include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"
 
 #include <filesystem>

@@ -4,7 +4,6 @@
 #include "programs/league/commands.hpp"
 #include "system/file_lock.hpp"
 #include "tournaments/league/folder.hpp"
-#include "tournaments/league/league_store.hpp"
 
 #include <csignal>
 #include <iostream>

@@ -9,7 +9,6 @@
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/class_list.hpp"
 #include "tournaments/league/league_store.hpp"
-#include "tournaments/league/roster.hpp"
 #include "tournaments/league/submission.hpp"
 
 #include <algorithm>

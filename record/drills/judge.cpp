@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/drills/judge.hpp"
 
-#include "core/base/math.hpp"
-
 #include <algorithm>
 #include <cmath>
 

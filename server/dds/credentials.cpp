@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/credentials.hpp"
 
-#include "server/dds/domain.hpp"
 #include "system/files.hpp"
 #include "system/text.hpp"
 #include "system/tls.hpp"

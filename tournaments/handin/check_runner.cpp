@@ -5,7 +5,6 @@
 #include "record/json_reader.hpp"
 #include "system/clock.hpp"
 #include "system/locations.hpp"
-#include "system/printable.hpp"
 #include "system/process_tree.hpp"
 #include "tournaments/league/submission.hpp"
 

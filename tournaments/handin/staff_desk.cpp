@@ -13,8 +13,6 @@
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/rounds.hpp"
 
-#include <algorithm>
-
 namespace mirocup::league {
 
 namespace {

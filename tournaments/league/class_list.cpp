@@ -4,7 +4,6 @@
 #include "system/csv.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
-#include "tournaments/league/apply.hpp"
 #include "tournaments/league/submission.hpp"
 
 #include <algorithm>

@@ -8,7 +8,6 @@
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
-#include "system/text.hpp"
 #include "tournaments/format/schedule.hpp"
 #include "tournaments/league/event.hpp"
 

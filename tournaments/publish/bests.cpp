@@ -2,7 +2,6 @@
 #include "tournaments/publish/bests.hpp"
 
 #include "system/text.hpp"
-#include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/team_page.hpp"
 
 #include <algorithm>

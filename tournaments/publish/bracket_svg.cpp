@@ -2,7 +2,6 @@
 #include "tournaments/publish/bracket_svg.hpp"
 
 #include "system/text.hpp"
-#include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/rounds.hpp"
 
 #include <algorithm>

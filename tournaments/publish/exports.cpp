@@ -5,7 +5,6 @@
 #include "record/json_reader.hpp"
 #include "tournaments/league/league_state.hpp"
 #include "tournaments/publish/decision_view.hpp"
-#include "tournaments/publish/replay_pages.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include "tournaments/publish/bracket_svg.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/page_values.hpp"
-#include "tournaments/publish/replay_pages.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -3,10 +3,8 @@
 
 #include "record/json_fields.hpp"
 #include "system/text.hpp"
-#include "tournaments/league/apply.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/replay_pages.hpp"
-#include "tournaments/publish/site.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/page_values.hpp"
 
-#include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/team_page.hpp"
 #include "web/design/template.hpp"
 

@@ -6,7 +6,6 @@
 #include "record/match_record.hpp"
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
-#include "system/text.hpp"
 #include "tournaments/league/schedule_growth.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/page_values.hpp"

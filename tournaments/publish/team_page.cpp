@@ -2,7 +2,6 @@
 #include "tournaments/publish/team_page.hpp"
 
 #include "system/text.hpp"
-#include "tournaments/publish/bests.hpp"
 #include "tournaments/publish/page_values.hpp"
 
 #include <nlohmann/json.hpp>
