@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // How the functions of skills.h call C++, for c_skills.cpp and c_predict.cpp. Most of them are made
-// by declarations.py: Cpp::of() converts their arguments, and C::of() their results. Here is what is
-// the same in both languages; each source adds its own structures.
+// by declarations.py: Cpp::of() converts their arguments, and C::of() their results. Here is what
+// is the same in both languages; each source adds its own structures.
 #pragma once
 
 #ifdef MIROCUP_EXPORTED_SKILLS
