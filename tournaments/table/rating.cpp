@@ -27,7 +27,7 @@ using Factors = Eigen::SimplicialLDLT<Curvature, Eigen::Lower, Eigen::NaturalOrd
 constexpr int max_iterations = 100;
 constexpr double converged = 1e-9;  // what a step would still gain, in units of the log-likelihood
 constexpr double log_2 = 0.69314718055994531;
-constexpr double scale = 173.71779276130073;  // 400 / ln(10): strength per unit of log(g)
+constexpr double unit_of_log = 173.71779276130073;  // 400 / ln(10): strength per unit of log(g)
 // Wins and losses against the virtual team. With a half the intervals cover best: with a quarter
 // too seldom, with one they are drawn to the middle.
 constexpr double virtual_legs = 0.5;
@@ -325,13 +325,13 @@ Ratings ratings_of(std::shared_ptr<Fit> made, std::vector<int> player_of_team) {
     const int player = player_of_team[team];
     if (player == no_player) continue;
     Strength& strength = ratings.strengths[team];
-    strength.value = strength.low = strength.high = scale * (fit.best[player] - mean);
+    strength.value = strength.low = strength.high = unit_of_log * (fit.best[player] - mean);
     if (present == 1) continue;
     const double variance = (fit.errors[player - fit.first()] - of_mean).squaredNorm();
     const double fall =
         z_95 * z_95 * variance * fit.curvature.coeff(player, player) / (share * share);
-    strength.low -= scale * share * reach(fit.likelihood, player, fit.best, -1.0, fall);
-    strength.high += scale * share * reach(fit.likelihood, player, fit.best, 1.0, fall);
+    strength.low -= unit_of_log * share * reach(fit.likelihood, player, fit.best, -1.0, fall);
+    strength.high += unit_of_log * share * reach(fit.likelihood, player, fit.best, 1.0, fall);
   }
   fit.player_of_team = std::move(player_of_team);
   ratings.fit = std::move(made);
@@ -439,8 +439,8 @@ std::optional<ScaleMark> mark_of(const Ratings& ratings, const std::vector<Scale
 }
 
 std::optional<int> legs_to_tell(const Ratings& ratings, int one, int other) {
-  const LegOdds p = odds(ratings.strengths[one].value / scale,
-                         ratings.strengths[other].value / scale, ratings.draws);
+  const LegOdds p = odds(ratings.strengths[one].value / unit_of_log,
+                         ratings.strengths[other].value / unit_of_log, ratings.draws);
   const double lead = p.score() - 0.5;
   const double needed = (z_95 + z_80) * (z_95 + z_80) * p.variance();
   if (!(needed <= max_legs_to_tell * lead * lead)) return {};

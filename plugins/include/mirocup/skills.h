@@ -27,8 +27,8 @@
  *
  * C has no default arguments, so the comment behind a function gives the usual values of its last
  * arguments; those in braces are members of one structure in C++. `me` and `i` are numbers of own
- * robots. A yes or no is an int32_t, 1 or 0. You own the result of a function with `new` in its name
- * until you call its `free`; a null result means that memory is short.
+ * robots. A yes or no is an int32_t, 1 or 0. You own the result of a function with `new` in its
+ * name until you call its `free`; a null result means that memory is short.
  */
 #ifndef MIROCUP_SKILLS_H
 #define MIROCUP_SKILLS_H

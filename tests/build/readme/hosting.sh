@@ -66,4 +66,5 @@ done
 follow 'A night' '^mirocup'
 follow 'The end of term' '^mirocup league (close|grades)'
 grep '^[12],alpha,' grades.csv | grep -q 'plays.*4711; 4712' || complain "the grades lack alpha, or what the class list says of it"
-grep -q ',gamma,.*no entry' grades.csv || complain "the grades lack gamma, which has not handed in"
+mirocup league grades spring -o season.csv
+grep -q ',gamma,.*no entry' season.csv || complain "the grades lack gamma, which has not handed in"
