@@ -3,9 +3,9 @@
 """Declares the functions of skills.h for C++ and for Python: the build puts them into c_skills.cpp and into team.py.
 
 Usage: declarations.py HEADER SOURCE OUTPUT. OUTPUT is SOURCE with the functions in place of the line that has only "SKILLS" in a
-comment. In C++ a function calls the one of its name in mirocup::strategy; in Python it calls C, and has the comment of the header as
-its description. SOURCE defines by itself what is not as simple: a function that SOURCE has is not made. A function of a class, like
-mirocup_filter_see(), is only bound for Python, and so are those of Python that SOURCE has.
+comment. In C++ a function calls the one of its name in mirocup::strategy, and usual values in braces are a structure there. In Python
+it calls C, and the comment of the header is its description. SOURCE itself defines what is not as simple, and such a function is left
+out. Python gets _NAME for every function of C, also for those that SOURCE calls from a class or from a function of its own.
 """
 import os
 import re

@@ -17,8 +17,8 @@ modules at the top of the file. `random` is seeded with setup.seed. print() writ
 Frames, units, delays and limits are those of mirocup/strategy.h: metres, radians, seconds; the team
 always attacks +x; its goal is at -setup.half_length. `self.draw_line` and its neighbours draw into the
 replay, as in docs/thoughts.md. The skills and the prediction are those of C++: each function calls the
-one of the same name in mirocup/skills.h, so a team decides in Python as in C++. The comment above a group
-names the header that explains it.
+one of the same name in mirocup/skills.h, so a team decides in Python as in C++. skills.h names the
+C++ headers that explain them.
 Needs nothing but the standard library.
 """
 
@@ -425,6 +425,7 @@ def _pairs(command, robots):
     return [Wheels(command[2 * i], command[2 * i + 1]) for i in range(robots)]
 
 
+# The build puts the functions of skills.h here (plugins/predict/declarations.py).
 # SKILLS
 
 
