@@ -34,7 +34,7 @@ struct ActOptions {
 Result<int> play_closing_round(system::Files& files, const LeagueStore& season,
                                const LeagueFile& file, int jobs) {
   const Folder folder = folder_of_closing_round(season.folder());
-  MIROCUP_TRY_VOID(init_from(files, season, folder, file));
+  MIROCUP_TRY_VOID(init_from(files, season, folder, file, true));
   MIROCUP_TRY_VOID(publish_league(files, season.folder(), jobs));
   MIROCUP_TRY(auto held, hold_league(files, folder, ""));
   auto progress = make_progress_reporter();

@@ -79,11 +79,12 @@ Result<LeagueFile> closing_round(system::Files& files, const LeagueStore& store,
 }
 
 Result<void> init_from(system::Files& files, const LeagueStore& season, const Folder& folder,
-                       const LeagueFile& file) {
+                       const LeagueFile& file, bool knows_everybody) {
   MIROCUP_TRY_VOID(init_folder(files, folder, file));
   MIROCUP_TRY(auto people, read_people(files, season.folder()));
   std::erase_if(people, [&](const auto& one) {
-    return std::none_of(file.teams.begin(), file.teams.end(),
+    return !knows_everybody &&
+           std::none_of(file.teams.begin(), file.teams.end(),
                         [&](const TeamConfig& team) { return team.name == one.first; });
   });
   if (people.empty()) return {};

@@ -21,9 +21,10 @@ Result<LeagueFile> finals(system::Files& files, const LeagueStore& season, const
 Result<LeagueFile> closing_round(system::Files& files, const LeagueStore& season, FormatKind kind,
                                  int legs);
 
-// Creates the folder of such a league, with the members and the display names of its teams.
+// Creates the folder of such a league, with the members and the display names of its teams or, if
+// `knows_everybody`, of all teams of the season, so that grades have a row for each.
 Result<void> init_from(system::Files& files, const LeagueStore& season, const Folder& folder,
-                       const LeagueFile& file);
+                       const LeagueFile& file, bool knows_everybody);
 
 // Returns the folder of the season's closing round.
 Folder folder_of_closing_round(const Folder& season);

@@ -91,7 +91,7 @@ Result<int> run_init(const InitOptions& options) {
       return fail(Errc::input, options.folder + ": " + why);
   }
   const Folder folder{options.folder};
-  MIROCUP_TRY_VOID(season ? init_from(disk, *season, folder, file)
+  MIROCUP_TRY_VOID(season ? init_from(disk, *season, folder, file, false)
                           : init_folder(disk, folder, file));
   const LeagueState state = new_league(file);
   std::cout << folder.path << ": " << file.teams.size()
