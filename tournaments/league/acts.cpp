@@ -105,7 +105,7 @@ class Deciding {
       case ActKind::release:
         return release();
       case ActKind::close:
-        return write(signed_as(Closed{.closing_round = act_.final}),
+        return write(signed_as(Closed{.closing_round = act_.final, .why = {}, .by = {}}),
                      "the league is closed: no night follows, and no entry is "
                      "taken");
       case ActKind::undo:
