@@ -66,6 +66,9 @@ Result<std::string> try_namespaces() {
 
 std::string why_no_t2() {
   auto refused = try_namespaces();
+  // A child that somebody killed, as a full memory does, has not said that the system refuses a
+  // step, and a leg would be played in the lower tier for it: others try, too.
+  for (int more = 2; !refused && more > 0; --more) refused = try_namespaces();
   if (refused && !refused->empty()) refused = fail(Errc::unavailable, *refused);
   if (refused) return "";
   return refused.error().what + " (" + cure_of(refused.error()) + ")";
