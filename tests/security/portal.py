@@ -13,6 +13,7 @@ import argparse
 import concurrent.futures
 import hashlib
 import http.client
+import itertools
 import json
 import os
 import re
@@ -38,7 +39,7 @@ folder = tempfile.mkdtemp(prefix="mirocup-portal-")
 resource.setrlimit(resource.RLIMIT_NOFILE, (4096, resource.getrlimit(resource.RLIMIT_NOFILE)[1]))
 patience = 30  # s, longer than any limit of the server for a request that stands still
 teams = ["alpha", "beta", "chunks", "bodies", "early", "pins", "flood", "old", "gone"] + [f"names{i}" for i in range(5)]
-sources = iter(f"127.9.{i // 250}.{i % 250 + 1}" for i in range(50000))
+numbers = itertools.count()  # a generator must not be asked by two threads at once; this may
 
 
 class Server:
@@ -74,10 +75,11 @@ class Server:
         self.files = self.open_files()
 
     def connect(self, source=None):
+        number = next(numbers)
         end = socket.socket(socket.AF_UNIX if self.path else socket.AF_INET)
         end.settimeout(patience)
         if not self.path:
-            end.bind((source or next(sources), 0))
+            end.bind((source or f"127.9.{number // 250}.{number % 250 + 1}", 0))
         end.connect(self.path or ("127.0.0.1", self.port))
         return end
 
