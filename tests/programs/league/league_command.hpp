@@ -93,4 +93,24 @@ inline void expect_same_site(const std::string& folder, const std::string& other
   for (const auto& [name, bytes] : found) ADD_FAILURE() << folder << "/site/" << name;
 }
 
+// Expects that every link of every page below site/ leads to a file there.
+inline void expect_no_dead_links(const std::string& folder) {
+  int links = 0;
+  for (const auto& [page, bytes] : site_of(folder)) {
+    if (!page.ends_with(".html")) continue;
+    for (const std::string begin : {" href=\"", " src=\""}) {
+      for (std::size_t at = bytes.find(begin); at != std::string::npos;
+           at = bytes.find(begin, at + 1)) {
+        const std::size_t from = at + begin.size();
+        const std::string link = bytes.substr(from, bytes.find_first_of("\"#?", from) - from);
+        if (link.empty() || link.find(':') != std::string::npos) continue;  // here, or elsewhere
+        const auto target = std::filesystem::path(folder) / "site" / page;
+        EXPECT_TRUE(std::filesystem::exists(target.parent_path() / link)) << page << ": " << link;
+        ++links;
+      }
+    }
+  }
+  EXPECT_GT(links, 0);
+}
+
 }  // namespace mirocup::test_support

@@ -58,6 +58,7 @@ TEST(League, PlaysTheExampleOfTheReadme) {
   }
   EXPECT_EQ(records, table["legs"]);
   EXPECT_TRUE(any_dds);
+  expect_no_dead_links(folder);
 
   const std::string journal = read_file(folder + "/journal.jsonl");
   EXPECT_EQ(run(league("start", folder)).exit_code, 0);
