@@ -48,7 +48,12 @@ struct SiteServer::Impl {
         http([this](const Request& request, const Body& body) { return answer(request, body); },
              std::move(options)) {}
 
-  Reply answer(const Request& request, const Body& body) {
+  // A proxy may pass the whole path on, or the path without the base.
+  Reply answer(Request request, const Body& body) {
+    const std::string& base = site.base;
+    if (!base.empty() && request.path == base)
+      return {.status = 308, .headers = {{"Location", base + "/"}}};
+    if (!base.empty() && request.path.starts_with(base + "/")) request.path.erase(0, base.size());
     if (site.control && request.path == "/control") return control(request, body);
     if (site.desk) {
       if (auto reply = site.desk(request, body)) return std::move(*reply);
@@ -86,9 +91,9 @@ struct SiteServer::Impl {
     const auto port = site.match(name);
     if (port) return what == "/" ? page_of_match(*port) : events_of_match(*port);
     // A leg that is over has its replay.
-    const std::string replay = "/replays/" + name + ".html";
-    if (what != "/" || !site.page(replay)) return {.status = 404};
-    return {.status = 302, .headers = {{"Location", replay}}};
+    const std::string replay = "replays/" + name + ".html";
+    if (what != "/" || !site.page("/" + replay)) return {.status = 404};
+    return {.status = 302, .headers = {{"Location", "../../" + replay}}};
   }
 
   Site site;

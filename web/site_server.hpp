@@ -37,6 +37,9 @@ struct Site {
   // live page.
   std::function<std::optional<int>(const std::string& name)> match;
 
+  // The path at which a proxy shows the site, "/spring"; "": the proxy cuts it off, or there is none.
+  std::string base = {};
+
   // Handles the body of a request to /control; returns false if the request is not allowed. Without
   // this function, /control is a path like any other.
   std::function<bool(const std::string& body)> control = {};

@@ -21,6 +21,7 @@ namespace {
 struct ServeOptions {
   std::string folder;
   std::string at = "0";  // [HOST:]PORT or unix:PATH
+  std::string base;      // the path at which a proxy shows the league; "": its top, or cut off
   bool hand_in = false;  // take entries from teams with a token
 
   // With hand_in.
@@ -38,10 +39,11 @@ void tell_host(const std::string& line) {
   std::cerr << "mirocup: " << system::printable(line) << std::endl;
 }
 
-web::Site site_of(ServedLeague& league) {
+web::Site site_of(ServedLeague& league, const std::string& base) {
   return {.page = [&league](const std::string& path) { return league.page(path); },
           .news = [&league](std::uint64_t& seen) { return league.news(seen); },
-          .match = [&league](const std::string& name) { return league.match(name); }};
+          .match = [&league](const std::string& name) { return league.match(name); },
+          .base = base};
 }
 
 Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOptions& options,
@@ -117,6 +119,8 @@ Result<web::ServerOptions> server_options(const ServeOptions& options,
 Result<int> run_serve(const ServeOptions& options) {
   MIROCUP_TRY(const auto address, web::parse_address(options.at, "--at"));
   MIROCUP_TRY(auto listening, server_options(options, address));
+  if (!options.base.empty() && (!options.base.starts_with('/') || options.base.ends_with('/')))
+    return fail(Errc::input, "--base: a path like /spring is expected");
   if (options.hand_in) {
     MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
   }
@@ -125,7 +129,7 @@ Result<int> run_serve(const ServeOptions& options) {
   MIROCUP_TRY_VOID(say_gaps(disk, store));
   system::ProcessSet processes;  // must exist before the first thread starts
   ServedLeague league(disk, std::move(store));
-  web::Site site = site_of(league);
+  web::Site site = site_of(league, options.base);
   std::unique_ptr<Portal> portal;
   if (options.hand_in) {
     league.offer_hand_in();
@@ -161,6 +165,10 @@ void add_serve(system::Commands& commands) {
   command.option("--at", o.at,
                  "Where to listen: [HOST:]PORT, or unix:PATH for a proxy (default: this host only, "
                  "any free port)");
+  command
+      .option("--base", o.base,
+              "Path at which a proxy shows the league, as /spring, if the proxy passes it on")
+      .named("PATH");
   const system::Option hand_in = command.flag(
       "--hand-in", o.hand_in, "Also take entries from teams that have a token (league token)");
   command.jobs(o.jobs, "checks").needs(hand_in);

@@ -35,7 +35,6 @@ constexpr std::chrono::nanoseconds longest_rest = 5s;
 // Content from this server only, and no code but its script.
 constexpr const char* policy =
     "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'";
-constexpr std::string_view script = "<script type=\"module\" src=\"/league.js\"></script>\n";
 
 std::string type_of(const std::string& path) {
   const std::string end = std::filesystem::path(path).extension();
@@ -51,9 +50,18 @@ std::string stem_of(const LegId& leg) {
   return std::filesystem::path(Folder::record_name(leg.fixture, leg.leg, leg.version)).stem();
 }
 
-constexpr const char* back_link =
-    "<nav class=\"path\" aria-label=\"Back\"><a href=\"/hand-in\">Hand in</a></nav>";
-constexpr std::string_view hand_in_link = "<p><a href=\"/hand-in\">Hand in</a></p>\n";
+constexpr const char* own_replays_root = "../../";  // of /hand-in/replays/NAME.html
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+std::string hand_in_link(const std::string& root) {
+  return "<a href=\"" + root + "hand-in\">Hand in</a>";
+}
 
 // Gives the teams of a record the names that people know.
 void name_teams(record::MatchRecord& record, const Json& part) {
@@ -63,13 +71,14 @@ void name_teams(record::MatchRecord& record, const Json& part) {
   }
 }
 
-std::string with_script(std::string html, bool takes_hand_ins) {
+std::string with_script(std::string html, bool takes_hand_ins, const std::string& root) {
   constexpr std::string_view title_end = "</h1>\n";
   const std::size_t title = html.find(title_end);
   if (takes_hand_ins && title != std::string::npos)
-    html.insert(title + title_end.size(), hand_in_link);
+    html.insert(title + title_end.size(), "<p>" + hand_in_link(root) + "</p>\n");
   const std::size_t end = html.rfind("</body>");
-  return end == std::string::npos ? html : html.insert(end, script);
+  if (end == std::string::npos) return html;
+  return html.insert(end, "<script type=\"module\" src=\"" + root + "league.js\"></script>\n");
 }
 
 }  // namespace
@@ -209,7 +218,9 @@ const web::Page* ServedLeague::page_of_site(const std::string& path) {
   const std::string type = type_of(name);
   const bool is_html = type.starts_with("text/html") && name != playground_name;
   return &(pages_[path] = {type, is_html ? policy : "",
-                           is_html ? with_script(std::move(*bytes), takes_hand_ins_) : *bytes});
+                           is_html
+                               ? with_script(std::move(*bytes), takes_hand_ins_, web::root_of(path))
+                               : *bytes});
 }
 
 std::optional<web::Page> ServedLeague::page(const std::string& path) {
@@ -350,7 +361,7 @@ std::string ServedLeague::digest_of(const std::string& team) {
   facts_ = read_facts(files_, store_.folder(), *seen, std::move(facts_));
   const Overview o = overview(*seen, facts_);
   for (const TeamDigest& digest : digests(**night, o)) {
-    if (seen->name(digest.team) == team) return digest_html(o, **night, digest, "/hand-in/");
+    if (seen->name(digest.team) == team) return digest_html(o, **night, digest, "hand-in/");
   }
   return "";
 }
@@ -360,19 +371,18 @@ std::optional<std::string> ServedLeague::own_replay(const std::string& name,
                                                     const std::string& links) {
   const std::string record = "records/" + name + ".json";
   Json part = part_of(record);
-  part["links"] = record::text_in(part, "links") + links;
+  // The page is shown at another address than that from which its links lead to the league.
+  part["links"] =
+      replaced(record::text_in(part, "links"), "href=\"", "href=\"../../replays/") + links;
   // A leg of another version may go another way here: then its page is the one that is kept.
-  if (auto own = page_with_own(store_.folder().path + "/" + record, whose, part)) return own;
+  if (auto own = page_with_own(store_.folder().path + "/" + record, whose, part, own_replays_root))
+    return own;
   auto page = replay(name);
   if (!page) return std::nullopt;
-  // The page is shown at another address than that from which it sees its files.
-  for (const auto& [from, to] :
-       {std::pair{"\"module_file\":\"../", "\"module_file\":\"/"},
-        std::pair{"\"commands_file\":\"", "\"commands_file\":\"/replays/"}}) {
-    const std::size_t at = page->bytes.find(from);
-    if (at != std::string::npos) page->bytes.replace(at, std::string_view(from).size(), to);
-  }
-  return std::move(page->bytes);
+  std::string& html = page->bytes;
+  for (const std::string file : {"\"module_file\":\"", "\"commands_file\":\""})
+    html = replaced(std::move(html), file, file + "../../replays/");
+  return std::move(html);
 }
 
 std::map<std::string, int> ServedLeague::entries_that_play() {
@@ -437,22 +447,25 @@ std::string ServedLeague::statistics_of(const std::string& team) {
 }
 
 std::optional<std::string> ServedLeague::replay_of(const std::string& record,
-                                                   const record::Whose& whose) {
-  return page_with_own(record, whose, {{"links", back_link}, {"names", Json::array()}});
+                                                   const record::Whose& whose,
+                                                   const std::string& root) {
+  const std::string links =
+      "<nav class=\"path\" aria-label=\"Back\">" + hand_in_link(root) + "</nav>";
+  return page_with_own(record, whose, {{"links", links}, {"names", Json::array()}}, root);
 }
 
 // Returns the page of a record with what its teams may see, and with what the league puts on it
 // (league_part()).
 std::optional<std::string> ServedLeague::page_with_own(const std::string& record,
-                                                       const record::Whose& whose,
-                                                       const Json& part) {
+                                                       const record::Whose& whose, const Json& part,
+                                                       const std::string& root) {
   const std::lock_guard one_at_a_time(replaying_);
   auto loaded = record::load(files_, record);
   if (!loaded) return std::nullopt;
   name_teams(*loaded, part);
   const bool has_own = record::has_thoughts(files_, record, whose);
   const auto own = record::read_own_texts(files_, record, has_own ? whose : record::of_nobody);
-  const auto proven = proof("/");
+  const auto proven = proof(root);
   auto page = web::replay_page(*loaded, web::Times::left_out, own.value_or(record::OwnTexts{}),
                                proven, proven ? web::Wheels::shown : web::Wheels::left_out,
                                record::text_in(part, "links"));

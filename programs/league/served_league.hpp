@@ -79,8 +79,9 @@ class ServedLeague {
   std::string statistics_of(const std::string& team);
 
   // Returns the page that replays the record at a path, with the thoughts and output of the teams
-  // in `whose`; nothing if the page cannot be made.
-  std::optional<std::string> replay_of(const std::string& record, const record::Whose& whose);
+  // in `whose`; nothing if the page cannot be made. `root`: web::root_of() its address.
+  std::optional<std::string> replay_of(const std::string& record, const record::Whose& whose,
+                                       const std::string& root);
 
  private:
   // A leg that is being played and can be watched.
@@ -104,7 +105,7 @@ class ServedLeague {
   std::optional<web::Page> replay(const std::string& stem);
   Json part_of(const std::string& record);
   std::optional<std::string> page_with_own(const std::string& record, const record::Whose& whose,
-                                           const Json& part);
+                                           const Json& part, const std::string& root);
   std::optional<web::Page> module_page(const std::string& name);
   std::optional<web::Page> commands_page(const std::string& stem);
   std::optional<web::Page> page_of_closing_round(const std::string& name);

@@ -7,8 +7,9 @@
 
 namespace mirocup::league {
 
-std::string desk_page(const std::string& title, const std::string& content) {
-  return filled_page("plain.html", {{"root", "/"},
+std::string desk_page(const std::string& title, const std::string& content,
+                      const std::string& root) {
+  return filled_page("plain.html", {{"root", root},
                                     {"league", "League"},
                                     {"page_title", title},
                                     {"heading", title},

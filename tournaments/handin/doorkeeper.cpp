@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/doorkeeper.hpp"
 
+#include "system/digest.hpp"
 #include "system/text.hpp"
+
+#include <filesystem>
 
 namespace mirocup::league {
 
@@ -9,15 +12,15 @@ namespace {
 
 constexpr std::string_view bearer = "Bearer ";
 
-// The prefix makes browsers take the cookie over TLS only, and from this host only.
-constexpr const char* plain_cookie = "mirocup_session";
-constexpr const char* secure_cookie = "__Host-mirocup_session";
+// Makes browsers take the cookie over TLS only, and from this host only.
+constexpr const char* secure_prefix = "__Host-";
 
 }  // namespace
 
 Doorkeeper::Doorkeeper(system::Files& files, Folder folder, std::string team_header)
     : files_(files),
       folder_(std::move(folder)),
+      cookie_(cookie_name(folder_)),
       team_header_(system::lower_case(std::move(team_header))) {
   // Browsers stay logged in when the server starts again.
   if (const auto text = files_.read(sessions_path(), {.max_size = system::size_limit::note}))
@@ -34,14 +37,20 @@ Result<void> Doorkeeper::read_tokens_again() {
   return {};
 }
 
+std::string cookie_name(const Folder& folder) {
+  std::error_code none;
+  const auto path = std::filesystem::weakly_canonical(folder.path, none);
+  return "mirocup_" + system::sha256(path.string()).substr(0, 8);
+}
+
 std::string Doorkeeper::cookie_of(const web::Request& request) const {
-  return cookie_in(request.header("cookie"), request.is_encrypted ? secure_cookie : plain_cookie);
+  return cookie_in(request.header("cookie"), (request.is_encrypted ? secure_prefix : "") + cookie_);
 }
 
 std::string Doorkeeper::cookie_header(const web::Request& request, const std::string& value,
                                       std::int64_t seconds) const {
   const bool is_secure = request.is_encrypted;
-  return std::string(is_secure ? secure_cookie : plain_cookie) + "=" + value +
+  return (is_secure ? secure_prefix : "") + cookie_ + "=" + value +
          "; Path=/; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(seconds) +
          (is_secure ? "; Secure" : "");
 }

@@ -38,6 +38,10 @@ struct Refusal {
 
 enum class Purpose { reading, changing };
 
+// Returns the name of the cookie of a league's sessions. Each league of a host has its own, since
+// browsers do not tell the ports or the paths of a host apart. Over TLS, "__Host-" precedes it.
+std::string cookie_name(const Folder& folder);
+
 class Doorkeeper {
  public:
   // `team_header` is the header in which a trusted proxy names the team of a signed-on person; "":
@@ -72,6 +76,7 @@ class Doorkeeper {
 
   system::Files& files_;
   Folder folder_;
+  std::string cookie_;
   std::string team_header_;                 // the HTTP header that names a team, in lower case
   std::optional<std::string> tokens_text_;  // of tokens.json; empty: no file
   TokenList tokens_;

@@ -31,8 +31,11 @@ Json timing_rows(const Json& entry) {
 
 }  // namespace
 
-std::string entry_page(const Json& entry, const TimeInWords& time_in_words) {
+std::string entry_page(const Json& entry, const TimeInWords& time_in_words,
+                       const std::string& root) {
   Json values = entry;
+  values["root"] = root;
+  if (entry.contains("replay")) values["replay"] = root + text_in(entry, "replay").substr(1);
   const std::string message = text_in(entry, "message");
   values["answer"] = message.empty() ? text_in(entry, "reason") : message;
   values["when"] = time_in_words(text_in(entry, "handed_in"));
@@ -42,7 +45,7 @@ std::string entry_page(const Json& entry, const TimeInWords& time_in_words) {
       if (check.is_object()) add_word(check);
   if (entry.contains("timing")) values["times"] = {{"rows", timing_rows(entry)}};
   return desk_page("Entry " + number_text(entry, "entry", "%.0f"),
-                   filled_page("entry.html", values));
+                   filled_page("entry.html", values), root);
 }
 
 }  // namespace mirocup::league

@@ -182,7 +182,8 @@ Json FriendlyDesk::list(const std::string& team, LegCosts& costs) {
   return list;
 }
 
-web::Reply FriendlyDesk::show(const std::string& visitor, std::string_view rest) {
+web::Reply FriendlyDesk::show(const std::string& visitor, std::string_view rest,
+                              const std::string& root) {
   const auto nothing = [&] {
     return problem_reply(404, visitor + " has played no friendly of this name");
   };
@@ -212,7 +213,7 @@ web::Reply FriendlyDesk::show(const std::string& visitor, std::string_view rest)
     return {.status = 200, .bytes = system::printable(log->value_or(""), system::LineEnds::kept)};
   }
   if (what != "replay") return nothing();
-  auto page = options_.replay(record, own_side(leg_of(*known, visitor)));
+  auto page = options_.replay(record, own_side(leg_of(*known, visitor)), root);
   if (!page) return problem_reply(503, "the replay cannot be made here");
   return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
 }

@@ -27,8 +27,9 @@ struct FriendlyOptions {
   std::vector<std::string> house;
   bool has_drills = false;  // true: entries try drills; the league has the field of the drills
   // Returns the page that replays the record at a path, with the thoughts and logs of the given
-  // teams.
-  std::function<std::optional<std::string>(const std::string& record, const record::Whose& whose)>
+  // teams. `root` is web::root_of() the address of the page.
+  std::function<std::optional<std::string>(const std::string& record, const record::Whose& whose,
+                                           const std::string& root)>
       replay;
 };
 
@@ -53,7 +54,8 @@ class FriendlyDesk {
   Json drills_of(const std::string& team, int entry) const;
 
   // GET below the path of friendlies, "/TEAM/NUMBER/log" or "/TEAM/NUMBER/replay".
-  web::Reply show(const std::string& visitor, std::string_view rest);
+  // `root` is web::root_of() the whole path.
+  web::Reply show(const std::string& visitor, std::string_view rest, const std::string& root);
 
   // For the runner. When no leg waits, begin_next() returns the drills of an entry. A leg is void
   // after the host has failed in it several times. A leg that was stopped for a check waits again.

@@ -49,8 +49,9 @@ std::optional<int> before_of(const Call& call) {
   return asked.empty() ? std::numeric_limits<int>::max() : number_of(asked);
 }
 
-web::Reply go_to(const std::string& path, const std::string& cookie) {
-  return {.status = 303, .headers = {{"Location", path}, {"Set-Cookie", cookie}}};
+// The way to the team's page from /hand-in/log-in and /hand-in/log-out.
+web::Reply go_to_desk(const std::string& cookie) {
+  return {.status = 303, .headers = {{"Location", "../hand-in"}, {"Set-Cookie", cookie}}};
 }
 
 }  // namespace
@@ -165,13 +166,15 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
 std::optional<web::Reply> Portal::admit(Call& call, bool is_page) {
   if (is_page) {
     const std::lock_guard lock(state_.mutex);
-    if (!doorkeeper_.has_credentials(call.request)) return page_reply(200, log_in_page(""));
+    if (!doorkeeper_.has_credentials(call.request))
+      return page_reply(200, log_in_page("", web::root_of(call.request.path)));
   }
   auto who =
       visitor(call.request, call.request.is_reading() ? Purpose::reading : Purpose::changing);
   if (auto* refusal = std::get_if<web::Reply>(&who)) {
     if (!is_page) return std::move(*refusal);
-    return page_reply(refusal->status, log_in_page(reason_of(*refusal)));
+    return page_reply(refusal->status,
+                      log_in_page(reason_of(*refusal), web::root_of(call.request.path)));
   }
   call.visitor = std::get<Visitor>(std::move(who));
   call.team = call.visitor.team;
@@ -210,7 +213,7 @@ web::Reply Portal::desk(const Call& call) {
 web::Reply Portal::act(const Call& call) {
   const auto form = web::read_form(call.body);
   if (!form) return problem_reply(400, "the form did not arrive completely, or is too long");
-  web::Reply reply = staff_.act(*form);
+  web::Reply reply = staff_.act(*form, web::root_of(call.request.path));
   ++state_.version;
   return reply;
 }
@@ -230,7 +233,8 @@ web::Reply Portal::own_replay(const Call& call) {
       continue;
     const std::string links = call.visitor.role == Role::staff
                                   ? "<p class=\"path\"><a href=\"" +
-                                        system::html_escaped(StaffDesk::decision_path(leg)) +
+                                        system::html_escaped(web::root_of(call.request.path) +
+                                                             StaffDesk::decision_path(leg)) +
                                         "\">Decide about this leg</a></p>"
                                   : "";
     auto page =
@@ -254,7 +258,8 @@ std::variant<Json, web::Reply> Portal::entry_of(const Call& call) {
 web::Reply Portal::entry_page_of(const Call& call) {
   auto entry = entry_of(call);
   if (auto* refused = std::get_if<web::Reply>(&entry)) return std::move(*refused);
-  return page_reply(200, entry_page(std::get<Json>(entry), state_.options.time_in_words));
+  return page_reply(200, entry_page(std::get<Json>(entry), state_.options.time_in_words,
+                                    web::root_of(call.request.path)));
 }
 
 web::Reply Portal::entry_replay(const Call& call) {
@@ -263,7 +268,8 @@ web::Reply Portal::entry_replay(const Call& call) {
   if (!std::get<Json>(entry).contains("replay"))
     return problem_reply(404, call.team + " has no entry of this number");
   auto page = state_.options.friendlies.replay(
-      state_.folder.gate_leg(call.team, *number_of(call.parts.front())), record::of_nobody);
+      state_.folder.gate_leg(call.team, *number_of(call.parts.front())), record::of_nobody,
+      web::root_of(call.request.path));
   if (!page) return problem_reply(503, "the replay cannot be made here");
   return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
 }
@@ -312,7 +318,8 @@ web::Reply Portal::ask_friendly(const Call& call) {
 }
 
 web::Reply Portal::show_friendly(const Call& call) {
-  return friendlies_->show(call.team, "/" + std::string(call.parts.front()));
+  return friendlies_->show(call.team, "/" + std::string(call.parts.front()),
+                           web::root_of(call.request.path));
 }
 
 web::Reply Portal::list_entries(const Call& call) {
@@ -383,17 +390,19 @@ web::Reply Portal::show_log(const Call& call) {
 
 web::Reply Portal::log_in(const Call& call) {
   const auto form = web::read_form(call.body);
-  if (!form) return page_reply(400, log_in_page("the form did not arrive completely"));
+  const std::string root = web::root_of(call.request.path);
+  if (!form) return page_reply(400, log_in_page("the form did not arrive completely", root));
   const std::lock_guard lock(state_.mutex);
   const auto done =
       doorkeeper_.log_in(call.request, value_of(*form, "token"), state_.options.now());
-  if (!done) return page_reply(503, log_in_page("this server cannot do that now; try again later"));
+  if (!done)
+    return page_reply(503, log_in_page("this server cannot do that now; try again later", root));
   if (const auto* refusal = std::get_if<Refusal>(&*done)) {
-    web::Reply reply = page_reply(refusal->status, log_in_page(refusal->why));
+    web::Reply reply = page_reply(refusal->status, log_in_page(refusal->why, root));
     if (refusal->wait > 0) reply.headers.emplace_back("Retry-After", std::to_string(refusal->wait));
     return reply;
   }
-  return go_to("/hand-in", std::get<std::string>(*done));
+  return go_to_desk(std::get<std::string>(*done));
 }
 
 web::Reply Portal::log_out(const Call& call) {
@@ -401,7 +410,7 @@ web::Reply Portal::log_out(const Call& call) {
   const auto done = doorkeeper_.log_out(call.request);
   if (!done) return host_failed(done.error());
   if (const auto* refusal = std::get_if<Refusal>(&*done)) return reply_to(*refusal);
-  return go_to("/hand-in", std::get<std::string>(*done));
+  return go_to_desk(std::get<std::string>(*done));
 }
 
 web::Reply Portal::about_team(const Call& call) {

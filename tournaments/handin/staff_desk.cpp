@@ -49,8 +49,11 @@ std::optional<Act> act_of(const Form& form) {
 
 // The values of the forms of the acts. `given` is what a form had before it was sent, so that
 // nobody types it again, or the leg from whose replay a person comes; each act on legs means it.
-Json forms_values(const LeagueState& state, const Form& given) {
-  Json values{{"max_notice", max_notice}, {"notice", state.notice}, {"fixtures", Json::array()}};
+Json forms_values(const LeagueState& state, const Form& given, const std::string& root) {
+  Json values{{"root", root},
+              {"max_notice", max_notice},
+              {"notice", state.notice},
+              {"fixtures", Json::array()}};
   for (const FixtureState& f : state.fixtures) {
     if (!f.fixture.has_both()) continue;
     const std::string id = f.fixture.id();
@@ -216,25 +219,28 @@ web::Reply StaffDesk::page(Role reader, const Shown& shown) const {
   const std::string last = last_leg_at(store->journal());
   Json decisions = decisions_values(state);
   for (Json& one : decisions) one["is_new"] = one["number"] == shown.done;
-  Json values{
-      {"has_forms", has_forms},
-      {"said", shown.said},
-      {"done", shown.done > 0 ? Json(shown.done) : Json()},
-      {"played", state.played()},
-      {"legs", state.legs()},
-      {"last_leg", last.empty() ? "" : shown_time(state.file, last)},
-      {"problems", health->problems},
-      {"attention", attention_values(*rows)},
-      {"forms", has_forms ? filled_page("staff_forms.html", forms_values(state, shown.given)) : ""},
-      {"teams", teams_values(state, *rows)},
-      {"has_decisions", !decisions.empty()},
-      {"decisions", decisions}};
+  Json values{{"has_forms", has_forms},
+              {"root", shown.root},
+              {"said", shown.said},
+              {"done", shown.done > 0 ? Json(shown.done) : Json()},
+              {"played", state.played()},
+              {"legs", state.legs()},
+              {"last_leg", last.empty() ? "" : shown_time(state.file, last)},
+              {"problems", health->problems},
+              {"attention", attention_values(*rows)},
+              {"forms", has_forms ? filled_page("staff_forms.html",
+                                                forms_values(state, shown.given, shown.root))
+                                  : ""},
+              {"teams", teams_values(state, *rows)},
+              {"has_decisions", !decisions.empty()},
+              {"decisions", decisions}};
   add_schedule(values, state);
-  return staff_reply(shown.status, desk_page("Staff", filled_page("staff.html", values)));
+  return staff_reply(shown.status,
+                     desk_page("Staff", filled_page("staff.html", values), shown.root));
 }
 
 std::string StaffDesk::decision_path(const OwnLeg& leg) {
-  return "/hand-in?fixture=" + leg.fixture + "&leg=" + std::to_string(leg.leg) + "#decide";
+  return "hand-in?fixture=" + leg.fixture + "&leg=" + std::to_string(leg.leg) + "#decide";
 }
 
 web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
@@ -255,8 +261,8 @@ web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
       const bool is_drawn =
           record::has_thoughts(files_, folder_.path + "/" + leg->record, record::of_both);
       row["what"] = is_drawn ? "replay with thoughts" : "replay";
-      row["replay"] = std::string(own_replays_path) + name + ".html?team=" + team;
-      row["log"] = "/api/v1/legs/" + name + "/log?team=" + team;
+      row["replay"] = std::string(own_replays_path.substr(1)) + name + ".html?team=" + team;
+      row["log"] = "api/v1/legs/" + name + "/log?team=" + team;
     }
     rows.push_back(row);
   }
@@ -264,30 +270,30 @@ web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
                                     filled_page("staff_legs.html", {{"legs", rows}})));
 }
 
-web::Reply StaffDesk::act(const Form& values) const {
+web::Reply StaffDesk::act(const Form& values, const std::string& root) const {
   auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
   const std::string act = value_of(values, "act");
   const auto refused = [&](const std::string& why) {
-    return page(Role::staff, {.said = why, .status = 400, .given = values});
+    return page(Role::staff, {.said = why, .status = 400, .given = values, .root = root});
   };
   if (act == "people" || act == "colour" || act == "notice") {
     if (const auto set = act == "notice" ? set_notice(files_, folder_, value_of(values, "text"))
                                          : set_people(files_, *store, values);
         !set)
       return refused(set.error().what);
-    return {.status = 303, .bytes = "", .headers = {{"Location", "/hand-in"}}};
+    return {.status = 303, .bytes = "", .headers = {{"Location", root + "hand-in"}}};
   }
   const auto wanted = act_of(values);
   if (!wanted) return refused("The form does not say what to decide.");
   const auto lines = perform(files_, *store, *wanted, now_());
   if (!lines) return refused(lines.error().what);
   if (wanted->is_dry_run)
-    return page(Role::staff, {.said = system::joined(*lines, "; "), .given = values});
+    return page(Role::staff, {.said = system::joined(*lines, "; "), .given = values, .root = root});
   return {.status = 303,
           .bytes = "",
-          .headers = {
-              {"Location", "/hand-in?done=" + std::to_string(store->state().decisions.size())}}};
+          .headers = {{"Location",
+                       root + "hand-in?done=" + std::to_string(store->state().decisions.size())}}};
 }
 
 web::Reply StaffDesk::grades() const {

@@ -33,20 +33,21 @@ class StaffDesk {
     std::string said = {};  // a sentence for the top of the page
     int status = 200;       // status of the reply
     Form given = {};        // the values that the forms show at first: of a sent form, or a leg
+    std::string root = {};  // web::root_of() the address of the page
   };
 
   // Returns the page for the staff; a tutor gets the page without forms.
   web::Reply page(Role reader, const Shown& shown) const;
 
-  // Returns the link to the page whose forms name the given leg.
+  // Returns the link, from the top of the site, to the page whose forms name the given leg.
   static std::string decision_path(const OwnLeg& leg);
 
   // Returns the page of a team's legs, which links to their replays with the thoughts of both
   // teams, and to the logs of the team. `legs` are the legs of the team.
   web::Reply legs_of(Role reader, const std::string& team, const std::vector<OwnLeg>& legs) const;
 
-  // Performs the act of a form of the page.
-  web::Reply act(const Form& form) const;
+  // Performs the act of a form of the page. `root` is web::root_of() the address of the form.
+  web::Reply act(const Form& form, const std::string& root) const;
 
   // Returns grades.csv.
   web::Reply grades() const;

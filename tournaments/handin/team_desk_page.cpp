@@ -87,6 +87,8 @@ void add_leg_cells(Json& leg, const TeamDesk& desk) {
   const bool has_thoughts = leg.contains("thoughts");
   if (!leg.contains("replay")) leg["replay"] = leg["log"] = Json();
   if (has_thoughts) leg["replay"] = leg["thoughts"];
+  for (const char* link : {"replay", "log"})
+    if (leg[link].is_string()) leg[link] = text_in(leg, link).substr(1);  // relative to /hand-in
 }
 
 Json friendlies_values(const TeamDesk& desk) {
@@ -147,8 +149,8 @@ Json progress_values(const Json& progress) {
 
 }  // namespace
 
-std::string log_in_page(const std::string& why) {
-  return desk_page("Hand in", filled_page("log_in.html", {{"why", why}}));
+std::string log_in_page(const std::string& why, const std::string& root) {
+  return desk_page("Hand in", filled_page("log_in.html", {{"root", root}, {"why", why}}), root);
 }
 
 std::string team_desk_page(const TeamDesk& desk) {

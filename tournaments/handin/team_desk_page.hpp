@@ -36,11 +36,12 @@ struct TeamDesk {
 };
 
 // `why` is a sentence about the fault of the last token; "" for the first try.
-std::string log_in_page(const std::string& why);
+std::string log_in_page(const std::string& why, const std::string& root);
 
 std::string team_desk_page(const TeamDesk& desk);
 
 // The page of one entry: its answer and the results of `mirocup check`, from entry_report().
-std::string entry_page(const Json& entry, const TimeInWords& time_in_words);
+std::string entry_page(const Json& entry, const TimeInWords& time_in_words,
+                       const std::string& root);
 
 }  // namespace mirocup::league

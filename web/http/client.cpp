@@ -83,9 +83,10 @@ system::Descriptor connected(const Address& server, std::chrono::seconds most,
   return system::Descriptor();
 }
 
-bool is_host(const std::string& text) {
-  return !text.empty() && std::none_of(text.begin(), text.end(), [](unsigned char c) {
-    return c <= ' ' || c == 0x7f || c == '/' || c == '?' || c == '#' || c == '@';
+// True for a host or a path that needs no coding in a request.
+bool is_plain(const std::string& text) {
+  return std::none_of(text.begin(), text.end(), [](unsigned char c) {
+    return c <= ' ' || c >= 0x7f || c == '?' || c == '#' || c == '@';
   });
 }
 
@@ -93,13 +94,16 @@ bool is_host(const std::string& text) {
 
 Result<HttpClient> HttpClient::open(const std::string& url, ClientOptions options) {
   std::string host = url;
-  while (host.ends_with('/')) host.pop_back();
   const bool is_encrypted = host.starts_with("https://");
   const std::size_t begin = is_encrypted ? 8 : host.starts_with("http://") ? 7 : 0;
   host.erase(0, begin);
-  if (begin == 0 || !is_host(host))
-    return fail(Errc::input, url + ": an address like https://league.example:8443 is expected");
   HttpClient client;
+  const std::size_t path = std::min(host.find('/'), host.size());
+  client.base_ = host.substr(path);
+  while (client.base_.ends_with('/')) client.base_.pop_back();
+  host.erase(path);
+  if (begin == 0 || !is_plain(client.base_) || host.empty() || !is_plain(host))
+    return fail(Errc::input, url + ": an address like https://league.example:8443 is expected");
   client.host_header_ = host;
   const std::size_t colon = host.rfind(':');
   if (colon == std::string::npos || host.ends_with(']')) host += is_encrypted ? ":443" : ":80";
@@ -117,7 +121,7 @@ Result<HttpClient> HttpClient::open(const std::string& url, ClientOptions option
 Answer HttpClient::ask(const std::string& method, const std::string& path, std::string_view body,
                        const std::function<bool(std::string_view part)>& take) const {
   const NoBrokenPipe guard;
-  std::string request = method + ' ' + path + " HTTP/1.1\r\nHost: " + host_header_ +
+  std::string request = method + ' ' + base_ + path + " HTTP/1.1\r\nHost: " + host_header_ +
                         "\r\nConnection: close\r\nAccept: */*\r\n";
   if (!options_.token.empty()) request += "Authorization: Bearer " + options_.token + "\r\n";
   if (!body.empty()) request += "Content-Type: application/octet-stream\r\n";

@@ -36,7 +36,8 @@ struct Answer {
 
 class HttpClient {
  public:
-  // `url` is the address of a server, "https://host:8443". Errc::input if `url` is not an address,
+  // `url` is the address of a server, "https://host:8443", or of a path below which it answers,
+  // "https://host/spring". Errc::input if `url` is not an address,
   // or if the file of the authority has no certificate.
   static Result<HttpClient> open(const std::string& url, ClientOptions options = {});
 
@@ -52,6 +53,7 @@ class HttpClient {
 
   Address address_;
   std::string host_header_;
+  std::string base_;  // precedes the path of each request
   ClientOptions options_;
   std::optional<system::TlsClient> tls_;  // of an https server
 };

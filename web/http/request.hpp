@@ -4,6 +4,7 @@
 // connection.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <string>
@@ -37,6 +38,14 @@ struct Request {
     return all.count(name) == 1 ? all.find(name)->second : "";
   }
 };
+
+// Returns the way from the page at a path to the top of its site, "../" for each folder. A link that
+// begins with it holds below any path at which a proxy shows the site.
+inline std::string root_of(std::string_view path) {
+  std::string root;
+  for (auto left = std::count(path.begin(), path.end(), '/'); left > 1; --left) root += "../";
+  return root;
+}
 
 // Reads the body of a request in parts and gives them to `take`. Returns false if `take` returned
 // false, or if the connection broke before the end of the body. May be called at most once. Without

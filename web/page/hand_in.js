@@ -3,6 +3,9 @@
 // Sends the file of the form on a team's private page, and shows what becomes of it: how much is
 // sent, how many checks come before, which check runs, the answer.
 
+// Returns the address of a path of the API: the league may be below a path of the server.
+const here = (path) => new URL(path.slice(1), import.meta.url);
+
 const form = document.getElementById('hand-in');
 const file = document.getElementById('file');
 const sent = document.getElementById('sent');
@@ -49,7 +52,7 @@ function end() {
 
 // Follows a check by its events, or by questions if there are none.
 function follow({ url, events }) {
-  const source = new EventSource(events);
+  const source = new EventSource(here(events));
   let isOver = false;
   const show = (report) => {
     say(inWords(report));
@@ -66,7 +69,7 @@ function follow({ url, events }) {
     source.close();
     const ask = async () => {
       try {
-        const reply = await fetch(url);
+        const reply = await fetch(here(url));
         if (reply.ok) show(await reply.json());
       } catch {
         say('The server does not answer. Files that it has taken are not lost; this page asks again.');
@@ -87,7 +90,7 @@ form.addEventListener('submit', (event) => {
   sent.value = 0;
   say('Sending …');
   const request = new XMLHttpRequest();
-  request.open('PUT', `/api/v1/entries?name=${encodeURIComponent(chosen.name)}`);
+  request.open('PUT', here(`/api/v1/entries?name=${encodeURIComponent(chosen.name)}`));
   request.responseType = 'json';
   request.upload.onprogress = ({ loaded, total }) => { sent.value = total > 0 ? loaded / total : 0; };
   request.onload = () => {
@@ -113,7 +116,7 @@ document.addEventListener('click', async ({ target }) => {
   const entry = target.dataset?.pin;
   if (!entry) return;
   target.disabled = true;
-  const reply = await fetch(`/api/v1/pin?entry=${entry}`, { method: 'PUT' });
+  const reply = await fetch(here(`/api/v1/pin?entry=${entry}`), { method: 'PUT' });
   if (reply.ok) {
     say(entry === 'latest' ? 'The latest accepted entry plays.' : `Entry ${entry} is pinned: it plays until you unpin it.`);
   } else {
@@ -128,7 +131,7 @@ if (friendly) {
   const opponent = document.getElementById('opponent');
   friendly.addEventListener('submit', async (event) => {
     event.preventDefault();
-    const reply = await fetch(`/api/v1/friendlies?opponent=${encodeURIComponent(opponent.value)}`, { method: 'POST' });
+    const reply = await fetch(here(`/api/v1/friendlies?opponent=${encodeURIComponent(opponent.value)}`), { method: 'POST' });
     told.textContent = reply.ok ? `A leg against ${opponent.value} will be played.` : `Not played: ${(await reply.json()).error}.`;
     showLists();
   });

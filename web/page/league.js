@@ -15,7 +15,7 @@ function showPlaying(playing) {
   const list = element('ul');
   for (const { name, fixture, leg, blue, yellow } of playing) {
     const link = element('a', `${blue} – ${yellow}`);
-    link.href = `/live/${encodeURIComponent(name)}/`;
+    link.href = new URL(`live/${encodeURIComponent(name)}/`, import.meta.url);
     const item = element('li');
     item.append(link, ` (${fixture}, leg ${leg})`);
     list.append(item);
@@ -28,7 +28,7 @@ function showPlaying(playing) {
 }
 
 let shown;  // version of the page
-new EventSource('/events').addEventListener('league', async ({ data }) => {
+new EventSource(new URL('events', import.meta.url)).addEventListener('league', async ({ data }) => {
   const { version, playing } = JSON.parse(data);
   if (shown !== undefined && version !== shown) {
     const answer = await fetch(location.pathname);

@@ -169,6 +169,42 @@ TEST_F(HandIn, TellsTheVerdictByOneCommand) {
 }
 
 // Catches a verdict or a result that is read from what a library prints.
+// A faculty shows each league below a path of its server: a link that begins with "/" leaves it. A
+// proxy passes the whole path on, or cuts off the beginning.
+TEST_F(HandIn, LivesBelowAPath) {
+  const std::string alpha = new_token("alpha");
+  const std::string staff = run(league("token", folder_, {"--staff"})).out.substr(0, 26);
+  for (const std::string below : {"/spring", ""}) {
+    server_.reset();
+    serve(below.empty() ? std::vector<std::string>() : std::vector<std::string>{"--base", below});
+    url_ = "http://127.0.0.1:" + std::to_string(port_) + below + "/";
+    if (!below.empty()) EXPECT_EQ(hand_in("alpha", house("striker")).exit_code, 0);
+    EXPECT_EQ(ask("GET", below + "/api/v1/entries", alpha).status, 200);
+    for (const auto& [path, token] :
+         std::vector<std::pair<std::string, std::string>>{{"/", ""},
+                                                          {"/index.html", ""},
+                                                          {"/teams/alpha.html", ""},
+                                                          {"/hand-in", ""},
+                                                          {"/hand-in", alpha},
+                                                          {"/hand-in/entries/2", alpha},
+                                                          {"/hand-in/entries/2/replay", alpha},
+                                                          {"/hand-in?team=alpha", staff},
+                                                          {"/hand-in", staff}}) {
+      const web::Answer shown = ask("GET", below + path, token);
+      EXPECT_EQ(shown.status, 200) << below + path;
+      for (const char* link : {"href=\"/", "src=\"/", "action=\"/", "file\":\"/"})
+        EXPECT_EQ(shown.body.find(link), std::string::npos) << below + path << ": " << link;
+    }
+    for (const char* link : {"/../hand-in", "/../../hand-in.js"})
+      EXPECT_EQ(ask("GET", below + link).status, 404) << link;
+  }
+  serve({"--base", "/spring"});
+  EXPECT_EQ(ask("GET", "/spring").status, 308);
+  EXPECT_EQ(ask("GET", "/springs/").status, 404);
+  server_.reset();
+  EXPECT_EQ(run(league("serve", folder_, {"--base", "spring"})).exit_code, 2);
+}
+
 TEST_F(HandIn, BelievesNothingThatALibraryPrints) {
   const std::string liar = program("hostile/false_verdict.so");
   new_token("alpha");
