@@ -37,7 +37,10 @@ def run(*words):
 
 def configuration(port):
     with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../docs/hosting-server.md")) as page:
-        shown = re.search(r"\nnginx:\n```\n(.*?)```\n", page.read(), re.S).group(1)
+        text = page.read()
+    shown = re.search(r"\nnginx:\n```\n(.*?)```\n", text, re.S).group(1)
+    below = re.search(r"```\n(  location /spring/.*?  }\n)", text, re.S).group(1)
+    shown = shown.rstrip().removesuffix("}") + below + "}\n"
     for there, here in [("listen 443 ssl", f"listen 0.0.0.0:{port} ssl"), ("/etc/ssl/league.pem", at["cert.pem"]),
                         ("/etc/ssl/league.key", at["key.pem"]), ("/run/mirocup/spring.sock", at["league.sock"])]:
         assert there in shown, there
@@ -88,6 +91,11 @@ def try_all(port, token):
                            os.path.join(build, "house/striker.so")], capture_output=True, text=True)
     yield expect("a hand-in, its events and its verdict", told.returncode == 0 and "alpha: entry 2 was accepted" in told.stdout,
                  told.stdout + told.stderr)
+    page = ask(port, "GET", "/spring/hand-in", known)
+    yield expect("a team's page below a path", page.startswith(b"HTTP/1.1 200") and b'="/' not in page, page)
+    told = subprocess.run([mirocup, "hand-in", f"https://127.0.0.1:{port}/spring", "--token-file", at["token"], "--ca", at["cert.pem"],
+                           "--pin", "2"], capture_output=True, text=True)
+    yield expect("a pin below a path", told.returncode == 0 and told.stdout == "entry 2 plays\n", told.stdout + told.stderr)
     with open(os.path.join(build, "house/navigator.so"), "rb") as file:
         taken = ask(port, "PUT", "/api/v1/entries?name=navigator.so", known, body=file.read())
     yield expect("a file by PUT", taken.startswith(b"HTTP/1.1 202"), taken)

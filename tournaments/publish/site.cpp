@@ -63,15 +63,17 @@ Site::Site(SiteSource source)
   content_.history = strength_history(overview_, content_.rounds);
 }
 
+std::string site_style() {
+  return std::string(web::design_file("design.css")) + std::string(page_file("site.css"));
+}
+
 FileMakers Site::makers() {
   FileMakers files = exports(overview_);
   files.merge(statistics_exports(source_.reports));
   if (source_.night) files.merge(night_pages(overview_, *source_.night));
   if (source_.playground) files[playground_name] = source_.playground;
   files["index.html"] = [this] { return front_html(content_); };
-  files["style.css"] = [] {
-    return std::string(web::design_file("design.css")) + std::string(page_file("site.css"));
-  };
+  files["style.css"] = site_style;
   files["site.js"] = [] { return std::string(page_file("site.js")); };
   for (std::size_t i = 0; i < content_.rounds.size(); ++i)
     files[content_.rounds[i].page()] = [this, i] { return round_html(content_, i); };

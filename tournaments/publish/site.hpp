@@ -34,6 +34,9 @@ struct SiteSource {
   std::string closing_page = "../final/site/index.html";  // of the closing round, from index.html
 };
 
+// Returns style.css, for pages that stand beside no league.
+std::string site_style();
+
 // Makes each file of the site only when a caller asks for the file. Threads: any number at a time.
 class Site {
  public:

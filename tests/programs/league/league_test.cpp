@@ -236,5 +236,23 @@ TEST(League, MakesItsPagesAgainWithTheSameBytes) {
   EXPECT_TRUE(site_of(folder) == first);
 }
 
+TEST(League, HasAFrontPageBesideOthers) {
+  const TemporaryFolder temporary;
+  init_league(temporary / "autumn", {"a=house:chaser", "b=house:idle"});
+  init_league(temporary / "spring", {"a=house:chaser", "b=house:idle", "c=house:idle"});
+  const Outcome written = run(league("index", temporary / "", {"--title", "<Soccer>"}));
+  EXPECT_EQ(written.exit_code, 0) << written.err;
+  const std::string page = read_file(temporary / "index.html");
+  EXPECT_NE(page.find("&lt;Soccer&gt;"), std::string::npos);
+  EXPECT_LT(page.find("href=\"autumn/\""), page.find("href=\"spring/\""));
+  EXPECT_EQ(run(league("index", temporary / "", {"--static"})).exit_code, 0);
+  EXPECT_NE(read_file(temporary / "index.html").find("href=\"spring/site/index.html\""),
+            std::string::npos);
+  write_file(temporary / "index.html", "the host's own page");
+  EXPECT_EQ(run(league("index", temporary / "")).exit_code, 2);
+  EXPECT_EQ(read_file(temporary / "index.html"), "the host's own page");
+  EXPECT_EQ(run(league("index", temporary / "spring")).exit_code, 2) << "no folder of leagues";
+}
+
 }  // namespace
 }  // namespace mirocup
