@@ -37,7 +37,8 @@ struct Site {
   // live page.
   std::function<std::optional<int>(const std::string& name)> match;
 
-  // The path at which a proxy shows the site, "/spring"; "": the proxy cuts it off, or there is none.
+  // The path at which a proxy shows the site, "/spring"; "": there is none, or the proxy cuts it
+  // off.
   std::string base = {};
 
   // Handles the body of a request to /control; returns false if the request is not allowed. Without

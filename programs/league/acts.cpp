@@ -117,6 +117,13 @@ void add_freeze(const system::Command& command, Act& act) {
                                            "(+01:00) or in the league's zone (default: now)");
   at.named("TIME");
   command.flag("--lift", act.is_lifted, "Take entries again").excludes(at);
+  const system::Option except = command.option(
+      "--except", act.except,
+      "Let this team alone hand in longer, until --until; then the reason is not published");
+  except.named("TEAM").excludes(at);
+  command.option("--until", act.from, "Until when, in the forms of --at")
+      .named("TIME")
+      .needs(except);
 }
 
 void add_close(const system::Command& command, ActOptions& options) {

@@ -33,6 +33,7 @@ LeagueFile as_season(const LeagueStore& store, const std::string& title) {
   LeagueFile file = store.state().file;
   file.title = title;
   file.freeze.clear();
+  file.extensions.clear();
   file.site.clear();
   file.teams.clear();
   return file;

@@ -340,6 +340,12 @@ std::string ServedLeague::why_not(const std::string& team, const std::string& no
   return why_not_now(store_.state(), team, now);
 }
 
+std::string ServedLeague::deadline_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  return store_.state().frozen_from(team);
+}
+
 // Requires mutex_, and is valid as long as the caller holds it.
 SeenState ServedLeague::seen_by(Viewer viewer) {
   poll();

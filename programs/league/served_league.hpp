@@ -44,6 +44,9 @@ class ServedLeague {
   // entries.
   std::string why_not(const std::string& team, const std::string& now);
 
+  // Returns until when a team may hand in: LeagueState::frozen_from().
+  std::string deadline_of(const std::string& team);
+
   // To be called when this program has written to the league's folder: what other functions return
   // from now on shows it. Without this call they may return data of half a second ago.
   void note_own_write() { has_written_ = true; }

@@ -162,10 +162,11 @@ Points read_points(const JsonReader& json) {
 }
 
 LeagueFile read_league(const JsonReader& json) {
-  json.expect_object(
-      {"schema",    "title",    "format",     "league",        "rules",   "conditions", "pitch",
-       "seed",      "points",   "tie_breaks", "rules_version", "zone",    "freeze",     "strikes",
-       "anonymous", "thoughts", "proofs",     "processor",     "firasim", "site",       "teams"});
+  json.expect_object({"schema",        "title",    "format", "league",    "rules",
+                      "conditions",    "pitch",    "seed",   "points",    "tie_breaks",
+                      "rules_version", "zone",     "freeze", "strikes",   "extensions",
+                      "anonymous",     "thoughts", "proofs", "processor", "firasim",
+                      "site",          "teams"});
   json.expect_schema(schema);
   LeagueFile file;
   record::FieldReader fields(json);
@@ -187,6 +188,10 @@ LeagueFile read_league(const JsonReader& json) {
   }
   if (json.has("zone")) read_zone(json.at("zone"), file);
   if (json.has("freeze")) file.freeze = read_time(json.at("freeze"), file);
+  if (json.has("extensions")) {
+    for (const auto& [team, until] : json.at("extensions").members())
+      file.extensions[team] = read_time(until, file);
+  }
   json.read_if_present("anonymous", file.is_anonymous);
   json.read_if_present("thoughts", file.keeps_thoughts);
   json.read_if_present("proofs", file.has_proofs);
@@ -295,6 +300,7 @@ std::string print_league_file(const LeagueFile& file) {
                {"rules_version", file.rules_version}});
   if (!file.zone.empty()) json["zone"] = file.zone;
   if (!file.freeze.empty()) json["freeze"] = file.freeze;
+  if (!file.extensions.empty()) json["extensions"] = file.extensions;
   if (file.is_anonymous) json["anonymous"] = true;
   if (file.keeps_thoughts) json["thoughts"] = true;
   if (!file.has_proofs) json["proofs"] = false;

@@ -84,6 +84,9 @@ struct LeagueFile {
   // time without Z and offset is in the league's zone.
   std::string freeze;
 
+  // Teams that may hand in longer, and until when, in the form of `freeze`.
+  std::map<std::string, std::string> extensions;
+
   // The time zone of the times that people read: "Europe/Berlin". "": UTC.
   std::string zone;
   system::TimeZone time_zone = {};

@@ -31,6 +31,10 @@ struct PortalOptions {
   // Returns a sentence that says why the league takes no entry of a team at the time `now`; "" if
   // it takes entries.
   std::function<std::string(const std::string& team, const std::string& now)> why_not;
+  // Returns until when a team may hand in, UTC; "": the format alone decides.
+  std::function<std::string(const std::string& team)> deadline = [](const std::string&) {
+    return std::string();
+  };
   // Returns the decided legs of a team that a viewer, the team or the staff, may see.
   std::function<std::vector<OwnLeg>(Viewer viewer, const std::string& team)> legs;
   // Returns the team's digest of the last night as part of a page; "" if the team may not see its

@@ -293,6 +293,7 @@ web::Reply Portal::team_page(const std::string& team, int before) {
   if (!known) return host_failed(known.error());
   desk.is_pinned = known->pinned > 0 && known->pinned == desk.playing;
   desk.statistics = state_.options.statistics(team);
+  desk.deadline = state_.options.deadline(team);
   desk.time_in_words = state_.options.time_in_words;
   desk.shown_name = state_.options.shown_name;
   if (state_.options.digest) desk.digest = state_.options.digest(team);

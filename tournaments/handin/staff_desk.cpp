@@ -27,7 +27,8 @@ int number_in(const Form& form, const std::string& key) {
 
 // Returns the act that a form asks for; nothing if it names none.
 std::optional<Act> act_of(const Form& form) {
-  const auto kind = from_string<ActKind>(value_of(form, "act"));
+  const bool is_extension = value_of(form, "act") == "extend";
+  const auto kind = from_string<ActKind>(is_extension ? "freeze" : value_of(form, "act"));
   if (!kind) return std::nullopt;
   return Act{.kind = *kind,
              .fixture = value_of(form, "fixture"),
@@ -37,6 +38,7 @@ std::optional<Act> act_of(const Form& form) {
              .keeps_seed = value_of(form, "seed") == "same",
              .score = value_of(form, "score"),
              .results = value_of(form, "results"),
+             .except = is_extension ? value_of(form, "team") : "",
              .from = value_of(form, "from"),
              .is_lifted = !value_of(form, "lift").empty(),
              .level = value_of(form, "level"),
@@ -64,12 +66,15 @@ Json forms_values(const LeagueState& state, const Form& given, const std::string
   }
   const std::string sent = value_of(given, "act");
   for (const std::string act : {"rule", "award", "void", "pause", "resume", "withdraw", "freeze",
-                                "release", "close", "undo", "people", "colour"}) {
+                                "extend", "release", "close", "undo", "people", "colour"}) {
     const bool is_meant = sent.empty() || sent == act;
     const bool is_on_leg = act == "rule" || act == "award" || act == "void";
     const bool is_open =
         sent == act || (is_on_leg && is_meant && !value_of(given, "fixture").empty());
-    Json form{{"act", act}, {"is_open", is_open}, {"given", Json::object()}};
+    Json form{{"act", act},
+              {"is_open", is_open},
+              {"is_private", act == "extend"},
+              {"given", Json::object()}};
     for (const auto& [name, value] : is_meant ? given : Form()) {
       if (form["given"].contains(name)) continue;
       form["given"][name] = value;

@@ -30,6 +30,7 @@ struct TeamDesk {
   int playing = 0;                     // the entry that plays; 0: none yet
   bool is_pinned = false;              // that entry plays even if a later one is accepted
   std::string statistics;              // HTML
+  std::string deadline;                // until when the team may hand in, UTC; "": no such time
   std::string digest;                  // HTML: the digest of the last night; "": none
   TimeInWords time_in_words;
   std::function<std::string(const std::string& team)> shown_name;

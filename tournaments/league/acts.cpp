@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/acts.hpp"
 
+#include "system/digest.hpp"
 #include "system/file_lock.hpp"
 #include "system/number_of.hpp"
 #include "system/printable.hpp"
@@ -198,7 +199,37 @@ class Deciding {
                           : "its results count for nothing"));
   }
 
+  Result<Lines> extend() {
+    if (!is_good_name(act_.except)) return fail(Errc::input, act_.except + " is no name of a team");
+    if (state().is_started && !state().find_team(act_.except))
+      return fail(Errc::input, "there is no team " + act_.except);
+    if (act_.from.empty()) return fail(Errc::input, "say until when: --until TIME");
+    MIROCUP_TRY(const auto until, utc_of(act_.from, state().file));
+    const std::string line = act_.except + " may hand in until " + shown_time(state().file, until);
+    if (!state().is_started) {
+      LeagueFile file = state().file;
+      file.extensions[act_.except] = until;
+      return change_file(file, line);
+    }
+    Extended event{.team = act_.except, .until = until, .reason_sha256 = {}, .why = {}, .by = {}};
+    if (!act_.is_dry_run) {
+      MIROCUP_TRY(event.reason_sha256, keep_private_reason(files_, store_.folder(), act_.reason));
+    }
+    event = signed_as(event);
+    event.why = "an extension; the reason is not published";
+    return write(event, line);
+  }
+
+  // Before the start the journal has no line yet.
+  Result<Lines> change_file(const LeagueFile& file, const std::string& line) {
+    if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
+    MIROCUP_TRY(const auto lock, system::FileLock::acquire(store_.folder().submitting()));
+    MIROCUP_TRY_VOID(files_.write(store_.folder().config(), print_league_file(file)));
+    return Lines{line};
+  }
+
   Result<Lines> freeze() {
+    if (!act_.except.empty()) return extend();
     std::string from;
     if (!act_.is_lifted) {
       MIROCUP_TRY(const auto time, act_.from.empty() ? Result<std::string>(utc_text(now_))
@@ -213,12 +244,9 @@ class Deciding {
       frozen.from = from;
       return write(signed_as(frozen), line);
     }
-    if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
-    MIROCUP_TRY(const auto lock, system::FileLock::acquire(store_.folder().submitting()));
     LeagueFile file = state().file;
     file.freeze = from;
-    MIROCUP_TRY_VOID(files_.write(store_.folder().config(), print_league_file(file)));
-    return Lines{line};
+    return change_file(file, line);
   }
 
   Result<Lines> release() {
@@ -276,6 +304,17 @@ std::string objection_to_reason(const std::string& text) {
     return "a reason has at most " + std::to_string(max_reason) + " bytes";
   if (system::printable(text) != text) return "a reason is one line of text in UTF-8";
   return "";
+}
+
+Result<std::string> keep_private_reason(system::Files& files, const Folder& folder,
+                                        const std::string& reason) {
+  const std::string path = folder.private_reasons();
+  MIROCUP_TRY(const auto known, files.read_if_there(path, {.max_size = system::size_limit::note}));
+  std::string kept = system::base32(system::random_bytes(16)) + " " + reason;
+  const std::string sha256 = system::sha256(kept);
+  MIROCUP_TRY_VOID(
+      files.write(path, known.value_or("") + sha256 + " " + kept + "\n", system::Readers::owner));
+  return sha256;
 }
 
 Result<std::vector<std::string>> perform(system::Files& files, LeagueStore& store, const Act& act,

@@ -25,13 +25,14 @@ struct Act {
   bool keeps_seed = false;    // void: the leg is played again with the same seed
   std::string score = {};     // rule: "2:1", home before away
   std::string results = {};   // withdraw: "keep" or "annul"
-  std::string from = {};      // freeze: a time; "": now
+  std::string except = {};    // freeze: the team that alone may hand in longer; "": none
+  std::string from = {};      // freeze: a time; "": now. With `except`: until then
   bool is_lifted = false;     // freeze: entries are taken again
   std::string level = {};     // release: "all", "teams" or "hidden"
   std::string through = {};   // release: a round; "": as for Released::through
   std::string final = {};     // close: the format of the closing round; "": none
   int decision = 0;           // undo: the number of a decision in the list
-  std::string reason = {};    // the reason of the act
+  std::string reason = {};    // the reason of the act; with `except` it is private
   std::string by = {};        // the person who decides; "": not named
   bool is_dry_run = false;    // true: perform() only returns its lines and writes nothing
 };
@@ -42,6 +43,12 @@ inline constexpr int max_ruled_goals = 100;
 // Returns why a text cannot be the published reason of a decision; "" if it can. A reason is one
 // line of at most 500 bytes with a letter or a digit.
 std::string objection_to_reason(const std::string& text);
+
+// Keeps a reason that is not published in the league's file reasons.txt, which only the host can
+// read, and returns the SHA-256 of the kept text. Random characters before the reason keep others
+// from guessing it by its hash.
+Result<std::string> keep_private_reason(system::Files& files, const Folder& folder,
+                                        const std::string& reason);
 
 // Performs an act. `files` gives access to league.json, because a freeze before the start writes
 // its time there. Returns lines for the person who acts, with the former values: "r1-f1 leg 2: a 2

@@ -106,6 +106,12 @@ struct Validator {
     return is_open();
   }
 
+  Result<void> operator()(const Extended& e) const {
+    if (!is_time(e.until)) return fail(Errc::input, e.until + " is no time");
+    if (!is_good_name(e.team)) return fail(Errc::input, e.team + " is no name of a team");
+    return is_open();
+  }
+
   Result<void> operator()(const Closed&) const { return is_open(); }
 
   Result<void> operator()(const Released&) const { return {}; }
@@ -228,6 +234,8 @@ struct Applier {
   }
 
   void operator()(const Frozen& e) const { state.freeze = e.from; }
+
+  void operator()(const Extended& e) const { state.extensions[e.team] = e.until; }
 
   void operator()(const Closed& e) const {
     state.is_closed = true;

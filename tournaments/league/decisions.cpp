@@ -61,6 +61,11 @@ struct Undoes {
 
   bool operator()(const Frozen&) const { return std::holds_alternative<Frozen>(earlier); }
 
+  bool operator()(const Extended& e) const {
+    const auto* extended = std::get_if<Extended>(&earlier);
+    return extended != nullptr && extended->team == e.team;
+  }
+
   bool operator()(const Released&) const { return std::holds_alternative<Released>(earlier); }
 
   bool operator()(const Undone& e) const { return state.decisions[decision].line == e.line; }
@@ -97,8 +102,8 @@ bool is_of_person(const Event& event) {
   if (const auto* paused = std::get_if<Paused>(&event)) return !paused->is_by_program;
   return std::holds_alternative<Ruled>(event) || std::holds_alternative<Withdrawn>(event) ||
          std::holds_alternative<Resumed>(event) || std::holds_alternative<Frozen>(event) ||
-         std::holds_alternative<Closed>(event) || std::holds_alternative<Released>(event) ||
-         std::holds_alternative<Undone>(event);
+         std::holds_alternative<Extended>(event) || std::holds_alternative<Closed>(event) ||
+         std::holds_alternative<Released>(event) || std::holds_alternative<Undone>(event);
 }
 
 void note_decision(LeagueState& state, const Event& event, int line) {

@@ -118,6 +118,13 @@ static void list_fields(auto& f, Frozen& e) {
   list_signature(f, e);
 }
 
+static void list_fields(auto& f, Extended& e) {
+  f("team", e.team);
+  f("until", e.until);
+  f("reason_sha256", e.reason_sha256);
+  list_signature(f, e);
+}
+
 static void list_fields(auto& f, Closed& e) {
   f.if_set("final", e.closing_round);
   list_signature(f, e);

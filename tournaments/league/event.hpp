@@ -222,6 +222,21 @@ struct Frozen {
   bool operator==(const Frozen&) const = default;
 };
 
+// One team may hand in longer than the others. The reason is private: the host keeps it, and the
+// journal has its hash, so that nobody can change it later.
+struct Extended {
+  static constexpr std::string_view kind = "extension";
+
+  std::string team;
+  std::string until;          // UTC
+  std::string reason_sha256;  // see keep_private_reason()
+  std::string why;
+  std::string by;
+  std::string at = {};
+
+  bool operator==(const Extended&) const = default;
+};
+
 // The league is over: no night follows, and the league takes no entry.
 struct Closed {
   static constexpr std::string_view kind = "close";
@@ -267,8 +282,9 @@ struct Undone {
   bool operator==(const Undone&) const = default;
 };
 
-using Event = std::variant<Started, EntryBooked, LegPlayed, LegVoided, Ruled, Withdrawn, Paused,
-                           Resumed, NightBegan, Frozen, Closed, Released, Undone, TeamJoined>;
+using Event =
+    std::variant<Started, EntryBooked, LegPlayed, LegVoided, Ruled, Withdrawn, Paused, Resumed,
+                 NightBegan, Frozen, Extended, Closed, Released, Undone, TeamJoined>;
 
 // Decodes a line of a journal. Keys that a later version may have added are ignored. The error
 // (Errc::damaged) names the line's number, the key and the reason: "line 7: /score/home: missing".

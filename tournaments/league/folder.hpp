@@ -27,6 +27,7 @@ struct Folder {
 
   std::string people() const { return path + "/teams.json"; }  // people.hpp
   std::string pruned() const { return path + "/pruned.json"; }
+  std::string private_reasons() const { return path + "/reasons.txt"; }  // acts.hpp
   std::string notice() const { return path + "/notice.txt"; }
 
   // The digests of each night for teams and host (publish/night.hpp). Only the host can read this

@@ -93,6 +93,15 @@ std::optional<int> LeagueState::find_fixture(const std::string& id) const {
   return found->second;
 }
 
+const std::string& LeagueState::frozen_from(const std::string& team) const {
+  const std::string& all = frozen_from();
+  for (const auto* known : {&extensions, &file.extensions}) {
+    const auto found = known->find(team);
+    if (found != known->end()) return all.empty() || found->second < all ? all : found->second;
+  }
+  return all;
+}
+
 std::string LeagueState::shown_name_of(const std::string& team) const {
   const auto index = find_team(team);
   return index ? shown_name(*index) : team;

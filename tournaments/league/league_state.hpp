@@ -111,7 +111,8 @@ struct LeagueState {
 
   std::vector<NightBegan> nights;
   std::optional<std::string> freeze;  // from the last event Frozen; empty: as in league.json
-  Released release;                   // the last event Released; the default shows all rounds
+  std::map<std::string, std::string> extensions;  // team: until when it may hand in, UTC
+  Released release;  // the last event Released; the default shows all rounds
 
   // The names that pages show, in the order of the teams; empty: the names in league.json.
   std::vector<std::string> shown_names;
@@ -158,6 +159,8 @@ struct LeagueState {
 
   // Returns the time from which the league takes no entry, UTC; "": the format alone decides.
   const std::string& frozen_from() const { return freeze ? *freeze : file.freeze; }
+  // The same for one team, which may have an extension.
+  const std::string& frozen_from(const std::string& team) const;
 
   // All fixtures before this index are decided.
   int first_open() const { return first_open_; }

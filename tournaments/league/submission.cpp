@@ -109,7 +109,7 @@ std::string objection_to(const LeagueState& state, const std::string& team,
   const bool takes_more = state.file.format.takes_entries();
   const auto known = state.find_team(team);
   if (state.is_closed) return "the league is closed";
-  if (const std::string& frozen = state.frozen_from(); !frozen.empty() && now >= frozen)
+  if (const std::string& frozen = state.frozen_from(team); !frozen.empty() && now >= frozen)
     return "entries are frozen since " + shown_time(state.file, frozen);
   if (state.is_started && !takes_more) return "entries are frozen: the league has started";
   if (known && state.teams[*known].status == TeamStatus::withdrawn) return team + " has withdrawn";

@@ -44,6 +44,11 @@ struct DecisionWriter {
                             : "from " + shown_time(state.file, e.from) + " on, no entry is taken");
   }
 
+  DecisionView operator()(const Extended& e) const {
+    return signed_by(e, state.shown_name_of(e.team) + " may hand in until " +
+                            shown_time(state.file, e.until));
+  }
+
   DecisionView operator()(const Closed& e) const {
     return signed_by(e,
                      std::string("the league is closed") +

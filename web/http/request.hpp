@@ -39,8 +39,8 @@ struct Request {
   }
 };
 
-// Returns the way from the page at a path to the top of its site, "../" for each folder. A link that
-// begins with it holds below any path at which a proxy shows the site.
+// Returns the way from the page at a path to the top of its site, "../" for each folder. A link
+// that begins with it holds below any path at which a proxy shows the site.
 inline std::string root_of(std::string_view path) {
   std::string root;
   for (auto left = std::count(path.begin(), path.end(), '/'); left > 1; --left) root += "../";

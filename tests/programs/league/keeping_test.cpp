@@ -575,5 +575,45 @@ TEST(Teams, MayBeAddedAfterInit) {
   EXPECT_EQ(count_kind(folder, "entry"), 4);
 }
 
+// One team hands in after the deadline. Why is its business: neither journal nor pages have it.
+TEST(Teams, MayHaveAnExtension) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:idle", "b=house:idle", "c=house:idle"}, "1", "nightly");
+  const auto take = [&](const std::string& team) {
+    return run(league("submit", folder, {team, "house:chaser"})).exit_code;
+  };
+  const auto extend = [&](const std::string& team, const std::string& until) {
+    return run(league("freeze", folder,
+                      {"--except", team, "--until", until, "--reason", "is in hospital"}));
+  };
+  ASSERT_EQ(run(league("freeze", folder, {"--reason", "last day"})).exit_code, 0);
+  EXPECT_EQ(take("a"), 1);
+  EXPECT_EQ(extend("a", "2126-11-30").exit_code, 2) << "a day is no time";
+  EXPECT_EQ(extend("a", "2126-11-30T18:00:00Z").exit_code, 0);
+  EXPECT_EQ(take("a"), 0) << "before the start league.json has the extension";
+  EXPECT_EQ(take("b"), 1);
+
+  ASSERT_EQ(run(league("nightly", folder)).exit_code, 0);
+  EXPECT_EQ(take("a"), 0);
+  EXPECT_EQ(extend("nobody", "2126-11-30T18:00:00Z").exit_code, 2);
+  EXPECT_EQ(extend("b", "2126-11-30T18:00:00Z").exit_code, 0);
+  EXPECT_EQ(take("b"), 0);
+  EXPECT_EQ(take("c"), 1);
+  ASSERT_EQ(run(league("publish", folder)).exit_code, 0);
+  for (const auto& [name, bytes] : site_of(folder))
+    EXPECT_EQ(bytes.find("hospital"), std::string::npos) << name;
+  EXPECT_EQ(read_file(folder + "/journal.jsonl").find("hospital"), std::string::npos);
+  const std::string kept = read_file(folder + "/reasons.txt");
+  const std::string reason = kept.substr(kept.find(' ') + 1);
+  EXPECT_NE(reason.find("is in hospital"), std::string::npos);
+  EXPECT_NE(read_file(folder + "/journal.jsonl").find("\"reason_sha256\":\"" + kept.substr(0, 64)),
+            std::string::npos);
+  EXPECT_EQ(fs::status(folder + "/reasons.txt").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(run(league("undo", folder, {"1", "--reason", "a mistake"})).exit_code, 0);
+  EXPECT_EQ(take("b"), 1) << "the extension was decision 1";
+}
+
 }  // namespace
 }  // namespace mirocup

@@ -96,8 +96,8 @@ TEST_F(StaffPage, ATutorReadsAndDecidesNothing) {
   const web::Reply page = ask("GET", "/hand-in", tutor_);
   EXPECT_EQ(page.status, 200);
   EXPECT_NE(text_of_page(tutor_).find("Not handed in: alpha · beta"), std::string::npos);
-  EXPECT_EQ(page.bytes.find("/hand-in/staff"), std::string::npos) << page.bytes;
-  EXPECT_NE(ask("GET", "/hand-in", staff_).bytes.find("/hand-in/staff"), std::string::npos);
+  EXPECT_EQ(page.bytes.find("\"hand-in/staff\""), std::string::npos) << page.bytes;
+  EXPECT_NE(ask("GET", "/hand-in", staff_).bytes.find("\"hand-in/staff\""), std::string::npos);
   EXPECT_EQ(ask("GET", "/hand-in/grades.csv", tutor_).status, 200);
   const web::Reply act = ask("POST", "/hand-in/staff", tutor_, "act=close&reason=over&go=do");
   EXPECT_EQ(act.status, 403);
@@ -153,6 +153,7 @@ TEST_F(StaffPage, KnowsEachActThatItOffers) {
        {"rule" + leg + "&score=1:1", "award" + leg + "&team=alpha", "void" + leg,
         std::string("pause&team=alpha"), std::string("resume&team=alpha"),
         std::string("freeze&from=2026-12-18T18:00:00"), std::string("freeze&lift=yes"),
+        std::string("extend&team=alpha&from=2126-12-18T18:00:00"),
         std::string("release&level=hidden&through=r1"),
         std::string("withdraw&team=beta&results=keep"), std::string("close")}) {
     const std::string name = form.substr(0, form.find('&'));

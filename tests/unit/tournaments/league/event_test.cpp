@@ -46,6 +46,8 @@ const std::vector<const char*> line_texts{
     R"({"n":1,"kind":"pause","team":"a","cause":"strikes","why":"w"})",
     R"({"n":1,"kind":"night","number":2,"entries":[{"team":"a","entry":2,"sha256":"9f"}],)"
     R"("at":"2026-11-30T18:00:00Z"})",
+    R"({"n":1,"kind":"extension","team":"a","until":"u",)"
+    R"("reason_sha256":"00","why":"w","by":"H"})",
     R"({"n":1,"kind":"freeze","from":"2026-11-30T18:00:00Z","why":"w","by":"H"})",
     R"({"n":1,"kind":"close","why":"w","by":"H"})",
     R"({"n":1,"kind":"release","level":"teams","through":"r3","why":"w"})",
