@@ -26,11 +26,11 @@ bool can_trap_system_calls() {
   return syscall(SYS_seccomp, SECCOMP_GET_ACTION_AVAIL, 0, &action) == 0;
 }
 
-// What helps where a step of T2 is refused; docs/containers.md has it for each kind of container.
+// What helps where a step of T2 is refused; docs/installing.md has it for each kind of container.
 const char* cure_of(const Error& refused) {
   const bool is_user = refused.what.find("separate user") != std::string::npos;
   if (is_user && geteuid() == 0) return "run it as another user, in a container by --user 1000";
-  return "a container needs a profile that allows it, see docs/containers.md; elsewhere an "
+  return "a container needs a profile that allows it, see docs/installing.md; elsewhere an "
          "administrator can allow user namespaces";
 }
 
