@@ -5,6 +5,7 @@
 #   a relative link whose file is missing, or whose heading is missing;
 #   a page that docs/README.md does not link;
 #   a path in backquotes, in docs/changing.md or docs/algorithm.md, that is not in the tree;
+#   a function, in the table "Where is it decided" of docs/changing.md, that the file named before it does not have;
 #   a program of the tree that a line of code starts and that is not executable.
 # Usage: links.sh [ROOT]
 set -euo pipefail
@@ -53,8 +54,22 @@ done < <(pages)
 for page in docs/changing.md docs/algorithm.md; do
   while IFS= read -r span; do
     [[ -e $span ]] || complain "$page: no file $span"
-  done < <(grep -oE '`(core|plugins|idl|server|tournaments|labs|tests|docs|examples|cmake)/[^` {*]+`' "$page" | tr -d '`')
+  done < <(grep -oE '`(core|system|plugins|idl|record|web|server|tournaments|programs|browser|labs|tests|docs|examples|cmake)/[^` {*]+`' "$page" | tr -d '`')
 done
+
+# The functions that decide.
+file=
+functions=0
+while IFS= read -r span; do
+  case $span in
+    */*) file=$span ;;
+    *'()') functions=$((functions + 1))
+      grep -qE "\b${span%()}\(" "$file" || complain "docs/changing.md: no $span in $file" ;;
+    *) complain "docs/changing.md: neither a file nor a function: $span" ;;
+  esac
+done < <(awk '/^## / { inside = $0 == "## Where is it decided" } inside && /^\|/' docs/changing.md |
+  cut -d'|' -f3 | grep -oE '`[^`]+`' | tr -d '`')
+[[ $functions -ge 15 ]] || complain "docs/changing.md: the table \"Where is it decided\" names only $functions functions"
 
 # Programs that a reader starts by typing their paths.
 while IFS= read -r page; do
