@@ -25,11 +25,23 @@ mapfile -t results < <(grep '^first (blue) ' "$page")
   echo "first_goal: eight steps with a leg each are expected" >&2
   exit 1
 }
-# The steps 2 to 7 show the class of C++ without the lines around it.
-for step in {2..7}; do
-  sed '/^class/,$d' 1.cpp | cat - "$step.cpp" >whole
-  echo 'MIROCUP_EXPORT_TEAM(First, "first")' >>whole
-  mv whole "$step.cpp"
+# The steps 2 to 7 show functions without the lines around them, and a comment in place of a function of an earlier step.
+for language in cpp py; do
+  for step in {7..2}; do
+    {
+      sed '/decide(/,$d' "1.$language"
+      while IFS= read -r line; do
+        if [[ $line =~ ([a-z]+)\(\)\ as\ in\ step\ ([2-6])$ ]]; then
+          awk -v name=" ${BASH_REMATCH[1]}[(]" '/^$/ { inside = 0 } $0 ~ name && /[{:]$/ { inside = 1 } inside' \
+            "${BASH_REMATCH[2]}.$language"
+        else
+          echo "$line"
+        fi
+      done <"$step.$language"
+      [[ $language == py ]] || printf '};\n\nMIROCUP_EXPORT_TEAM(First, "first")\n'
+    } >whole
+    mv whole "$step.$language"
+  done
 done
 for step in {1..8}; do
   cp "$step.cpp" first.cpp
