@@ -315,6 +315,10 @@ def proxies(kind, secret):
             ("a path as a team", 401, (proof, "X-Team: ../alpha"), near),
             ("no team", 401, (proof, "X-Team:"), near),
             ("the staff as a team", {200, 401}, (proof, "X-Team: staff"), near),
+            ("a tutor", 400, (proof, "X-Team: tutor:Z. Kern"), near),  # who has to name a team
+            ("a tutor without the secret", 401, ("X-Team: tutor:Z. Kern",), near),
+            ("a role that is none", 401, (proof, "X-Team: root:x"), near),
+            ("a team as a role", 401, (proof, "X-Team: team:alpha"), near),
             ("another header", 401, (proof, "X-Teams: alpha"), near)]:
         answer = kind.ask(attack, expected, request(*entries, *headers), **how)
         if attack == "the staff as a team" and answer.status == 200:

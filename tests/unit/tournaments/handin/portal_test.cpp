@@ -55,8 +55,8 @@ class Desk : public testing::Test {
     beta_ = list.add("beta", now, "");
     expired_ = list.add("alpha", utc_text(opening - 10), utc_text(opening - 1));
     revoked_ = list.add("gone", now, "");
-    list.revoke(Role::team, "gone", now);
-    staff_ = list.add_for(Role::staff, now, "");
+    list.revoke(Role::team, "gone", "", now);
+    staff_ = list.add_for(Role::staff, "", now, "");
     EXPECT_TRUE(write_tokens(disk_, folder_, list));
     open();
   }
@@ -215,7 +215,7 @@ TEST(Routes, AreAllPrivateButThoseThatLogInAndOut) {
           << route.path;
       continue;
     }
-    const bool is_staffs = route.who == Who::staff || route.who == Who::reader;
+    const bool is_staffs = route.who == Who::staff || route.who == Who::grader;
     const bool is_replay = route.path == "/hand-in/replays/**";
     bool is_tried = is_staffs || is_replay;  // staff_desk_test.cpp, ShowsALeg...
     for (const Route& one : private_routes)
@@ -614,7 +614,7 @@ TEST_F(Desk, EndsATokenAtOnce) {
   const std::string cookie = log_in(alpha_);
   ASSERT_EQ(ask(with(get("/api/v1/entries/1"), "cookie", cookie)).status, 200);
   auto list = *read_tokens(disk_, folder_);
-  list.revoke(Role::team, "alpha", utc_text(now_));
+  list.revoke(Role::team, "alpha", "", utc_text(now_));
   ASSERT_TRUE(write_tokens(disk_, folder_, list));
   EXPECT_EQ(ask(api("/api/v1/entries/1", alpha_)).status, 401);
   EXPECT_EQ(ask(with(get("/api/v1/entries/1"), "cookie", cookie)).status, 401)
