@@ -81,6 +81,7 @@ std::span<const Portal::Route> Portal::routes() {
       Route{"POST", "/api/v1/friendlies", team, api, &Portal::ask_friendly},
       Route{"GET", "/api/v1/friendlies/**", team, api, &Portal::show_friendly},
       Route{"GET", "/hand-in", known, page, &Portal::desk},
+      Route{"GET", "/hand-in/", everybody, page, &Portal::lead_to_desk},
       Route{"GET", "/hand-in/entries/*", team, page, &Portal::entry_page_of},
       Route{"GET", "/hand-in/entries/*/replay", team, page, &Portal::entry_replay},
       Route{"GET", "/hand-in/friendlies/**", team, page, &Portal::show_friendly},
@@ -191,6 +192,10 @@ std::optional<web::Reply> Portal::name_team(Call& call, About about) {
   if (about == About::entries_of_team && !is_good_name(call.team))
     return problem_reply(400, "?team=NAME is expected");
   return std::nullopt;
+}
+
+web::Reply Portal::lead_to_desk(const Call&) {
+  return {.status = 308, .headers = {{"Location", "../hand-in"}}};
 }
 
 web::Reply Portal::desk(const Call& call) {
