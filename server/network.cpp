@@ -67,8 +67,14 @@ Result<void> Network::open(const match::ByTeam<TeamChoice>& teams) {
     return teams[0].info.kind == kind || teams[1].info.kind == kind;
   };
   if (any(record::TeamKind::dds)) {
-    MIROCUP_TRY(dds_, dds::MatchServer::open(terms_.match_id, terms_.interface, terms_.credentials,
-                                             terms_.dds_domain));
+    if (terms_.nat && terms_.credentials.empty() && !terms_.is_open) {
+      return fail(Errc::input,
+                  "--nat: without --credentials anybody on the internet could join, read and forge "
+                  "this match: make credentials by mirocup league credentials, or say --open");
+    }
+    MIROCUP_TRY(dds_, dds::MatchServer::open(
+                          terms_.match_id, terms_.interface, terms_.credentials, terms_.dds_domain,
+                          terms_.nat ? dds::Reply::to_source : dds::Reply::to_listed));
     if (terms_.interface == "lo") {
       tell("match " + terms_.match_id +
            " can be joined from this computer only; --interface opens it to others");
