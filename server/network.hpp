@@ -111,6 +111,7 @@ class Network {
   std::unique_ptr<firasim::Server> firasim_;  // null unless a team uses FIRASim
   firasim::Addresses firasim_addresses_;
   int firasim_instance_ = 0;
+  bool has_two_firasim_ = false;                        // true: both teams use FIRASim
   match::ByTeam<std::optional<TeamProgram>> programs_;  // the programs that this match has started
 };
 
