@@ -66,9 +66,17 @@ Result<void> Network::open(const match::ByTeam<TeamChoice>& teams) {
   const auto any = [&](record::TeamKind kind) {
     return teams[0].info.kind == kind || teams[1].info.kind == kind;
   };
+  has_two_firasim_ = teams[0].info.kind == record::TeamKind::firasim &&
+                     teams[1].info.kind == record::TeamKind::firasim;
   if (any(record::TeamKind::dds)) {
-    MIROCUP_TRY(dds_, dds::MatchServer::open(terms_.match_id, terms_.interface, terms_.credentials,
-                                             terms_.dds_domain));
+    if (terms_.nat && terms_.credentials.empty() && !terms_.is_open) {
+      return fail(Errc::input,
+                  "--nat: without --credentials anybody on the internet could join, read and forge "
+                  "this match: make credentials by mirocup league credentials, or say --open");
+    }
+    MIROCUP_TRY(dds_, dds::MatchServer::open(
+                          terms_.match_id, terms_.interface, terms_.credentials, terms_.dds_domain,
+                          terms_.nat ? dds::Reply::to_source : dds::Reply::to_listed));
     if (terms_.interface == "lo") {
       tell("match " + terms_.match_id +
            " can be joined from this computer only; --interface opens it to others");
@@ -146,6 +154,11 @@ firasim::Terms Network::firasim_terms(Team team, const SeatTerms& terms) {
   };
   join.tell = tell;
   if (!is_lockstep) join.tick = answer_share * terms.period;
+  join.longest =
+      2.0 * join.away + longest_play(terms.leg.setup(), terms.leg.setup().control_period);
+  // Nobody else is to be expected where the match has started the program, or uses free ports.
+  join.has_any_port = !has_two_firasim_ && (!terms_.programs[index_of(team)].empty() ||
+                                            terms_.firasim_instance == "auto");
   return join;
 }
 

@@ -54,6 +54,8 @@ struct NetworkTerms {
   std::string match_id = "1";  // ID by which DDS teams join
   std::string interface = "lo";
   int dds_domain = 0;
+  bool nat = false;           // DDS teams may be behind routers that translate addresses
+  bool is_open = false;       // with `nat`: anybody may join
   std::string credentials;    // folder; "": anybody may join
   double join_within = 60.0;  // time that a team has to join, s
   // Allowed absence of a team, s; empty: the default of the team's protocol.
@@ -109,6 +111,7 @@ class Network {
   std::unique_ptr<firasim::Server> firasim_;  // null unless a team uses FIRASim
   firasim::Addresses firasim_addresses_;
   int firasim_instance_ = 0;
+  bool has_two_firasim_ = false;                        // true: both teams use FIRASim
   match::ByTeam<std::optional<TeamProgram>> programs_;  // the programs that this match has started
 };
 

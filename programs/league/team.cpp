@@ -87,7 +87,7 @@ Result<int> remove_team(system::Files& files, LeagueStore& store, const std::str
   MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
   MIROCUP_TRY(auto people, read_people(files, folder));
   MIROCUP_TRY(auto tokens, read_tokens(files, folder));
-  const int revoked = tokens.revoke(Role::team, team, utc_text(system::now_s()));
+  const int revoked = tokens.revoke(Role::team, team, "", utc_text(system::now_s()));
   if (people.erase(team) == 0 && !is_in && revoked == 0)
     return fail(Errc::input, "there is no team " + team);
   MIROCUP_TRY_VOID(write_people(files, folder, people));

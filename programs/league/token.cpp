@@ -5,6 +5,7 @@
 #include "system/csv.hpp"
 #include "system/file_lock.hpp"
 #include "tournaments/handin/tokens.hpp"
+#include "tournaments/league/acts.hpp"
 #include "tournaments/league/class_list.hpp"
 #include "tournaments/league/submission.hpp"
 
@@ -17,9 +18,11 @@ namespace {
 struct TokenOptions {
   std::string folder;
   std::string team;
-  bool all = false;    // for each team of the league that has none
-  bool staff = false;  // for those who run the league
-  bool tutor = false;  // for those who only look
+  bool all = false;        // for each team of the league that has none
+  bool staff = false;      // for those who run the league
+  bool tutor = false;      // for those who only look
+  bool assistant = false;  // for those who decide and see no grades
+  std::string person;      // the name of the owner of such a token; "": not said
   bool csv = false;
   bool revoke = false;
   std::string expires;  // UTC; "": never
@@ -88,11 +91,20 @@ void print(const TokenOptions& options, const PeopleOfTeams& people, const std::
 
 Result<int> run_token(const TokenOptions& options) {
   MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
-  const Role role = options.staff ? Role::staff : options.tutor ? Role::tutor : Role::team;
-  if (int{options.all} + int{options.staff} + int{options.tutor} + int{!options.team.empty()} != 1)
-    return fail(Errc::input, "one of TEAM, --all, --staff and --tutor is expected");
+  const Role role = options.staff       ? Role::staff
+                    : options.tutor     ? Role::tutor
+                    : options.assistant ? Role::assistant
+                                        : Role::team;
+  if (int{options.all} + int{options.staff} + int{options.tutor} + int{options.assistant} +
+          int{!options.team.empty()} !=
+      1)
+    return fail(Errc::input, "one of TEAM, --all, --staff, --assistant and --tutor is expected");
+  if (!options.person.empty() && role == Role::team)
+    return fail(Errc::input, "--name is for a token of --staff, --assistant or --tutor");
+  if (const std::string why = objection_to_person(options.person); !why.empty())
+    return fail(Errc::input, why);
   if (options.revoke && options.all)
-    return fail(Errc::input, "--revoke needs the name of a team, --staff or --tutor");
+    return fail(Errc::input, "--revoke needs the name of a team, --staff, --assistant or --tutor");
   system::Disk disk;
   const Folder folder{options.folder};
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
@@ -106,9 +118,9 @@ Result<int> run_token(const TokenOptions& options) {
   std::vector<std::pair<std::string, std::string>> made;  // whose, token
   int revoked = 0;
   if (options.revoke) {
-    revoked = list.revoke(role, options.team, now);
+    revoked = list.revoke(role, options.team, options.person, now);
   } else if (role != Role::team) {
-    made.emplace_back(to_string(role), list.add_for(role, now, expires));
+    made.emplace_back(to_string(role), list.add_for(role, options.person, now, expires));
   } else {
     MIROCUP_TRY(const auto teams, teams_of(options, store.state(), people, list, now));
     const std::size_t known = people.size();
@@ -147,6 +159,13 @@ void add_token(system::Commands& commands) {
   command.flag("--staff", o.staff, "Make a token for the staff, who read all hand-ins and decide");
   command.flag("--tutor", o.tutor,
                "Make a token for a tutor, who reads the same as the staff and decides nothing");
+  command.flag("--assistant", o.assistant,
+               "Make a token for an assistant, who decides and does not see the grades");
+  command
+      .option("--name", o.person,
+              "Name of the person who gets such a token: decisions are signed by it, and --revoke "
+              "ends its tokens only")
+      .named("NAME");
   command.flag("--csv", o.csv, "Print lines of team, display name and token, for a mail merge");
   const system::Option expires =
       command.option("--expires", o.expires,

@@ -119,11 +119,13 @@ Result<std::string> read_token(const std::string& path) {
 }
 
 // Returns the league's reason for a status, and without one what is known of the server.
-Error unexpected_answer(const Answer& answer) {
+Error unexpected_answer(const HandInOptions& options, const Answer& answer) {
   if (answer.status == 0) return {Errc::unavailable, answer.error};
   const std::string told = record::text_in(record::parse_json(answer.body).value, "error");
   if (told.empty())
-    return {Errc::unavailable, "the server answers with status " + std::to_string(answer.status)};
+    return {Errc::unavailable,
+            "the server answers with status " + std::to_string(answer.status) +
+                (options.url.starts_with("http://") ? "; it may expect https://" : "")};
   return {answer.status < 500 ? Errc::input : Errc::unavailable, told};
 }
 
@@ -131,7 +133,7 @@ Error unexpected_answer(const Answer& answer) {
 template <class Value>
 Result<Value> read_answer(const HandInOptions& options, const Answer& answer,
                           Value (*read)(const JsonReader&), int expected = 200) {
-  if (answer.status != expected) return tl::unexpected(unexpected_answer(answer));
+  if (answer.status != expected) return tl::unexpected(unexpected_answer(options, answer));
   return record::read_json<Value>(answer.body, options.url + " does not answer as a league",
                                   Errc::unavailable, read);
 }
@@ -153,7 +155,7 @@ Result<Report> wait_for_answer(const HandInOptions& options, const web::HttpClie
       told = report.text;
       pause = report.pause;
     } else if (now - answered_at > patience) {
-      return fail(Errc::unavailable, unexpected_answer(answer).what + "; entry " +
+      return fail(Errc::unavailable, unexpected_answer(options, answer).what + "; entry " +
                                          std::to_string(entry) +
                                          " was taken, and its page will have the answer");
     }

@@ -44,6 +44,7 @@ using std::chrono::steady_clock;
 // A server that sends nothing for longer than this is taken to be gone, s.
 constexpr double max_silence = 10.0;
 constexpr double poll_interval = 0.25;  // s, for interrupts
+constexpr double hint_after = 5.0;      // s without a word from a server
 
 // A team is warned if its credentials are valid for less than this, s.
 constexpr std::int64_t short_validity = 86400;
@@ -149,8 +150,14 @@ class RemoteTeam {
     return {};
   }
 
-  Result<void> check_silence() const {
+  Result<void> check_silence() {
     const double silence = std::chrono::duration<double>(steady_clock::now() - heard_).count();
+    if (!plugin_ && silence > hint_after && !has_hinted_) {
+      has_hinted_ = true;
+      std::cerr << "mirocup: no word from " << options_.server << " yet: " << match_.text()
+                << ". Its firewall must let in UDP ports 7410 to 7429 (and more for another "
+                   "--dds-domain), yours the answers; behind a router the match needs --nat\n";
+    }
     if (!plugin_ && silence > options_.join_within) {
       return fail(
           Errc::unavailable,
@@ -183,6 +190,7 @@ class RemoteTeam {
   team::Connection& match_;
   std::optional<plugins::Plugin> plugin_;
   steady_clock::time_point heard_ = steady_clock::now();
+  bool has_hinted_ = false;
 };
 
 Result<int> run_join(const JoinOptions& options) {

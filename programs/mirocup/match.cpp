@@ -12,6 +12,7 @@
 #include "record/situation_json.hpp"
 #include "record/team_parameters_json.hpp"
 #include "record/thoughts_file.hpp"
+#include "server/dds/domain.hpp"
 #include "server/session.hpp"
 #include "system/number_of.hpp"
 #include "system/printable.hpp"
@@ -49,6 +50,7 @@ struct MatchOptions {
   std::string record_path;
   server::SessionTerms session;
   bool hash = false;  // print the state hash, too
+  bool prints_firewall = false;
   bool json = false;
   std::string answer;  // file for the port of the live page, and for an error
 };
@@ -287,6 +289,10 @@ Result<void> check_output(const MatchOptions& options) {
 }
 
 Result<int> run_match(const MatchOptions& options, const record::WriteAnswer& answer) {
+  if (options.prints_firewall) {
+    std::cout << dds::firewall_rules(options.session.network.dds_domain);
+    return exit_yes;
+  }
   MIROCUP_TRY(const auto past, read_past(options));
   MIROCUP_TRY(const auto setup,
               past ? Result<match::Setup>(past->recording.setup) : setup_of(options));
@@ -469,6 +475,13 @@ void add_match(system::Commands& commands) {
               "Network interface for teams on the network; lo: this host only")
       .shows_default();
   add_dds_domain(command, network.dds_domain);
+  command.flag("--nat", network.nat,
+               "DDS teams may be behind routers that translate addresses (NAT); answer to the "
+               "address that their packets come from");
+  command.flag("--open", network.is_open, "With --nat: let teams join without credentials");
+  command.flag("--print-firewall", o.prints_firewall,
+               "Play nothing, and print nftables rules that limit what each address may send to "
+               "the ports of --dds-domain");
   command
       .option("--join-within", network.join_within,
               "Seconds that a team on the network has to join the match")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/domain.hpp"
 
+#include "server/dds/claim.hpp"
 #include "server/dds/credentials.hpp"
 #include "server/dds/network_interface.hpp"
 #include "system/host_address.hpp"
@@ -12,6 +13,11 @@ namespace {
 
 constexpr double name_limit = 10.0;  // s in which the name of a server must be resolved
 
+constexpr int port_base = 7400;
+
+// Two teams behind one address send some 60 answers and 40 acknowledgements a second.
+constexpr int packets_per_s = 200;
+
 // Nothing that is sent needs to be fragmented by IP: a lost fragment would lose all of a packet,
 // and some firewalls drop fragments. Cyclone splits larger samples itself.
 constexpr const char* message_sizes =
@@ -21,24 +27,29 @@ bool is_address(const std::string& interface) {
   return interface.find_first_not_of("0123456789.:") == std::string::npos;
 }
 
-std::string interface_xml(const std::string& interface) {
+std::string interface_xml(const std::string& interface, bool can_multicast = false) {
   return "<Interfaces><NetworkInterface " +
-         std::string(is_address(interface) ? "address" : "name") + "=\"" + interface +
-         "\"/></Interfaces>";
+         std::string(is_address(interface) ? "address" : "name") + "=\"" + interface + "\"" +
+         (can_multicast ? " multicast=\"true\"" : "") + "/></Interfaces>";
 }
 
-// `index` is the participant index; "none" takes any free port.
-std::string configuration(const std::string& interface, const std::string& index,
-                          const std::string& peers) {
-  return "<CycloneDDS><Domain Id=\"any\"><General>" +
-         (interface.empty() ? std::string() : interface_xml(interface)) +
-         "<AllowMulticast>false</AllowMulticast>" + message_sizes +
+// The parts of a configuration that depend on the side.
+struct Side {
+  std::string interface;  // an XML element, or "": all interfaces
+  std::string index;      // the participant index; "none" takes any free port
+  std::string discovery;  // further elements of Discovery
+  std::string multicast = "false";
+  std::string further;  // further elements of Domain
+};
+
+std::string configuration(const Side& side) {
+  return "<CycloneDDS><Domain Id=\"any\"><General>" + side.interface + "<AllowMulticast>" +
+         side.multicast + "</AllowMulticast>" + message_sizes +
          "</General>"
          "<Discovery><ParticipantIndex>" +
-         index +
+         side.index +
          "</ParticipantIndex><SPDPInterval>500ms</SPDPInterval><LeaseDuration>3s</LeaseDuration>" +
-         peers +
-         "</Discovery>"
+         side.discovery + "</Discovery>" + side.further +
          // Otherwise Cyclone would assemble a giant sample before it throws it away. With more than
          // one thread that receives, its end waits for a packet to itself, which may not arrive.
          "<Internal><MaxSampleSize>64 kB</MaxSampleSize>"
@@ -48,12 +59,37 @@ std::string configuration(const std::string& interface, const std::string& index
          "</Domain></CycloneDDS>";
 }
 
+Side listed_side(const std::string& interface, int index) {
+  return {.interface = interface_xml(interface),
+          .index = std::to_string(index),
+          .discovery = "",
+          .further = ""};
+}
+
+// One socket sends and receives everything, so that an answer comes from the address and port to
+// which the team has sent, and it goes to the address and port from which the team has sent. A
+// router that translates addresses lets it in as the reply. Cyclone has one socket only if it may
+// multicast; with "ssm" and no such writer it sends none but the membership report of its group.
+Side replying_side(const std::string& interface, int index) {
+  const int offset = port_of(0, index) - port_base;
+  return {.interface = interface_xml(interface, true),
+          .index = "none",
+          .discovery = "<Ports><MulticastMetaOffset>" + std::to_string(offset) +
+                       "</MulticastMetaOffset></Ports>",
+          .multicast = "ssm",
+          .further =
+              "<Compatibility><ManySocketsMode>none</ManySocketsMode></Compatibility>"
+              // In spite of its name it holds for UDP too.
+              "<TCP><AlwaysUsePeeraddrForUnicast>true</AlwaysUsePeeraddrForUnicast></TCP>"};
+}
+
 Result<Domain> open_domain(const std::string& interface, const std::string& xml,
                            const std::string& credentials, int number) {
   Domain opened{.log = std::make_unique<CycloneLog>(),
                 .domain = {},
                 .number = number,
-                .credentials = credentials};
+                .credentials = credentials,
+                .reply = Reply::to_listed};
   const auto before = open_descriptors();
   const dds_entity_t domain = dds_create_domain(static_cast<dds_domainid_t>(number), xml.c_str());
   if (domain == DDS_RETCODE_PRECONDITION_NOT_MET) {
@@ -70,16 +106,41 @@ Result<Domain> open_domain(const std::string& interface, const std::string& xml,
 }  // namespace
 
 int port_of(int domain, int index) {
-  return 7400 + 250 * domain + 10 + 2 * index;
+  return port_base + 250 * domain + 10 + 2 * index;
+}
+
+std::string firewall_rules(int domain) {
+  const std::string ports = std::to_string(port_of(domain, 0)) + "-" +
+                            std::to_string(port_of(domain, server_ports - 1) + 1);
+  return "table inet mirocup {\n"
+         "  set senders { type ipv4_addr; flags dynamic, timeout; timeout 1m; size 65535; }\n"
+         "  chain input {\n"
+         "    type filter hook input priority filter;\n"
+         "    udp dport " +
+         ports + " add @senders { ip saddr limit rate over " + std::to_string(packets_per_s) +
+         "/second burst " + std::to_string(2 * packets_per_s) +
+         " packets } drop\n"
+         "  }\n"
+         "}\n";
 }
 
 Result<Domain> open_server_domain(const std::string& interface, const std::string& credentials,
-                                  int number) {
+                                  int number, Reply reply) {
   Result<Domain> opened = fail(Errc::unavailable, "");
   for (int index = 0; index < server_ports; ++index) {
-    opened = open_domain(interface, configuration(interface, std::to_string(index), ""),
-                         credentials, number);
-    if (opened) return opened;
+    const Side side =
+        reply == Reply::to_source ? replying_side(interface, index) : listed_side(interface, index);
+    system::Descriptor port;
+    if (reply == Reply::to_source) {
+      // Until Cyclone has opened its socket, another match could take the same port unnoticed.
+      MIROCUP_TRY(port, claim("mirocup-port-" + std::to_string(port_of(number, index))));
+      if (!port.is_open()) continue;
+    }
+    opened = open_domain(interface, configuration(side), credentials, number);
+    if (!opened) continue;
+    opened->reply = reply;
+    opened->port = std::move(port);
+    return opened;
   }
   return fail(Errc::unavailable, "none of the " + std::to_string(server_ports) +
                                      " ports for match servers in DDS domain " +
@@ -96,8 +157,13 @@ Result<Domain> open_team_domain(const std::string& server, const std::string& cr
   for (int index = 0; index < server_ports; ++index) {
     peers += "<Peer Address=\"" + address + ":" + std::to_string(port_of(number, index)) + "\"/>";
   }
-  const std::string interface = is_local ? "lo" : "";
-  return open_domain(interface, configuration(interface, "none", "<Peers>" + peers + "</Peers>"),
+  // Cyclone would take the first interface that can multicast, which is not that of a VPN.
+  const std::string interface = is_local ? "lo" : own_address_towards(address);
+  return open_domain(interface,
+                     configuration({.interface = interface.empty() ? "" : interface_xml(interface),
+                                    .index = "none",
+                                    .discovery = "<Peers>" + peers + "</Peers>",
+                                    .further = ""}),
                      credentials, number);
 }
 

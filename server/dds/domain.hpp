@@ -7,6 +7,7 @@
 
 #include "server/dds/cyclone_log.hpp"
 #include "server/dds/entity.hpp"
+#include "system/descriptor.hpp"
 
 #include <memory>
 #include <string_view>
@@ -24,6 +25,16 @@ inline constexpr int last_domain = 230;  // later domains have no valid ports
 // participant receives data at the next port.
 int port_of(int domain, int index);
 
+// Returns rules for nftables that let each address send to the ports of a domain only as much as a
+// team sends, twice over: one forged packet of discovery draws answers of many times its size.
+std::string firewall_rules(int domain);
+
+// Where a server sends the packets for a team.
+enum class Reply {
+  to_listed,  // to the addresses that the team lists, from any port
+  to_source,  // back to where the team's packets come from, from the port they were sent to (NAT)
+};
+
 // The connection of this process to the network. Its destructor leaves the network properly. A
 // process has at most one Domain at a time.
 struct Domain {
@@ -31,12 +42,14 @@ struct Domain {
   Entity domain;
   int number = default_domain;
   std::string credentials;  // the folder of this process's credentials; "": open mode
+  Reply reply = Reply::to_listed;
+  system::Descriptor port{};  // the claim of the discovery port, with Reply::to_source
 };
 
 // `interface` is the name or the address of the network interface at which the server is reached;
 // "lo" restricts the server to this host. Errc::unavailable if no port of the domain is free.
 Result<Domain> open_server_domain(const std::string& interface, const std::string& credentials,
-                                  int number = default_domain);
+                                  int number = default_domain, Reply reply = Reply::to_listed);
 
 // `server` is the host of the match server.
 Result<Domain> open_team_domain(const std::string& server, const std::string& credentials,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/match_server.hpp"
 
+#include "server/dds/claim.hpp"
 #include "server/dds/credentials.hpp"
 #include "server/dds/network_interface.hpp"
 #include "server/dds/nonce.hpp"
@@ -8,12 +9,7 @@
 #include "system/digest.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstddef>
-#include <cstring>
 #include <string>
-#include <sys/socket.h>
-#include <sys/un.h>
 #include <utility>
 
 namespace mirocup::dds {
@@ -29,24 +25,12 @@ constexpr double usual_step = 1.0;
 
 constexpr dds_duration_t farewell_timeout = DDS_MSECS(1000);
 
-// Claims the match ID on this host for as long as the descriptor is open, even if the process is
-// killed: two servers with the same ID would share a partition, and each team would get states of
-// both legs. Errc::unavailable: another process has the claim.
-//
-// The claim is an abstract socket: its name has no file, and is known to all processes that share
-// the network, and with it the ports, of this host.
+// Claims the match ID on this host: two servers with the same ID would share a partition, and each
+// team would get states of both legs. Errc::unavailable: another process has the claim.
 Result<system::Descriptor> claim_match(const std::string& match_id, int domain) {
-  const std::string name =
-      "mirocup-" + std::to_string(domain) + "-" + system::sha256(match_id).substr(0, 32);
-  system::Descriptor claim(socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  std::copy(name.begin(), name.end(), address.sun_path + 1);
-  const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
-  if (claim.get() < 0) {
-    return fail(Errc::unavailable, std::string("a socket cannot be made: ") + std::strerror(errno));
-  }
-  if (bind(claim.get(), reinterpret_cast<const sockaddr*>(&address), size) == 0) return claim;
+  MIROCUP_TRY(auto claimed, claim("mirocup-" + std::to_string(domain) + "-" +
+                                  system::sha256(match_id).substr(0, 32)));
+  if (claimed.is_open()) return claimed;
   return fail(Errc::unavailable, "match \"" + match_id +
                                      "\" is already played by another match server on this host: "
                                      "wait for its end, or choose another --match");
@@ -69,9 +53,9 @@ MatchServer::~MatchServer() {
 Result<std::unique_ptr<MatchServer>> MatchServer::open(const std::string& match_id,
                                                        const std::string& interface,
                                                        const std::string& credentials,
-                                                       int domain_number) {
+                                                       int domain_number, Reply reply) {
   MIROCUP_TRY(auto claim, claim_match(match_id, domain_number));
-  MIROCUP_TRY(auto domain, open_server_domain(interface, credentials, domain_number));
+  MIROCUP_TRY(auto domain, open_server_domain(interface, credentials, domain_number, reply));
   std::unique_ptr<MatchServer> server(new MatchServer(match_id, interface, std::move(domain)));
   server->claim_ = std::move(claim);
   MIROCUP_TRY_VOID(server->open_topics());
@@ -269,9 +253,12 @@ std::string MatchServer::reach() const {
   if (interface_ == "lo") return "; with --interface lo, the team must run on this computer";
   const int first = port_of(domain_.number, 0);
   const int last = port_of(domain_.number, server_ports - 1) + 1;
-  return "; this host's firewalls must let in UDP to ports " + std::to_string(first) + "-" +
-         std::to_string(last) + " of " + interface_ +
-         ", and the team's firewalls must let in UDP from this host; no NAT may be between them";
+  const std::string here = "; this host's firewalls must let in UDP to ports " +
+                           std::to_string(first) + "-" + std::to_string(last) + " of " + interface_;
+  if (domain_.reply == Reply::to_source) return here;
+  return here +
+         ", and the team's firewalls must let in UDP from this host; no NAT may be between them "
+         "without --nat";
 }
 
 std::string MatchServer::last_error() const {

@@ -18,13 +18,14 @@ namespace mirocup::dds {
 
 class MatchServer {
  public:
-  // `interface` and `domain` are the arguments of open_server_domain(). `credentials` is the folder
-  // of the server's credentials; "" is open mode. Errors are those of open_server_domain(), and
-  // Errc::unavailable if another server of this host plays `match_id`.
+  // `interface`, `domain` and `reply` are the arguments of open_server_domain(). `credentials` is
+  // the folder of the server's credentials; "" is open mode. Errors are those of
+  // open_server_domain(), and Errc::unavailable if another server of this host plays `match_id`.
   static Result<std::unique_ptr<MatchServer>> open(const std::string& match_id,
                                                    const std::string& interface,
                                                    const std::string& credentials,
-                                                   int domain = default_domain);
+                                                   int domain = default_domain,
+                                                   Reply reply = Reply::to_listed);
 
   // Announces the match to spectators: team names, the common facts of both briefings, and the
   // factor of real time (0 for lockstep).

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/network_interface.hpp"
 
+#include "system/descriptor.hpp"
+
 #include <algorithm>
 #include <arpa/inet.h>
 #include <cstdint>
@@ -83,7 +85,28 @@ void bind_to_interface(const std::vector<int>& before, const std::string& interf
     if (std::binary_search(before.begin(), before.end(), descriptor)) continue;
     if (!is_datagram_socket(descriptor)) continue;
     setsockopt(descriptor, SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof filter);
+    // Cyclone lets other processes share the port of a socket that may multicast.
+    const int none = 0;
+    setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &none, sizeof none);
+    setsockopt(descriptor, SOL_SOCKET, SO_REUSEPORT, &none, sizeof none);
   }
+}
+
+std::string own_address_towards(const std::string& address) {
+  sockaddr_in there{};
+  there.sin_family = AF_INET;
+  there.sin_port = htons(1);  // any: nothing is sent
+  if (inet_pton(AF_INET, address.c_str(), &there.sin_addr) != 1) return "";
+  const system::Descriptor probe(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  sockaddr_in own{};
+  socklen_t size = sizeof own;
+  if (connect(probe.get(), reinterpret_cast<const sockaddr*>(&there), sizeof there) != 0 ||
+      getsockname(probe.get(), reinterpret_cast<sockaddr*>(&own), &size) != 0) {
+    return "";
+  }
+  char text[INET_ADDRSTRLEN] = "";
+  inet_ntop(AF_INET, &own.sin_addr, text, sizeof text);
+  return text;
 }
 
 bool interface_is_up(const std::string& interface) {

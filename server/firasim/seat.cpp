@@ -27,6 +27,9 @@ constexpr double placement_patience = 0.25;
 constexpr double lockstep_placement_patience = 3.0;
 constexpr int placement_tries = 2;
 
+// A team whose sender has changed so often sends each command from another socket.
+constexpr int most_senders = 10;
+
 // The record lists no more.
 constexpr std::size_t max_absences = 100;
 // Silence that counts as an absence, s.
@@ -50,12 +53,16 @@ bool Seat::may_be_replaced(double now) const {
 }
 
 bool Seat::let_in(const Endpoint& sender, double now) {
-  if (sender_ == sender) return true;
+  if (belongs_to(sender)) return true;
   if (sender_ && !may_be_replaced(now)) return false;
   terms_.tell(std::string(to_string(team())) + " \"" + name_ + "\" is steered from " +
               to_text(sender));
   sender_ = sender;
-  ++counts_.senders;
+  if (++counts_.senders > most_senders) {
+    end(match::Fault{match::FaultCode::disconnected,
+                     "the team sends its commands from ever new sockets, which cannot be told from "
+                     "those of others here: let it keep one socket"});
+  }
   return true;
 }
 
@@ -93,14 +100,16 @@ void Seat::note_answer(double now) {
   if (has_answered_) return;
   has_answered_ = true;
   if (observation_.state == match::State::READY) silent_ready_ticks_ = 0;
-  if (asked_at_ > 0.0) answers_.add(now - asked_at_);
+  if (asked_at_ <= 0.0) return;
+  answers_.add(now - asked_at_);
+  waited_ += now - asked_at_;
 }
 
 bool Seat::take(const TeamPlacement& placement, const Endpoint& sender, double now) {
   // A program's commands and placements may leave its host by interfaces with different addresses.
   const bool is_of_another_host = sender_ && sender_->address != sender.address &&
                                   !(is_of_this_host(*sender_) && is_of_this_host(sender));
-  const bool is_another = placer_ && *placer_ != sender && !may_be_replaced(now);
+  const bool is_another = placer_ && !is_placed_by(sender) && !may_be_replaced(now);
   if (is_of_another_host || is_another) {
     ++counts_.foreign;
     return false;
@@ -207,6 +216,12 @@ match::Fault Seat::disconnected(const std::string& commands_at) const {
   if (!sender_) why = "the team placed its robots, but no command came to " + commands_at;
   why += " for " + std::to_string(static_cast<int>(terms_.away)) + " s";
   return {match::FaultCode::disconnected, why};
+}
+
+match::Fault Seat::too_slow() const {
+  return {match::FaultCode::disconnected, "the match has waited " +
+                                              std::to_string(static_cast<int>(terms_.longest)) +
+                                              " s for the team in all"};
 }
 
 match::Answer Seat::collect() {

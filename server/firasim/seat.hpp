@@ -35,6 +35,11 @@ struct Terms {
   // A team that is silent for this long in play has lost. The silence begins with the team's last
   // datagram (real time) or with the vision that the team should answer (lock-step).
   double away = 10.0;
+  // The longest time that a lock-step leg waits for this team in all, s.
+  double longest = 1e9;
+  // True: the team is whoever sends from its address, since some clients open a socket for each
+  // datagram. False: others may be at the same address, so the port tells them apart.
+  bool has_any_port = false;
   std::function<bool()> interrupted = [] { return false; };
   // If the team can no longer send, returns the reason; otherwise no value. `when` is the end of
   // the reason's sentence: "before it sent anything".
@@ -72,9 +77,9 @@ class Seat final : public match::Controller {
 
   // For the server, which receives for both seats. `now` is the time of the server's PatientClock,
   // s.
-  bool belongs_to(const Endpoint& sender) const { return sender_ == sender; }
+  bool belongs_to(const Endpoint& sender) const { return is_one(sender_, sender); }
   bool has_sender() const { return sender_.has_value(); }
-  bool is_placed_by(const Endpoint& sender) const { return placer_ == sender; }
+  bool is_placed_by(const Endpoint& sender) const { return is_one(placer_, sender); }
   // True if the sender steers the team, or begins to steer it with this datagram.
   bool let_in(const Endpoint& sender, double now);
   void take(const Packet& packet, double now);
@@ -96,6 +101,9 @@ class Seat final : public match::Controller {
   // Returns how long the team has been silent in play, s.
   double silent_for(double now) const;
   bool is_lost(double now) const { return silent_for(now) >= terms_.away; }
+  // True if the leg has waited too long for this team in all.
+  bool is_too_slow(double now) const { return waited_ + silent_for(now) > terms_.longest; }
+  match::Fault too_slow() const;
   void end(match::Answer how) { end_ = end_ ? std::move(end_) : std::move(how); }
   const Terms& terms() const { return terms_; }
   // `commands_at` names the address that receives commands.
@@ -105,6 +113,10 @@ class Seat final : public match::Controller {
   const record::Durations& answers() const { return answers_; }
 
  private:
+  bool is_one(const std::optional<Endpoint>& known, const Endpoint& sender) const {
+    return known && known->address == sender.address &&
+           (terms_.has_any_port || known->port == sender.port);
+  }
   bool awaits_commands() const;
   referee::RobotSet commanded() const;  // robots with a command in this tick
   bool leaves_robots_out(double now) const;
@@ -123,6 +135,7 @@ class Seat final : public match::Controller {
   match::Observation observation_;
   std::uint32_t step_ = 0;
   double asked_at_ = 0.0;
+  double waited_ = 0.0;                     // in all ticks before, s
   std::optional<double> first_command_at_;  // time of the first command of this tick
   bool gave_up_ = false;
   bool has_answered_ = false;

@@ -248,6 +248,7 @@ void Server::let_in(const Endpoint& sender, Team team, double now) {
     }
     wanted->commands.reset();
     if (has_other) return;  // the one line brings both
+    if (wanted->seat->terms().has_any_port) return;
     if (auto line = commands_.only_from(sender)) wanted->commands = std::move(*line);
   }
 }
@@ -317,7 +318,7 @@ bool Server::take_placement(const Receiver::Datagram& datagram, double now) {
     return false;
   }
   if (!is_known) place->placements.reset();
-  if (has_own_line(datagram.from)) return true;
+  if (has_own_line(datagram.from) || place->seat->terms().has_any_port) return true;
   if (auto line = placements_.only_from(datagram.from)) place->placements = std::move(*line);
   return true;
 }
@@ -383,6 +384,7 @@ void Server::settle() {
 void Server::end_the_lost(double now) {
   for (const Place& place : places_) {
     Seat& seat = *place.seat;
+    if (!seat.terms().tick && seat.is_too_slow(now)) seat.end(seat.too_slow());
     if (seat.silent_for(now) < looked_after) continue;
     if (auto why = seat.terms().why_gone("before the leg was over")) seat.end(std::move(*why));
   }

@@ -224,6 +224,7 @@ def tokens(kind):
     server, t = kind.server, kind.server.tokens
     of_alpha = bearer(t["alpha"])
     sha256 = hashlib.sha256(t["alpha"].encode()).hexdigest()
+    place = hashlib.sha256(os.path.realpath(server.league).encode()).hexdigest()[:8]  # in the cookie's name
     for attack, expected, words in [
             ("none", 401, ()),
             ("wrong", 401, (bearer("A" * 26),)),
@@ -237,7 +238,7 @@ def tokens(kind):
             ("revoked", 401, (bearer(t["gone"]),)),
             ("expired", 401, (bearer(t["old"]),)),
             ("in the query", 401, ()),
-            ("as a cookie", 401, (cookie_of(server, "alpha").split("=")[0] + f"={t['alpha']}",)),
+            ("as a cookie", 401, (f"Cookie: mirocup_{place}={t['alpha']}",)),
             ("as a person types it", 200, (bearer(" " + t["alpha"].lower()),))]:
         target = "/api/v1/entries" + (f"?token={t['alpha']}" if attack == "in the query" else "")
         kind.ask(attack, expected, request("GET", target, *words))
@@ -315,6 +316,10 @@ def proxies(kind, secret):
             ("a path as a team", 401, (proof, "X-Team: ../alpha"), near),
             ("no team", 401, (proof, "X-Team:"), near),
             ("the staff as a team", {200, 401}, (proof, "X-Team: staff"), near),
+            ("a tutor", 400, (proof, "X-Team: tutor:Z. Kern"), near),  # who has to name a team
+            ("a tutor without the secret", 401, ("X-Team: tutor:Z. Kern",), near),
+            ("a role that is none", 401, (proof, "X-Team: root:x"), near),
+            ("a team as a role", 401, (proof, "X-Team: team:alpha"), near),
             ("another header", 401, (proof, "X-Teams: alpha"), near)]:
         answer = kind.ask(attack, expected, request(*entries, *headers), **how)
         if attack == "the staff as a team" and answer.status == 200:

@@ -7,11 +7,16 @@
  *   BAD_NETWORK_GARBAGE=N sends N changed copies before each packet: other bits, lengths, ends,
  *                         senders
  *   BAD_NETWORK_LIMIT=N   sends at most N changed copies, and writes to standard error when it has
+ *   BAD_NETWORK_NAT=N     the process is behind a router that translates addresses: its packets
+ *                         come from another address, and it receives only replies, from where it
+ *                         has sent to. After N packets the router takes another port (0: never)
  *   BAD_NETWORK_JUMP=N    sends a copy with a far higher sequence number before its packet N with a
  *                         sample: a receiver that believes it takes all true samples for old
  * The random numbers are the same in each run. */
 #define _GNU_SOURCE
+#include <arpa/inet.h>
 #include <dlfcn.h>
+#include <netinet/in.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +25,7 @@
 #include <sys/uio.h>
 #include <time.h>
 
-enum { largest = 65536, most_delayed = 4096 };
+enum { largest = 65536, most_delayed = 4096, most_peers = 64 };
 
 typedef ssize_t send_function(int, const struct msghdr*, int);
 
@@ -125,6 +130,8 @@ static void send_garbage(send_function* real, int socket, const struct msghdr* m
   }
 }
 
+static void send_out(send_function* real, int socket, const struct msghdr* message, int flags);
+
 /* Packets on their way, in the order in which they were sent. */
 static struct delayed {
   struct timespec due;
@@ -156,7 +163,7 @@ static void* deliver(void* real_function) {
     message.msg_namelen = packet.to_size;
     message.msg_iov = &whole;
     message.msg_iovlen = 1;
-    real(packet.socket, &message, MSG_NOSIGNAL);
+    send_out(real, packet.socket, &message, MSG_NOSIGNAL);
     free(packet.bytes);
   }
   return NULL;
@@ -196,6 +203,107 @@ static int delay(send_function* real, int socket, const struct msghdr* message, 
   return is_kept;
 }
 
+/* The router: `outside` is its socket on the internet, `inside` the one from which the process gets
+ * what is let in. */
+static struct {
+  pthread_mutex_t lock;
+  int outside, inside;
+  long sent;
+  struct sockaddr_in process; /* where the process receives */
+  struct sockaddr_in peers[most_peers];
+  unsigned count;
+} router = {PTHREAD_MUTEX_INITIALIZER, -1, -1, 0, {0}, {{0}}, 0};
+static const char* const outside_address = "127.0.0.77";
+static const char* const inside_address = "127.0.0.78";
+
+static int socket_at(const char* address) {
+  struct sockaddr_in own = {0};
+  const int made = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  own.sin_family = AF_INET;
+  own.sin_addr.s_addr = inet_addr(address);
+  bind(made, (struct sockaddr*)&own, sizeof own);
+  return made;
+}
+
+static int is_same(const struct sockaddr_in* a, const struct sockaddr_in* b) {
+  return a->sin_addr.s_addr == b->sin_addr.s_addr && a->sin_port == b->sin_port;
+}
+
+static void* let_replies_in(void* number) {
+  const int own = *(int*)number;
+  static unsigned char packet[2][largest]; /* of each of the router's two ports */
+  unsigned char* const bytes = packet[router.sent > 0];
+  for (;;) {
+    struct sockaddr_in from;
+    socklen_t size = sizeof from;
+    const ssize_t length = recvfrom(own, bytes, largest, 0, (struct sockaddr*)&from, &size);
+    int is_reply = 0;
+    unsigned i;
+    pthread_mutex_lock(&router.lock);
+    for (i = 0; i < router.count; ++i) is_reply = is_reply || is_same(&router.peers[i], &from);
+    is_reply = is_reply && own == router.outside;
+    pthread_mutex_unlock(&router.lock);
+    if (length > 0 && is_reply)
+      sendto(router.inside, bytes, (size_t)length, 0, (struct sockaddr*)&router.process,
+             sizeof router.process);
+  }
+  return NULL;
+}
+
+/* Sends a packet through the router. Returns 0 if it does not leave the process. */
+static int translate(send_function* real, int socket, const struct msghdr* message, int flags) {
+  struct msghdr sent = *message;
+  struct sockaddr_in own = {0}, to;
+  socklen_t size = sizeof own;
+  unsigned i;
+  if (message->msg_name == NULL || message->msg_namelen != sizeof to) return 0;
+  memcpy(&to, message->msg_name, sizeof to);
+  if (to.sin_family != AF_INET || getsockname(socket, (struct sockaddr*)&own, &size) != 0) return 0;
+  if (own.sin_addr.s_addr == 0) own.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (is_same(&own, &to)) return 0;
+  pthread_mutex_lock(&router.lock);
+  if (router.outside < 0 || router.sent == (long)number("BAD_NETWORK_NAT")) {
+    static int outside[2];
+    int* const next_port = &outside[router.sent > 0];
+    pthread_t thread;
+    if (router.inside < 0) router.inside = socket_at(inside_address);
+    router.outside = *next_port = socket_at(outside_address);
+    router.count = 0;
+    pthread_create(&thread, NULL, let_replies_in, next_port);
+    pthread_detach(thread);
+  }
+  ++router.sent;
+  router.process = own;
+  for (i = 0; i < router.count && !is_same(&router.peers[i], &to); ++i) {
+  }
+  if (i == router.count && i < most_peers) router.peers[router.count++] = to;
+  pthread_mutex_unlock(&router.lock);
+  real(router.outside, &sent, flags);
+  return 1;
+}
+
+static void send_out(send_function* real, int socket, const struct msghdr* message, int flags) {
+  if (getenv("BAD_NETWORK_NAT") == NULL || !translate(real, socket, message, flags))
+    real(socket, message, flags);
+}
+
+/* What does not come through the router, does not come. */
+ssize_t recvmsg(int socket, struct msghdr* message, int flags) {
+  ssize_t (*real)(int, struct msghdr*, int) = NULL;
+  *(void**)&real = dlsym(RTLD_NEXT, "recvmsg");
+  for (;;) {
+    const socklen_t space = message->msg_namelen;
+    const ssize_t length = real(socket, message, flags);
+    struct sockaddr_in from;
+    if (length < 0 || getenv("BAD_NETWORK_NAT") == NULL || message->msg_name == NULL) return length;
+    memcpy(&from, message->msg_name, sizeof from);
+    if (from.sin_family != AF_INET || from.sin_addr.s_addr == inet_addr(inside_address) ||
+        is_same(&from, &router.process))
+      return length;
+    message->msg_namelen = space;
+  }
+}
+
 ssize_t sendmsg(int socket, const struct msghdr* message, int flags) {
   send_function* real = NULL;
   size_t size = 0, i;
@@ -208,5 +316,6 @@ ssize_t sendmsg(int socket, const struct msghdr* message, int flags) {
       delay(real, socket, message, number("BAD_NETWORK_DELAY"))) {
     return (ssize_t)size;
   }
-  return real(socket, message, flags);
+  send_out(real, socket, message, flags);
+  return (ssize_t)size;
 }

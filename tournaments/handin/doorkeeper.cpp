@@ -3,6 +3,7 @@
 
 #include "system/digest.hpp"
 #include "system/text.hpp"
+#include "tournaments/league/acts.hpp"
 
 #include <filesystem>
 
@@ -14,6 +15,16 @@ constexpr std::string_view bearer = "Bearer ";
 
 // Makes browsers take the cookie over TLS only, and from this host only.
 constexpr const char* secure_prefix = "__Host-";
+
+// Returns whom a proxy names: "alpha", "staff:A. Host"; nothing if that is no team and no role.
+std::optional<Visitor> visitor_of_proxy(const std::string& named) {
+  if (is_good_name(named)) return Visitor{.team = named};
+  const std::size_t colon = std::min(named.find(':'), named.size());
+  const auto role = from_string<Role>(named.substr(0, colon));
+  const std::string person = colon < named.size() ? named.substr(colon + 1) : "";
+  if (!role || *role == Role::team || !objection_to_person(person).empty()) return std::nullopt;
+  return Visitor{.role = *role, .person = person};
+}
 
 }  // namespace
 
@@ -98,7 +109,7 @@ Result<std::variant<Visitor, Refusal>> Doorkeeper::admit(const web::Request& req
     if (auto refusal = foreign(request, !by_token)) return Answer(*refusal);
   }
   const auto visitor_of = [](const Token& token) {
-    return Visitor{token.team, token.role, token.sha256};
+    return Visitor{token.team, token.role, token.person, token.sha256};
   };
   const std::string utc = utc_text(now);
   if (by_token) {
@@ -117,8 +128,7 @@ Result<std::variant<Visitor, Refusal>> Doorkeeper::admit(const web::Request& req
     return Answer(Refusal{401, "the session has ended: type the token again"});
   }
   if (request.is_from_proxy && !team_header_.empty()) {
-    const std::string team = request.header(team_header_);
-    if (is_good_name(team)) return Answer(Visitor{.team = team});
+    if (const auto named = visitor_of_proxy(request.header(team_header_))) return Answer(*named);
   }
   return Answer(Refusal{401, "a token is needed"});
 }

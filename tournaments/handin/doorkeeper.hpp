@@ -21,8 +21,9 @@ namespace mirocup::league {
 
 // The sender of a request.
 struct Visitor {
-  std::string team;  // "": the staff, or a tutor
+  std::string team;  // "" for another role
   Role role = Role::team;
+  std::string person = {};        // the name of a member of the staff; "": not known
   std::string token_sha256 = {};  // of the sender's token; "": a proxy named the sender
 
   bool sees_all() const { return role != Role::team; }
@@ -44,8 +45,9 @@ std::string cookie_name(const Folder& folder);
 
 class Doorkeeper {
  public:
-  // `team_header` is the header in which a trusted proxy names the team of a signed-on person; "":
-  // the server trusts no proxy. The proxy must remove this header from requests of viewers.
+  // `team_header` is the header in which a trusted proxy names the team of a signed-on person, or
+  // "staff:NAME", "tutor:NAME" or "assistant:NAME"; "": the server trusts no proxy. The proxy must
+  // remove this header from requests of viewers.
   Doorkeeper(system::Files& files, Folder folder, std::string team_header);
 
   // `now` is in s since 1970. An error means that tokens.json cannot be read.

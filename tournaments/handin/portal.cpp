@@ -81,6 +81,7 @@ std::span<const Portal::Route> Portal::routes() {
       Route{"POST", "/api/v1/friendlies", team, api, &Portal::ask_friendly},
       Route{"GET", "/api/v1/friendlies/**", team, api, &Portal::show_friendly},
       Route{"GET", "/hand-in", known, page, &Portal::desk},
+      Route{"GET", "/hand-in/", everybody, page, &Portal::lead_to_desk},
       Route{"GET", "/hand-in/entries/*", team, page, &Portal::entry_page_of},
       Route{"GET", "/hand-in/entries/*/replay", team, page, &Portal::entry_replay},
       Route{"GET", "/hand-in/friendlies/**", team, page, &Portal::show_friendly},
@@ -88,7 +89,7 @@ std::span<const Portal::Route> Portal::routes() {
       Route{"POST", "/hand-in/log-in", everybody, page, &Portal::log_in},
       Route{"POST", "/hand-in/log-out", everybody, page, &Portal::log_out},
       Route{"POST", "/hand-in/staff", staff, api, &Portal::act},
-      Route{"GET", "/hand-in/grades.csv", reader, api, &Portal::grades},
+      Route{"GET", "/hand-in/grades.csv", grader, api, &Portal::grades},
   };
   return table;
 }
@@ -193,17 +194,21 @@ std::optional<web::Reply> Portal::name_team(Call& call, About about) {
   return std::nullopt;
 }
 
+web::Reply Portal::lead_to_desk(const Call&) {
+  return {.status = 308, .headers = {{"Location", "../hand-in"}}};
+}
+
 web::Reply Portal::desk(const Call& call) {
   const Visitor& known = call.visitor;
   if (const std::string team = call.request.asked("team"); known.sees_all() && !team.empty()) {
     return is_good_name(team)
-               ? staff_.legs_of(known.role, team, state_.options.legs(Viewer::staff, team))
+               ? staff_.legs_of(known, team, state_.options.legs(Viewer::staff, team))
                : problem_reply(404, "there is no such team");
   }
   if (known.sees_all()) {
-    return staff_.page(known.role, {.done = number_of(call.request.asked("done")).value_or(0),
-                                    .given = {{"fixture", call.request.asked("fixture")},
-                                              {"leg", call.request.asked("leg")}}});
+    return staff_.page(known, {.done = number_of(call.request.asked("done")).value_or(0),
+                               .given = {{"fixture", call.request.asked("fixture")},
+                                         {"leg", call.request.asked("leg")}}});
   }
   const auto before = before_of(call);
   return before ? team_page(known.team, *before) : problem_reply(400, "?before=N is expected");
@@ -213,7 +218,7 @@ web::Reply Portal::desk(const Call& call) {
 web::Reply Portal::act(const Call& call) {
   const auto form = web::read_form(call.body);
   if (!form) return problem_reply(400, "the form did not arrive completely, or is too long");
-  web::Reply reply = staff_.act(*form, web::root_of(call.request.path));
+  web::Reply reply = staff_.act(call.visitor, *form, web::root_of(call.request.path));
   ++state_.version;
   return reply;
 }
@@ -231,7 +236,7 @@ web::Reply Portal::own_replay(const Call& call) {
     if (leg.record.empty() || !state_.options.replay ||
         call.parts.front() != name_of_leg(leg) + ".html")
       continue;
-    const std::string links = call.visitor.role == Role::staff
+    const std::string links = decides(call.visitor.role)
                                   ? "<p class=\"path\"><a href=\"" +
                                         system::html_escaped(web::root_of(call.request.path) +
                                                              StaffDesk::decision_path(leg)) +

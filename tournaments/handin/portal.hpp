@@ -83,6 +83,7 @@ class Portal {
   web::Reply list_friendlies(const Call& call);
   web::Reply ask_friendly(const Call& call);
   web::Reply show_friendly(const Call& call);
+  web::Reply lead_to_desk(const Call& call);
   web::Reply desk(const Call& call);
   web::Reply entry_page_of(const Call& call);
   web::Reply entry_replay(const Call& call);

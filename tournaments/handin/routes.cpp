@@ -31,9 +31,11 @@ std::optional<web::Reply> refused_role(Who who, const Visitor& visitor) {
   const Role role = visitor.role;
   if (who == Who::team && role != Role::team)
     return problem_reply(403, "a staff token cannot do this for a team");
-  if ((who == Who::reader || who == Who::staff) && role == Role::team)
+  if ((who == Who::grader || who == Who::staff) && role == Role::team)
     return problem_reply(403, "this is for the staff only");
-  if (who == Who::staff && role == Role::tutor)
+  if (who == Who::grader && !sees_grades(role))
+    return problem_reply(403, "the grades are for the staff and tutors only");
+  if (who == Who::staff && !decides(role))
     return problem_reply(403, "a tutor's token reads what the staff reads, and decides nothing");
   return std::nullopt;
 }

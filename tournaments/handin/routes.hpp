@@ -19,8 +19,8 @@ enum class Who {
   everybody,  // also without a token
   known,      // a team, a tutor or the staff
   team,
-  reader,  // a tutor or the staff
-  staff,
+  grader,  // who sees the grades: the staff or a tutor
+  staff,   // who decides: the staff or an assistant
 };
 
 // The subject of a route, and its answer to an unknown visitor.

@@ -51,8 +51,10 @@ std::optional<Act> act_of(const Form& form) {
 
 // The values of the forms of the acts. `given` is what a form had before it was sent, so that
 // nobody types it again, or the leg from whose replay a person comes; each act on legs means it.
-Json forms_values(const LeagueState& state, const Form& given, const std::string& root) {
+Json forms_values(const LeagueState& state, const Form& given, const std::string& root,
+                  const std::string& person) {
   Json values{{"root", root},
+              {"person", person},
               {"max_notice", max_notice},
               {"notice", state.notice},
               {"fixtures", Json::array()}};
@@ -212,8 +214,8 @@ Result<void> set_notice(system::Files& files, const Folder& folder, std::string 
 
 }  // namespace
 
-web::Reply StaffDesk::page(Role reader, const Shown& shown) const {
-  const bool has_forms = reader == Role::staff;
+web::Reply StaffDesk::page(const Visitor& reader, const Shown& shown) const {
+  const bool has_forms = decides(reader.role);
   const auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
   const auto rows = roster(files_, *store);
@@ -224,21 +226,23 @@ web::Reply StaffDesk::page(Role reader, const Shown& shown) const {
   const std::string last = last_leg_at(store->journal());
   Json decisions = decisions_values(state);
   for (Json& one : decisions) one["is_new"] = one["number"] == shown.done;
-  Json values{{"has_forms", has_forms},
-              {"root", shown.root},
-              {"said", shown.said},
-              {"done", shown.done > 0 ? Json(shown.done) : Json()},
-              {"played", state.played()},
-              {"legs", state.legs()},
-              {"last_leg", last.empty() ? "" : shown_time(state.file, last)},
-              {"problems", health->problems},
-              {"attention", attention_values(*rows)},
-              {"forms", has_forms ? filled_page("staff_forms.html",
-                                                forms_values(state, shown.given, shown.root))
-                                  : ""},
-              {"teams", teams_values(state, *rows)},
-              {"has_decisions", !decisions.empty()},
-              {"decisions", decisions}};
+  Json values{
+      {"has_forms", has_forms},
+      {"root", shown.root},
+      {"sees_grades", sees_grades(reader.role)},
+      {"said", shown.said},
+      {"done", shown.done > 0 ? Json(shown.done) : Json()},
+      {"played", state.played()},
+      {"legs", state.legs()},
+      {"last_leg", last.empty() ? "" : shown_time(state.file, last)},
+      {"problems", health->problems},
+      {"attention", attention_values(*rows)},
+      {"forms", has_forms ? filled_page("staff_forms.html",
+                                        forms_values(state, shown.given, shown.root, reader.person))
+                          : ""},
+      {"teams", teams_values(state, *rows)},
+      {"has_decisions", !decisions.empty()},
+      {"decisions", decisions}};
   add_schedule(values, state);
   return staff_reply(shown.status,
                      desk_page("Staff", filled_page("staff.html", values), shown.root));
@@ -248,7 +252,7 @@ std::string StaffDesk::decision_path(const OwnLeg& leg) {
   return "hand-in?fixture=" + leg.fixture + "&leg=" + std::to_string(leg.leg) + "#decide";
 }
 
-web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
+web::Reply StaffDesk::legs_of(const Visitor& reader, const std::string& team,
                               const std::vector<OwnLeg>& legs) const {
   const auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
@@ -260,7 +264,7 @@ web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
              {"opponent", state.shown_name_of(leg->opponent)},
              {"score", std::to_string(leg->goals) + " : " + std::to_string(leg->against)},
              {"fault", leg->own_fault.value_or("")},
-             {"decide", reader == Role::staff ? decision_path(*leg) : ""}};
+             {"decide", decides(reader.role) ? decision_path(*leg) : ""}};
     if (!leg->record.empty()) {
       const std::string name = name_of_leg(*leg);
       const bool is_drawn =
@@ -275,12 +279,13 @@ web::Reply StaffDesk::legs_of(Role reader, const std::string& team,
                                     filled_page("staff_legs.html", {{"legs", rows}})));
 }
 
-web::Reply StaffDesk::act(const Form& values, const std::string& root) const {
+web::Reply StaffDesk::act(const Visitor& visitor, const Form& values,
+                          const std::string& root) const {
   auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
   const std::string act = value_of(values, "act");
   const auto refused = [&](const std::string& why) {
-    return page(Role::staff, {.said = why, .status = 400, .given = values, .root = root});
+    return page(visitor, {.said = why, .status = 400, .given = values, .root = root});
   };
   if (act == "people" || act == "colour" || act == "notice") {
     if (const auto set = act == "notice" ? set_notice(files_, folder_, value_of(values, "text"))
@@ -289,12 +294,13 @@ web::Reply StaffDesk::act(const Form& values, const std::string& root) const {
       return refused(set.error().what);
     return {.status = 303, .bytes = "", .headers = {{"Location", root + "hand-in"}}};
   }
-  const auto wanted = act_of(values);
+  auto wanted = act_of(values);
+  if (wanted && !visitor.person.empty()) wanted->by = visitor.person;
   if (!wanted) return refused("The form does not say what to decide.");
   const auto lines = perform(files_, *store, *wanted, now_());
   if (!lines) return refused(lines.error().what);
   if (wanted->is_dry_run)
-    return page(Role::staff, {.said = system::joined(*lines, "; "), .given = values, .root = root});
+    return page(visitor, {.said = system::joined(*lines, "; "), .given = values, .root = root});
   return {.status = 303,
           .bytes = "",
           .headers = {{"Location",

@@ -7,8 +7,8 @@
 // Threads: any. The league is opened for each request.
 #pragma once
 
+#include "tournaments/handin/doorkeeper.hpp"
 #include "tournaments/handin/own_legs.hpp"
-#include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/folder.hpp"
 #include "web/http/form.hpp"
 #include "web/http/request.hpp"
@@ -37,17 +37,19 @@ class StaffDesk {
   };
 
   // Returns the page for the staff; a tutor gets the page without forms.
-  web::Reply page(Role reader, const Shown& shown) const;
+  web::Reply page(const Visitor& reader, const Shown& shown) const;
 
   // Returns the link, from the top of the site, to the page whose forms name the given leg.
   static std::string decision_path(const OwnLeg& leg);
 
   // Returns the page of a team's legs, which links to their replays with the thoughts of both
   // teams, and to the logs of the team. `legs` are the legs of the team.
-  web::Reply legs_of(Role reader, const std::string& team, const std::vector<OwnLeg>& legs) const;
+  web::Reply legs_of(const Visitor& reader, const std::string& team,
+                     const std::vector<OwnLeg>& legs) const;
 
-  // Performs the act of a form of the page. `root` is web::root_of() the address of the form.
-  web::Reply act(const Form& form, const std::string& root) const;
+  // Performs the act of a form of the page, signed by the visitor if the visitor has a name. `root`
+  // is web::root_of() the address of the form.
+  web::Reply act(const Visitor& visitor, const Form& form, const std::string& root) const;
 
   // Returns grades.csv.
   web::Reply grades() const;

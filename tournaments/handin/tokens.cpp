@@ -41,8 +41,8 @@ Role role_of(const JsonReader& token) {
   const auto named = token.find("role");
   if (!named) return Role::staff;
   const auto role = from_string<Role>(named->text());
-  if (role != Role::tutor) named->complain("\"tutor\" is expected");
-  return Role::tutor;
+  if (!role || *role == Role::team) named->complain("\"tutor\" or \"assistant\" is expected");
+  return role.value_or(Role::tutor);
 }
 
 const Token* find_in(const std::vector<Token>& tokens, const std::string& sha256,
@@ -57,15 +57,17 @@ const Token* find_in(const std::vector<Token>& tokens, const std::string& sha256
 
 std::string TokenList::add(const std::string& team, const std::string& now,
                            const std::string& expires) {
-  std::string text = add_for(Role::team, now, expires);
+  std::string text = add_for(Role::team, "", now, expires);
   tokens.back().team = team;
   return text;
 }
 
-std::string TokenList::add_for(Role role, const std::string& now, const std::string& expires) {
+std::string TokenList::add_for(Role role, const std::string& person, const std::string& now,
+                               const std::string& expires) {
   std::string text = system::base32(system::random_bytes(token_bytes));
   tokens.push_back({.team = "",
                     .role = role,
+                    .person = person,
                     .sha256 = system::sha256(text),
                     .made = now,
                     .expires = expires,
@@ -73,10 +75,12 @@ std::string TokenList::add_for(Role role, const std::string& now, const std::str
   return text;
 }
 
-int TokenList::revoke(Role role, const std::string& team, const std::string& now) {
+int TokenList::revoke(Role role, const std::string& team, const std::string& person,
+                      const std::string& now) {
   int count = 0;
   for (Token& token : tokens) {
     if (token.role != role || token.team != team || !token.revoked.empty()) continue;
+    if (!person.empty() && token.person != person) continue;
     count += token.is_valid(now) ? 1 : 0;
     token.revoked = now;
   }
@@ -120,6 +124,7 @@ Result<TokenList> parse_tokens(const std::string& text, const std::string& path)
       if (token.role == Role::team) token.team = one.at("team").text();
       if (token.role == Role::team && !is_good_name(token.team))
         one.at("team").complain("the name of a team is expected");
+      one.read_if_present("name", token.person);
       token.sha256 = one.at("sha256").text();
       token.made = time_of(one.at("made"));
       token.expires = time_of(one.at("expires"));
@@ -138,7 +143,9 @@ Result<void> write_tokens(system::Files& files, const Folder& folder, const Toke
                       {"made", or_null(token.made)},
                       {"expires", or_null(token.expires)},
                       {"revoked", or_null(token.revoked)}});
-    if (token.role == Role::tutor) tokens.back()["role"] = to_string(Role::tutor);
+    if (token.role != Role::team && token.role != Role::staff)
+      tokens.back()["role"] = to_string(token.role);
+    if (!token.person.empty()) tokens.back()["name"] = token.person;
   }
   const Json json{{"schema", tokens_schema}, {"tokens", tokens}};
   return files.write(tokens_path(folder), record::json_text(json, 1) + "\n",

@@ -16,12 +16,20 @@
 namespace mirocup::league {
 
 // The owner of a token. The staff sees the private pages of all teams and decides; a tutor sees the
-// same pages and changes nothing.
-enum class Role { team, staff, tutor };
+// same pages and changes nothing; an assistant decides and does not see the grades.
+enum class Role { team, staff, tutor, assistant };
+
+inline bool decides(Role role) {
+  return role == Role::staff || role == Role::assistant;
+}
+inline bool sees_grades(Role role) {
+  return role == Role::staff || role == Role::tutor;
+}
 
 struct Token {
-  std::string team;  // "" if the owner is the staff or a tutor
+  std::string team;  // "" if the owner is none
   Role role = Role::team;
+  std::string person = {};  // the name of a member of the staff; "": not said
   std::string sha256;
   std::string made;     // when it was made, UTC, in the form of league.json
   std::string expires;  // when it expires, UTC; "": never
@@ -39,11 +47,12 @@ struct TokenList {
 
   // Makes a token and returns its text. Only the hash of the text is kept.
   std::string add(const std::string& team, const std::string& now, const std::string& expires);
-  std::string add_for(Role staff_or_tutor, const std::string& now, const std::string& expires);
+  std::string add_for(Role role, const std::string& person, const std::string& now,
+                      const std::string& expires);
 
-  // Revokes all tokens of a team or, if `team` is "", of a role. Returns how many tokens were valid
-  // until now.
-  int revoke(Role role, const std::string& team, const std::string& now);
+  // Revokes all tokens of a team or, if `team` is "", of a role; if `person` is not "", only those
+  // of that person. Returns how many tokens were valid until now.
+  int revoke(Role role, const std::string& team, const std::string& person, const std::string& now);
 
   bool has_valid(const std::string& team, const std::string& now) const;
 
@@ -69,6 +78,7 @@ Result<void> write_tokens(system::Files& files, const Folder& folder, const Toke
 namespace mirocup {
 
 template <>
-inline constexpr std::array<std::string_view, 3> enum_names<league::Role>{"team", "staff", "tutor"};
+inline constexpr std::array<std::string_view, 4> enum_names<league::Role>{"team", "staff", "tutor",
+                                                                          "assistant"};
 
 }  // namespace mirocup

@@ -306,6 +306,12 @@ std::string objection_to_reason(const std::string& text) {
   return "";
 }
 
+std::string objection_to_person(const std::string& name) {
+  if (name.size() <= max_by && system::printable(name) == name) return "";
+  return "the name of the person who decides is one line of text, of at most " +
+         std::to_string(max_by) + " bytes";
+}
+
 Result<std::string> keep_private_reason(system::Files& files, const Folder& folder,
                                         const std::string& reason) {
   const std::string path = folder.private_reasons();
@@ -321,10 +327,8 @@ Result<std::vector<std::string>> perform(system::Files& files, LeagueStore& stor
                                          std::int64_t now) {
   if (const std::string why = objection_to_reason(act.reason); !why.empty())
     return fail(Errc::input, why);
-  if (act.by.size() > max_by || system::printable(act.by) != act.by) {
-    return fail(Errc::input, "the name of the person who decides is one line of text, of at most " +
-                                 std::to_string(max_by) + " bytes");
-  }
+  if (const std::string why = objection_to_person(act.by); !why.empty())
+    return fail(Errc::input, why);
   MIROCUP_TRY_VOID(store.refresh());
   return Deciding(files, store, act, now).perform();
 }

@@ -44,6 +44,10 @@ inline constexpr int max_ruled_goals = 100;
 // line of at most 500 bytes with a letter or a digit.
 std::string objection_to_reason(const std::string& text);
 
+// Returns why a text cannot be the name of a person who decides; "" if it can. A name is one line
+// of at most 60 bytes.
+std::string objection_to_person(const std::string& name);
+
 // Keeps a reason that is not published in the league's file reasons.txt, which only the host can
 // read, and returns the SHA-256 of the kept text. Random characters before the reason keep others
 // from guessing it by its hash.

@@ -159,6 +159,8 @@ std::vector<TableRow> LeagueState::table() const {
 std::vector<TableRow> LeagueState::table(const Ratings& ratings) const {
   TableRules rules = file.table_rules();
   rules.by_points_per_leg = file.format.takes_entries();
+  rules.has_uneven_groups = file.format.kind == FormatKind::groups &&
+                            static_cast<int>(teams.size()) % file.format.groups != 0;
   // Strengths that pages show as equal are equal.
   for (const Strength& strength : ratings.strengths) {
     if (rules.by_points_per_leg) rules.strengths.push_back(std::round(strength.value));

@@ -123,7 +123,7 @@ class Ranking {
   }
 
   void by_points(const std::vector<int>& level) {
-    const bool mean = rules_.by_points_per_leg;
+    const bool mean = rules_.by_points_per_leg || rules_.has_uneven_groups;
     split(
         level, mean ? "points per leg" : "points",
         [this, mean](int team) {

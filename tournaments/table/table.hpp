@@ -90,6 +90,9 @@ struct TableRules {
   // True for a ladder or a nightly league, in which teams play different numbers of legs. A team
   // without a leg that counts is then absent: it has no rank and comes after all other teams.
   bool by_points_per_leg = false;
+  // True for groups of different sizes: a team of the smaller group plays fewer legs, so the mean
+  // of its points is compared, as its goals are.
+  bool has_uneven_groups = false;
   // By team, whole numbers: they rank the teams before points do. Empty: points rank the teams.
   std::vector<double> strengths = {};
   std::vector<bool> has_left = {};  // true for each team that has left; empty: no team has left

@@ -53,6 +53,40 @@ TEST(DdsTeam, PlaysTheSameLegWhereEveryFifthPacketIsLost) {
             read_json(folder / "so.json")["state_hash"]);
 }
 
+// A team at home, whose router drops what is no reply. Catches packets to the address that the team
+// lists, packets from another port than that to which the team sends, and a server that forgets a
+// team whose router has taken another port.
+TEST(DdsTeam, PlaysFromBehindARouterThatTranslatesAddresses) {
+  const TemporaryFolder folder;
+  for (const char* forgets_after : {"0", "400"}) {
+    const std::string id = match_id("nat") + forgets_after;
+    Running remote(on_bad_network(join(id, "blue", "remote", "striker"),
+                                  {std::string("BAD_NETWORK_NAT=") + forgets_after}));
+    const std::vector<std::string> words{"match", "--yellow", "chaser",           "--half",
+                                         "10",    "--blue",   "dds:remote",       "--match",
+                                         id,      "--record", folder / "dds.json"};
+    std::vector<std::string> through = words;
+    through.insert(through.end(), {"--nat", "--open"});
+    const Outcome played = run_mirocup(through);
+    ASSERT_EQ(played.exit_code, 0) << played.err;
+    EXPECT_EQ(remote.wait().exit_code, 0);
+    ASSERT_EQ(run_mirocup({"match", "--yellow", "chaser", "--half", "10", "--blue", "striker",
+                           "--record", folder / "so.json"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(read_json(folder / "dds.json")["state_hash"],
+              read_json(folder / "so.json")["state_hash"]);
+  }
+  EXPECT_EQ(run_mirocup({"match", "--yellow", "chaser", "--blue", "dds:x", "--nat"}).exit_code, 2)
+      << "neither credentials nor --open";
+  const std::string id = match_id("listed");
+  Running remote(on_bad_network(join(id, "blue", "remote", "striker"), {"BAD_NETWORK_NAT=0"}));
+  const Outcome without = run_mirocup({"match", "--yellow", "chaser", "--half", "1", "--blue",
+                                       "dds:remote", "--match", id, "--join-within", "6"});
+  EXPECT_NE(without.out.find("forfeit"), std::string::npos) << without.out;
+  EXPECT_TRUE(has_said(remote, "behind a router the match needs --nat")) << remote.err();
+}
+
 // Catches a program on the network that loads its library without the parameters.
 TEST(DdsTeam, GetsItsParametersFromItsOwnCommandLine) {
   const std::string id = match_id("tuned");

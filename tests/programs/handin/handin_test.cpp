@@ -195,6 +195,7 @@ TEST_F(HandIn, LivesBelowAPath) {
       for (const char* link : {"href=\"/", "src=\"/", "action=\"/", "file\":\"/"})
         EXPECT_EQ(shown.body.find(link), std::string::npos) << below + path << ": " << link;
     }
+    EXPECT_EQ(ask("GET", below + "/hand-in/").status, 308) << "to /hand-in";
     for (const char* link : {"/../hand-in", "/../../hand-in.js"})
       EXPECT_EQ(ask("GET", below + link).status, 404) << link;
   }

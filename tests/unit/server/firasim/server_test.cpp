@@ -95,7 +95,7 @@ std::string place_one(Team team, double x, double y) {
 // A match in lock-step with blue at the other end of a wire, and yellow standing still.
 class FirasimServer : public ::testing::Test {
  protected:
-  FirasimServer() {
+  explicit FirasimServer(bool has_any_port = false) {
     match::Setup setup;
     setup.rules = referee::make_rules(referee::Preset::vsss);
     setup.rules.ready_s = 0.33;
@@ -114,6 +114,8 @@ class FirasimServer : public ::testing::Test {
     server_ = std::move(*server);
     Terms terms;
     terms.away = 2.0;
+    terms.longest = 3.0;
+    terms.has_any_port = has_any_port;
     seat_ = server_->add_seat(leg_->briefing(Team::blue), "blue", terms);
     team_.send(drive_all(Team::blue, 1.0, 1.0), commands_);
     if (!server_->wait_until_ready(*seat_, *leg_)) throw std::runtime_error("no team");
@@ -206,6 +208,41 @@ TEST_F(FirasimServer, AColourBelongsToItsSender) {
   expect_wheels(5.0, 6.0);
   EXPECT_EQ(seat_->counts().foreign, 3U);  // one for each robot that is not its own
   EXPECT_EQ(server_->strangers().foreign, 1U);
+}
+
+// A client that opens a socket for each datagram: all its commands but the first were a stranger's.
+class FirasimSockets : public FirasimServer {
+ protected:
+  FirasimSockets() : FirasimServer(true) {}
+};
+
+TEST_F(FirasimSockets, MayBeNewForEachDatagramWhereNobodyElseIs) {
+  play_until([](const auto& now) { return now.state == match::State::PLAY; });
+  for (int i = 0; i < 20; ++i) {
+    ask();
+    Peer().send(drive_all(Team::blue, i, 6.0), commands_);
+    expect_wheels(i, 6.0);
+  }
+  EXPECT_EQ(server_->strangers().foreign, 0U);
+}
+
+// A lock-step leg had no end: each new sender began a new silence.
+TEST_F(FirasimServer, EndsWhereEachCommandComesFromANewSocketOrMuchTooLate) {
+  play_until([](const auto& now) { return now.state == match::State::PLAY; });
+  const match::Fault* fault = nullptr;
+  match::Answer answer;
+  for (int i = 0; i < 8 && fault == nullptr; ++i) {
+    ask();
+    std::thread late([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // more than half of `away`
+      Peer().send(drive_all(Team::blue, 5.0, 6.0), commands_);
+    });
+    answer = seat_->collect();
+    late.join();
+    fault = std::get_if<match::Fault>(&answer);
+  }
+  ASSERT_NE(fault, nullptr);
+  EXPECT_EQ(fault->text, "the match has waited 3 s for the team in all");
 }
 
 // A match without a team yet, which two programs or one may play.

@@ -36,8 +36,9 @@ class StaffPage : public testing::Test {
     fixture_ = store->state().fixtures[0].fixture.id();
     TokenList list;
     alpha_ = list.add("alpha", utc_text(moment), "");
-    staff_ = list.add_for(Role::staff, utc_text(moment), "");
-    tutor_ = list.add_for(Role::tutor, utc_text(moment), "");
+    staff_ = list.add_for(Role::staff, "", utc_text(moment), "");
+    tutor_ = list.add_for(Role::tutor, "", utc_text(moment), "");
+    assistant_ = list.add_for(Role::assistant, "A. Berg", utc_text(moment), "");
     EXPECT_TRUE(write_tokens(disk_, folder_, list));
     PortalOptions options;
     options.now = [] { return moment; };
@@ -75,7 +76,7 @@ class StaffPage : public testing::Test {
   test_support::TemporaryFolder temporary_;
   system::Disk disk_;
   Folder folder_{temporary_ / "l"};
-  std::string alpha_, staff_, tutor_, fixture_;
+  std::string alpha_, staff_, tutor_, assistant_, fixture_;
   std::vector<OwnLeg> legs_;  // of alpha
   std::unique_ptr<Portal> portal_;
 };
@@ -89,6 +90,18 @@ TEST_F(StaffPage, IsForTheStaffOnly) {
   const web::Reply grades = ask("GET", "/hand-in/grades.csv", staff_);
   EXPECT_EQ(grades.status, 200);
   EXPECT_TRUE(grades.bytes.starts_with("rank,team,points,")) << grades.bytes;
+}
+
+// Catches a decision that is signed by another than its token says, and grades for an assistant.
+TEST_F(StaffPage, AnAssistantDecidesUnderItsNameAndSeesNoGrades) {
+  const web::Reply page = ask("GET", "/hand-in", assistant_);
+  EXPECT_NE(page.bytes.find("Signed by A. Berg"), std::string::npos);
+  EXPECT_EQ(page.bytes.find("grades.csv"), std::string::npos);
+  EXPECT_EQ(ask("GET", "/hand-in/grades.csv", assistant_).status, 403);
+  const std::string form = "act=pause&team=alpha&reason=because&by=The+Professor&go=do";
+  EXPECT_EQ(ask("POST", "/hand-in/staff", assistant_, form).status, 303);
+  ASSERT_EQ(decisions().size(), 1u);
+  EXPECT_EQ(std::get<Paused>(decisions().front().event).by, "A. Berg");
 }
 
 // Catches a tutor's token that decides, and a page that offers it.

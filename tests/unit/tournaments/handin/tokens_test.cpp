@@ -29,7 +29,7 @@ TEST(Tokens, AreWordsOf128RandomBitsOfWhichOnlyAHashIsKept) {
     EXPECT_EQ(word.size(), 26u);
     EXPECT_EQ(word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ234567"), std::string::npos);
   }
-  for (const Role role : {Role::staff, Role::tutor}) (void)list.add_for(role, monday, "");
+  for (const Role role : {Role::staff, Role::tutor}) (void)list.add_for(role, "Zoë", monday, "");
   ASSERT_TRUE(write_tokens(files, folder, list));
   const std::string text = *files.read(tokens_path(folder));
   for (const std::string& word : words) EXPECT_EQ(text.find(word), std::string::npos);
@@ -55,16 +55,20 @@ TEST(Tokens, EndWhenTheyExpireOrAreRevoked) {
   const std::string brief = list.add("alpha", monday, tuesday);
   const std::string lasting = list.add("alpha", monday, "");
   const std::string other = list.add("beta", monday, "");
-  const std::string staff = list.add_for(Role::staff, monday, "");
+  const std::string staff = list.add_for(Role::staff, "", monday, "");
   EXPECT_NE(list.find(brief, monday), nullptr);
   EXPECT_EQ(list.find(brief, tuesday), nullptr) << "the moment of the end is too late";
   EXPECT_EQ(list.find(staff, monday)->role, Role::staff);
-  EXPECT_EQ(list.revoke(Role::team, "alpha", tuesday), 1) << "one had expired";
+  EXPECT_EQ(list.revoke(Role::team, "alpha", "", tuesday), 1) << "one had expired";
   EXPECT_EQ(list.find(lasting, tuesday), nullptr);
-  EXPECT_EQ(list.revoke(Role::team, "alpha", tuesday), 0);
+  EXPECT_EQ(list.revoke(Role::team, "alpha", "", tuesday), 0);
   EXPECT_NE(list.find(other, tuesday), nullptr);
   EXPECT_NE(list.find(staff, tuesday), nullptr);
   EXPECT_FALSE(list.has_valid("alpha", tuesday));
+  const std::string max = list.add_for(Role::staff, "Max", monday, "");
+  EXPECT_EQ(list.revoke(Role::staff, "", "Max", tuesday), 1);
+  EXPECT_EQ(list.find(max, tuesday), nullptr);
+  EXPECT_NE(list.find(staff, tuesday), nullptr) << "of another person";
   EXPECT_EQ(list.find_ended(lasting, tuesday)->revoked, tuesday);
 }
 

@@ -213,6 +213,19 @@ TEST(Table, ComparesUnlikeNumbersOfLegsByTheirMean) {
   EXPECT_EQ(rows[1].played, 3) << "B keeps what it won against the old entry";
 }
 
+// A of a group of two has one win of one leg, B of a group of three one win of two: B was above A,
+// whose second leg does not exist, by the goals of that leg.
+TEST(Table, ComparesTheMeansOfGroupsOfDifferentSizes) {
+  constexpr int E = 4;
+  TableRules rules;
+  rules.has_uneven_groups = true;
+  const std::vector<LegResult> legs{leg_result(A, C, 1, 0), leg_result(B, D, 1, 0),
+                                    leg_result(B, E, 0, 0), leg_result(D, E, 0, 0)};
+  EXPECT_EQ(order(make_table(all_teams(5), legs, rules)), (std::vector<int>{A, B, E, D, C}));
+  rules.has_uneven_groups = false;
+  EXPECT_EQ(order(make_table(all_teams(5), legs, rules)).front(), B) << "by the sum";
+}
+
 // Catches sums of points and goals that do not fit into 32 bits: the winner of all stood last.
 TEST(Table, AddsTheLargestPointsAndGoalsOfManyLegs) {
   TableRules rules;
