@@ -501,6 +501,21 @@ TEST(Simurosot, TakesThePlatformsStructuresInANamespaceAndByTheirOlderNames) {
   }
 }
 
+// The platform's last header: the opponents are called "opp", and the lines of the field are gone.
+TEST(Simurosot, BuildsWithAHeaderThatLacksMembers) {
+  const TemporaryFolder folder;
+  const std::string sample = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
+  std::filesystem::create_directories(folder / "old");
+  for (const char* file : {"Strategy.cpp", "StdAfx.h", "StdAfx.cpp"})
+    write_file(folder / "old/" + file, read_file(sample + file));
+  const std::string header = with(read_file(sample + "Strategy.h"), "opponent[", "opp[");
+  write_file(folder / "old/Strategy.h", with(header, "  Bounds fieldBounds, goalBounds;\n", ""));
+  const Outcome made =
+      run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  ASSERT_NO_FATAL_FAILURE(build_project(folder / "made", folder / "build"));
+}
+
 // Catches a header that does not compile by itself, of which only the adapter's own lines were
 // named, and a prelude that does not reach a source or the adapter.
 TEST(Simurosot, SaysThatAHeaderDoesNotCompileAlone) {
