@@ -11,7 +11,7 @@
 //
 // In the first two, blue defends the right end and yellow the left one. A team of mirocup always
 // attacks +x, so it sees what yellow saw; blue's view is turned by 180 degrees. In the third every
-// team sees itself at the right.
+// team sees itself at the right, or with SIDE yellow at the left.
 #include "mirocup/strategy.h"
 
 #include <algorithm>
@@ -508,7 +508,8 @@ class OldTeam {
 
   mirocup_setup setup_;
   Field field_;
-  Frame frame_{-1.0, 0.0, 0.0, 0.01};
+  // Every team sees itself at the right, unless it was written for a platform that turned yellow.
+  Frame frame_{MIROCUP_SIMUROSOT_SIDE == yellow ? 1.0 : -1.0, 0.0, 0.0, 0.01};
   bool was_told_ = false;
   bool was_ready_ = false;
   int phase_ = 0;
