@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace mirocup::labs {
@@ -270,13 +271,22 @@ std::string standard_of(const std::map<std::string, std::string>& all) {
   return standard;
 }
 
-// The project that counts: of several the one nearest to the top, and of those the one for the
-// newest Visual C++, since older ones are left over. Empty if there is none, or two are alike.
-std::string project_of(const Folder& folder) {
-  const auto rank = [](const std::string& path) {
+bool is_below(const std::string& path, const fs::path& folder) {
+  const std::string start = folder.empty() ? "" : folder.string() + "/";
+  return path.compare(0, start.size(), start) == 0;
+}
+
+// The project that counts: of several one that has a header of the platform in its folder, then the
+// one nearest to the top, and of those the one for the newest Visual C++, since older ones are left
+// over. Empty if there is none, or two are alike.
+std::string project_of(const Folder& folder, const std::vector<std::string>& headers) {
+  const auto rank = [&](const std::string& path) {
+    const bool has_header = std::any_of(headers.begin(), headers.end(), [&](const auto& header) {
+      return is_below(header, fs::path(path).parent_path());
+    });
     const std::string kind = system::lower_case(fs::path(path).extension().string());
     const int age = kind == ".vcxproj" ? 0 : kind == ".vcproj" ? 1 : 2;
-    return std::pair(std::count(path.begin(), path.end(), '/'), age);
+    return std::tuple(!has_header, std::count(path.begin(), path.end(), '/'), age);
   };
   std::vector<std::string> paths;
   for (const auto& [path, files] : folder.projects) paths.push_back(path);
@@ -288,8 +298,9 @@ std::string project_of(const Folder& folder) {
 
 // The sources that the folder's project compiles; all of them if none counts, or if it names none
 // of them.
-std::vector<std::string> compiled_of(const Folder& folder, std::vector<std::string> sources) {
-  const std::string project = project_of(folder);
+std::vector<std::string> compiled_of(const Folder& folder, const std::vector<std::string>& headers,
+                                     std::vector<std::string> sources) {
+  const std::string project = project_of(folder, headers);
   if (project.empty()) return sources;
   // The case of a name does not count, as on Windows.
   const fs::path at = system::lower_case(fs::path(project).parent_path().string());
@@ -309,11 +320,6 @@ std::string without_blanks(const std::string& code) {
     if (c != ' ' && c != '\t' && c != '\r' && c != '\n') rest.push_back(c);
   }
   return rest;
-}
-
-bool is_below(const std::string& path, const fs::path& folder) {
-  const std::string start = folder.empty() ? "" : folder.string() + "/";
-  return path.compare(0, start.size(), start) == 0;
 }
 
 // The header, of those that define the platform's structures: the only one; or the first where the
@@ -384,7 +390,7 @@ Result<OldSources> find_old_sources(const std::string& folder) {
     if (defines(path, code)) headers.push_back(path);
     if (is_source(path) && uses(path) == 0) sources.push_back(path);
   }
-  team.sources = compiled_of(all, std::move(sources));
+  team.sources = compiled_of(all, headers, std::move(sources));
   if (headers.empty() || team.sources.empty()) {
     return fail(Errc::input,
                 folder +

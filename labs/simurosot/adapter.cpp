@@ -11,7 +11,7 @@
 //
 // In the first two, blue defends the right end and yellow the left one. A team of mirocup always
 // attacks +x, so it sees what yellow saw; blue's view is turned by 180 degrees. In the third every
-// team sees itself at the right.
+// team sees itself at the right, or with SIDE yellow at the left.
 #include "mirocup/strategy.h"
 
 #include <algorithm>
@@ -166,6 +166,39 @@ void set_whose_ball(E& environment, long whose) {
   }
 }
 
+// Headers call the opponents "opponent" or "opp".
+template <class E>
+auto& opponents_in(E& environment) {
+  if constexpr (requires { environment.opponent; }) {
+    return environment.opponent;
+  } else {
+    return environment.opp;
+  }
+}
+
+// The lines of the field in whole inches, as the team's own header has them with decimals. The
+// header of the platform's last version has no place for them.
+template <class E>
+void set_bounds(E& environment) {
+  if constexpr (requires { environment.fieldBounds; }) {
+    environment.fieldBounds.left = 6;
+    environment.fieldBounds.right = 93;
+    environment.fieldBounds.top = 77;
+    environment.fieldBounds.bottom = 6;
+  }
+  if constexpr (requires { environment.goalBounds; }) {
+    environment.goalBounds.left = 2;
+    environment.goalBounds.right = 97;
+    environment.goalBounds.top = 49;
+    environment.goalBounds.bottom = 33;
+  }
+}
+
+template <class E>
+void set_last_ball(E& environment, const auto& ball) {
+  if constexpr (requires { environment.lastBall; }) environment.lastBall = ball;
+}
+
 template <class E>
 void set_display(E& environment) {
   static char display[4096];
@@ -181,7 +214,7 @@ class OldTeam {
     const double sign = side_ == blue ? -1.0 : 1.0;
     frame_ =
         style == classic ? Frame{sign, 50.1189, 41.8061, inch} : Frame{sign, 110.0, 90.0, 0.01};
-    set_bounds();
+    set_bounds(environment_);
     set_display(environment_);
     char name[256] = {};  // for names that are longer than their 50 bytes
     if (side_ == blue) call(blue_name_c, blue_name_cpp, static_cast<char*>(name));
@@ -229,18 +262,6 @@ class OldTeam {
   }
 
  private:
-  // The lines of the field in whole inches, as the team's own header has them with decimals.
-  void set_bounds() {
-    environment_.fieldBounds.left = 6;
-    environment_.fieldBounds.right = 93;
-    environment_.fieldBounds.top = 77;
-    environment_.fieldBounds.bottom = 6;
-    environment_.goalBounds.left = 2;
-    environment_.goalBounds.right = 97;
-    environment_.goalBounds.top = 49;
-    environment_.goalBounds.bottom = 33;
-  }
-
   template <class R>
   void put(R& to, const mirocup_robot* team, int count, int i, double behind) const {
     const Placed placed = frame_.out(robot_at(team, count, i, behind));
@@ -269,13 +290,14 @@ class OldTeam {
   // Everything is told anew, except what the team itself keeps there: its commands, predictedBall
   // and userData. While play is stopped the ball has no speed.
   void show(const mirocup_observation& now) {
-    environment_.lastBall = environment_.currentBall;
+    set_last_ball(environment_, environment_.currentBall);
     put_at(environment_.currentBall.pos, now.ball_x, now.ball_y);
-    if (now.state != MIROCUP_PLAY || !has_seen_) environment_.lastBall = environment_.currentBall;
+    if (now.state != MIROCUP_PLAY || !has_seen_)
+      set_last_ball(environment_, environment_.currentBall);
     has_seen_ = true;
     for (int i = 0; i < robots; ++i) {
       put(environment_.home[i], now.own, now.robots, i, -setup_.half_length - 0.2);
-      put(environment_.opponent[i], now.opponent, now.robots, i, setup_.half_length + 0.2);
+      put(opponents_in(environment_)[i], now.opponent, now.robots, i, setup_.half_length + 0.2);
     }
     const bool is_told = now.state != MIROCUP_PLAY || MIROCUP_SIMUROSOT_STICKY;
     environment_.gameState = is_told ? state_of(now.restart) : 0;
@@ -486,7 +508,8 @@ class OldTeam {
 
   mirocup_setup setup_;
   Field field_;
-  Frame frame_{-1.0, 0.0, 0.0, 0.01};
+  // Every team sees itself at the right, unless it was written for a platform that turned yellow.
+  Frame frame_{MIROCUP_SIMUROSOT_SIDE == yellow ? 1.0 : -1.0, 0.0, 0.0, 0.01};
   bool was_told_ = false;
   bool was_ready_ = false;
   int phase_ = 0;

@@ -47,8 +47,8 @@
 #define asctime_s(out, size, in) asctime_r((in), (out))
 #define CLK_TCK CLOCKS_PER_SEC
 #define _tzset tzset
-#define _timezone timezone
-#define _daylight daylight
+#define _timezone __timezone
+#define _daylight __daylight
 
 static inline int fopen_s(FILE** file, const char* name, const char* mode) {
   *file = fopen(name, mode);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup league check-hand-in, which serve starts for each check.
+// mirocup league check-hand-in, which serve starts for each check: checks a hand-in at a low
+// priority, and leaves its verdict beside it.
 #include "programs/league/commands.hpp"
-#include "tournaments/handin/check_runner.hpp"
+#include "tournaments/league/submission.hpp"
+
+#include <sys/resource.h>
 
 namespace mirocup::league {
 
@@ -13,17 +16,19 @@ struct CheckHandInOptions {
   std::string team;
   int entry = 0;
   std::string file;
-  std::int64_t at = 0;       // s since 1970
   int compile_seconds = 60;  // of processor time, for a source
-  std::string answer;        // file for the answer
 };
 
+constexpr int priority_of_checks = 10;  // pages and matches come first
+
 Result<int> run_check_hand_in(const CheckHandInOptions& options) {
+  setpriority(PRIO_PROCESS, 0, priority_of_checks);
   system::Disk disk;
-  return record::answering(options.answer, [&](const auto& answer) {
-    return check_hand_in(disk, Folder{options.folder}, options.team, options.entry, options.file,
-                         options.at, options.compile_seconds, answer);
-  });
+  const HandedIn handed{
+      .team = options.team, .entry = options.entry, .file = options.file, .is_network = true};
+  MIROCUP_TRY(const auto verdict,
+              check_entry(disk, Folder{options.folder}, handed, options.compile_seconds));
+  return verdict["accepted"] == true ? exit_yes : exit_no;
 }
 
 }  // namespace
@@ -35,9 +40,7 @@ void add_check_hand_in(system::Commands& commands) {
   command.option("TEAM", o.team).required();
   command.option("ENTRY", o.entry).required();
   command.option("--file", o.file).required();
-  command.option("--at", o.at).required();
   command.option("--compile-seconds", o.compile_seconds).required();
-  command.option("--answer", o.answer).required();
 }
 
 }  // namespace mirocup::league

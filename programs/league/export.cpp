@@ -6,7 +6,7 @@
 #include "record/json_reader.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
-#include "tournaments/handin/queue.hpp"
+#include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/exports.hpp"

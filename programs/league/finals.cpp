@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "programs/league/finals.hpp"
 
-#include "tournaments/league/hand_ins.hpp"
+#include "tournaments/league/book.hpp"
 #include "tournaments/league/people.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace mirocup::league {
 namespace {
 
 // Returns a team of another league with one of its entries; 0: the entry that was accepted last.
-Result<TeamConfig> finalist(system::Files& files, const LeagueStore& store, int team, int entry) {
+Result<TeamConfig> finalist(const LeagueStore& store, const Book& book, int team, int entry) {
   namespace fs = std::filesystem;
   TeamConfig config = store.state().file.teams[team];
   config.has_joined = false;
@@ -20,9 +20,7 @@ Result<TeamConfig> finalist(system::Files& files, const LeagueStore& store, int 
   if (config.is_firasim()) {
     config.program.folder = (base / config.program.folder).lexically_normal().string();
   } else if (!config.is_house() && !config.over_dds) {
-    if (entry == 0) {
-      MIROCUP_TRY(entry, last_accepted_entry(files, store.folder(), config.name));
-    }
+    if (entry == 0) entry = book.hand_ins().last_accepted(config.name);
     if (entry == 0) return fail(Errc::input, config.name + " has no accepted entry");
     config.source = Folder{base.string()}.library(config.name, entry);
   }
@@ -46,10 +44,11 @@ Result<LeagueFile> finals(system::Files& files, const LeagueStore& store, const 
   const LeagueState& season = store.state();
   LeagueFile file = as_season(store, title);
   file.format = {.kind = FormatKind::knockout};
+  MIROCUP_TRY(const auto book, Book::open(files, store.folder()));
   for (const TableRow& row : season.table()) {
     if (season.teams[row.team].status == TeamStatus::withdrawn || row.played == 0) continue;
     if (static_cast<int>(file.teams.size()) == top) break;
-    MIROCUP_TRY(auto team, finalist(files, store, row.team, season.teams[row.team].entry));
+    MIROCUP_TRY(auto team, finalist(store, book, row.team, season.teams[row.team].entry));
     file.teams.push_back(std::move(team));
   }
   if (static_cast<int>(file.teams.size()) < top)
@@ -65,12 +64,13 @@ Result<LeagueFile> closing_round(system::Files& files, const LeagueStore& store,
   LeagueFile file = as_season(store, season.file.title + ", closing round");
   // A double round robin of more legs is a round robin.
   file.format = {.kind = legs == legs_per_fixture ? kind : FormatKind::round_robin, .legs = legs};
+  MIROCUP_TRY(const auto book, Book::open(files, store.folder()));
   for (const TableRow& row : season.table()) {
     if (season.teams[row.team].status == TeamStatus::withdrawn) continue;
-    MIROCUP_TRY(const int entry, playing_entry(files, store.folder(), season.name(row.team)));
+    const int entry = book.hand_ins().playing(season.name(row.team));
     const TeamConfig& config = season.file.teams[row.team];
     if (entry == 0 && config.hands_in()) continue;
-    MIROCUP_TRY(auto team, finalist(files, store, row.team, entry));
+    MIROCUP_TRY(auto team, finalist(store, book, row.team, entry));
     file.teams.push_back(std::move(team));
   }
   if (file.teams.size() < 2)

@@ -9,7 +9,7 @@
 #include "system/child_process.hpp"
 #include "system/clock.hpp"
 #include "system/printable.hpp"
-#include "tournaments/league/hand_ins.hpp"
+#include "tournaments/league/book.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/league/start.hpp"
 #include "tournaments/play/leg_command.hpp"
@@ -42,14 +42,13 @@ Result<std::vector<EntryBooked>> new_entries(system::Files& files, const LeagueS
   std::vector<EntryBooked> entries;
   const LeagueState& state = store.state();
   if (state.file.format.kind != FormatKind::nightly) return entries;
+  MIROCUP_TRY(const auto book, Book::open(files, store.folder()));
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     const std::string& team = state.file.teams[i].name;
     if (state.teams[i].status == TeamStatus::withdrawn) continue;
-    MIROCUP_TRY(const auto number, playing_entry(files, store.folder(), team));
-    if (number == 0 || number == state.teams[i].entry) continue;
-    MIROCUP_TRY(const auto library, files.read(store.folder().library(team, number),
-                                               {.max_size = system::size_limit::entry}));
-    entries.push_back({.team = team, .entry = number, .sha256 = system::sha256(library)});
+    const HandedIn* playing = book.hand_ins().find(team, book.hand_ins().playing(team));
+    if (playing == nullptr || playing->entry == state.teams[i].entry) continue;
+    entries.push_back({.team = team, .entry = playing->entry, .sha256 = playing->library});
   }
   return entries;
 }

@@ -4,7 +4,7 @@
 // entry, at a low priority.
 #include "programs/league/commands.hpp"
 #include "system/locations.hpp"
-#include "tournaments/handin/friendly.hpp"
+#include "tournaments/league/friendly.hpp"
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/play/leg_command.hpp"
 

@@ -60,7 +60,7 @@ Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOpt
   portal.statistics = of_league(&ServedLeague::statistics_of);
   portal.shown_name = of_league(&ServedLeague::shown_name_of);
   portal.time_in_words = of_league(&ServedLeague::time_in_words);
-  portal.friendlies = {.teams = of_league(&ServedLeague::entries_that_play),
+  portal.friendlies = {.teams = of_league(&ServedLeague::booked_entries),
                        .neighbours = of_league(&ServedLeague::neighbours_of),
                        .house = system::house_teams(),
                        .has_drills = league.has_drills(),

@@ -7,7 +7,6 @@
 #include "record/json_fields.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
-#include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/submission.hpp"
 #include "tournaments/play/leg_command.hpp"
 #include "tournaments/publish/night_pages.hpp"
@@ -25,7 +24,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto poll_interval = 500ms;
-constexpr auto entries_interval = 2s;  // between two looks at the entries of all teams
 
 // While a class joins or a night is played, each new team and each leg changes all pages. To begin
 // them anew takes one part in that many of the time, or more where the rest would grow too long.
@@ -121,7 +119,6 @@ void ServedLeague::poll() {
   if (store_.state().teams.size() != teams) open_again();  // with what people call the new ones
   if (has_written || store_.state().release != release) {
     pages_rest_until_ = {};
-    entries_looked_up_at_ = {};
   }
   std::vector<LiveLeg> playing = find_live_legs();
   lines_ = store_.lines();
@@ -391,24 +388,17 @@ std::optional<std::string> ServedLeague::own_replay(const std::string& name,
   return std::move(html);
 }
 
-std::map<std::string, int> ServedLeague::entries_that_play() {
+std::map<std::string, int> ServedLeague::booked_entries() {
   const std::lock_guard lock(mutex_);
   poll();
-  const auto now = std::chrono::steady_clock::now();
-  if (now - entries_looked_up_at_ < entries_interval) return entries_that_play_;
-  entries_looked_up_at_ = now;
   std::map<std::string, int> entries;
   const LeagueState& state = store_.state();
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     const TeamConfig& team = state.file.teams[i];
-    if (state.teams[i].status == TeamStatus::withdrawn || team.is_on_network()) continue;
-    const int booked = state.teams[i].entry;
-    const auto entry =
-        booked > 0 ? Result<int>(booked) : playing_entry(files_, store_.folder(), team.name);
-    if (!entry) return entries_that_play_;  // those of before, until it can be read
-    if (*entry > 0) entries[team.name] = *entry;
+    if (state.teams[i].status != TeamStatus::withdrawn && !team.is_on_network())
+      entries[team.name] = state.teams[i].entry;
   }
-  return entries_that_play_ = std::move(entries);
+  return entries;
 }
 
 std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {

@@ -64,9 +64,9 @@ class ServedLeague {
   std::optional<std::string> own_replay(const std::string& name, const record::Whose& whose,
                                         const std::string& links);
 
-  // Returns the teams with an entry that would play now, and the number of the entry. The data are
-  // at most a few seconds old.
-  std::map<std::string, int> entries_that_play();
+  // Returns the teams that play with an entry, and the number of the entry by the journal; 0: none
+  // yet.
+  std::map<std::string, int> booked_entries();
 
   // Returns the neighbours of a team in the table that visitors see, the team above first; none
   // before the start.
@@ -134,9 +134,7 @@ class ServedLeague {
   std::string said_;            // the texts of teams.json and notice.txt
   FactsOfLegs facts_;
   KnownReports known_reports_;
-  std::map<int, std::string> statistics_;  // HTML of teams whose statistics were requested
-  std::map<std::string, int> entries_that_play_;
-  std::chrono::steady_clock::time_point entries_looked_up_at_{};
+  std::map<int, std::string> statistics_;   // HTML of teams whose statistics were requested
   std::map<std::string, web::Page> pages_;  // pages of site_ that were asked for, by path
   std::set<std::string> records_;           // names of records without .json
 

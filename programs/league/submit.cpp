@@ -86,8 +86,7 @@ Result<int> run_submit(const SubmitOptions& options) {
   if (options.file.starts_with(house)) {
     const std::string name = options.file.substr(house.size());
     handed.path = system::house_team(name);
-    handed.name = options.file;
-    handed.is_house = true;
+    handed.house = options.file;
     if (handed.path.empty()) return fail(Errc::input, "there is no house team \"" + name + "\"");
   }
   handed.at = system::now_s();

@@ -7,6 +7,7 @@
 #include "system/printable.hpp"
 #include "system/text.hpp"
 #include "tournaments/handin/tokens.hpp"
+#include "tournaments/league/book.hpp"
 #include "tournaments/league/class_list.hpp"
 #include "tournaments/league/league_store.hpp"
 #include "tournaments/league/submission.hpp"
@@ -78,10 +79,11 @@ Result<int> take_class_list(system::Files& files, LeagueStore& store, const std:
 Result<int> remove_team(system::Files& files, LeagueStore& store, const std::string& team) {
   const Folder& folder = store.folder();
   const bool is_in = store.state().find_team(team).has_value();
-  MIROCUP_TRY(const auto entry, last_entry(files, folder, team));
-  if (entry > 0 || (is_in && store.state().is_started)) {
+  MIROCUP_TRY(const auto book, Book::open(files, folder));
+  const bool has_entry = book.hand_ins().last_kept(team) > 0;
+  if (has_entry || (is_in && store.state().is_started)) {
     return fail(Errc::input,
-                team + (entry > 0 ? " has handed in" : " is in a league that has started") +
+                team + (has_entry ? " has handed in" : " is in a league that has started") +
                     ": league withdraw takes the team out of the league");
   }
   MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));

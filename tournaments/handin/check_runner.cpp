@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/check_runner.hpp"
 
-#include "record/json_fields.hpp"
-#include "record/json_reader.hpp"
-#include "system/clock.hpp"
+#include "record/answer.hpp"
 #include "system/locations.hpp"
 #include "system/process_tree.hpp"
-#include "tournaments/league/submission.hpp"
 
 #include <algorithm>
 #include <csignal>
-#include <sys/resource.h>
 
 namespace mirocup::league {
 
@@ -22,7 +18,6 @@ using std::chrono::steady_clock;
 constexpr double wait_s = 0.02;        // s until a new hand-in is noticed
 constexpr auto look_interval = 250ms;  // between two looks at the checks
 constexpr auto rest_time = 1s;         // after a fault of the host
-constexpr int lower_priority = 10;     // pages and matches come first
 
 }  // namespace
 
@@ -39,14 +34,14 @@ CheckRunner::CheckRunner(system::Files& files, Folder folder, Portal& portal,
       limits_(limits),
       friendlies_(folder_, portal.friendlies(), processes) {}
 
-std::string CheckRunner::answer_of(const WaitingHandIn& handed) const {
-  return folder_.entry(handed.team, handed.entry) + "/answer.jsonl";
+std::string CheckRunner::log_of(const HandedIn& handed) const {
+  return folder_.entry(handed.team, handed.entry) + "/checking.log";
 }
 
 bool CheckRunner::step() {
   start_checks();
   // Friendlies take what the checks leave.
-  while (busy() < jobs_ && friendlies_.start_next(next_tag_, system::now_s())) ++next_tag_;
+  while (busy() < jobs_ && friendlies_.start_next(next_tag_)) ++next_tag_;
   look_at_checks();
   friendlies_.look_at_time();
   const auto news = processes_.wait_within(wait_s);
@@ -57,7 +52,7 @@ bool CheckRunner::step() {
       start_checks();  // a processor does not wait for the disk
       book(check, *news.exit);
     } else {
-      friendlies_.book(*news.exit, system::now_s());
+      friendlies_.book(*news.exit);
     }
   }
   return !news.is_asked_to_stop;
@@ -83,11 +78,8 @@ void CheckRunner::start_next() {
                                          next->team,
                                          std::to_string(next->entry),
                                          "--file=" + next->file,
-                                         "--at=" + std::to_string(next->at),
-                                         "--compile-seconds=" + std::to_string(compile_seconds),
-                                         "--answer=" + answer_of(*next)};
-  (void)files_.remove(answer_of(*next));  // of a check that died
-  const auto pid = processes_.start(command, next_tag_, -1, answer_of(*next) + ".log");
+                                         "--compile-seconds=" + std::to_string(compile_seconds)};
+  const auto pid = processes_.start(command, next_tag_, -1, log_of(*next));
   if (!pid) {
     tell_(next->team + ": entry " + std::to_string(next->entry) + ": " + pid.error().what);
     rests_until_ = steady_clock::now() + rest_time;
@@ -103,30 +95,23 @@ void CheckRunner::start_next() {
 
 void CheckRunner::book(const Running& check, const system::Exit& exit) {
   const std::string& team = check.handed.team;
-  const int entry = check.handed.entry;
-  const std::string path = answer_of(check.handed);
-  const auto answer = record::last_answer(files_, path);
-  const bool is_answer = exit.signal == 0 && (exit.code == exit_yes || exit.code == exit_no) &&
-                         answer && answer->is_object();
+  const std::string log = log_of(check.handed);
   Result<void> booked;
-  if (is_answer) {
-    const bool is_accepted = exit.code == exit_yes;
+  if (exit.signal == 0 && (exit.code == exit_yes || exit.code == exit_no)) {
     if (check.compile_seconds > 0)
-      compile_time_.note(team, is_accepted || check.is_compiled, check.used.processor);
-    const std::string message = record::text_in(*answer, "message");
-    tell_(message);
-    booked = portal_.close(team, entry, is_accepted ? HandInState::accepted : HandInState::refused,
-                           message, record::value_in(*answer, "plays", 0));
+      compile_time_.note(team, exit.code == exit_yes || check.is_compiled, check.used.processor);
+    booked = portal_.conclude(team, check.handed.entry).map([this](const Submission& done) {
+      tell_(done.message);
+    });
   } else {
-    const auto said = files_.read(path + ".log", {.max_size = system::size_limit::log});
+    const auto said = files_.read(log, {.max_size = system::size_limit::log});
     booked = book_no_answer(check, exit, said ? *said : said.error().what);
   }
   if (!booked) {
     tell_(booked.error().what);
     rests_until_ = steady_clock::now() + rest_time;
   }
-  (void)files_.remove(path);
-  (void)files_.remove(path + ".log");
+  (void)files_.remove(log);
 }
 
 Result<void> CheckRunner::book_no_answer(const Running& check, const system::Exit& exit,
@@ -193,31 +178,6 @@ void CheckRunner::make_room(const std::vector<RunningCheck>& uses) {
     check.stopped = NoAnswer::gave_way;
     ::kill(check.pid, SIGKILL);
   }
-}
-
-Result<int> check_hand_in(system::Files& files, const Folder& folder, const std::string& team,
-                          int entry, const std::string& file, std::int64_t at, int compile_seconds,
-                          const record::WriteAnswer& answer) {
-  setpriority(PRIO_PROCESS, 0, lower_priority);
-  HandIn handed;
-  handed.team = team;
-  handed.path = folder.library(team, entry);
-  handed.at = at;
-  handed.entry = entry;
-  handed.name = file;
-  handed.compile_seconds = compile_seconds;
-  const SourceKind kind = source_kind_of(file);
-  if (kind != SourceKind::none) handed.source = folder.source(team, entry);
-  handed.language = language_of(kind);
-  MIROCUP_TRY(const auto done, submit(files, folder, handed));
-  // An entry that was not even looked at needs no bytes.
-  if (done.entry == 0) {
-    (void)files.remove(handed.path);
-    (void)files.remove(folder.source(team, entry));
-  }
-  MIROCUP_TRY_VOID(
-      answer({{"accepted", done.is_accepted}, {"message", done.message}, {"plays", done.plays}}));
-  return done.is_accepted ? exit_yes : exit_no;
 }
 
 }  // namespace mirocup::league

@@ -7,12 +7,11 @@
 // The runner measures the use of each check a few times a second. If a check, with all programs
 // that it starts, uses up the processor time of CheckLimits, the runner stops the check and begins
 // it once more. After the second such stop the hand-in is refused. A check that takes long gives
-// way to others (queue.hpp).
+// way to others (hand_ins.hpp).
 //
 // Threads: only the thread that uses the ProcessSet.
 #pragma once
 
-#include "record/answer.hpp"
 #include "system/process_set.hpp"
 #include "tournaments/handin/friendly_runner.hpp"
 #include "tournaments/handin/portal.hpp"
@@ -20,6 +19,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <set>
 
 namespace mirocup::league {
 
@@ -30,6 +30,29 @@ struct CheckLimits {
   // Wall time, s. If a check takes longer, the host gave it too little processor time, which counts
   // as the host's fault.
   double clock = 900.0;
+};
+
+// The limit of processor time for compiling a source of a team, s. If a source of the team was not
+// compiled within `after_slow_one`, the team's sources get only this time until one of them is
+// compiled.
+class CompileTime {
+ public:
+  static constexpr int usual = 60;
+  static constexpr int after_slow_one = 20;
+
+  int of(const std::string& team) const { return slow_.contains(team) ? after_slow_one : usual; }
+
+  // Notes whether a source was compiled, and the processor time that its compiler used.
+  void note(const std::string& team, bool is_compiled, double used) {
+    if (is_compiled) {
+      slow_.erase(team);
+    } else if (used >= 0.9 * after_slow_one) {
+      slow_.insert(team);
+    }
+  }
+
+ private:
+  std::set<std::string> slow_;  // teams whose sources get only `after_slow_one`
 };
 
 class CheckRunner {
@@ -45,7 +68,7 @@ class CheckRunner {
 
  private:
   struct Running {
-    WaitingHandIn handed;
+    HandedIn handed;
     pid_t pid = 0;
     std::chrono::steady_clock::time_point begun;
     int compile_seconds = 0;                         // limit of compiling; 0: the file is a library
@@ -67,7 +90,7 @@ class CheckRunner {
   double most_processor(const Running& check) const {
     return limits_.processor + check.compile_seconds;
   }
-  std::string answer_of(const WaitingHandIn& handed) const;
+  std::string log_of(const HandedIn& handed) const;
 
   system::Files& files_;
   Folder folder_;
@@ -84,11 +107,5 @@ class CheckRunner {
   // After a fault of the host no check begins before this time.
   std::chrono::steady_clock::time_point rests_until_{};
 };
-
-// The body of `check-hand-in`: checks one hand-in and answers with JSON. The exit codes are those
-// of `mirocup-league submit`.
-Result<int> check_hand_in(system::Files& files, const Folder& folder, const std::string& team,
-                          int entry, const std::string& file, std::int64_t at, int compile_seconds,
-                          const record::WriteAnswer& answer);
 
 }  // namespace mirocup::league

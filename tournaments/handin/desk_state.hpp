@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The common state of the parts of the portal: the books of a league's hand-ins, and the host's
-// options.
+// The common state of the parts of the portal: the book of a league, and the host's options.
 #pragma once
 
-#include "tournaments/handin/book.hpp"
 #include "tournaments/handin/entry_report.hpp"
-#include "tournaments/handin/friendly_desk.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/handin/team_desk_page.hpp"
-#include "tournaments/league/hand_ins.hpp"
+#include "tournaments/league/book.hpp"
 
 #include <atomic>
 #include <functional>
@@ -21,6 +18,22 @@
 #include <vector>
 
 namespace mirocup::league {
+
+struct FriendlyOptions {
+  // Returns the teams of the league against which a friendly can be played, with the entries with
+  // which they play by the journal; 0: none yet.
+  std::function<std::map<std::string, int>()> teams;
+  // Returns the neighbours of a team in the table; no teams before the league has a table.
+  std::function<std::vector<std::string>(const std::string& team)> neighbours;
+  // The house teams, without "house:".
+  std::vector<std::string> house;
+  bool has_drills = false;  // true: entries try drills; the league has the field of the drills
+  // Returns the page that replays the record at a path, with the thoughts and logs of the given
+  // teams. `root` is web::root_of() the address of the page.
+  std::function<std::optional<std::string>(const std::string& record, const record::Whose& whose,
+                                           const std::string& root)>
+      replay;
+};
 
 struct PortalOptions {
   Quota quota = {};
@@ -61,7 +74,7 @@ struct PortalOptions {
 };
 
 struct DeskState {
-  DeskState(system::Files& disk, Folder place, PortalOptions given, HandInBook kept)
+  DeskState(system::Files& disk, Folder place, PortalOptions given, Book kept)
       : files(disk),
         folder(std::move(place)),
         options(std::move(given)),
@@ -75,7 +88,7 @@ struct DeskState {
   std::atomic<std::uint64_t> version{1};  // grows with each change that a team may see
 
   std::mutex mutex;  // guards the members below
-  HandInBook book;
+  Book book;
   std::map<std::pair<std::string, int>, CheckStep> steps;  // of the running checks
 };
 

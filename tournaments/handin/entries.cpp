@@ -3,47 +3,57 @@
 
 #include "record/json_reader.hpp"
 
-#include <algorithm>
-#include <set>
+#include <iterator>
+#include <vector>
 
 namespace mirocup::league {
 
+namespace {
+
+// A file of the host is shown as soon as it is an entry.
+bool is_shown(const HandedIn& handed) {
+  return handed.is_network || handed.is_kept();
+}
+
+}  // namespace
+
 Result<Json> Entries::report(const std::string& team, int entry, bool is_whole) {
-  std::optional<WaitingHandIn> waiting;
+  HandedIn handed;
   int before = 0;
   CheckStep step;
   {
     const std::lock_guard lock(state_.mutex);
-    if (const WaitingHandIn* found = state_.book.queue().find(team, entry)) waiting = *found;
-    before = waiting ? state_.book.queue().before(team, entry) : 0;
-    if (const auto found = state_.steps.find({team, entry}); found != state_.steps.end())
-      step = found->second;
+    const HandedIn* found = state_.book.hand_ins().find(team, entry);
+    if (found == nullptr || !is_shown(*found)) return Json();
+    handed = *found;
+    before = state_.book.hand_ins().before(team, entry);
+    if (const auto known = state_.steps.find({team, entry}); known != state_.steps.end())
+      step = known->second;
   }
-  const WaitingHandIn* known = waiting ? &*waiting : nullptr;
-  auto json = entry_report(state_.files, state_.folder, team, entry, known, before, step, is_whole);
-  if (is_whole && json && !json->is_null() &&
-      state_.files.exists(state_.folder.gate_leg(team, entry)))
-    (*json)["replay"] = std::string(entry_pages_path) + std::to_string(entry) + "/replay";
+  MIROCUP_TRY(Json json, entry_report(state_.files, state_.folder, handed, before, step, is_whole));
+  if (is_whole && state_.files.exists(state_.folder.gate_leg(team, entry)))
+    json["replay"] = std::string(entry_pages_path) + std::to_string(entry) + "/replay";
   return json;
 }
 
 Result<Json> Entries::reports(const std::string& team, int before) {
-  MIROCUP_TRY(const auto stored, entries_of(state_.files, state_.folder, team));
-  std::set<int> numbers(stored.begin(), std::lower_bound(stored.begin(), stored.end(), before));
+  std::vector<int> numbers;  // the latest first, and one more, which says that there are older ones
   {
     const std::lock_guard lock(state_.mutex);
-    // One more, which says that there are older ones.
-    for (const auto* handed : state_.book.queue().latest_of(team, listed_entries + 1, before))
-      numbers.insert(handed->entry);
+    const auto& known = state_.book.hand_ins().of_team(team);
+    for (auto at = std::make_reverse_iterator(known.lower_bound(before));
+         at != known.rend() && numbers.size() <= listed_entries; ++at) {
+      if (is_shown(at->second)) numbers.push_back(at->first);
+    }
   }
   Json page{{"team", team}, {"entries", Json::array()}, {"older", Json()}};
-  for (auto number = numbers.rbegin(); number != numbers.rend(); ++number) {
-    if (page["entries"].size() == listed_entries) {
-      page["older"] = *std::prev(number);
-      break;
-    }
-    MIROCUP_TRY(Json one, report(team, *number, false));
-    if (!one.is_null()) page["entries"].push_back(std::move(one));
+  if (numbers.size() > listed_entries) {
+    numbers.pop_back();
+    page["older"] = numbers.back();
+  }
+  for (const int number : numbers) {
+    MIROCUP_TRY(Json one, report(team, number, false));
+    page["entries"].push_back(std::move(one));
   }
   return page;
 }

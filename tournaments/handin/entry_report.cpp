@@ -16,11 +16,10 @@ using record::text_in;
 constexpr std::size_t shown_lines = 50;      // of the beginning of a log, and of its end
 constexpr std::size_t shown_bytes = 16'384;  // of each
 
-// The verdict of an entry whose check has ended; null if there is none.
-Result<Json> verdict_of(system::Files& files, const Folder& folder, const std::string& team,
-                        int entry) {
-  if (!files.exists(folder.entry_file(team, entry))) return Json();
-  const std::string path = folder.verdict(team, entry);
+// The verdict of an entry that is kept; null if it was not checked.
+Result<Json> verdict_of(system::Files& files, const Folder& folder, const HandedIn& handed) {
+  if (!handed.is_kept()) return Json();
+  const std::string path = folder.verdict(handed.team, handed.entry);
   MIROCUP_TRY(const auto text, files.read_if_there(path, {.max_size = system::size_limit::note}));
   if (!text) return Json();
   return record::read_json<Json>(*text, path, Errc::damaged, [](const record::JsonReader& json) {
@@ -65,31 +64,24 @@ std::optional<CheckStep> step_in(const Json& answer) {
                    .name = text_in(answer, "name")};
 }
 
-Result<Json> entry_report(system::Files& files, const Folder& folder, const std::string& team,
-                          int entry, const WaitingHandIn* waiting, int before,
-                          const CheckStep& step, bool is_whole) {
-  const bool is_stored = files.exists(folder.entry_file(team, entry));
-  if (waiting == nullptr && !is_stored) return Json();
-  Json report{{"entry", entry}, {"team", team}};
-  if (waiting != nullptr && !is_final(waiting->state)) {
-    report["state"] = to_string(waiting->state);
+Result<Json> entry_report(system::Files& files, const Folder& folder, const HandedIn& handed,
+                          int before, const CheckStep& step, bool is_whole) {
+  Json report{{"entry", handed.entry}, {"team", handed.team}, {"state", to_string(handed.state)}};
+  // The answer to a file of the host was told to the host.
+  const std::string message = handed.is_network ? handed.message : "";
+  if (!is_final(handed.state)) {
     report["reason"] = Json();
     report["message"] = Json();
   } else {
-    MIROCUP_TRY(const Json verdict, verdict_of(files, folder, team, entry));
-    MIROCUP_TRY(const auto is_accepted, is_accepted_entry(files, folder, team, entry));
-    report["state"] = to_string(waiting != nullptr         ? waiting->state
-                                : is_stored && is_accepted ? HandInState::accepted
-                                                           : HandInState::refused);
-    const std::string message = waiting != nullptr ? waiting->message : "";
+    MIROCUP_TRY(const Json verdict, verdict_of(files, folder, handed));
     const std::string reason = text_in(verdict, "reason");
-    const bool has_reason = report["state"] != to_string(HandInState::accepted);
+    const bool has_reason = handed.state != HandInState::accepted;
     report["reason"] = has_reason ? or_null(reason.empty() ? message : reason) : Json();
     report["message"] = or_null(message);
     if (has_reason) {
-      const int plays = waiting != nullptr ? waiting->plays : 0;
-      report["plays"] =
-          plays > 0 ? "entry " + std::to_string(plays) + " plays on" : "nothing changes";
+      report["plays"] = handed.is_network && handed.plays > 0
+                            ? "entry " + std::to_string(handed.plays) + " plays on"
+                            : "nothing changes";
     }
     report["told"] = told_by(verdict, text_in(report, "plays"));
     if (is_whole && verdict.is_object()) {
@@ -99,13 +91,13 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const std:
       report["log"] = shortened(text_in(verdict, "log"));
     }
   }
-  if (waiting == nullptr) return report;
-  report["file"] = waiting->file;
-  report["sha256"] = waiting->sha256;
-  report["bytes"] = waiting->bytes;
-  report["handed_in"] = utc_text(waiting->at);
-  if (waiting->state == HandInState::queued) report["before"] = before;
-  if (waiting->state == HandInState::checking) {
+  if (!handed.is_network) return report;
+  report["file"] = handed.file;
+  report["sha256"] = handed.sha256;
+  report["bytes"] = handed.bytes;
+  report["handed_in"] = utc_text(handed.at);
+  if (handed.state == HandInState::queued) report["before"] = before;
+  if (handed.state == HandInState::checking) {
     report["step"] = step.number == 0
                          ? Json()
                          : Json{{"number", step.number}, {"of", step.of}, {"name", step.name}};

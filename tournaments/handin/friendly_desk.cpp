@@ -7,7 +7,6 @@
 #include "record/thoughts_file.hpp"
 #include "system/printable.hpp"
 #include "tournaments/handin/replies.hpp"
-#include "tournaments/league/hand_ins.hpp"
 
 #include <algorithm>
 
@@ -48,100 +47,94 @@ FriendlyEnd read_end(const record::JsonReader& json) {
 
 }  // namespace
 
-Result<std::unique_ptr<FriendlyDesk>> FriendlyDesk::open(system::Files& files, const Folder& folder,
-                                                         FriendlyOptions options,
-                                                         std::string* notice) {
-  MIROCUP_TRY(auto book, FriendlyBook::open(files, folder, notice));
-  return std::unique_ptr<FriendlyDesk>(
-      new FriendlyDesk(files, folder, std::move(options), std::move(book)));
-}
-
-Result<void> FriendlyDesk::entry_accepted(const std::string& team, int entry, std::int64_t now) {
-  const auto neighbours = options_.neighbours(team);
-  const auto teams = neighbours.empty() ? std::map<std::string, int>() : options_.teams();
-  const std::lock_guard lock(mutex_);
-  if (book_.friendlies().has_burst(team, entry)) return {};
-  for (const int number : book_.friendlies().waiting_of_older(team, entry)) {
-    MIROCUP_TRY_VOID(
-        book_.finish(team, number, FriendlyState::void_, 0, 0, "a later entry was accepted", now));
-  }
-  Friendly leg{.team = team, .entry = entry, .is_burst = true, .at = now};
-  const auto before = book_.friendlies().bursts().find(team);
-  const int former = before == book_.friendlies().bursts().end() ? 0 : before->second;
-  for (int i = 0; former > 0 && i < legs_against_former; ++i) {
-    leg.opponent = team;
-    leg.opponent_entry = former;
-    MIROCUP_TRY_VOID(book_.add(leg));
-  }
-  leg.opponent_entry = 0;
-  for (const std::string& house : options_.house) {
-    leg.opponent = "house:" + house;
-    MIROCUP_TRY_VOID(book_.add(leg));
-  }
+Result<void> FriendlyDesk::entry_accepted(const std::string& team, int entry) {
+  const Friendlies& known = state_.book.friendlies();
+  if (entry == 0 || known.has_burst(team, entry)) return {};
+  const FriendlyOptions& options = state_.options.friendlies;
+  Burst burst{.team = team, .entry = entry, .at = state_.options.now()};
+  if (const auto before = known.bursts().find(team); before != known.bursts().end())
+    burst.legs.assign(legs_against_former, {team, before->second});
+  for (const std::string& house : options.house) burst.legs.push_back({"house:" + house});
+  const auto neighbours = options.neighbours(team);
+  const auto teams = neighbours.empty() ? std::map<std::string, int>() : entries_that_play();
   for (const std::string& neighbour : neighbours) {
-    const auto known = teams.find(neighbour);
-    if (known == teams.end() || neighbour == team) continue;
-    leg.opponent = neighbour;
-    leg.opponent_entry = known->second;
-    MIROCUP_TRY_VOID(book_.add(leg));
+    const auto found = teams.find(neighbour);
+    if (found != teams.end() && neighbour != team) burst.legs.push_back({neighbour, found->second});
   }
+  MIROCUP_TRY_VOID(state_.book.write(burst));
   forget_old_records(team);
   return {};
 }
 
-web::Reply FriendlyDesk::ask(const std::string& team, const std::string& opponent,
-                             std::int64_t now) {
-  const auto teams = options_.teams();
-  const auto entry = playing_entry(files_, folder_, team);
-  if (!entry) return host_failed(entry.error());
-  if (*entry == 0) return problem_reply(403, team + " has no accepted entry to play with");
-  Friendly leg{.team = team, .entry = *entry, .opponent = opponent, .at = now};
+// Requires the mutex of the state.
+std::map<std::string, int> FriendlyDesk::entries_that_play() {
+  auto teams = state_.options.friendlies.teams();
+  for (auto& [team, entry] : teams) {
+    if (entry == 0) entry = state_.book.hand_ins().playing(team);
+  }
+  std::erase_if(teams, [](const auto& one) { return one.second == 0; });
+  return teams;
+}
+
+web::Reply FriendlyDesk::ask(const std::string& team, const std::string& opponent) {
+  const std::lock_guard lock(state_.mutex);
+  const std::int64_t now = state_.options.now();
+  const Friendlies& known = state_.book.friendlies();
+  Friendly leg{.team = team,
+               .number = known.last_number(team) + 1,
+               .entry = state_.book.hand_ins().playing(team),
+               .opponent = opponent,
+               .at = now};
+  if (leg.entry == 0) return problem_reply(403, team + " has no accepted entry to play with");
   if (is_house(opponent)) {
+    const auto& house = state_.options.friendlies.house;
     const std::string name = opponent.substr(opponent.find(':') + 1);
-    if (std::find(options_.house.begin(), options_.house.end(), name) == options_.house.end())
+    if (std::find(house.begin(), house.end(), name) == house.end())
       return problem_reply(404, "no house team has this name");
   } else {
-    const auto known = teams.find(opponent);
-    if (known == teams.end() || opponent == team)
+    const auto teams = entries_that_play();
+    const auto found = teams.find(opponent);
+    if (found == teams.end() || opponent == team)
       return problem_reply(404, "no other team with an accepted entry has this name");
-    leg.opponent_entry = known->second;
+    leg.opponent_entry = found->second;
   }
-  const std::lock_guard lock(mutex_);
-  if (book_.friendlies().asked_in_last_hour(team, now) >= Friendlies::per_hour) {
+  if (known.asked_in_last_hour(team, now) >= Friendlies::per_hour) {
     return problem_reply(429, team + " has asked for " + std::to_string(Friendlies::per_hour) +
                                   " friendlies in the last hour; ask later");
   }
-  const auto number = book_.add(std::move(leg));
-  if (!number) return host_failed(number.error());
+  if (const auto written = state_.book.write(leg); !written) return host_failed(written.error());
   forget_old_records(team);
-  return json_reply(202, {{"friendly", *number}});
+  return json_reply(202, {{"friendly", leg.number}});
 }
 
-// Requires mutex_.
+// Requires the mutex of the state.
 void FriendlyDesk::forget_old_records(const std::string& team) {
-  const int last = book_.friendlies().last_number(team);
+  const int last = state_.book.friendlies().last_number(team);
   for (int number = last - Friendlies::kept; number > 0; --number) {
-    const std::string record = folder_.friendly(team, number);
-    if (!files_.exists(record)) break;
+    const std::string record = state_.folder.friendly(team, number);
+    if (!state_.files.exists(record)) break;
     for (const std::string& path :
          {record, record::replay_path_of(record), record + ".blue.log", record + ".yellow.log",
           record::thoughts_path(record, Team::blue), record::thoughts_path(record, Team::yellow)}) {
-      (void)files_.remove(path);
+      (void)state_.files.remove(path);
     }
   }
 }
 
 std::vector<std::string> FriendlyDesk::opponents(const std::string& team) {
   std::vector<std::string> names;
-  for (const auto& [name, entry] : options_.teams()) {
-    if (name != team) names.push_back(name);
+  {
+    const std::lock_guard lock(state_.mutex);
+    for (const auto& [name, entry] : entries_that_play()) {
+      if (name != team) names.push_back(name);
+    }
   }
-  for (const std::string& house : options_.house) names.push_back("house:" + house);
+  for (const std::string& house : state_.options.friendlies.house)
+    names.push_back("house:" + house);
   return names;
 }
 
-// Requires mutex_.
-Json FriendlyDesk::json_of(const Friendly& one, const std::string& viewer, LegCosts& costs) {
+Json FriendlyDesk::json_of(const Friendly& one, const std::string& viewer, LegCosts& costs) const {
   const bool is_own = one.team == viewer;
   const bool is_played = one.state == FriendlyState::played;
   Json json{{"team", one.team},
@@ -156,11 +149,11 @@ Json FriendlyDesk::json_of(const Friendly& one, const std::string& viewer, LegCo
             {"against", is_played ? Json(is_own ? one.against : one.goals) : Json()},
             {"end", record::or_null(one.end)}};
   if (one.opponent == one.team) json["opponent_entry"] = one.opponent_entry;
-  const std::string record = folder_.friendly(one.team, one.number);
-  if (!is_played || !files_.exists(record)) return json;
+  const std::string record = state_.folder.friendly(one.team, one.number);
+  if (!is_played || !state_.files.exists(record)) return json;
   const std::string path = "/" + one.team + "/" + std::to_string(one.number);
   json["replay"] = "/hand-in/friendlies" + path + "/replay";
-  const bool has_log = files_.exists(log_path(folder_, leg_of(one, viewer)));
+  const bool has_log = state_.files.exists(log_path(state_.folder, leg_of(one, viewer)));
   json["log"] = has_log ? Json("/api/v1/friendlies" + path + "/log") : Json();
   if (const auto cost = costs.of(leg_of(one, viewer))) {
     json["cpu_seconds"] = cost->cpu_seconds;
@@ -173,12 +166,16 @@ Json FriendlyDesk::json_of(const Friendly& one, const std::string& viewer, LegCo
 }
 
 Json FriendlyDesk::list(const std::string& team, LegCosts& costs) {
-  const std::lock_guard lock(mutex_);
-  Json list = Json::array();
-  for (const Friendly* one : book_.friendlies().of_team(team)) {
-    if (static_cast<int>(list.size()) >= Friendlies::kept) break;
-    list.push_back(json_of(*one, team, costs));
+  std::vector<Friendly> shown;
+  {
+    const std::lock_guard lock(state_.mutex);
+    for (const Friendly* one : state_.book.friendlies().of_team(team)) {
+      if (static_cast<int>(shown.size()) >= Friendlies::kept) break;
+      shown.push_back(*one);
+    }
   }
+  Json list = Json::array();
+  for (const Friendly& one : shown) list.push_back(json_of(one, team, costs));
   return list;
 }
 
@@ -197,52 +194,52 @@ web::Reply FriendlyDesk::show(const std::string& visitor, std::string_view rest,
   const std::string_view what = rest.substr(second + 1);
   std::optional<Friendly> known;
   {
-    const std::lock_guard lock(mutex_);
-    const Friendly* found = number ? book_.friendlies().find(team, *number) : nullptr;
+    const std::lock_guard lock(state_.mutex);
+    const Friendly* found = number ? state_.book.friendlies().find(team, *number) : nullptr;
     if (found != nullptr) known = *found;
   }
   const bool may_see =
       known && (known->team == visitor || (known->opponent == visitor && !known->is_burst));
   if (!may_see || known->state != FriendlyState::played) return nothing();
-  const std::string record = folder_.friendly(team, *number);
-  if (!files_.exists(record)) return nothing();
+  const std::string record = state_.folder.friendly(team, *number);
+  if (!state_.files.exists(record)) return nothing();
   if (what == "log") {
-    const std::string path = log_path(folder_, leg_of(*known, visitor));
-    const auto log = files_.read_if_there(path, {.max_size = system::size_limit::log});
+    const std::string path = log_path(state_.folder, leg_of(*known, visitor));
+    const auto log = state_.files.read_if_there(path, {.max_size = system::size_limit::log});
     if (!log) return host_failed(log.error());
     return {.status = 200, .bytes = system::printable(log->value_or(""), system::LineEnds::kept)};
   }
   if (what != "replay") return nothing();
-  auto page = options_.replay(record, own_side(leg_of(*known, visitor)), root);
+  auto page = state_.options.friendlies.replay(record, own_side(leg_of(*known, visitor)), root);
   if (!page) return problem_reply(503, "the replay cannot be made here");
   return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
 }
 
 std::optional<Friendly> FriendlyDesk::begin_next() {
-  const std::lock_guard lock(mutex_);
-  const Friendly* next = book_.friendlies().next();
+  const std::lock_guard lock(state_.mutex);
+  const Friendly* next = state_.book.friendlies().next();
   if (next == nullptr) return next_drills();
   Friendly begun = *next;
-  if (!files_.make_folder(folder_.friendlies(begun.team), system::Readers::owner))
+  if (!state_.files.make_folder(state_.folder.friendlies(begun.team), system::Readers::owner))
     return std::nullopt;
-  book_.begin(begun.team, begun.number);
+  state_.book.friendlies().begin(begun.team, begun.number);
   return begun;
 }
 
-// Requires mutex_. Drills that fail are tried again by the next server.
+// Requires the mutex of the state. Drills that fail are tried again by the next server.
 std::optional<Friendly> FriendlyDesk::next_drills() {
-  if (!options_.has_drills) return std::nullopt;
-  for (const auto& [team, entry] : book_.friendlies().bursts()) {
+  if (!state_.options.friendlies.has_drills) return std::nullopt;
+  for (const auto& [team, entry] : state_.book.friendlies().bursts()) {
     const bool is_new = drills_begun_.emplace(team, entry).second;
-    if (is_new && !files_.exists(folder_.drill_marks(team, entry)))
+    if (is_new && !state_.files.exists(state_.folder.drill_marks(team, entry)))
       return Friendly{.team = team, .entry = entry, .opponent = "drills"};
   }
   return std::nullopt;
 }
 
 Json FriendlyDesk::drills_of(const std::string& team, int entry) const {
-  const auto text =
-      files_.read(folder_.drill_marks(team, entry), {.max_size = system::size_limit::note});
+  const auto text = state_.files.read(state_.folder.drill_marks(team, entry),
+                                      {.max_size = system::size_limit::note});
   if (!text) return {};
   const auto marks =
       record::read_json<Json>(*text, "drills", Errc::damaged, [](const record::JsonReader& json) {
@@ -257,35 +254,42 @@ Json FriendlyDesk::drills_of(const std::string& team, int entry) const {
   return marks.value_or(Json());
 }
 
-Result<void> FriendlyDesk::played(const Friendly& friendly, std::int64_t now) {
+Result<void> FriendlyDesk::played(const Friendly& friendly) {
   if (friendly.number == 0) {
-    const std::string marks = folder_.drill_marks(friendly.team, friendly.entry);
-    MIROCUP_TRY(const auto answer, record::last_answer(files_, marks + ".answer"));
-    for (const char* end : {".answer", ".out"}) (void)files_.remove(marks + end);
-    return files_.write(marks, record::json_text(answer) + "\n");
+    const std::string marks = state_.folder.drill_marks(friendly.team, friendly.entry);
+    MIROCUP_TRY(const auto answer, record::last_answer(state_.files, marks + ".answer"));
+    for (const char* end : {".answer", ".out"}) (void)state_.files.remove(marks + end);
+    return state_.files.write(marks, record::json_text(answer) + "\n");
   }
-  const std::string path = folder_.friendly(friendly.team, friendly.number);
-  const auto text = files_.read(path, {.max_size = system::size_limit::record});
-  if (!text) return failed(friendly, now);
+  const std::string path = state_.folder.friendly(friendly.team, friendly.number);
+  const auto text = state_.files.read(path, {.max_size = system::size_limit::record});
+  if (!text) return failed(friendly);
   const auto end = record::read_json<FriendlyEnd>(*text, path, Errc::damaged, read_end);
-  if (!end) return failed(friendly, now);
-  (void)files_.remove(path + ".out");
-  const std::lock_guard lock(mutex_);
-  return book_.finish(friendly.team, friendly.number, FriendlyState::played, end->blue, end->yellow,
-                      end->end, now);
+  if (!end) return failed(friendly);
+  (void)state_.files.remove(path + ".out");
+  const std::lock_guard lock(state_.mutex);
+  return state_.book.write(FriendlyEnded{.team = friendly.team,
+                                         .number = friendly.number,
+                                         .state = FriendlyState::played,
+                                         .goals = end->blue,
+                                         .against = end->yellow,
+                                         .end = end->end,
+                                         .at = state_.options.now()});
 }
 
-Result<void> FriendlyDesk::failed(const Friendly& friendly, std::int64_t now, bool is_spoiled) {
-  const std::lock_guard lock(mutex_);
+Result<void> FriendlyDesk::failed(const Friendly& friendly, bool is_spoiled) {
+  const std::lock_guard lock(state_.mutex);
   if (friendly.number == 0) {
     if (!is_spoiled) drills_begun_.erase({friendly.team, friendly.entry});
     return {};
   }
-  book_.wait_again(friendly.team, friendly.number, is_spoiled);
-  const Friendly* known = book_.friendlies().find(friendly.team, friendly.number);
+  state_.book.friendlies().wait_again(friendly.team, friendly.number, is_spoiled);
+  const Friendly* known = state_.book.friendlies().find(friendly.team, friendly.number);
   if (known == nullptr || known->failures < most_failures) return {};
-  return book_.finish(friendly.team, friendly.number, FriendlyState::void_, 0, 0,
-                      "it could not be played here", now);
+  return state_.book.write(FriendlyEnded{.team = friendly.team,
+                                         .number = friendly.number,
+                                         .end = "it could not be played here",
+                                         .at = state_.options.now()});
 }
 
 }  // namespace mirocup::league

@@ -16,7 +16,7 @@ constexpr auto most_time_of_leg = 600s;  // on the clock; a leg of the longest h
 
 }  // namespace
 
-bool FriendlyRunner::start_next(int tag, std::int64_t now) {
+bool FriendlyRunner::start_next(int tag) {
   const auto next = desk_.begin_next();
   if (!next) return false;
   const std::string record = next->number == 0 ? folder_.drill_marks(next->team, next->entry)
@@ -27,21 +27,21 @@ bool FriendlyRunner::start_next(int tag, std::int64_t now) {
        "--opponent=" + next->opponent, "--opponent-entry=" + std::to_string(next->opponent_entry)},
       tag, -1, record + ".out");
   if (!pid) {
-    (void)desk_.failed(*next, now);
+    (void)desk_.failed(*next);
     return false;
   }
   running_[tag] = {*next, *pid, std::chrono::steady_clock::now()};
   return true;
 }
 
-bool FriendlyRunner::book(const system::Exit& exit, std::int64_t now) {
+bool FriendlyRunner::book(const system::Exit& exit) {
   const auto found = running_.find(exit.tag);
   if (found == running_.end()) return false;
   const Friendly friendly = std::move(found->second.friendly);
   const bool is_spoiled = !found->second.gives_way || exit.signal == 0;
   running_.erase(found);
-  (void)(exit.signal == 0 && exit.code == exit_yes ? desk_.played(friendly, now)
-                                                   : desk_.failed(friendly, now, is_spoiled));
+  (void)(exit.signal == 0 && exit.code == exit_yes ? desk_.played(friendly)
+                                                   : desk_.failed(friendly, is_spoiled));
   return true;
 }
 

@@ -21,10 +21,10 @@ class FriendlyRunner {
 
   // Starts the next leg as a process with the tag `tag`. Returns false if no leg waits, or if this
   // computer cannot start a process now.
-  bool start_next(int tag, std::int64_t now);
+  bool start_next(int tag);
 
   // Books the end of the leg whose process has ended. Returns false if the process is not a leg.
-  bool book(const system::Exit& exit, std::int64_t now);
+  bool book(const system::Exit& exit);
 
   // Kills legs that take too long.
   void look_at_time();

@@ -6,7 +6,6 @@
 #include "system/text.hpp"
 #include "tournaments/handin/progress.hpp"
 #include "tournaments/handin/replies.hpp"
-#include "tournaments/league/submission.hpp"
 #include "web/http/form.hpp"
 
 #include <array>
@@ -56,13 +55,14 @@ web::Reply go_to_desk(const std::string& cookie) {
 
 }  // namespace
 
-Portal::Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book,
-               std::unique_ptr<FriendlyDesk> friendlies)
-    : state_(files, folder, std::move(options), std::move(book)),
+Portal::Portal(system::Files& files, Folder folder, PortalOptions options, Book book,
+               system::FileLock lock)
+    : lock_(std::move(lock)),
+      state_(files, folder, std::move(options), std::move(book)),
       entries_(state_),
       uploads_(state_),
       staff_(files, folder, state_.options.now),
-      friendlies_(std::move(friendlies)),
+      friendlies_(state_),
       doorkeeper_(files, std::move(folder), state_.options.team_header) {}
 
 std::span<const Portal::Route> Portal::routes() {
@@ -96,30 +96,33 @@ std::span<const Portal::Route> Portal::routes() {
 
 Result<std::unique_ptr<Portal>> Portal::open(system::Files& files, const Folder& folder,
                                              PortalOptions options, std::string* notice) {
-  MIROCUP_TRY(auto book, HandInBook::open(files, folder, notice));
+  MIROCUP_TRY(auto lock, system::FileLock::try_acquire(folder.handing_in()));
+  if (!lock) {
+    return fail(Errc::unavailable,
+                folder.path + ": another process takes hand-ins for this league already");
+  }
+  MIROCUP_TRY(auto book, Book::open(files, folder, notice));
   MIROCUP_TRY_VOID(files.make_folder(folder.entries(), system::Readers::owner).and_then([&] {
     return files.make_folder(folder.uploads(), system::Readers::owner);
   }));
   // Uploads that a killed server has left.
   MIROCUP_TRY_VOID(files.remove_unfinished(folder.uploads()));
-  MIROCUP_TRY(auto friendlies, FriendlyDesk::open(files, folder, options.friendlies, notice));
   std::unique_ptr<Portal> portal(
-      new Portal(files, folder, std::move(options), std::move(book), std::move(friendlies)));
-  MIROCUP_TRY_VOID(portal->finish_what_was_begun());
+      new Portal(files, folder, std::move(options), std::move(book), std::move(*lock)));
+  MIROCUP_TRY_VOID(portal->follow_book());
   return portal;
 }
 
-// What a server that died has written into one book and not yet into the next file.
-Result<void> Portal::finish_what_was_begun() {
-  const std::int64_t now = state_.options.now();
-  for (const auto& [team, entry] : state_.book.pins()) {
-    MIROCUP_TRY(const auto known, read_hand_ins(state_.files, state_.folder, team));
-    if (known.pinned == entry) continue;
-    MIROCUP_TRY_VOID(
-        pin_entry(state_.files, state_.folder, team, entry, now, [] { return Result<void>(); }));
-  }
-  for (const auto& [team, entry] : state_.book.queue().accepted()) {
-    if (auto begun = friendlies_->entry_accepted(team, entry, now); !begun) return begun;
+// Does what processes that were killed have left undone of what the book says.
+Result<void> Portal::follow_book() {
+  MIROCUP_TRY(auto booking, Booking::begin(state_.files, state_.folder));
+  const HandIns& hand_ins = state_.book.hand_ins();
+  for (const std::string& team : hand_ins.teams()) {
+    MIROCUP_TRY_VOID(booking.follow(hand_ins, team));
+    int accepted = 0;  // entries of the host get no burst
+    for (const auto& [number, handed] : hand_ins.of_team(team))
+      if (handed.is_network && handed.state == HandInState::accepted) accepted = number;
+    MIROCUP_TRY_VOID(friendlies_.entry_accepted(team, accepted));
   }
   return {};
 }
@@ -156,11 +159,18 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
                            : use_reply(request, methods);
   }
   if (auto refused = refused_role(route->who, call.visitor)) return refused;
+  if (const auto fresh = refresh(); !fresh) return host_failed(fresh.error());
   if (auto refused = name_team(call, route->about)) return refused;
   web::Reply reply = (this->*route->answer)(call);
   if (!request.is_reading() && reply.status / 100 != 4) state_.options.has_written();
   reply.is_for_known = true;
   return reply;
+}
+
+// The host may have handed in a file, too.
+Result<void> Portal::refresh() {
+  const std::lock_guard lock(state_.mutex);
+  return state_.book.refresh();
 }
 
 // Finds out who comes. Returns the reply to somebody who is not known.
@@ -288,15 +298,15 @@ web::Reply Portal::team_page(const std::string& team, int before) {
   desk.older = std::move((*page)["older"]);
   desk.legs = own_legs_json(state_.files, state_.folder, state_.options.legs(Viewer::team, team),
                             state_.costs);
-  desk.friendlies = friendlies_->list(team, state_.costs);
+  desk.friendlies = friendlies_.list(team, state_.costs);
   desk.progress = progress(team, desk.friendlies);
-  desk.opponents = friendlies_->opponents(team);
-  const auto playing = playing_entry(state_.files, state_.folder, team);
-  if (!playing) return host_failed(playing.error());
-  desk.playing = *playing;
-  const auto known = read_hand_ins(state_.files, state_.folder, team);
-  if (!known) return host_failed(known.error());
-  desk.is_pinned = known->pinned > 0 && known->pinned == desk.playing;
+  desk.opponents = friendlies_.opponents(team);
+  {
+    const std::lock_guard lock(state_.mutex);
+    const HandIns& hand_ins = state_.book.hand_ins();
+    desk.playing = hand_ins.playing(team);
+    desk.is_pinned = desk.playing > 0 && desk.playing == hand_ins.pinned(team);
+  }
   desk.statistics = state_.options.statistics(team);
   desk.deadline = state_.options.deadline(team);
   desk.time_in_words = state_.options.time_in_words;
@@ -306,26 +316,26 @@ web::Reply Portal::team_page(const std::string& team, int before) {
 }
 
 Json Portal::progress(const std::string& team, const Json& friendlies) const {
-  return progress_of(friendlies, [&](int entry) { return friendlies_->drills_of(team, entry); });
+  return progress_of(friendlies, [&](int entry) { return friendlies_.drills_of(team, entry); });
 }
 
 web::Reply Portal::list_friendlies(const Call& call) {
-  const Json friendlies = friendlies_->list(call.team, state_.costs);
+  const Json friendlies = friendlies_.list(call.team, state_.costs);
   const Json progress = this->progress(call.team, friendlies);
   return json_reply(200, {{"team", call.team},
                           {"friendlies", friendlies},
                           {"progress", progress},
                           {"change", change_in_words(progress)},
-                          {"opponents", friendlies_->opponents(call.team)}});
+                          {"opponents", friendlies_.opponents(call.team)}});
 }
 
 web::Reply Portal::ask_friendly(const Call& call) {
-  return friendlies_->ask(call.team, call.request.asked("opponent"), state_.options.now());
+  return friendlies_.ask(call.team, call.request.asked("opponent"));
 }
 
 web::Reply Portal::show_friendly(const Call& call) {
-  return friendlies_->show(call.team, "/" + std::string(call.parts.front()),
-                           web::root_of(call.request.path));
+  return friendlies_.show(call.team, "/" + std::string(call.parts.front()),
+                          web::root_of(call.request.path));
 }
 
 web::Reply Portal::list_entries(const Call& call) {
@@ -357,21 +367,22 @@ web::Reply Portal::pin(const Call& call) {
   const std::string asked = call.request.asked("entry");
   const auto entry = asked == "latest" ? std::optional(0) : number_of(asked);
   if (!entry) return problem_reply(400, "?entry=N or ?entry=latest is expected");
+  auto booking = Booking::begin(state_.files, state_.folder);
+  if (!booking) return host_failed(booking.error());
   const std::lock_guard lock(state_.mutex);
   const std::int64_t now = state_.options.now();
+  const HandIns& hand_ins = state_.book.hand_ins();
   // In a ladder each change of a version makes the host play new legs.
-  if (state_.book.pins_in_last_hour(team, now) >= max_pins) {
+  if (hand_ins.pins_in_last_hour(team, now) >= max_pins) {
     return problem_reply(429, team + " has chosen its version " + std::to_string(max_pins) +
                                   " times in the last hour; choose again later");
   }
-  const auto done = pin_entry(state_.files, state_.folder, team, *entry, now,
-                              [&] { return state_.book.pin(team, *entry, now); });
+  const auto done = booking->pin(state_.book, team, *entry, now);
   if (!done) return host_failed(done.error());
   if (!done->empty()) return problem_reply(409, *done);
   ++state_.version;
-  const auto playing = playing_entry(state_.files, state_.folder, team);
-  if (!playing) return host_failed(playing.error());
-  return json_reply(200, {{"pinned", *entry > 0 ? Json(*entry) : Json()}, {"playing", *playing}});
+  return json_reply(
+      200, {{"pinned", *entry > 0 ? Json(*entry) : Json()}, {"playing", hand_ins.playing(team)}});
 }
 
 web::Reply Portal::list_legs(const Call& call) {
@@ -434,21 +445,22 @@ web::Reply Portal::about_team(const Call& call) {
   return json_reply(200, json);
 }
 
-std::optional<WaitingHandIn> Portal::begin_next() {
+std::optional<HandedIn> Portal::begin_next() {
   const std::lock_guard lock(state_.mutex);
-  const WaitingHandIn* next = state_.book.queue().next();
+  const HandedIn* next = state_.book.hand_ins().next();
   if (next == nullptr) return std::nullopt;
-  WaitingHandIn begun = *next;
-  state_.book.begin(begun.team, begun.entry,
-                    source_kind_of(begun.file) == SourceKind::none ? HandInState::checking
-                                                                   : HandInState::compiling);
+  HandedIn begun = *next;
+  state_.book.hand_ins().begin(begun.team, begun.entry,
+                               source_kind_of(begun.file) == SourceKind::none
+                                   ? HandInState::checking
+                                   : HandInState::compiling);
   ++state_.version;
   return begun;
 }
 
 bool Portal::has_next() {
   const std::lock_guard lock(state_.mutex);
-  return state_.book.queue().next() != nullptr;
+  return state_.book.hand_ins().next() != nullptr;
 }
 
 void Portal::set_step(const std::string& team, int entry, const CheckStep& step) {
@@ -456,58 +468,72 @@ void Portal::set_step(const std::string& team, int entry, const CheckStep& step)
   CheckStep& known = state_.steps[{team, entry}];
   if (known == step) return;
   known = step;
-  if (step.number > 0) state_.book.begin(team, entry, HandInState::checking);
+  if (step.number > 0) state_.book.hand_ins().begin(team, entry, HandInState::checking);
   ++state_.version;
 }
 
-Result<void> Portal::close(const std::string& team, int entry, HandInState state,
-                           const std::string& message, int plays) {
-  const std::int64_t now = state_.options.now();
-  state_.options.has_written();  // the check may have let the team join
-  // Before the answer, so that a team that has it finds its friendlies.
-  Result<void> begun;
-  if (state == HandInState::accepted) begun = friendlies_->entry_accepted(team, entry, now);
+Result<Submission> Portal::conclude(const std::string& team, int entry) {
+  MIROCUP_TRY(auto verdict, read_verdict(state_.files, state_.folder, team, entry));
+  MIROCUP_TRY(auto booking, Booking::begin(state_.files, state_.folder));
   const std::lock_guard lock(state_.mutex);
-  auto answered = state_.book.answer(team, entry, state, message, now, plays);
+  MIROCUP_TRY_VOID(state_.book.refresh());
+  auto done = booking.conclude(state_.book, team, entry, std::move(verdict), state_.options.now(),
+                               state_.options.quota);
+  MIROCUP_TRY_VOID(note_answer(team, entry));
+  return done;
+}
+
+Result<void> Portal::close(const Answered& answer) {
+  const std::lock_guard lock(state_.mutex);
+  const auto written = state_.book.write(answer);
+  MIROCUP_TRY_VOID(note_answer(answer.team, answer.entry));
+  return written;
+}
+
+// Requires the mutex of the state. Without an answer the hand-in waits again.
+Result<void> Portal::note_answer(const std::string& team, int entry) {
   state_.steps.erase({team, entry});
-  if (!answered) state_.book.wait_again(team, entry);
   ++state_.version;
-  return answered ? begun : answered;
+  const HandedIn* handed = state_.book.hand_ins().find(team, entry);
+  if (handed == nullptr || !is_final(handed->state)) {
+    state_.book.hand_ins().wait_again(team, entry);
+    return {};
+  }
+  state_.options.has_written();  // the team may have joined
+  if (handed->state != HandInState::accepted) return {};
+  // Before anybody is told, so that a team that has the answer finds its friendlies.
+  return friendlies_.entry_accepted(team, entry);
 }
 
 Result<void> Portal::wait_again(const std::string& team, int entry, NoAnswer why, double seconds) {
+  Answered answer{.team = team, .entry = entry, .at = state_.options.now()};
   int times = 0;
   {
     const std::lock_guard lock(state_.mutex);
-    state_.book.wait_again(team, entry, why);
+    state_.book.hand_ins().wait_again(team, entry, why);
     state_.steps.erase({team, entry});
     ++state_.version;
-    if (const auto* handed = state_.book.queue().find(team, entry)) times = handed->times(why);
+    if (const auto* handed = state_.book.hand_ins().find(team, entry)) times = handed->times(why);
   }
   const std::string name = team + ": entry " + std::to_string(entry);
-  Result<void> closed;
   if (why == NoAnswer::host_failed && times >= max_failures) {
-    closed = close(team, entry, HandInState::void_,
-                   name + " could not be checked, because this computer failed; hand it in again");
+    answer.message = name + " could not be checked, because this computer failed; hand it in again";
   } else if (why == NoAnswer::spent && times >= max_spent) {
-    closed = close(team, entry, HandInState::refused,
-                   name + " was not accepted: its check took more than " +
-                       std::to_string(static_cast<int>(seconds)) +
-                       " s of processor time, and did so twice; let the team compute less while it "
-                       "is loaded and in each tick");
+    answer.state = HandInState::refused;
+    answer.message = name + " was not accepted: its check took more than " +
+                     std::to_string(static_cast<int>(seconds)) +
+                     " s of processor time, and did so twice; let the team compute less while it "
+                     "is loaded and in each tick";
   } else {
     return {};
   }
-  if (!closed) return closed;
-  // Its files have no verdict, by which entries are counted and removed later.
-  (void)state_.files.remove(state_.folder.library(team, entry));
-  (void)state_.files.remove(state_.folder.source(team, entry));
-  return {};
+  MIROCUP_TRY_VOID(close(answer));
+  return state_.files.remove(state_.folder.entry(team, entry));
 }
 
-std::optional<WaitingHandIn> Portal::to_stop(const std::vector<RunningCheck>& running) {
+std::optional<HandedIn> Portal::to_stop(const std::vector<RunningCheck>& running) {
   const std::lock_guard lock(state_.mutex);
-  const WaitingHandIn* stopped = state_.book.queue().to_stop(running);
+  const HandedIn* stopped = state_.book.hand_ins().to_stop(running);
   return stopped == nullptr ? std::nullopt : std::optional(*stopped);
 }
 

@@ -7,11 +7,14 @@
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
 
+#include "system/file_lock.hpp"
 #include "tournaments/handin/doorkeeper.hpp"
 #include "tournaments/handin/entries.hpp"
+#include "tournaments/handin/friendly_desk.hpp"
 #include "tournaments/handin/routes.hpp"
 #include "tournaments/handin/staff_desk.hpp"
 #include "tournaments/handin/uploads.hpp"
+#include "tournaments/league/submission.hpp"
 
 #include <span>
 
@@ -37,18 +40,21 @@ class Portal {
   std::optional<web::Reply> answer(const web::Request& request, const web::Body& body);
 
   // The friendlies, for their runner.
-  FriendlyDesk& friendlies() { return *friendlies_; }
+  FriendlyDesk& friendlies() { return friendlies_; }
 
   // Marks the next hand-in as being checked and returns that hand-in; nothing if no check may
   // begin.
-  std::optional<WaitingHandIn> begin_next();
+  std::optional<HandedIn> begin_next();
   bool has_next();
 
   void set_step(const std::string& team, int entry, const CheckStep& step);
 
-  // Books the answer of a check. `plays`: the entry that plays after a refusal; 0: none.
-  Result<void> close(const std::string& team, int entry, HandInState state,
-                     const std::string& message, int plays = 0);
+  // To be called when a check has ended and its verdict is beside the entry: writes the answer, and
+  // does what follows from it.
+  Result<Submission> conclude(const std::string& team, int entry);
+
+  // Writes an answer into the book.
+  Result<void> close(const Answered& answer);
 
   // To be called when a check has ended without an answer: the hand-in waits for another check.
   // After some failures of the host the hand-in is void. If its check has used up its processor
@@ -56,13 +62,15 @@ class Portal {
   Result<void> wait_again(const std::string& team, int entry, NoAnswer why = NoAnswer::host_failed,
                           double seconds = 0.0);
 
-  // Calls HandInQueue::to_stop().
-  std::optional<WaitingHandIn> to_stop(const std::vector<RunningCheck>& running);
+  // Calls HandIns::to_stop().
+  std::optional<HandedIn> to_stop(const std::vector<RunningCheck>& running);
 
  private:
-  Portal(system::Files& files, Folder folder, PortalOptions options, HandInBook book,
-         std::unique_ptr<FriendlyDesk> friendlies);
-  Result<void> finish_what_was_begun();
+  Portal(system::Files& files, Folder folder, PortalOptions options, Book book,
+         system::FileLock lock);
+  Result<void> follow_book();
+  Result<void> refresh();
+  Result<void> note_answer(const std::string& team, int entry);
 
   std::variant<Visitor, web::Reply> visitor(const web::Request& request, Purpose purpose);
   std::optional<web::Reply> admit(Call& call, bool is_page);
@@ -93,11 +101,12 @@ class Portal {
   web::Reply act(const Call& call);
   web::Reply grades(const Call& call);
 
+  system::FileLock lock_;  // of the one server that takes hand-ins
   DeskState state_;
   Entries entries_;
   Uploads uploads_;
   const StaffDesk staff_;
-  const std::unique_ptr<FriendlyDesk> friendlies_;
+  FriendlyDesk friendlies_;
   Doorkeeper doorkeeper_;  // guarded by the mutex of the state
 };
 

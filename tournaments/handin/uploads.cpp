@@ -36,20 +36,14 @@ std::optional<web::Reply> Uploads::refused_now(const std::string& team) {
   const std::int64_t now = state_.options.now();
   if (const std::string why = state_.options.why_not(team, utc_text(now)); !why.empty())
     return problem_reply(403, why);
-  if (const int waiting = state_.book.queue().unanswered(team);
-      waiting >= state_.options.max_waiting) {
+  const HandIns& hand_ins = state_.book.hand_ins();
+  if (const int waiting = hand_ins.waiting(team); waiting >= state_.options.max_waiting) {
     return problem_reply(
         429, std::to_string(waiting) + " files of " + team +
                  " wait for their checks; hand in again when one of these has its answer");
   }
-  auto known = read_hand_ins(state_.files, state_.folder, team);
-  if (!known) return host_failed(known.error());
-  int tries = tries_in_last_hour(*known, now);
-  const auto most = static_cast<std::size_t>(state_.options.quota.tries_per_hour);
-  for (const WaitingHandIn* handed : state_.book.queue().latest_of(team, most)) {
-    if (!is_final(handed->state) && find_try(*known, handed->entry) == nullptr) ++tries;
-  }
-  if (tries < state_.options.quota.tries_per_hour) return std::nullopt;
+  if (hand_ins.tries_in_last_hour(team, now) < state_.options.quota.tries_per_hour)
+    return std::nullopt;
   return problem_reply(429, team + " has had " +
                                 std::to_string(state_.options.quota.tries_per_hour) +
                                 " tries in the last hour; hand it in later");
@@ -122,15 +116,18 @@ web::Reply Uploads::keep(const std::string& team, const std::string& name,
   };
   const std::lock_guard lock(state_.mutex);
   // The same bytes again are the same hand-in, for example if the reply to the first was lost.
-  const auto own = state_.book.queue().latest_of(team, 1);
-  if (!own.empty() && own.front()->sha256 == sha256 && own.front()->state != HandInState::void_)
-    return taken(own.front()->entry);
+  const HandIns& hand_ins = state_.book.hand_ins();
+  const HandedIn* last = hand_ins.find(team, hand_ins.last_number(team));
+  if (last != nullptr && last->is_network && last->sha256 == sha256 &&
+      last->state != HandInState::void_)
+    return taken(last->entry);
   if (auto refused = refused_now(team)) return std::move(*refused);
-  WaitingHandIn handed{.team = team,
-                       .file = name,
-                       .sha256 = sha256,
-                       .bytes = file.size(),
-                       .at = state_.options.now()};
+  HandedIn handed{.team = team,
+                  .file = name,
+                  .sha256 = sha256,
+                  .bytes = file.size(),
+                  .at = state_.options.now(),
+                  .is_network = true};
   const auto entry = state_.book.take(std::move(handed),
                                       [&file](const std::string& path) { return file.keep(path); });
   if (!entry) return host_failed(entry.error());

@@ -2,9 +2,7 @@
 #include "tournaments/league/event.hpp"
 
 #include "record/conditions_json.hpp"
-#include "record/json_fields.hpp"
-
-#include <type_traits>
+#include "tournaments/journal/kinds.hpp"
 
 namespace mirocup::league {
 
@@ -141,41 +139,16 @@ static void list_fields(auto& f, Undone& e) {
   list_signature(f, e);
 }
 
-namespace {
-
-// Reads the line as the kind of event that it names.
-template <class... Kinds>
-Event read_any(const JsonReader& line, std::type_identity<std::variant<Kinds...>>) {
-  const JsonReader name = line.at("kind");
-  std::optional<Event> event;
-  const auto read_if_named = [&]<class Kind>(std::type_identity<Kind>) {
-    if (name.json() == Kind::kind) event = record::read_fields<Kind>(line);
-  };
-  (read_if_named(std::type_identity<Kinds>()), ...);
-  if (!event) name.complain("no kind of journal line is called " + name.quoted());
-  return event.value_or(Event());
-}
-
-// Returns "line 7", with the number that the journal gave to the line.
-std::string name_of(const Json& line) {
-  return line.is_object() && line.contains("n") ? "line " + record::json_text(line["n"]) : "a line";
-}
-
-}  // namespace
-
 Result<Event> read_event(const Json& line) {
-  std::optional<record::JsonProblem> problem;
-  Event event = read_any(JsonReader(line, "", problem), std::type_identity<Event>());
-  if (problem) return tl::unexpected(record::error_of(*problem, name_of(line), Errc::damaged));
-  return event;
+  return read_line<Event>(line);
 }
 
 std::string_view kind_of(const Event& event) {
-  return std::visit([](const auto& e) { return e.kind; }, event);
+  return line_kind(event);
 }
 
 Json fields_of(const Event& event) {
-  return std::visit([](const auto& e) { return record::fields_json(e); }, event);
+  return line_fields(event);
 }
 
 const std::string* fixture_of(const Event& event) {

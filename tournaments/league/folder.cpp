@@ -2,13 +2,12 @@
 #include "tournaments/league/folder.hpp"
 
 #include "record/json_reader.hpp"
-#include "system/digest.hpp"
 #include "system/file_lock.hpp"
 #include "system/links.hpp"
 #include "system/locations.hpp"
-#include "system/number_of.hpp"
 #include "system/printable.hpp"
 #include "system/users.hpp"
+#include "tournaments/league/book.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -27,19 +26,6 @@ std::set<int> nights_in(const record::JsonReader& json) {
   for (const record::JsonReader& night : json.at("nights").elements(0, max_count))
     nights.insert(night.integer(1, max_count));
   return nights;
-}
-
-// Returns the numbers of all folders of the team's entries, in their order.
-Result<std::vector<int>> numbers_in(system::Files& files, const Folder& folder,
-                                    const std::string& team) {
-  std::vector<int> numbers;
-  MIROCUP_TRY(const auto names, files.names_if_there(folder.entries() + "/" + team));
-  for (const std::string& name : names) {
-    const auto number = system::number_of<int>(name);
-    if (number && *number >= 1) numbers.push_back(*number);
-  }
-  std::sort(numbers.begin(), numbers.end());
-  return numbers;
 }
 
 }  // namespace
@@ -90,97 +76,12 @@ Result<void> make_entries_folder(system::Files& files, const Folder& folder,
   });
 }
 
-Result<void> add_entry(system::Files& files, const Folder& folder, const std::string& team,
-                       int number, const std::string& library, const std::string& verdict) {
-  using system::Readers;
-  const Json about{{"schema", "mirocup/entry/1"},
-                   {"team", team},
-                   {"entry", number},
-                   {"sha256", system::sha256(library)}};
-  return make_entries_folder(files, folder, team)
-      .and_then([&] { return files.make_folder(folder.entry(team, number), Readers::owner); })
-      .and_then([&] { return files.write(folder.library(team, number), library, Readers::owner); })
-      .and_then([&]() -> Result<void> {
-        if (verdict.empty()) return {};
-        return files.write(folder.verdict(team, number), verdict, Readers::owner);
-      })
-      .and_then([&] {
-        return files.write(folder.entry_file(team, number), record::json_text(about, 1) + "\n",
-                           Readers::owner);
-      });
-}
-
-Result<std::vector<int>> entries_of(system::Files& files, const Folder& folder,
-                                    const std::string& team) {
-  MIROCUP_TRY(auto numbers, numbers_in(files, folder, team));
-  std::erase_if(numbers,
-                [&](int number) { return !files.exists(folder.entry_file(team, number)); });
-  return numbers;
-}
-
-Result<int> next_entry(system::Files& files, const Folder& folder, const std::string& team) {
-  return numbers_in(files, folder, team).map([](const std::vector<int>& numbers) {
-    return numbers.empty() ? 1 : numbers.back() + 1;
-  });
-}
-
-Result<int> last_entry(system::Files& files, const Folder& folder, const std::string& team) {
-  return entries_of(files, folder, team).map([](const std::vector<int>& numbers) {
-    return numbers.empty() ? 0 : numbers.back();
-  });
-}
-
-Result<std::string> sha256_of_entry(system::Files& files, const Folder& folder,
-                                    const std::string& team, int number) {
-  const std::string path = folder.entry_file(team, number);
-  MIROCUP_TRY(const auto text, files.read_if_there(path, {.max_size = system::size_limit::note}));
-  if (!text) return "";
-  return record::read_json<std::string>(
-      *text, path, Errc::damaged,
-      [](const record::JsonReader& json) { return json.at("sha256").text(); });
-}
-
-Result<bool> is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,
-                               int number) {
-  const std::string verdict = folder.verdict(team, number);
-  MIROCUP_TRY(const auto text,
-              files.read_if_there(verdict, {.max_size = system::size_limit::note}));
-  if (!text) return true;  // stored by the host without a check
-  return record::read_json<bool>(*text, verdict, Errc::damaged, [](const record::JsonReader& json) {
-    return json.at("accepted").boolean();
-  });
-}
-
-Result<int> last_accepted_entry(system::Files& files, const Folder& folder,
-                                const std::string& team) {
-  MIROCUP_TRY(const auto numbers, entries_of(files, folder, team));
-  for (auto number = numbers.rbegin(); number != numbers.rend(); ++number) {
-    MIROCUP_TRY(const auto is_accepted, is_accepted_entry(files, folder, team, *number));
-    if (is_accepted) return *number;
-  }
-  return 0;
-}
-
-Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Folder& folder,
-                                                 const LeagueFile& file) {
-  std::vector<std::string> adopted;
-  for (const TeamConfig& team : file.teams) {
-    if (team.hands_in()) continue;
-    MIROCUP_TRY(const auto last, last_entry(files, folder, team.name));
-    const bool may_change = team.is_house() || team.is_firasim();
-    if (last > 0 && (!may_change || files.exists(folder.verdict(team.name, last)))) continue;
-    MIROCUP_TRY(const auto library, library_of(files, team, folder.path));
-    if (last > 0) {
-      MIROCUP_TRY(const auto before, files.read_if_there(folder.library(team.name, last),
-                                                         {.max_size = system::size_limit::entry}));
-      if (before == library) continue;
-    }
-    MIROCUP_TRY_VOID(next_entry(files, folder, team.name).and_then([&](int number) {
-      return add_entry(files, folder, team.name, number, library);
-    }));
-    adopted.push_back(team.name);
-  }
-  return adopted;
+Result<void> write_entry_file(system::Files& files, const Folder& folder, const std::string& team,
+                              int number, const std::string& sha256) {
+  const Json about{
+      {"schema", "mirocup/entry/1"}, {"team", team}, {"entry", number}, {"sha256", sha256}};
+  return files.write(folder.entry_file(team, number), record::json_text(about, 1) + "\n",
+                     system::Readers::owner);
 }
 
 Result<std::set<int>> read_pruned_nights(system::Files& files, const Folder& folder) {
@@ -227,10 +128,12 @@ Result<void> init_folder(system::Files& files, const Folder& folder, const Leagu
   // Another process may make a league there at the same time.
   MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
   if (files.exists(folder.config())) return fail(Errc::input, folder.path + " is a league already");
+  MIROCUP_TRY_VOID(files.remove(folder.hand_in_book()));  // of a process that was killed
+  MIROCUP_TRY(auto book, Book::open(files, folder));
   for (const TeamConfig& team : file.teams) {
     if (team.hands_in()) continue;
     MIROCUP_TRY(const auto library, library_of(files, team));
-    if (auto added = add_entry(files, folder, team.name, 1, library); !added) return added;
+    MIROCUP_TRY_VOID(book.give(team.name, library));
   }
   // Written last: a folder with league.json is a complete league.
   return files.write(folder.config(), print_league_file(file));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The folder of a league: league.json, journal.jsonl, entries/, records/ and site/. This file has
-// its paths, its creation and its kept entries. No link in the folder is followed
+// its paths and its creation. No link in the folder is followed
 // (system::follow_no_links_below).
 #pragma once
 
@@ -34,11 +34,13 @@ struct Folder {
   // folder.
   std::string nights() const { return path + "/nights"; }
 
-  // The book of hand-ins over the network and their answers (handin/book.hpp).
+  // The book of hand-ins and friendlies (book.hpp), which is locked while a line is written.
   std::string hand_in_book() const { return path + "/hand-ins.jsonl"; }
 
-  // The book of the friendlies (handin/book.hpp), and the folder of their records.
-  std::string friendly_book() const { return path + "/friendlies.jsonl"; }
+  // Locked by the server that takes hand-ins.
+  std::string handing_in() const { return path + "/.handing-in"; }
+
+  // The records of the friendlies.
   std::string friendlies(const std::string& team) const {
     return entries() + "/" + team + "/friendlies";
   }
@@ -59,7 +61,7 @@ struct Folder {
   // league.
   std::string running() const { return path + "/.running"; }
 
-  // Locked while a hand-in gets its number, and while an answer to a hand-in is booked.
+  // Locked while an answer or a pin is booked with all that follows from it.
   std::string submitting() const { return path + "/.submitting"; }
 
   // Locked while `league submit` checks an entry, so that two checks do not slow each other down.
@@ -67,9 +69,6 @@ struct Folder {
 
   // Only the host reads the files below.
   std::string entries() const { return path + "/entries"; }
-  std::string hand_ins(const std::string& team) const {
-    return entries() + "/" + team + "/hand-ins.json";
-  }
   std::string entry(const std::string& team, int number) const {
     return entries() + "/" + team + "/" + std::to_string(number);
   }
@@ -145,43 +144,12 @@ Result<void> init_folder(system::Files& files, const Folder& folder, const Leagu
 Result<std::string> library_of(system::Files& files, const TeamConfig& team,
                                const std::string& base = "");
 
-// Stores the libraries that league.json names, for teams without an entry and for house teams whose
-// library has changed. So a person may add teams to league.json after `init`. Relative paths begin
-// at the league's folder. Returns the names of the teams whose library was stored.
-Result<std::vector<std::string>> adopt_libraries(system::Files& files, const Folder& folder,
-                                                 const LeagueFile& file);
-
-// Stores a library in the folder as the entry `number`, with the verdict of its check if it was
-// checked. Files and folders of the entry are closed to other users. entry.json is written last: an
-// entry without this file does not exist.
-Result<void> add_entry(system::Files& files, const Folder& folder, const std::string& team,
-                       int number, const std::string& library, const std::string& verdict = "");
-
 // Makes the folders of the team's entries, closed to other users.
 Result<void> make_entries_folder(system::Files& files, const Folder& folder,
                                  const std::string& team);
 
-// Returns the numbers of the kept entries of a team in the order of the hand-ins.
-Result<std::vector<int>> entries_of(system::Files& files, const Folder& folder,
-                                    const std::string& team);
-
-// Returns the number of the next entry: one more than the highest number of a kept entry or of an
-// entry whose check has not ended.
-Result<int> next_entry(system::Files& files, const Folder& folder, const std::string& team);
-
-// Returns the SHA-256 of a kept entry; "" if no entry has the number.
-Result<std::string> sha256_of_entry(system::Files& files, const Folder& folder,
-                                    const std::string& team, int number);
-
-// True if the entry passed its check, or if the host stored it without a check. A verdict that
-// cannot be read is an error, because the entry may be the one that plays.
-Result<bool> is_accepted_entry(system::Files& files, const Folder& folder, const std::string& team,
-                               int number);
-
-// Return the number of the last entry that was handed in, and of the last accepted entry; 0 if the
-// team has no such entry.
-Result<int> last_entry(system::Files& files, const Folder& folder, const std::string& team);
-Result<int> last_accepted_entry(system::Files& files, const Folder& folder,
-                                const std::string& team);
+// Writes entry.json, which says that all that follows from the answer to an entry is done.
+Result<void> write_entry_file(system::Files& files, const Folder& folder, const std::string& team,
+                              int number, const std::string& sha256);
 
 }  // namespace mirocup::league

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/health.hpp"
 
-#include "record/json_reader.hpp"
 #include "system/clock.hpp"
 #include "system/memory.hpp"
+#include "tournaments/league/book.hpp"
 #include "tournaments/league/gaps.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 namespace mirocup::league {
 
@@ -76,26 +75,12 @@ void look_at_legs(const LeagueState& state, Health& h) {
   }
 }
 
-// The answer of a check stands in the book, and that a check has begun does not.
 Result<void> look_at_hand_ins(system::Files& files, const Folder& folder, std::int64_t now,
                               Health& h) {
-  MIROCUP_TRY(const auto book, Journal::open(files, folder.hand_in_book()));
-  std::map<std::pair<std::string, int>, std::int64_t> waiting;  // when they came
-  for (const Json& line : book.lines()) {
-    std::optional<record::JsonProblem> problem;
-    const record::JsonReader json(line, "", problem);
-    const std::pair entry{json.at("team").text(), json.at("entry").integer(0, max_count)};
-    const auto at = json.at("at").integer<std::int64_t>(0, std::int64_t{1} << 40);
-    const std::string kind = json.at("kind").text();
-    if (problem) {
-      const std::string where = book.path() + ": line " + record::json_text(line["n"]);
-      return tl::unexpected(record::error_of(*problem, where, Errc::damaged));
-    }
-    if (kind == "hand_in") waiting[entry] = at;
-    if (kind == "answer") waiting.erase(entry);
-  }
+  MIROCUP_TRY(const auto book, Book::open(files, folder));
+  const auto waiting = book.hand_ins().waiting();
   h.waiting = static_cast<int>(waiting.size());
-  for (const auto& [entry, at] : waiting) h.waits_s = std::max(h.waits_s, now - at);
+  for (const HandedIn* handed : waiting) h.waits_s = std::max(h.waits_s, now - handed->at);
   if (h.waits_s > longest_check_s)
     h.problems.push_back(
         "hand-ins wait for their checks (" + std::to_string(h.waiting) + "), the oldest for " +

@@ -2,7 +2,7 @@
 #include "tournaments/league/roster.hpp"
 
 #include "record/json_reader.hpp"
-#include "tournaments/league/hand_ins.hpp"
+#include "tournaments/league/book.hpp"
 
 #include <map>
 
@@ -25,9 +25,10 @@ Result<PeopleOfTeams> everybody(system::Files& files, const LeagueStore& store) 
 }
 
 Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& store) {
-  const Folder& folder = store.folder();
   const LeagueState& state = store.state();
   MIROCUP_TRY(const auto people, everybody(files, store));
+  MIROCUP_TRY(const auto book, Book::open(files, store.folder()));
+  const HandIns& hand_ins = book.hand_ins();
   std::vector<RosterRow> rows;
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     RosterRow row;
@@ -49,18 +50,18 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
   for (std::size_t i = 0; i < rows.size(); ++i) {
     RosterRow& row = rows[i];
     row.people = people.at(row.team);
-    MIROCUP_TRY(row.last_entry, last_entry(files, folder, row.team));
-    MIROCUP_TRY(row.last_accepted, playing_entry(files, folder, row.team));
-    MIROCUP_TRY(row.sha256, sha256_of_entry(files, folder, row.team, row.last_accepted));
-    if (!row.sha256.empty()) by_file[row.sha256].push_back(i);
-    MIROCUP_TRY(const auto known, read_hand_ins(files, folder, row.team));
-    if (known.tries.empty()) continue;
-    const Try& last = known.tries.back();
-    row.handed_in = utc_text(last.at);
-    row.was_accepted = last.is_accepted;
-    row.message = last.message;
-    row.has_ended = last.is_accepted || last.entry == 0 ||
-                    files.exists(folder.entry_file(row.team, last.entry));
+    row.last_entry = hand_ins.last_kept(row.team);
+    row.last_accepted = hand_ins.playing(row.team);
+    if (const HandedIn* playing = hand_ins.find(row.team, row.last_accepted)) {
+      row.sha256 = playing->library;
+      by_file[row.sha256].push_back(i);
+    }
+    const HandedIn* last = hand_ins.last_try(row.team);
+    if (last == nullptr) continue;
+    row.handed_in = utc_text(last->at);
+    row.was_accepted = last->state == HandInState::accepted;
+    row.has_ended = is_final(last->state);
+    row.message = row.has_ended ? last->message : row.team + ": the check has not come to its end";
   }
   for (const auto& [sha256, same] : by_file) {
     for (const std::size_t one : same) {

@@ -3,25 +3,42 @@
 
 #include "record/match_record.hpp"
 #include "system/digest.hpp"
+#include "system/file_lock.hpp"
 #include "tournaments/league/gaps.hpp"
-#include "tournaments/league/hand_ins.hpp"
+#include "tournaments/league/submission.hpp"
 
 namespace mirocup::league {
 
 namespace {
 
-Result<void> write_start(system::Files& files, LeagueStore& store) {
+// Stores the libraries that league.json names, for teams without an entry and for house teams whose
+// library has changed. So a person may add teams to league.json after `init`. Relative paths begin
+// at the league's folder.
+Result<void> adopt_libraries(system::Files& files, const Folder& folder, const LeagueFile& file,
+                             Book& book) {
+  for (const TeamConfig& team : file.teams) {
+    if (team.hands_in()) continue;
+    const HandedIn* last = book.hand_ins().find(team.name, book.hand_ins().last_kept(team.name));
+    const bool may_change = team.is_house() || team.is_firasim();
+    if (last != nullptr && (!may_change || !last->file.empty())) continue;
+    MIROCUP_TRY(const auto library, library_of(files, team, folder.path));
+    if (last != nullptr && last->library == system::sha256(library)) continue;
+    MIROCUP_TRY_VOID(book.give(team.name, library));
+  }
+  return {};
+}
+
+Result<void> write_start(system::Files& files, LeagueStore& store, Book& book) {
   const LeagueState& state = store.state();
   if (state.is_started) return {};
   const std::string why = objection(state.file.format, static_cast<int>(state.file.teams.size()));
   if (!why.empty()) return fail(Errc::input, store.folder().config() + ": " + why);
-  MIROCUP_TRY_VOID(adopt_libraries(files, store.folder(), state.file));
+  MIROCUP_TRY_VOID(adopt_libraries(files, store.folder(), state.file, book));
   const bool is_nightly = state.file.format.kind == FormatKind::nightly;
   int ready = 0;
   std::string missing;
   for (const TeamConfig& team : state.file.teams) {
-    MIROCUP_TRY(const auto accepted, last_accepted_entry(files, store.folder(), team.name));
-    if (accepted > 0) {
+    if (book.hand_ins().last_accepted(team.name) > 0) {
       ++ready;
     } else if (!is_nightly) {
       missing += (missing.empty() ? "" : ", ") + team.name;
@@ -46,7 +63,7 @@ Result<void> write_start(system::Files& files, LeagueStore& store) {
 
 // Books the entry of each team that has none, and checks the libraries of the others against the
 // SHA-256 that the journal names.
-Result<void> book_entries(system::Files& files, LeagueStore& store) {
+Result<void> book_entries(system::Files& files, LeagueStore& store, const HandIns& hand_ins) {
   const LeagueState& state = store.state();
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     const std::string& team = state.file.teams[i].name;
@@ -54,8 +71,7 @@ Result<void> book_entries(system::Files& files, LeagueStore& store) {
     if (booked.status == TeamStatus::withdrawn) continue;
     // A night books the entries of a nightly league.
     if (booked.entry == 0 && state.file.format.kind == FormatKind::nightly) continue;
-    MIROCUP_TRY(const auto number, booked.entry > 0 ? Result<int>(booked.entry)
-                                                    : playing_entry(files, store.folder(), team));
+    const int number = booked.entry > 0 ? booked.entry : hand_ins.playing(team);
     const std::string path = store.folder().library(team, number);
     MIROCUP_TRY(const auto library, files.read(path, {.max_size = system::size_limit::entry}));
     const std::string sha256 = system::sha256(library);
@@ -77,8 +93,13 @@ Result<void> start_league(system::Files& files, LeagueStore& store) {
   if (!found.lost.empty()) return fail(Errc::damaged, found.lost);
   // A folder that is empty gets lost when a league is kept in git or packed by some programs.
   if (auto made = files.make_folder(store.folder().path + "/records"); !made) return made;
-  if (auto started = write_start(files, store); !started) return started;
-  return book_entries(files, store);
+  MIROCUP_TRY(const auto alone, system::FileLock::acquire(store.folder().submitting()));
+  MIROCUP_TRY(auto book, Book::open(files, store.folder()));
+  MIROCUP_TRY_VOID(write_start(files, store, book));
+  MIROCUP_TRY_VOID(book_entries(files, store, book.hand_ins()));
+  for (const TeamConfig& team : store.state().file.teams)
+    MIROCUP_TRY_VOID(follow_book(files, store, book.hand_ins(), team.name));
+  return {};
 }
 
 }  // namespace mirocup::league

@@ -7,12 +7,14 @@
 #include "system/digest.hpp"
 #include "system/file_lock.hpp"
 #include "system/locations.hpp"
+#include "system/number_of.hpp"
 #include "system/process_set.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <strings.h>
 #include <utility>
 
@@ -31,13 +33,15 @@ void close_to_others(const std::string& record) {
   }
 }
 
+constexpr std::string_view house_prefix = "house:";
+
 Json verdict_in(const record::JsonReader& json) {
   (void)json.at("accepted").boolean();
   return json.json();
 }
 
 // How a program that looks at an entry has ended, and the last line of its answer.
-struct Answered {
+struct Told {
   system::Exit exit;
   Json answer;
 
@@ -50,8 +54,8 @@ struct Answered {
 };
 
 // Runs a command of `mirocup` that answers. What it prints goes into the log, for people.
-Result<Answered> ask(system::Files& files, std::vector<std::string> command, const Folder& folder,
-                     const std::string& team, int number) {
+Result<Told> ask(system::Files& files, std::vector<std::string> command, const Folder& folder,
+                 const std::string& team, int number) {
   const std::string answer = folder.check_answer(team, number);
   command.insert(command.begin(), system::sibling_program("mirocup"));
   command.insert(command.end(), {"--answer", answer});
@@ -61,12 +65,12 @@ Result<Answered> ask(system::Files& files, std::vector<std::string> command, con
   const auto exit = processes.wait();
   if (!exit) return fail(Errc::interrupted, "interrupted while an entry was checked");
   return record::last_answer(files, answer).map([&exit](Json last) {
-    return Answered{*exit, std::move(last)};
+    return Told{*exit, std::move(last)};
   });
 }
 
 // Returns the error of a host on which such a program has failed.
-Error failure(system::Files& files, const Answered& done, const std::string& log) {
+Error failure(system::Files& files, const Told& done, const std::string& log) {
   constexpr std::size_t enough = 500;  // bytes
   const std::string why = done.text("error");
   const auto said = files.read(log, {.max_size = system::size_limit::log});
@@ -128,17 +132,19 @@ std::string twin_of(const LeagueState& state, const std::string& team) {
 }
 
 // Returns the entries of a team that the journal lets play, now or before.
-std::vector<int> played_entries(const LeagueStore& store, const std::string& team) {
-  std::vector<int> numbers;
+std::set<int> played_entries(const LeagueStore& store, const std::string& team) {
+  std::set<int> numbers;
+  const auto add = [&](const EntryBooked& booked) {
+    if (booked.team == team) numbers.insert(booked.entry);
+  };
   for (const Json& line : store.journal().lines()) {
+    const std::string kind = record::text_in(line, "kind");
+    if (kind != EntryBooked::kind && kind != NightBegan::kind) continue;
     const auto event = read_event(line);
-    const auto* booked = event ? std::get_if<EntryBooked>(&*event) : nullptr;
-    if (booked != nullptr && booked->team == team) numbers.push_back(booked->entry);
-    const auto* night = event ? std::get_if<NightBegan>(&*event) : nullptr;
-    if (night == nullptr) continue;
-    for (const EntryBooked& entry : night->entries) {
-      if (entry.team == team) numbers.push_back(entry.entry);
-    }
+    if (!event) continue;
+    if (const auto* booked = std::get_if<EntryBooked>(&*event)) add(*booked);
+    if (const auto* night = std::get_if<NightBegan>(&*event))
+      for (const EntryBooked& booked : night->entries) add(booked);
   }
   return numbers;
 }
@@ -152,32 +158,6 @@ void name_file(Json& value, const std::string& path, const std::string& name) {
   }
 }
 
-// Stores the library as that entry, checks it there, and writes the verdict beside it.
-Result<Json> store_and_check(system::Files& files, const Folder& folder, const LeagueFile& rules,
-                             const HandIn& handed, int number, const std::string& library) {
-  const std::string entry = folder.entry(handed.team, number);
-  const std::string stored = folder.library(handed.team, number);
-  using system::Readers;
-  MIROCUP_TRY_VOID(make_entries_folder(files, folder, handed.team)
-                       .and_then([&] { return files.make_folder(entry, Readers::owner); })
-                       .and_then([&]() -> Result<void> {
-                         if (handed.path == stored) return {};
-                         return files.write(stored, library, Readers::owner);
-                       }));
-  auto verdict = check(files, stored, rules, folder, handed.team, number);
-  if (!verdict) return verdict;
-  const std::string sha256 = system::sha256(library);
-  const std::string checked = record::text_in(*verdict, "sha256");
-  if (!checked.empty() && checked != sha256)
-    return fail(Errc::host, stored + " was changed while it was checked");
-  name_file(*verdict, stored, handed.name.empty() ? handed.path : handed.name);
-  MIROCUP_TRY_VOID(remove_check_files(files, folder, handed.team, number).and_then([&] {
-    return add_entry(files, folder, handed.team, number, library,
-                     record::json_text(*verdict, 1) + "\n");
-  }));
-  return verdict;
-}
-
 // Returns the line of the first error in what a compiler has said; "" if there is none.
 std::string first_error_in(const std::string& said) {
   constexpr std::size_t enough = 240;  // bytes
@@ -188,64 +168,35 @@ std::string first_error_in(const std::string& said) {
   return said.substr(begin, std::min(enough, said.find('\n', error) - begin));
 }
 
-// Makes the library of an entry from its source. Returns nothing if that is done, and the verdict,
-// which is then written, if it is refused.
+// Makes the library of an entry from its source. Returns nothing if that is done, and the verdict
+// if the source is refused.
 Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
-                                    const HandIn& handed, int number) {
-  const std::string name = handed.name.empty() ? handed.source : handed.name;
+                                    const HandedIn& handed, int seconds) {
+  const std::string& team = handed.team;
+  const int number = handed.entry;
   MIROCUP_TRY(
       const auto done,
       ask(files,
-          {"compile", handed.source, "-o", folder.library(handed.team, number), "--language",
-           handed.language, "--seconds", std::to_string(handed.compile_seconds)},
-          folder, handed.team, number));
+          {"compile", folder.source(team, number), "-o", folder.library(team, number), "--language",
+           language_of(source_kind_of(handed.file)), "--seconds", std::to_string(seconds)},
+          folder, team, number));
   const bool is_available = done.text("code") != to_string(Errc::unavailable);
   if (!done.is_done() && is_available)
-    return tl::unexpected(failure(files, done, folder.check_log(handed.team, number)));
-  MIROCUP_TRY_VOID(remove_check_files(files, folder, handed.team, number));
+    return tl::unexpected(failure(files, done, folder.check_log(team, number)));
   if (done.is_done() && done.exit.code == exit_yes) return std::nullopt;
   // This computer compiles nothing, or not this source: a sentence for the team.
   std::string reason = done.text(is_available ? "reason" : "error");
   const std::string said = done.text("log");
   if (const std::string error = first_error_in(said); !error.empty()) reason = error;
   Json verdict{
-      {"file", name},
+      {"file", handed.file},
       {"sha256", Json()},
       {"accepted", false},
       {"reason", "compiles: " + reason},
       {"checks", Json::array({{{"name", "compiles"}, {"passed", false}, {"text", reason}}})},
       {"log", said}};
-  name_file(verdict, "/compile/source", name);  // as the compiler has named it
-  MIROCUP_TRY_VOID(
-      add_entry(files, folder, handed.team, number, "", record::json_text(verdict, 1) + "\n"));
+  name_file(verdict, "/compile/source", handed.file);  // as the compiler has named it
   return std::optional(std::move(verdict));
-}
-
-// Returns the verdict of an entry whose check has ended.
-Result<Json> read_verdict(system::Files& files, const Folder& folder, const std::string& team,
-                          int number) {
-  const std::string path = folder.verdict(team, number);
-  MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::note}));
-  return record::read_json<Json>(text, path, Errc::damaged, verdict_in);
-}
-
-// Makes an accepted entry the one that plays: a new team joins the league, and after the start the
-// entry is booked.
-Result<void> let_play(system::Files& files, LeagueStore& store, const HandIn& handed, int number,
-                      const std::string& library) {
-  const std::string& team = handed.team;
-  if (!store.state().find_team(team)) {
-    const std::string source = handed.is_house ? handed.name : std::string(TeamConfig::submitted);
-    MIROCUP_TRY_VOID(enter_teams(files, store, {team}, source));
-  }
-  if (!store.state().is_started) return {};
-  if (store.state().file.format.kind == FormatKind::nightly) return {};  // the next night takes it
-  // A later one may have been quicker, or this one was booked by a process that died.
-  if (store.state().teams[*store.state().find_team(team)].entry >= number) return {};
-  // A team that has pinned a version plays on with that.
-  MIROCUP_TRY(const auto playing, playing_entry(files, store.folder(), team));
-  if (playing != number) return {};
-  return store.write(EntryBooked{.team = team, .entry = number, .sha256 = system::sha256(library)});
 }
 
 // A file as it was found, before any lock is taken.
@@ -263,140 +214,75 @@ Result<Found> examine(const std::string& path) {
   return Found{.library = std::move(library)};
 }
 
-// One hand-in, after its file was read. receive() and conclude() run while no other process does
-// the same; between them lies the check, which takes long.
-class Desk {
- public:
-  Desk(system::Files& files, LeagueStore& store, const HandIn& handed, const Quota& quota)
-      : files_(files), store_(store), handed_(handed), quota_(quota), number_(handed.entry) {}
+// Does what follows from the answer to an entry.
+Result<void> follow_answer(system::Files& files, LeagueStore& store, const HandedIn& handed) {
+  const Folder& folder = store.folder();
+  const std::string& team = handed.team;
+  if (!handed.is_kept()) return files.remove(folder.entry(team, handed.entry));
+  if (files.exists(folder.entry_file(team, handed.entry))) return {};
+  const bool may_join = handed.may_play() && !handed.file.empty() &&
+                        !store.state().find_team(team) &&
+                        why_not_now(store.state(), team, utc_text(handed.at)).empty();
+  if (may_join) {
+    const bool is_house = !handed.is_network && handed.file.starts_with(house_prefix);
+    MIROCUP_TRY_VOID(enter_teams(files, store, {team},
+                                 is_house ? handed.file : std::string(TeamConfig::submitted)));
+  }
+  return write_entry_file(files, folder, team, handed.entry, handed.library);
+}
 
-  // Numbers the hand-in and notes the try. Returns the answer if there is nothing to check.
-  Result<std::optional<Submission>> receive(const Found& found) {
-    MIROCUP_TRY(known_, read_hand_ins(files_, folder(), team()));
-    if (has_verdict()) return std::nullopt;
-    const std::string why = why_not_now(store_.state(), team(), utc_text(handed_.at));
-    if (!why.empty()) return not_taken(why);
-    if (!is_noted() && tries_in_last_hour(known_, handed_.at) >= quota_.tries_per_hour) {
-      return not_taken("it has had " + std::to_string(quota_.tries_per_hour) +
-                       " tries in the last hour; hand it in later");
-    }
-    if (number_ == 0 && found.why_not.empty()) {
-      MIROCUP_TRY(const auto next, next_entry(files_, folder(), team()));
-      number_ = next;
-    }
-    note_try();
-    if (!found.why_not.empty()) return refuse(found.why_not);
-    // Written before the check, so that a library that stops the check is a try, too.
-    MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_).and_then([&] {
-      return files_.make_folder(folder().entry(team(), number_), system::Readers::owner);
+// Returns the answer to a checked hand-in.
+Submission answer_to(const HandedIn& handed, const HandIns& hand_ins, Json verdict) {
+  const std::string& team = handed.team;
+  const int playing = hand_ins.playing(team);
+  Submission done{.is_accepted = verdict["accepted"] == true,
+                  .entry = handed.entry,
+                  .plays = playing,
+                  .message = team + ": entry " + std::to_string(handed.entry)};
+  if (!done.is_accepted) {
+    done.message += " was not accepted: " + record::text_in(verdict, "reason");
+    if (playing > 0) done.message += "; entry " + std::to_string(playing) + " plays on";
+  } else {
+    done.message += " was accepted";
+    if (playing > 0 && playing == hand_ins.pinned(team))
+      done.message += "; entry " + std::to_string(playing) + ", which is pinned, plays on";
+  }
+  done.verdict = std::move(verdict);
+  return done;
+}
+
+// Returns the answer to a file that does not count as a try, or not as an entry.
+Submission not_taken(const std::string& team, const std::string& why) {
+  return {.message = team + ": not taken: " + why};
+}
+
+// Stores a file of the host, numbers it, and writes that it was handed in. Returns the answer if
+// the file is not taken.
+Result<std::optional<Submission>> receive(system::Files& files, const Folder& folder, Book& book,
+                                          const Found& found, const Quota& quota,
+                                          HandedIn& handed) {
+  const std::string& team = handed.team;
+  MIROCUP_TRY(const auto booking, Booking::begin(files, folder));
+  const std::string why = why_not_now(booking.state(), team, utc_text(handed.at));
+  if (!why.empty()) return not_taken(team, why);
+  if (book.hand_ins().tries_in_last_hour(team, handed.at) >= quota.tries_per_hour) {
+    return not_taken(team, "it has had " + std::to_string(quota.tries_per_hour) +
+                               " tries in the last hour; hand it in later");
+  }
+  if (found.why_not.empty()) {
+    MIROCUP_TRY(handed.entry, book.take(handed, [&](const std::string& path) {
+      return files.write(path, found.library, system::Readers::owner);
     }));
     return std::nullopt;
   }
-
-  Result<Json> check(const Found& found) {
-    const std::string stored = folder().library(team(), number_);
-    if (has_verdict()) {
-      // A refused version keeps no library.
-      MIROCUP_TRY(auto library,
-                  files_.read_if_there(stored, {.max_size = system::size_limit::entry}));
-      library_ = std::move(library).value_or("");
-      return read_verdict(files_, folder(), team(), number_);
-    }
-    if (handed_.source.empty()) {
-      library_ = found.library;
-      return check_library();
-    }
-    MIROCUP_TRY(auto refused, compile(files_, folder(), handed_, number_));
-    if (refused) return std::move(*refused);
-    MIROCUP_TRY(library_, files_.read(stored, {.max_size = system::size_limit::entry}));
-    return check_library();
+  const Submission refused = not_taken(team, found.why_not);
+  // Of a name under which nobody has handed in a library nothing is kept.
+  if (book.hand_ins().last_kept(team) > 0 || booking.state().find_team(team)) {
+    MIROCUP_TRY_VOID(
+        book.write(Rejected{.team = team, .message = refused.message, .at = handed.at}));
   }
-
-  // Books the verdict. The store has been opened again since receive().
-  Result<Submission> conclude(Json verdict) {
-    MIROCUP_TRY(known_, read_hand_ins(files_, folder(), team()));
-    MIROCUP_TRY(const auto playing, playing_entry(files_, folder(), team()));
-    // It may have been forgotten since.
-    if (find_try(known_, number_) == nullptr) note_try();
-    Submission result;
-    result.entry = number_;
-    result.verdict = std::move(verdict);
-    result.is_accepted = result.verdict["accepted"] == true;
-    result.plays = playing;
-    result.message = team() + ": entry " + std::to_string(result.entry) +
-                     (result.is_accepted ? " was accepted" : " was not accepted");
-    if (!result.is_accepted) {
-      result.message += ": " + record::text_in(result.verdict, "reason");
-      if (playing > 0) result.message += "; entry " + std::to_string(playing) + " plays on";
-    } else if (known_.pinned > 0 && playing == known_.pinned) {
-      result.message += "; entry " + std::to_string(known_.pinned) + ", which is pinned, plays on";
-    }
-    Try& noted = *find_try(known_, number_);
-    noted.is_accepted = result.is_accepted;
-    noted.message = result.message;
-    MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_)
-                         .and_then([&]() -> Result<void> {
-                           if (!result.is_accepted) return {};
-                           return let_play(files_, store_, handed_, result.entry, library_);
-                         })
-                         .and_then([&] {
-                           return prune_versions(files_, folder(), team(),
-                                                 played_entries(store_, team()), quota_);
-                         }));
-    return result;
-  }
-
- private:
-  Result<Json> check_library() {
-    auto verdict =
-        store_and_check(files_, folder(), store_.state().file, handed_, number_, library_);
-    // The folder of a hand-in that waits keeps its library for the next try.
-    if (!verdict && handed_.entry == 0) (void)files_.remove(folder().entry(team(), number_));
-    return verdict;
-  }
-
-  Result<Submission> refuse(const std::string& why) {
-    const Submission result = not_taken(why);
-    known_.tries.back().message = result.message;
-    // A name under which nobody has handed in a library gets no folder.
-    MIROCUP_TRY(const auto entries, entries_of(files_, folder(), team()));
-    if (entries.empty() && !store_.state().find_team(team())) return result;
-    MIROCUP_TRY_VOID(write_hand_ins(files_, folder(), team(), known_));
-    return result;
-  }
-
-  void note_try() {
-    if (is_noted()) return;
-    add_try(known_, {.at = handed_.at,
-                     .entry = number_,
-                     .is_accepted = false,
-                     .message = team() + ": the check has not come to its end"});
-  }
-
-  // True if a process that died has noted the try already.
-  bool is_noted() { return handed_.entry > 0 && find_try(known_, handed_.entry) != nullptr; }
-
-  // The answer to a file that does not count as a try.
-  Submission not_taken(const std::string& why) const {
-    Submission result;
-    result.message = handed_.team + ": not taken: " + why;
-    return result;
-  }
-
-  const std::string& team() const { return handed_.team; }
-  const Folder& folder() const { return store_.folder(); }
-  bool has_verdict() const {
-    return number_ > 0 && files_.exists(folder().entry_file(team(), number_));
-  }
-
-  system::Files& files_;
-  LeagueStore& store_;
-  const HandIn& handed_;
-  const Quota& quota_;
-  int number_;           // of the entry; 0: none yet
-  std::string library_;  // once it is there
-  HandIns known_;
-};
+  return refused;
+}
 
 }  // namespace
 
@@ -433,72 +319,139 @@ Result<void> leave_before_start(system::Files& files, LeagueStore& store, const 
   return files.write(store.folder().config(), print_league_file(file));
 }
 
-Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,
-                              int number, std::int64_t now,
-                              const std::function<Result<void>()>& note) {
-  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.submitting()));
-  MIROCUP_TRY(auto store, LeagueStore::open(files, folder));
-  if (const std::string why = why_not_now(store.state(), team, utc_text(now)); !why.empty())
-    return why;
-  MIROCUP_TRY(const auto is_accepted, is_accepted_entry(files, folder, team, number));
-  const bool is_kept = number == 0 || (files.exists(folder.entry_file(team, number)) &&
-                                       files.exists(folder.library(team, number)) && is_accepted);
-  if (!is_kept) {
-    const bool is_there = files.exists(folder.entry_file(team, number));
-    return (is_there && !is_accepted
-                ? "entry " + std::to_string(number) + " of " + team + " was not accepted"
-                : team + " has no entry " + std::to_string(number) + " that could play");
+Result<void> follow_book(system::Files& files, LeagueStore& store, const HandIns& hand_ins,
+                         const std::string& team) {
+  const Folder& folder = store.folder();
+  MIROCUP_TRY(const auto names, files.names_if_there(folder.entries() + "/" + team));
+  for (const std::string& name : names) {
+    const HandedIn* handed = hand_ins.find(team, system::number_of<int>(name).value_or(0));
+    if (handed != nullptr && is_final(handed->state))
+      MIROCUP_TRY_VOID(follow_answer(files, store, *handed));
   }
-  MIROCUP_TRY(auto known, read_hand_ins(files, folder, team));
-  known.pinned = number;
-  MIROCUP_TRY(const auto playing,
-              number > 0 ? Result<int>(number) : last_accepted_entry(files, folder, team));
   const LeagueState& state = store.state();
-  std::string library = {};
+  const auto index = state.find_team(team);
   // The next night of a nightly league takes the entry.
-  const bool plays_now = state.is_started && playing > 0 &&
-                         state.file.format.kind != FormatKind::nightly &&
-                         state.teams[*state.find_team(team)].entry != playing;
-  if (plays_now) {
-    MIROCUP_TRY(library,
-                files.read(folder.library(team, playing), {.max_size = system::size_limit::entry}));
-  }
-  MIROCUP_TRY_VOID(note());
-  if (plays_now) {
-    MIROCUP_TRY_VOID(store.write(
-        EntryBooked{.team = team, .entry = playing, .sha256 = system::sha256(library)}));
-  }
-  MIROCUP_TRY_VOID(write_hand_ins(files, folder, team, known));
+  const bool is_ladder = state.is_started && state.file.format.kind == FormatKind::ladder;
+  if (!is_ladder || !index || state.is_closed ||
+      state.teams[*index].status == TeamStatus::withdrawn)
+    return {};
+  const HandedIn* playing = hand_ins.find(team, hand_ins.playing(team));
+  if (playing == nullptr || playing->entry == state.teams[*index].entry) return {};
+  return store.write(
+      EntryBooked{.team = team, .entry = playing->entry, .sha256 = playing->library});
+}
+
+Result<Booking> Booking::begin(system::Files& files, const Folder& folder) {
+  MIROCUP_TRY(auto alone, system::FileLock::acquire(folder.submitting()));
+  MIROCUP_TRY(auto store, LeagueStore::open_unplanned(files, folder));
+  return Booking(files, std::move(alone), std::move(store));
+}
+
+Result<void> Booking::follow(const HandIns& hand_ins, const std::string& team) {
+  return follow_book(files_, store_, hand_ins, team);
+}
+
+Result<std::string> Booking::pin(Book& book, const std::string& team, int number,
+                                 std::int64_t now) {
+  if (const std::string why = why_not_now(state(), team, utc_text(now)); !why.empty()) return why;
+  const HandedIn* entry = book.hand_ins().find(team, number);
+  const bool is_there = entry != nullptr && entry->is_kept();
+  if (number > 0 && is_there && !entry->may_play())
+    return "entry " + std::to_string(number) + " of " + team + " was not accepted";
+  if (number > 0 && (!is_there || !files_.exists(store_.folder().library(team, number))))
+    return team + " has no entry " + std::to_string(number) + " that could play";
+  MIROCUP_TRY_VOID(book.write(Pinned{.team = team, .entry = number, .at = now}));
+  MIROCUP_TRY_VOID(follow(book.hand_ins(), team));
   return "";
+}
+
+Result<Json> check_entry(system::Files& files, const Folder& folder, const HandedIn& handed,
+                         int compile_seconds) {
+  MIROCUP_TRY(const auto config,
+              files.read_named(folder.config(), system::size_limit::league_file));
+  MIROCUP_TRY(const auto rules, parse_league_file(config, folder.config()));
+  const std::string& team = handed.team;
+  const int number = handed.entry;
+  const std::string library = folder.library(team, number);
+  std::optional<Json> verdict;
+  if (handed.is_network && source_kind_of(handed.file) != SourceKind::none) {
+    MIROCUP_TRY(verdict, compile(files, folder, handed, compile_seconds));
+  }
+  if (!verdict) {
+    MIROCUP_TRY(verdict, check(files, library, rules, folder, team, number));
+    name_file(*verdict, library, handed.file);
+  }
+  MIROCUP_TRY_VOID(remove_check_files(files, folder, team, number).and_then([&] {
+    return files.write(folder.verdict(team, number), record::json_text(*verdict, 1) + "\n",
+                       system::Readers::owner);
+  }));
+  return std::move(*verdict);
+}
+
+Result<Json> read_verdict(system::Files& files, const Folder& folder, const std::string& team,
+                          int number) {
+  const std::string path = folder.verdict(team, number);
+  MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::note}));
+  return record::read_json<Json>(text, path, Errc::damaged, verdict_in);
+}
+
+Result<Submission> Booking::conclude(Book& book, const std::string& team, int entry, Json verdict,
+                                     std::int64_t now, const Quota& quota) {
+  const Folder& folder = store_.folder();
+  const HandIns& hand_ins = book.hand_ins();
+  const HandedIn& handed = *hand_ins.find(team, entry);
+  Submission done = answer_to(handed, hand_ins, std::move(verdict));
+  Answered answer{.team = team, .entry = entry, .plays = done.plays, .at = now};
+  if (const std::string why = why_not_now(state(), team, utc_text(handed.at)); !why.empty()) {
+    done = not_taken(team, why);
+  } else {
+    const std::string path = folder.library(team, entry);
+    MIROCUP_TRY(const auto library,
+                files_.read_if_there(path, {.max_size = system::size_limit::entry}));
+    answer.library = system::sha256(library.value_or(""));
+    const std::string checked = record::text_in(done.verdict, "sha256");
+    if (!checked.empty() && checked != answer.library)
+      return fail(Errc::host, path + " was changed while it was checked");
+  }
+  answer.state = done.is_accepted ? HandInState::accepted : HandInState::refused;
+  answer.message = done.message;
+  MIROCUP_TRY_VOID(book.write(answer));
+  const auto dropped = hand_ins.to_drop(team, played_entries(store_, team), quota.versions);
+  if (!dropped.empty()) MIROCUP_TRY_VOID(book.write(Dropped{.team = team, .entries = dropped}));
+  MIROCUP_TRY_VOID(follow(hand_ins, team));
+  // Of the refused entries only the newest keeps its library.
+  for (const auto& [number, one] : hand_ins.of_team(team)) {
+    if (one.is_kept() && !one.may_play() && number != hand_ins.last_kept(team))
+      MIROCUP_TRY_VOID(files_.remove(folder.library(team, number)));
+  }
+  return done;
 }
 
 Result<Submission> submit(system::Files& files, const Folder& folder, const HandIn& handed,
                           const Quota& quota) {
-  if (!is_good_name(handed.team)) {
-    return fail(Errc::input, "\"" + handed.team +
-                                 "\" is no name: letters, digits, '-', '_' and '.', at most 40");
+  const std::string& team = handed.team;
+  if (!is_good_name(team)) {
+    return fail(Errc::input,
+                "\"" + team + "\" is no name: letters, digits, '-', '_' and '.', at most 40");
   }
-  MIROCUP_TRY(const auto found, examine(handed.source.empty() ? handed.path : handed.source));
-  // Hand-ins that waited have a queue of their own, which says how many checks run at once.
-  std::optional<system::FileLock> alone;
-  if (handed.entry == 0) {
-    MIROCUP_TRY(alone, system::FileLock::acquire(folder.checking()));
+  MIROCUP_TRY(const auto found, examine(handed.path));
+  MIROCUP_TRY(const auto alone, system::FileLock::acquire(folder.checking()));
+  MIROCUP_TRY(auto book, Book::open(files, folder));
+  HandedIn taken{.team = team,
+                 .file = handed.house.empty() ? handed.path : handed.house,
+                 .sha256 = system::sha256(found.library),
+                 .bytes = found.library.size(),
+                 .at = handed.at};
+  MIROCUP_TRY(const auto refused, receive(files, folder, book, found, quota, taken));
+  if (refused) return *refused;
+  auto verdict = check_entry(files, folder, taken);
+  if (!verdict) {
+    (void)files.remove(folder.entry(team, taken.entry));
+    return tl::unexpected(verdict.error());
   }
-  auto lock = std::optional(system::FileLock::acquire(folder.submitting()));
-  if (!*lock) return tl::unexpected(lock->error());
-  MIROCUP_TRY(auto store, LeagueStore::open_unplanned(files, folder));
-  Desk desk(files, store, handed, quota);
-  MIROCUP_TRY(auto answer, desk.receive(found));
-  if (answer) return std::move(*answer);
-  lock.reset();
-
-  MIROCUP_TRY(auto verdict, desk.check(found));
-
-  lock = system::FileLock::acquire(folder.submitting());
-  if (!*lock) return tl::unexpected(lock->error());
-  // Another team may have joined in the meantime.
-  MIROCUP_TRY(store, LeagueStore::open_unplanned(files, folder));
-  return desk.conclude(std::move(verdict));
+  MIROCUP_TRY(auto booking, Booking::begin(files, folder));
+  MIROCUP_TRY_VOID(book.refresh());
+  return booking.conclude(book, team, taken.entry, std::move(*verdict), handed.at, quota);
 }
 
 }  // namespace mirocup::league

@@ -1,45 +1,37 @@
 // SPDX-License-Identifier: MIT
 //
-// Handing in an entry: the library is stored and checked as by `mirocup check`. An entry that
-// passes the check plays; otherwise the team keeps its last entry that passed.
+// Handing in an entry: the file is stored and checked as by `mirocup check`. An entry that passes
+// the check plays; otherwise the team keeps its last entry that passed.
 //
-// The file is opened once and read into memory, before any lock is taken. The bytes in memory are
-// checked, hashed and kept.
+// The order of all writes is: the file, and the line of the book that it was handed in;
+// verdict.json by the check; the line of the answer, and then what follows from it: the team joins,
+// entry.json, and the line of the league's journal. The next process does what one that was killed
+// has left undone: follow_book().
 #pragma once
 
-#include "tournaments/league/hand_ins.hpp"
+#include "system/file_lock.hpp"
+#include "tournaments/league/book.hpp"
 #include "tournaments/league/league_store.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <functional>
-
 namespace mirocup::league {
 
-// A file that is handed in.
+// A file that the host hands in for a team.
 struct HandIn {
   std::string team;
   std::string path;
-  std::int64_t at = 0;  // s since 1970
-
-  // The entry's number if the file was stored earlier and waited for its check. 0: the file gets
-  // the next number now.
-  int entry = 0;
-  // The path of a source that waited for its check; the library is made from it first. "": `path`
-  // is the library.
-  std::string source = {};
-  std::string language = {};  // language of the source: "c", "c++", or "project" (an archive)
-  int compile_seconds = 60;   // limit of processor time for compiling the source
-  std::string name = {};      // name of the file in the verdict; "": `path`
-  bool is_house = false;      // the host hands in the house team `name`, "house:NAME"
+  std::int64_t at = 0;     // s since 1970
+  std::string house = {};  // "house:NAME" if the file is that of a house team
 };
 
+// The answer to a hand-in.
 struct Submission {
   bool is_accepted = false;
-  int entry = 0;        // the entry's number; 0: not stored
+  int entry = 0;        // the entry's number; 0: not kept
   int plays = 0;        // the entry that plays after a refusal; 0: none
   std::string message;  // a sentence for the team
-  Json verdict;         // of the check, as in verdict.json; null if no check ran
+  Json verdict = {};    // of the check, as in verdict.json; null if no check ran
 };
 
 // Returns why the league takes no entry of this team at this time (UTC, as in league.json); "" if
@@ -57,23 +49,61 @@ Result<void> enter_teams(system::Files& files, LeagueStore& store,
 // Takes a team out of league.json. Precondition: the league has not started, and has the team.
 Result<void> leave_before_start(system::Files& files, LeagueStore& store, const std::string& team);
 
-// Pins an entry, which plays until another entry is pinned. If `number` is 0, the latest accepted
-// entry plays again. In a ladder that has started, the entry is booked at once. Returns a sentence
-// that says why the entry cannot be pinned; "" if it was pinned. Calls `note` before it changes
-// anything, and the team's file is written last: the same call again finishes a call that did not
-// come to its end.
-Result<std::string> pin_entry(system::Files& files, const Folder& folder, const std::string& team,
-                              int number, std::int64_t now,
-                              const std::function<Result<void>()>& note);
+// Does all that follows from the lines of the book about a team and is not done yet: the team joins
+// the league with its first accepted entry, each kept entry has its entry.json, no other entry has
+// files, and in a ladder that has started the journal names the entry that plays. The caller holds
+// Folder::submitting().
+Result<void> follow_book(system::Files& files, LeagueStore& store, const HandIns& hand_ins,
+                         const std::string& team);
+
+// Compiles and checks a stored entry, of which `team`, `entry`, `file` and `is_network` count, and
+// writes the verdict beside it. `compile_seconds` is the limit of processor time for a source.
+// Returns the verdict; errors are faults of the host.
+Result<Json> check_entry(system::Files& files, const Folder& folder, const HandedIn& handed,
+                         int compile_seconds = 60);
+
+// Returns the verdict of an entry whose check has ended.
+Result<Json> read_verdict(system::Files& files, const Folder& folder, const std::string& team,
+                          int number);
+
+// A league while a line of the book is written with all that follows from it. No other process does
+// the same at the same time.
+class Booking {
+ public:
+  // Waits for other processes. Errors: those of LeagueStore::open().
+  static Result<Booking> begin(system::Files& files, const Folder& folder);
+
+  // Calls follow_book().
+  Result<void> follow(const HandIns& hand_ins, const std::string& team);
+
+  // Pins an entry, which plays until another entry is pinned. If `number` is 0, the latest accepted
+  // entry plays again. Returns a sentence that says why the entry cannot be pinned; "" if it was
+  // pinned.
+  Result<std::string> pin(Book& book, const std::string& team, int number, std::int64_t now);
+
+  // Writes the answer to a checked hand-in. The entry is not taken if the league has stopped to
+  // take entries since it was handed in.
+  Result<Submission> conclude(Book& book, const std::string& team, int entry, Json verdict,
+                              std::int64_t now, const Quota& quota = {});
+
+  const LeagueState& state() const { return store_.state(); }
+
+ private:
+  Booking(system::Files& files, system::FileLock alone, LeagueStore store)
+      : files_(files), alone_(std::move(alone)), store_(std::move(store)) {}
+
+  system::Files& files_;
+  system::FileLock alone_;
+  LeagueStore store_;
+};
 
 // Hands in a library for a team. Before the start of the league, a team that is not in league.json
 // joins with its first accepted entry; its name must differ from those of other teams in more than
 // capital letters. A mistake in the file and a used-up quota give a Submission that says so; errors
 // are faults of the host or of the call.
 //
-// The result is fixed when entry.json is on disk. A process that dies before that moment has had no
-// effect. If a process dies after it, the next call with the same number does not check again, and
-// finishes the missing steps.
+// The file is opened once and read into memory, before any lock is taken. The bytes in memory are
+// checked, hashed and kept.
 Result<Submission> submit(system::Files& files, const Folder& folder, const HandIn& handed,
                           const Quota& quota = {});
 

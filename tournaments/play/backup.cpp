@@ -15,9 +15,10 @@ namespace fs = std::filesystem;
 // Files inside the league that are made again, belong to running processes, or are copied at last.
 // Names of files of this program that wait for their last name have "unfinished" in them.
 bool is_left_out(const std::string& path) {
-  static const std::set<std::string> left_out{"site",          ".lock",        ".running",
-                                              ".submitting",   ".checking",    "entries/.uploads",
-                                              "journal.jsonl", "journal.head", "hand-ins.jsonl"};
+  static const std::set<std::string> left_out{
+      "site",         ".lock",         ".running",         ".submitting",
+      ".handing-in",  ".checking",     "entries/.uploads", "journal.jsonl",
+      "journal.head", "hand-ins.jsonl"};
   return left_out.contains(path) || path.find(".unfinished-") != std::string::npos;
 }
 

@@ -252,7 +252,7 @@ TEST_F(HandIn, PlaysWithThePinnedVersion) {
   EXPECT_NE(later.out.find("entry 1, which is pinned, plays on"), std::string::npos) << later.out;
   // The burst of the later entry waits for nobody, and the league starts with the pinned one.
   EXPECT_TRUE(wait_until([&] {
-    return read_file(folder_ + "/friendlies.jsonl").find("\"played\"") != std::string::npos;
+    return read_file(folder_ + "/hand-ins.jsonl").find("\"played\"") != std::string::npos;
   }));
   EXPECT_EQ(run(league("start", folder_, {"--jobs", "1"})).exit_code, 0);
   for (const auto& line : journal_of(folder_)) {

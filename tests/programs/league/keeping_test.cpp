@@ -416,7 +416,8 @@ TEST(Teams, AreNotRefusedBeforeTheirCheckHasEnded) {
   const std::string folder = temporary / "l";
   init_league(folder, {"a=house:chaser", "b=house:keeper"});
   Running check(league("submit", folder, {"a", house("striker")}));
-  ASSERT_TRUE(wait_until([&] { return fs::exists(folder + "/entries/a/2"); }));
+  ASSERT_TRUE(wait_until(
+      [&] { return read_file(folder + "/hand-ins.jsonl").find("striker") != std::string::npos; }));
   check.signal(SIGKILL);
   check.wait();
   ASSERT_FALSE(fs::exists(folder + "/entries/a/2/entry.json")) << "it was too quick";

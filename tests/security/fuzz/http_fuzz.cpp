@@ -41,7 +41,8 @@ league::Portal& desk() {
                      const auto&) { return std::optional<std::string>("replay"); }};
     options.now = [] { return std::int64_t{1'795'000'000}; };
     const league::Folder place{folder / "."};
-    (void)league::add_entry(disk, place, "alpha", 1, "library");
+    (void)disk.write(place.config(), league::print_league_file({}));
+    if (auto book = league::Book::open(disk, place)) (void)book->give("alpha", "library");
     return league::Portal::open(disk, place, std::move(options), nullptr);
   }();
   if (!portal) {

@@ -488,8 +488,14 @@ TEST(Simurosot, TakesThePlatformsStructuresInANamespaceAndByTheirOlderNames) {
       run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   ASSERT_NO_FATAL_FAILURE(build_project(folder / "made", folder / "build"));
+  // A team that was written for yellow sees the field from the other end.
+  const std::string list = folder / "made/CMakeLists.txt";
+  const std::string own_side = read_file(list);
+  write_file(list, with(own_side, "SIDE own", "SIDE yellow"));
+  ASSERT_NO_FATAL_FAILURE(build_project(folder / "made", folder / "turned"));
+  const std::string turned = folder / "turned/team.so";
   std::string hash;
-  for (const std::string& team : {program("simurosot/v5.so"), folder / "build/team.so"}) {
+  for (const std::string& team : {program("simurosot/v5.so"), folder / "build/team.so", turned}) {
     const Outcome played =
         run({program("mirocup"), "match", "--blue", team, "--yellow", "idle", "--league", "middle",
              "--rules", "simurosot", "--half", "20", "--record", folder / "leg.json"});
@@ -497,8 +503,24 @@ TEST(Simurosot, TakesThePlatformsStructuresInANamespaceAndByTheirOlderNames) {
     const auto record = read_json(folder / "leg.json");
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
     if (hash.empty()) hash = record["state_hash"].get<std::string>();
-    EXPECT_EQ(record["state_hash"], hash) << "a function of the team was not called";
+    EXPECT_EQ(record["state_hash"] == hash, team != turned)
+        << (team == turned ? "SIDE has no effect" : "a function of the team was not called");
   }
+}
+
+// The platform's last header: the opponents are called "opp", and the lines of the field are gone.
+TEST(Simurosot, BuildsWithAHeaderThatLacksMembers) {
+  const TemporaryFolder folder;
+  const std::string sample = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
+  std::filesystem::create_directories(folder / "old");
+  for (const char* file : {"Strategy.cpp", "StdAfx.h", "StdAfx.cpp"})
+    write_file(folder / "old/" + file, read_file(sample + file));
+  const std::string header = with(read_file(sample + "Strategy.h"), "opponent[", "opp[");
+  write_file(folder / "old/Strategy.h", with(header, "  Bounds fieldBounds, goalBounds;\n", ""));
+  const Outcome made =
+      run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  ASSERT_NO_FATAL_FAILURE(build_project(folder / "made", folder / "build"));
 }
 
 // Catches a header that does not compile by itself, of which only the adapter's own lines were
@@ -558,6 +580,31 @@ TEST(Simurosot, CompilesWhatTheProjectNamesThatCounts) {
       run({program("mirocup"), "new", folder / "older", "--from-simurosot", folder / "old"});
   ASSERT_EQ(older.exit_code, 0) << older.err;
   EXPECT_NE(older.out.find("2 sources"), std::string::npos) << older.out;
+  // A tool with a project of its own lies beside the team's folder.
+  std::filesystem::create_directories(folder / "both/tool");
+  std::filesystem::rename(folder / "old", folder / "both/game");
+  write_file(folder / "both/tool/tool.cpp", "int main() { return 0; }\n");
+  write_file(folder / "both/tool/Tool.vcxproj", "<ClCompile Include=\"tool.cpp\" />");
+  const Outcome beside =
+      run({program("mirocup"), "new", folder / "beside", "--from-simurosot", folder / "both"});
+  ASSERT_EQ(beside.exit_code, 0) << beside.err;
+  EXPECT_NE(beside.out.find("2 sources"), std::string::npos) << beside.out;
+}
+
+// A team's own structure timezone, beside Visual C++'s variable _timezone.
+TEST(Simurosot, LeavesNamesOfATeamsOwnAlone) {
+  const TemporaryFolder folder;
+  const std::string sample = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
+  std::filesystem::create_directories(folder / "old");
+  for (const char* file : {"Strategy.h", "Strategy.cpp", "StdAfx.h", "StdAfx.cpp"})
+    write_file(folder / "old/" + file, read_file(sample + file));
+  write_file(folder / "old/west.cpp",
+             "#include <windows.h>\n#include <time.h>\nnamespace Own { struct timezone { int "
+             "minutes; }; int west() { return _timezone / 60; } }\n");
+  const Outcome made =
+      run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  ASSERT_NO_FATAL_FAILURE(build_project(folder / "made", folder / "build"));
 }
 
 // Catches a line on which the reader's stack or time has no end, and sources that take all memory.

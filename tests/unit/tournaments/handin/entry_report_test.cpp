@@ -10,19 +10,24 @@
 namespace mirocup::league {
 namespace {
 
-struct Answered {
+struct Answer {
   test_support::TemporaryFolder temporary;
   system::Disk disk;
   Folder folder{temporary / "league"};
 
   Json with(const std::string& verdict, HandInState state, const std::string& message,
             int plays = 0) {
-    EXPECT_TRUE(add_entry(disk, folder, "a", 1, "library", verdict));
-    WaitingHandIn waiting;
-    waiting.state = state;
-    waiting.message = message;
-    waiting.plays = plays;
-    return *entry_report(disk, folder, "a", 1, &waiting, 0, {}, false);
+    EXPECT_TRUE(disk.make_folder(folder.entry("a", 1)) &&
+                disk.write(folder.verdict("a", 1), verdict));
+    return *entry_report(disk, folder,
+                         {.team = "a",
+                          .entry = 1,
+                          .is_network = true,
+                          .state = state,
+                          .message = message,
+                          .plays = plays,
+                          .library = "hash"},
+                         0, {}, false);
   }
 };
 
@@ -34,21 +39,21 @@ TEST(EntryReport, TellsARefusalInFourLines) {
                 "cure": "catch it; gdb stops"}],
     "legs": [{"colour": "blue", "opponent": "striker", "score": [3, 1]}]})";
   const std::string message = "a: entry 1 was not accepted: ticks: it threw: catch it; gdb stops";
-  EXPECT_EQ(Answered().with(verdict, HandInState::refused, message)["told"],
+  EXPECT_EQ(Answer().with(verdict, HandInState::refused, message)["told"],
             (Json{"What: it threw", "Where: tick 3", "Do: catch it; gdb stops",
                   "Plays: nothing changes"}));
-  const Json after = Answered().with(verdict, HandInState::refused, message, 4);
+  const Json after = Answer().with(verdict, HandInState::refused, message, 4);
   EXPECT_EQ(after["told"][3], "Plays: entry 4 plays on");
   EXPECT_EQ(after["plays"], "entry 4 plays on");
-  EXPECT_EQ(Answered().with(R"({"accepted": false})", HandInState::refused,
-                            "a: not taken; entry 7 plays on")["plays"],
+  EXPECT_EQ(Answer().with(R"({"accepted": false})", HandInState::refused,
+                          "a: not taken; entry 7 plays on")["plays"],
             "nothing changes")
       << "what plays is not read from the sentence";
 }
 
 // Catches an answer that reads the scores from sentences, and one that fails at a damaged verdict.
 TEST(EntryReport, TellsTheScoresOfAnAcceptedEntry) {
-  const Json report = Answered().with(
+  const Json report = Answer().with(
       R"({"accepted": true, "checks": [], "legs": [
         {"colour": "blue", "opponent": "striker", "score": [3, 1], "own_goals": 0},
         {"colour": "yellow", "opponent": "striker", "score": [0, 2], "own_goals": 1},

@@ -10,7 +10,7 @@
 #include "record/answer.hpp"
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tournaments/handin/book.hpp"
+#include "tests/unit/tournaments/kept_entry.hpp"
 #include "tournaments/handin/team_desk_page.hpp"
 #include "tournaments/league/start.hpp"
 #include "tournaments/league/submission.hpp"
@@ -18,10 +18,7 @@
 
 #include <gtest/gtest.h>
 
-#include <csignal>
 #include <filesystem>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace mirocup::league {
 namespace {
@@ -58,7 +55,20 @@ class Desk : public testing::Test {
     list.revoke(Role::team, "gone", "", now);
     staff_ = list.add_for(Role::staff, "", now, "");
     EXPECT_TRUE(write_tokens(disk_, folder_, list));
+    write_league(FormatKind::round_robin);
     open();
+  }
+
+  void write_league(FormatKind format) {
+    LeagueFile file;
+    file.format.kind = format;
+    for (const char* team : {"alpha", "beta"})
+      file.teams.push_back({.name = team, .source = "submitted"});
+    EXPECT_TRUE(disk_.write(folder_.config(), print_league_file(file)));
+  }
+
+  int playing(const std::string& team) {
+    return Book::open(disk_, folder_)->hand_ins().playing(team);
   }
 
   void open(std::set<std::string> proxies = {}, const std::string& team_header = "") {
@@ -246,7 +256,7 @@ TEST_F(Desk, TakesAFileAndSaysWhatBecomesOfIt) {
   state = json_of(ask(api("/api/v1/entries/1", alpha_)));
   EXPECT_EQ(state["state"], "checking");
   EXPECT_EQ(state["step"]["number"], 3);
-  ASSERT_TRUE(portal_->close("alpha", 1, HandInState::refused, "alpha: entry 1: no"));
+  ASSERT_TRUE(portal_->close({"alpha", 1, HandInState::refused, "alpha: entry 1: no"}));
   state = json_of(ask(api("/api/v1/entries/1", alpha_)));
   EXPECT_EQ(state["state"], "refused");
   EXPECT_EQ(state["reason"], "alpha: entry 1: no");
@@ -264,7 +274,7 @@ TEST_F(Desk, TellsEventsUntilTheAnswer) {
   const web::EventBatch step = reply.events();
   EXPECT_NE(step.text.find("\"number\":2"), std::string::npos) << step.text;
   EXPECT_FALSE(step.is_last);
-  ASSERT_TRUE(portal_->close("alpha", 1, HandInState::accepted, "alpha: entry 1 was accepted"));
+  ASSERT_TRUE(portal_->close({"alpha", 1, HandInState::accepted, "alpha: entry 1 was accepted"}));
   const web::EventBatch last = reply.events();
   EXPECT_TRUE(last.is_last);
   EXPECT_NE(last.text.find("was accepted"), std::string::npos);
@@ -274,7 +284,7 @@ TEST_F(Desk, TellsEventsUntilTheAnswer) {
 TEST_F(Desk, GivesNoRouteToTheWrongVisitor) {
   ASSERT_EQ(ask(put(alpha_), "the_secret_of_alpha").status, 202);
   ASSERT_TRUE(portal_->begin_next());
-  ASSERT_TRUE(portal_->close("alpha", 1, HandInState::refused, "the_secret_of_alpha"));
+  ASSERT_TRUE(portal_->close({"alpha", 1, HandInState::refused, "the_secret_of_alpha"}));
   OwnLeg leg;
   leg.fixture = "the_secret_of_alpha";
   leg.record = "records/r1-f1-1-1.json";
@@ -347,14 +357,13 @@ TEST_F(Desk, GivesNoRouteToTheWrongVisitor) {
   const std::string after = *disk_.read(folder_.hand_in_book(), {.max_size = 1 << 20});
   EXPECT_EQ(after.substr(0, book.size()), book);
   EXPECT_EQ(after.find("\"alpha\"", book.size()), std::string::npos) << after;
-  EXPECT_EQ(read_hand_ins(disk_, folder_, "alpha")->pinned, 0);
+  EXPECT_EQ(Book::open(disk_, folder_)->hand_ins().pinned("alpha"), 0);
 }
 
 TEST_F(Desk, PlaysFriendliesAndShowsThemToTheTwo) {
   entries_ = {{"alpha", 1}, {"beta", 1}, {"gamma", 1}};
   neighbours_ = {"beta"};
-  for (const char* team : {"alpha", "beta", "gamma"})
-    ASSERT_TRUE(add_entry(disk_, folder_, team, 1, "library"));
+  for (const char* team : {"alpha", "beta", "gamma"}) keep_entry(disk_, folder_, team, "library");
   const auto ask_for = [&](const std::string& token, const std::string& opponent) {
     web::Request request = api("/api/v1/friendlies", token);
     request.method = "POST";
@@ -375,7 +384,7 @@ TEST_F(Desk, PlaysFriendliesAndShowsThemToTheTwo) {
                           R"("fault":null}})"));
   ASSERT_TRUE(disk_.write(folder_.friendly("alpha", 1) + ".blue.log", "of alpha"));
   ASSERT_TRUE(disk_.write(folder_.friendly("alpha", 1) + ".yellow.log", "of beta"));
-  ASSERT_TRUE(portal_->friendlies().played(*leg, now_));
+  ASSERT_TRUE(portal_->friendlies().played(*leg));
   EXPECT_EQ(ask(api("/api/v1/friendlies/alpha/1/log", alpha_)).bytes, "of alpha");
   EXPECT_EQ(ask(api("/api/v1/friendlies/alpha/1/log", beta_)).bytes, "of beta");
   EXPECT_EQ(ask(api("/api/v1/friendlies/alpha/1/replay", beta_)).bytes,
@@ -395,17 +404,17 @@ TEST_F(Desk, PlaysFriendliesAndShowsThemToTheTwo) {
   EXPECT_EQ(ask_for(alpha_, "house:striker"), 429) << "a server that starts again remembers";
 
   // The burst of an accepted entry is for its team only, and ends what waits for older entries.
-  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 2, now_));
+  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 2));
   const Json all = json_of(ask(api("/api/v1/friendlies", alpha_)))["friendlies"];
   EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const Json& one) { return one["burst"]; }), 3);
   EXPECT_EQ(
       std::count_if(all.begin(), all.end(), [](const Json& one) { return one["state"] == "void"; }),
       9);
-  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 2, now_));
+  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 2));
   EXPECT_EQ(json_of(ask(api("/api/v1/friendlies", alpha_)))["friendlies"].size(), all.size());
   EXPECT_EQ(json_of(ask(api("/api/v1/friendlies", beta_)))["friendlies"].size(), 2u);
   // A later entry meets the one before it.
-  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 3, now_));
+  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 3));
   const Json later = json_of(ask(api("/api/v1/friendlies", alpha_)))["friendlies"];
   EXPECT_EQ(std::count_if(later.begin(), later.end(),
                           [](const Json& one) {
@@ -418,7 +427,7 @@ TEST_F(Desk, PlaysFriendliesAndShowsThemToTheTwo) {
 // Catches drills that are tried before the legs, twice, or not again after a check came first, and
 // marks of another entry.
 TEST_F(Desk, TriesTheDrillsOfAnAcceptedEntryOnce) {
-  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 2, now_));
+  ASSERT_TRUE(portal_->friendlies().entry_accepted("alpha", 2));
   FriendlyDesk& desk = portal_->friendlies();
   for (int number = 1; number <= 2; ++number) {
     const auto leg = desk.begin_next();
@@ -427,21 +436,21 @@ TEST_F(Desk, TriesTheDrillsOfAnAcceptedEntryOnce) {
     ASSERT_TRUE(disk_.write(folder_.friendly("alpha", number),
                             R"({"result":{"score":{"blue":3,"yellow":1},"end":"full_time",)"
                             R"("fault":null}})"));
-    ASSERT_TRUE(desk.played(*leg, now_));
+    ASSERT_TRUE(desk.played(*leg));
   }
   auto drills = desk.begin_next();
   ASSERT_TRUE(drills);
   EXPECT_EQ(drills->number, 0);
   EXPECT_EQ(drills->entry, 2);
   EXPECT_FALSE(desk.begin_next());
-  ASSERT_TRUE(desk.failed(*drills, now_, false));
+  ASSERT_TRUE(desk.failed(*drills, false));
   drills = desk.begin_next();
   ASSERT_TRUE(drills) << "a check came first";
   ASSERT_TRUE(disk_.write(folder_.drill_marks("alpha", 2) + ".answer",
                           R"({"team":"alpha","drills":[{"name":"save","version":1,"score":30.0,)"
                           R"("low":1.0}],"score":30.0})"
                           "\n"));
-  ASSERT_TRUE(desk.played(*drills, now_));
+  ASSERT_TRUE(desk.played(*drills));
   EXPECT_FALSE(desk.begin_next());
   open();
   EXPECT_FALSE(portal_->friendlies().begin_next()) << "a server that starts again knows them";
@@ -453,82 +462,76 @@ TEST_F(Desk, TriesTheDrillsOfAnAcceptedEntryOnce) {
 }
 
 TEST_F(Desk, PinsAnAcceptedVersionOfItsTeam) {
-  LeagueFile file;
-  file.teams = {{.name = "alpha", .source = "submitted"}, {.name = "beta", .source = "submitted"}};
-  ASSERT_TRUE(disk_.write(folder_.config(), print_league_file(file)));
-  ASSERT_TRUE(add_entry(disk_, folder_, "alpha", 1, "one"));
-  ASSERT_TRUE(add_entry(disk_, folder_, "alpha", 2, "two"));
-  ASSERT_TRUE(add_entry(disk_, folder_, "alpha", 3, "three", R"({"accepted":false})"));
+  keep_entry(disk_, folder_, "alpha", "one");
+  keep_entry(disk_, folder_, "alpha", "two");
+  keep_entry(disk_, folder_, "alpha", "three", HandInState::refused);
   const auto pin = [&](const std::string& token, const std::string& entry) {
     web::Request request = api("/api/v1/pin", token);
     request.method = "PUT";
     request.query.emplace("entry", entry);
     return ask(request).status;
   };
-  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 2);
+  EXPECT_EQ(playing("alpha"), 2);
   EXPECT_EQ(pin(alpha_, "1"), 200);
-  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 1);
+  EXPECT_EQ(playing("alpha"), 1);
   EXPECT_EQ(pin(alpha_, "3"), 409) << "it was refused";
   EXPECT_EQ(pin(alpha_, "9"), 409);
   EXPECT_EQ(pin(beta_, "1"), 409) << "another team's";
   for (const char* strange : {"", "0", "-1", "1x", "../1"}) EXPECT_EQ(pin(alpha_, strange), 400);
   EXPECT_EQ(pin(staff_, "1"), 403);
-  // A server that died between its book and the file of the team.
-  HandIns forgotten;
-  ASSERT_TRUE(write_hand_ins(disk_, folder_, "alpha", forgotten));
   open();
-  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 1);
+  EXPECT_EQ(playing("alpha"), 1);
   EXPECT_EQ(pin(alpha_, "latest"), 200);
-  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 2);
-  // Catches a pin that plays and is not in the book: the next server would take it back.
+  EXPECT_EQ(playing("alpha"), 2);
+  // Catches a pin that plays and is not in the book.
   const std::string book = folder_.hand_in_book();
   std::filesystem::rename(book, book + ".away");
   std::filesystem::create_symlink(book + ".away", book);
   EXPECT_EQ(pin(alpha_, "1"), 503) << "a link is no book";
-  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 2);
   std::filesystem::rename(book + ".away", book);
+  EXPECT_EQ(playing("alpha"), 2);
   open();
   for (int i = 0; i < 8; ++i) EXPECT_EQ(pin(alpha_, "1"), 200);
   EXPECT_EQ(pin(alpha_, "latest"), 429);
 }
 
-// Catches a pin of which the team's file or the journal knows and the book does not, after a kill.
-TEST_F(Desk, FinishesAPinOfAServerThatWasKilled) {
-  LeagueFile file;
-  file.format.kind = FormatKind::ladder;
-  file.teams = {{.name = "alpha", .source = "submitted"}, {.name = "beta", .source = "submitted"}};
-  ASSERT_TRUE(disk_.write(folder_.config(), print_league_file(file)));
-  for (const char* team : {"alpha", "beta"}) {
-    for (const int entry : {1, 2}) ASSERT_TRUE(add_entry(disk_, folder_, team, entry, "one"));
-  }
-  const auto booked = [this] {
-    return LeagueStore::open(disk_, folder_).value().state().teams.front().entry;
-  };
+// Catches a line of the book that nothing follows from after a kill behind it: a pin or an answer
+// that the journal of a ladder does not know, a team that does not join, an entry without its file,
+// and files of an entry that was dropped; and, the second time, a team that joins again after the
+// host has taken it out.
+TEST_F(Desk, DoesWhatAKilledProcessHasLeftUndone) {
+  write_league(FormatKind::ladder);
+  for (const char* team : {"alpha", "beta"})
+    for (const char* library : {"one", "two"}) keep_entry(disk_, folder_, team, library);
   auto league = LeagueStore::open(disk_, folder_);
   ASSERT_TRUE(league && start_league(disk_, *league));
-  EXPECT_EQ(booked(), 2);
-  portal_.reset();  // which holds the lock of the book
-  const pid_t server = fork();
-  if (server == 0) {
-    auto old = HandInBook::open(disk_, folder_, nullptr);
-    (void)pin_entry(disk_, folder_, "alpha", 1, now_, [&]() -> Result<void> {
-      if (old && old->pin("alpha", 1, now_)) raise(SIGKILL);
-      return {};
-    });
-    _exit(1);
-  }
-  int status = 0;
-  ASSERT_EQ(waitpid(server, &status, 0), server);
-  ASSERT_TRUE(WIFSIGNALED(status)) << "it was not killed behind the line of the book";
-  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 2);
-  EXPECT_EQ(booked(), 2);
+  const auto booked = [this] {
+    std::string entries;
+    const auto store = LeagueStore::open(disk_, folder_);
+    for (const TeamState& team : store->state().teams) entries += std::to_string(team.entry) + " ";
+    return entries;
+  };
+  EXPECT_EQ(booked(), "2 2 ");
+  auto book = Book::open(disk_, folder_);
+  ASSERT_TRUE(book && book->write(Pinned{.team = "alpha", .entry = 1, .at = now_}));
+  ASSERT_TRUE(book->write(Dropped{.team = "beta", .entries = {1}}));
+  keep_entry(disk_, folder_, "beta", "three");
+  keep_entry(disk_, folder_, "gamma", "one");
+  EXPECT_EQ(booked(), "2 2 ");
   open();
-  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 1);
-  EXPECT_EQ(booked(), 1);
-  // Killed later, between the journal and the team's file.
-  ASSERT_TRUE(write_hand_ins(disk_, folder_, "alpha", {}));
+  EXPECT_EQ(booked(), "1 3 1 ") << "gamma has joined";
+  EXPECT_TRUE(disk_.exists(folder_.entry_file("gamma", 1)));
+  EXPECT_TRUE(disk_.exists(folder_.entry_file("beta", 3)));
+  EXPECT_FALSE(disk_.exists(folder_.entry("beta", 1)));
+  const auto lines = [this] { return LeagueStore::open(disk_, folder_)->journal().lines().size(); };
+  const std::size_t before = lines();
   open();
-  EXPECT_EQ(playing_entry(disk_, folder_, "alpha"), 1);
+  EXPECT_EQ(lines(), before) << "nothing is done twice";
+
+  ASSERT_TRUE(disk_.remove(folder_.journal()) && disk_.remove(folder_.journal_head()));
+  write_league(FormatKind::round_robin);  // without gamma
+  open();
+  EXPECT_EQ(LeagueStore::open(disk_, folder_)->state().teams.size(), 2u);
 }
 
 TEST_F(Desk, ShowsTheLogsOfOwnLegsOnly) {
@@ -662,13 +665,9 @@ TEST_F(Desk, LimitsWhatATeamHandsIn) {
   EXPECT_EQ(ask(put(alpha_), "ELF3").status, 202);
   EXPECT_EQ(ask(put(alpha_), "ELF4").status, 429);
   EXPECT_EQ(ask(put(beta_), "ELF").status, 202) << "another team's limit";
-  HandIns known;
-  for (int i = 0; i < 20; ++i) {
-    Try one;
-    one.at = now_ - 60;
-    add_try(known, one);
-  }
-  ASSERT_TRUE(write_hand_ins(disk_, folder_, "beta", known));
+  auto book = Book::open(disk_, folder_);
+  for (int i = 0; i < 19; ++i)
+    ASSERT_TRUE(book->write(Rejected{.team = "beta", .message = "no", .at = now_ - 60}));
   const web::Reply reply = ask(put(beta_), "more");
   EXPECT_EQ(reply.status, 429);
   EXPECT_NE(json_of(reply)["error"].get<std::string>().find("20 tries"), std::string::npos);
@@ -683,17 +682,17 @@ TEST_F(Desk, ListsAHundredEntriesAtOnce) {
   constexpr int count = 205;
   {
     portal_.reset();
-    auto book = HandInBook::open(disk_, folder_, nullptr);
+    auto book = Book::open(disk_, folder_);
     ASSERT_TRUE(test_support::is_ok(book));
     for (int i = 1; i <= count; ++i) {
-      WaitingHandIn handed{.team = i == count ? "beta" : "alpha", .file = "x.so", .sha256 = "s"};
+      const HandedIn handed{
+          .team = i == count ? "beta" : "alpha", .file = "x.so", .is_network = true};
       const auto entry = book->take(handed, [](const std::string&) { return Result<void>(); });
       ASSERT_TRUE(test_support::is_ok(entry));
-      ASSERT_TRUE(book->answer(handed.team, *entry, HandInState::refused, "no", now_));
+      ASSERT_TRUE(book->write(Answered{handed.team, *entry, HandInState::refused, "no"}));
     }
   }
   open();
-  ASSERT_TRUE(add_entry(disk_, folder_, "alpha", 3, "library"));
   const auto list = [&](const std::string& token, const std::string& before) {
     web::Request request = api("/api/v1/entries", token);
     if (!before.empty()) request.query.emplace("before", before);
@@ -734,7 +733,7 @@ TEST_F(Desk, TellsWhenItHasWritten) {
     EXPECT_EQ(ask(request, "ELF").status, status) << request.path;
     return writes_;
   };
-  ASSERT_TRUE(add_entry(disk_, folder_, "beta", 1, "library"));
+  keep_entry(disk_, folder_, "beta", "library");
   EXPECT_EQ(writes_of(put(alpha_), 202), 1);
   web::Request friendly = api("/api/v1/friendlies", beta_);
   friendly.method = "POST";
@@ -745,7 +744,7 @@ TEST_F(Desk, TellsWhenItHasWritten) {
   EXPECT_EQ(writes_of(put("wrong"), 401), 0);
   ASSERT_TRUE(portal_->begin_next());
   writes_ = 0;
-  ASSERT_TRUE(portal_->close("alpha", 1, HandInState::accepted, "alpha: entry 1 was accepted"));
+  ASSERT_TRUE(portal_->close({"alpha", 1, HandInState::accepted, "alpha: entry 1 was accepted"}));
   EXPECT_EQ(writes_, 1) << "a check lets teams join";
 }
 

@@ -7,7 +7,7 @@
 #include "system/clock.hpp"
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tournaments/handin/book.hpp"
+#include "tournaments/league/book.hpp"
 #include "tournaments/league/gaps.hpp"
 
 #include <gtest/gtest.h>
@@ -84,10 +84,10 @@ TEST_F(LeagueHealth, OfTeamsThatArePaused) {
 }
 
 TEST_F(LeagueHealth, OfChecksThatHang) {
-  auto book = HandInBook::open(disk_, folder_, nullptr);
+  auto book = Book::open(disk_, folder_, nullptr);
   ASSERT_TRUE(test_support::is_ok(book));
   const auto hand_in = [&](std::int64_t at) {
-    return book->take({.team = "a", .file = "a.so", .sha256 = "x", .bytes = 1, .at = at},
+    return book->take({.team = "a", .file = "a.so", .at = at, .is_network = true},
                       [](const std::string&) { return Result<void>(); });
   };
   const auto first = hand_in(noon);
@@ -97,7 +97,7 @@ TEST_F(LeagueHealth, OfChecksThatHang) {
   EXPECT_NE(late.find("hand-ins wait for their checks (1), the oldest for 20 min"),
             std::string::npos)
       << late;
-  ASSERT_TRUE(book->answer("a", *first, HandInState::accepted, "accepted", noon + 70));
+  ASSERT_TRUE(book->write(Answered{.team = "a", .entry = *first}));
   EXPECT_EQ(problems(noon + 20 * 60), "");
 }
 
@@ -153,7 +153,8 @@ TEST_F(LeagueHealth, OfABookWithValuesOfOtherTypes) {
     (void)disk_.remove(folder_.hand_in_book());
     auto book = Journal::open(disk_, folder_.hand_in_book());
     ASSERT_TRUE(book);
-    Json line{{"team", "a"}, {"entry", 1}, {"at", noon}};
+    Json line{{"team", "a"},   {"entry", 1}, {"at", noon},     {"file", "a.so"},
+              {"sha256", "x"}, {"bytes", 1}, {"network", true}};
     line[key] = value;
     ASSERT_TRUE(test_support::is_ok(book->append("hand_in", line)));
     const auto found = health(disk_, *LeagueStore::open(disk_, folder_), noon);

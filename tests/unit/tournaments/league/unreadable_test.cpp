@@ -6,13 +6,13 @@
 
 #include "record/kept_module.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tournaments/handin/book.hpp"
+#include "tests/unit/tournaments/kept_entry.hpp"
 #include "tournaments/handin/entry_report.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/journal/journal.hpp"
-#include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/people.hpp"
 #include "tournaments/league/roster.hpp"
+#include "tournaments/league/submission.hpp"
 #include "tournaments/publish/site.hpp"
 
 #include <gtest/gtest.h>
@@ -38,11 +38,9 @@ std::optional<Error> error_of(const Result<T>& result) {
 class FileOfALeague : public testing::Test {
  protected:
   FileOfALeague() {
-    for (int number = 1; number <= 2; ++number)
-      EXPECT_TRUE(add_entry(disk_, folder_, "a", number, "library", R"({"accepted": true})"));
-    HandIns known;
-    known.pinned = 1;
-    EXPECT_TRUE(write_hand_ins(disk_, folder_, "a", known));
+    EXPECT_TRUE(disk_.make_folder(folder_.path));
+    for (int number = 1; number <= 2; ++number) keep_entry(disk_, folder_, "a", "library");
+    EXPECT_TRUE(disk_.write(folder_.verdict("a", 1), R"({"accepted": true})"));
   }
 
   // The reader must be content with the whole folder, and with no folder if the file may be
@@ -80,34 +78,19 @@ class FileOfALeague : public testing::Test {
 };
 
 TEST_F(FileOfALeague, VerdictIsNoRefusalIfItCannotBeRead) {
-  EXPECT_TRUE(disk_.remove(folder_.hand_ins("a")));
-  expect_told(folder_.verdict("a", 2),
-              [&] { return error_of(playing_entry(disk_, folder_, "a")); });
-  EXPECT_TRUE(disk_.write(folder_.verdict("a", 2), "{\"accepted\""));
-  EXPECT_EQ(playing_entry(disk_, folder_, "a").error().code, Errc::damaged);
-  EXPECT_FALSE(prune_versions(disk_, folder_, "a", {}, {})) << "it would be the first to go";
+  const HandedIn handed = *Book::open(disk_, folder_)->hand_ins().find("a", 1);
   expect_told(folder_.verdict("a", 1),
-              [&] { return error_of(entry_report(disk_, folder_, "a", 1, nullptr, 0, {}, true)); });
-}
-
-TEST_F(FileOfALeague, PinIsNotForgottenIfItCannotBeRead) {
-  ASSERT_EQ(playing_entry(disk_, folder_, "a"), 1);
-  expect_told(folder_.hand_ins("a"), [&] { return error_of(playing_entry(disk_, folder_, "a")); });
-}
-
-TEST_F(FileOfALeague, EntryStaysAnEntryIfItsFileCannotBeRead) {
-  expect_told(folder_.entry_file("a", 2),
-              [&] { return error_of(sha256_of_entry(disk_, folder_, "a", 2)); });
-  test_support::make_unreadable(folder_.entry_file("a", 2), Unreadable::is_loop_of_links);
-  EXPECT_EQ(last_entry(disk_, folder_, "a"), 2);
+              [&] { return error_of(entry_report(disk_, folder_, handed, 0, {}, true)); });
 }
 
 TEST_F(FileOfALeague, FoldersAreNotEmptyIfTheyCannotBeRead) {
   const std::string entries = folder_.entries();
-  expect_told_of_folder(entries + "/a", [&] { return error_of(next_entry(disk_, folder_, "a")); });
   EXPECT_TRUE(disk_.write(folder_.config(), print_league_file({})));
-  const auto store = LeagueStore::open(disk_, folder_);
+  auto store = LeagueStore::open(disk_, folder_);
   ASSERT_TRUE(store) << store.error().what;
+  const auto book = Book::open(disk_, folder_);
+  expect_told_of_folder(
+      entries + "/a", [&] { return error_of(follow_book(disk_, *store, book->hand_ins(), "a")); });
   expect_told_of_folder(entries, [&] { return error_of(everybody(disk_, *store)); });
   const std::string site = folder_.site();
   expect_told_of_folder(site + "/replays",
@@ -118,10 +101,8 @@ TEST_F(FileOfALeague, BooksAreNotBegunAnewIfTheyCannotBeRead) {
   expect_told(folder_.journal(),
               [&] { return error_of(Journal::open(disk_, folder_.journal(), nullptr)); });
   std::string notice;
-  expect_told(folder_.friendly_book(),
-              [&] { return error_of(FriendlyBook::open(disk_, folder_, &notice)); });
   expect_told(folder_.hand_in_book(),
-              [&] { return error_of(HandInBook::open(disk_, folder_, &notice)); });
+              [&] { return error_of(Book::open(disk_, folder_, &notice)); });
 }
 
 TEST_F(FileOfALeague, ListsOfPeopleAndTokensAreNotEmptyIfTheyCannotBeRead) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tournaments/handin/friendly.hpp"
+#include "tournaments/league/friendly.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,24 +11,42 @@ bool is_house(std::string_view opponent) {
   return opponent.starts_with("house:");
 }
 
-void Friendlies::add(Friendly friendly) {
+void Friendlies::apply(Friendly friendly) {
   const Key key{friendly.team, friendly.number};
-  if (friendly.is_burst) {
-    int& last = bursts_[friendly.team];
-    last = std::max(last, friendly.entry);
-  }
   open_.push_back(key);
   all_[key] = std::move(friendly);
 }
 
-void Friendlies::finish(const std::string& team, int number, FriendlyState state, int goals,
-                        int against, const std::string& end) {
-  const auto found = all_.find({team, number});
+void Friendlies::apply(const Burst& burst) {
+  std::erase_if(open_, [&](const Key& key) {
+    Friendly& one = all_.at(key);
+    const bool is_late =
+        key.first == burst.team && one.entry < burst.entry && one.state == FriendlyState::waiting;
+    if (!is_late) return false;
+    one.state = FriendlyState::void_;
+    one.end = "a later entry was accepted";
+    return true;
+  });
+  int& last = bursts_[burst.team];
+  last = std::max(last, burst.entry);
+  for (const Burst::Leg& leg : burst.legs) {
+    apply(Friendly{.team = burst.team,
+                   .number = last_number(burst.team) + 1,
+                   .entry = burst.entry,
+                   .opponent = leg.opponent,
+                   .opponent_entry = leg.opponent_entry,
+                   .at = burst.at,
+                   .is_burst = true});
+  }
+}
+
+void Friendlies::apply(const FriendlyEnded& ended) {
+  const auto found = all_.find({ended.team, ended.number});
   if (found == all_.end()) return;
-  found->second.state = state;
-  found->second.goals = goals;
-  found->second.against = against;
-  found->second.end = end;
+  found->second.state = ended.state;
+  found->second.goals = ended.goals;
+  found->second.against = ended.against;
+  found->second.end = ended.end;
   std::erase(open_, found->first);
 }
 
@@ -85,16 +103,6 @@ std::vector<const Friendly*> Friendlies::of_team(const std::string& team) const 
     return a->at != b->at ? a->at > b->at : a->number < b->number;
   });
   return own;
-}
-
-std::vector<int> Friendlies::waiting_of_older(const std::string& team, int entry) const {
-  std::vector<int> numbers;
-  for (const Key& key : open_) {
-    const Friendly& one = all_.at(key);
-    if (key.first == team && one.entry < entry && one.state == FriendlyState::waiting)
-      numbers.push_back(key.second);
-  }
-  return numbers;
 }
 
 bool Friendlies::has_burst(const std::string& team, int entry) const {

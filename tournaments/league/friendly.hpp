@@ -5,7 +5,7 @@
 // house teams and the neighbours in the table, and tries all drills. The server plays friendlies
 // while no hand-in waits for its check, and teams take turns.
 //
-// The state is a pure function of the events that it is given. Threads: one at a time.
+// The state is a pure function of the lines that it is given (book.hpp). Threads: one at a time.
 #pragma once
 
 #include "core/base/names.hpp"
@@ -27,23 +27,55 @@ enum class FriendlyState {
   void_,  // the leg will never be played
 };
 
-// One leg. The team that has asked for the leg plays in blue.
+// A line of the book: a leg that a team asks for, and in which it plays in blue. The members below
+// the empty line are not in the line.
 struct Friendly {
+  static constexpr std::string_view kind = "friendly";
+
   std::string team;
   int number = 0;             // number among the team's friendlies, from 1; 0: no leg, but drills
   int entry = 0;              // the team's entry that plays
   std::string opponent = {};  // a team of the league, or "house:NAME"; the team itself: a former
                               // entry of it
   int opponent_entry = 0;     // number of the opponent's entry; 0: a house team
-  bool is_burst = false;      // belongs to the burst of an accepted entry
   std::int64_t at = 0;        // s since 1970
 
+  bool is_burst = false;  // belongs to the burst of an accepted entry
   FriendlyState state = FriendlyState::waiting;
   int goals = 0;
   int against = 0;
   std::string end = {};  // as in a record: "full_time"; if the leg is void, the reason
 
   int failures = 0;  // faults of the host in this leg since the server started
+};
+
+// A line of the book: the legs of an accepted entry, which get the team's next numbers. The waiting
+// legs of the team's older entries are void from now on.
+struct Burst {
+  static constexpr std::string_view kind = "burst";
+
+  struct Leg {
+    std::string opponent;
+    int opponent_entry = 0;
+  };
+
+  std::string team;
+  int entry = 0;
+  std::vector<Leg> legs;
+  std::int64_t at = 0;  // s since 1970
+};
+
+// A line of the book: how a leg ended.
+struct FriendlyEnded {
+  static constexpr std::string_view kind = "ended";
+
+  std::string team;
+  int number = 0;
+  FriendlyState state = FriendlyState::void_;
+  int goals = 0;
+  int against = 0;
+  std::string end;      // as in Friendly
+  std::int64_t at = 0;  // s since 1970
 };
 
 // True for the name of a house team, "house:NAME".
@@ -54,13 +86,12 @@ class Friendlies {
   static constexpr int per_hour = 10;  // the most legs that a team may ask for in an hour
   static constexpr int kept = 60;      // number of each team's latest legs whose records stay
 
-  // Adds a leg that waits. Precondition: the leg has the team's next number.
-  void add(Friendly friendly);
+  // Precondition: the leg has the team's next number.
+  void apply(Friendly friendly);
+  void apply(const Burst& burst);
+  void apply(const FriendlyEnded& ended);
 
-  // Notes how a leg ended: its state, its goals and its Friendly::end.
-  void finish(const std::string& team, int number, FriendlyState state, int goals, int against,
-              const std::string& end);
-
+  // The book does not keep these changes, because they end with the server.
   void begin(const std::string& team, int number);
   // Lets a leg wait again. If `is_spoiled`, the host has spoiled the leg; otherwise the runner
   // stopped the leg for a check.
@@ -75,9 +106,6 @@ class Friendlies {
 
   // Returns all legs of a team except those of other teams' bursts, the latest first.
   std::vector<const Friendly*> of_team(const std::string& team) const;
-
-  // Returns the numbers of the waiting legs of the team's earlier entries.
-  std::vector<int> waiting_of_older(const std::string& team, int entry) const;
 
   bool has_burst(const std::string& team, int entry) const;
   // Returns, for each team, the last entry that had a burst.
