@@ -151,6 +151,8 @@ Result<std::string> report(system::Files& files, const LeagueStore& store, const
            << ")\n";
     if (row.status == TeamStatus::paused)
       text << row.team << " is paused: " << system::printable(row.why) << '\n';
+    for (const std::string& note : row.notes)
+      text << row.team << ": " << system::printable(note) << '\n';
     // The first of the teams names the others.
     const auto& same = row.same_as;
     if (same.empty() || *std::min_element(same.begin(), same.end()) < row.team) continue;

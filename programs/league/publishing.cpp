@@ -145,6 +145,7 @@ void print_row(const LeagueFile& file, const RosterRow& row) {
   std::cout << '\n';
   if (!row.handed_in.empty() && !row.was_accepted)
     std::cout << "    " << system::printable(row.message) << '\n';
+  for (const std::string& note : row.notes) std::cout << "    " << system::printable(note) << '\n';
   for (const std::string& other : row.same_as)
     std::cout << "    the same file as " << other << '\n';
 }

@@ -143,6 +143,7 @@ Json teams_values(const LeagueState& state, const std::vector<RosterRow>& rows) 
     std::vector<std::string> about = row.people.members;
     if (!row.people.display.empty()) about.insert(about.begin(), row.team);
     std::string answer = row.was_accepted ? "" : row.message;
+    for (const std::string& note : row.notes) answer += (answer.empty() ? "" : " ") + note + ".";
     if (!row.same_as.empty())
       answer += (answer.empty() ? "" : " ") + std::string("The same file as ") +
                 system::joined(row.same_as, ", ") + ".";
@@ -159,7 +160,8 @@ Json teams_values(const LeagueState& state, const std::vector<RosterRow>& rows) 
 
 // The teams that something is said of.
 Json attention_values(const std::vector<RosterRow>& rows) {
-  Json missing = Json::array(), refused = Json::array(), same = Json::array();
+  Json missing = Json::array(), refused = Json::array(), same = Json::array(),
+       noted = Json::array();
   for (const RosterRow& row : rows) {
     if (row.status == TeamStatus::withdrawn) continue;
     const auto add = [&row](Json& teams) {
@@ -168,9 +170,11 @@ Json attention_values(const std::vector<RosterRow>& rows) {
     if (row.last_entry == 0 && row.handed_in.empty()) add(missing);
     if (!row.handed_in.empty() && !row.was_accepted && row.has_ended) add(refused);
     if (!row.same_as.empty()) add(same);
+    if (!row.notes.empty()) add(noted);
   }
   return {{{"what", "Not handed in:"}, {"teams", missing}},
           {{"what", "Last hand-in refused:"}, {"teams", refused}},
+          {{"what", "Accepted with warnings, or all lost, see the table:"}, {"teams", noted}},
           {{"what", "The same file as another team, see the table:"}, {"teams", same}}};
 }
 

@@ -3,6 +3,7 @@
 
 #include "record/json_reader.hpp"
 #include "tournaments/league/book.hpp"
+#include "tournaments/league/submission.hpp"
 
 #include <map>
 
@@ -10,9 +11,42 @@ namespace mirocup::league {
 
 std::string RosterRow::state() const {
   if (handed_in.empty()) return last_entry > 0 ? "given by the host" : "nothing handed in";
-  if (!has_ended) return "not checked to the end";
+  if (!has_ended) return "waits for its check";
   return was_accepted ? "accepted" : "refused";
 }
+
+namespace {
+
+constexpr int told_losses = 6;  // a team that has lost all of so many legs needs help
+
+// The warnings that the check gave about an entry; none about an entry that the host gave.
+std::vector<std::string> warnings_about(system::Files& files, const Folder& folder,
+                                        const std::string& team, int entry) {
+  std::vector<std::string> warnings;
+  const auto verdict = read_verdict(files, folder, team, entry);
+  if (!verdict || !verdict->contains("notes")) return warnings;
+  for (const Json& note : (*verdict)["notes"]) warnings.push_back(record::text_in(note, "text"));
+  return warnings;
+}
+
+// The numbers of legs that count for each team, and of those that it lost.
+struct Losses {
+  std::vector<int> played, lost;
+
+  explicit Losses(const LeagueState& state) : played(state.teams.size()), lost(state.teams.size()) {
+    for (const LegResult& leg : state.results()) {
+      if (leg.away == no_team) continue;
+      add(leg.home, leg.counts_for_home, leg.both_lose || leg.home_goals < leg.away_goals);
+      add(leg.away, leg.counts_for_away, leg.both_lose || leg.away_goals < leg.home_goals);
+    }
+  }
+  void add(int team, bool counts, bool loses) {
+    played[team] += counts ? 1 : 0;
+    lost[team] += counts && loses ? 1 : 0;
+  }
+};
+
+}  // namespace
 
 Result<PeopleOfTeams> everybody(system::Files& files, const LeagueStore& store) {
   MIROCUP_TRY(auto people, read_people(files, store.folder()));
@@ -30,6 +64,7 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
   MIROCUP_TRY(const auto book, Book::open(files, store.folder()));
   const HandIns& hand_ins = book.hand_ins();
   std::vector<RosterRow> rows;
+  const Losses losses(state);
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     RosterRow row;
     row.team = state.file.teams[i].name;
@@ -37,6 +72,8 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
     row.status = state.teams[i].status;
     row.why = state.teams[i].why;
     row.playing_entry = state.teams[i].entry;
+    if (losses.played[i] >= told_losses && losses.lost[i] == losses.played[i])
+      row.notes.push_back("it has lost all " + std::to_string(losses.played[i]) + " legs");
     rows.push_back(std::move(row));
   }
   for (const auto& [name, one] : people) {
@@ -54,6 +91,8 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
     row.last_accepted = hand_ins.playing(row.team);
     if (const HandedIn* playing = hand_ins.find(row.team, row.last_accepted)) {
       row.sha256 = playing->library;
+      const auto warnings = warnings_about(files, store.folder(), row.team, row.last_accepted);
+      row.notes.insert(row.notes.end(), warnings.begin(), warnings.end());
       by_file[row.sha256].push_back(i);
     }
     const HandedIn* last = hand_ins.last_try(row.team);
@@ -61,7 +100,7 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
     row.handed_in = utc_text(last->at);
     row.was_accepted = last->state == HandInState::accepted;
     row.has_ended = is_final(last->state);
-    row.message = row.has_ended ? last->message : row.team + ": the check has not come to its end";
+    row.message = row.has_ended ? last->message : row.team + " waits for its check";
   }
   for (const auto& [sha256, same] : by_file) {
     for (const std::size_t one : same) {
@@ -99,7 +138,8 @@ Json roster_json(const std::vector<RosterRow>& rows) {
                      {"handed_in", record::or_null(row.handed_in)},
                      {"message", record::or_null(row.message)},
                      {"sha256", record::or_null(row.sha256)},
-                     {"same_file_as", row.same_as}});
+                     {"same_file_as", row.same_as},
+                     {"notes", row.notes}});
   }
   return teams;
 }

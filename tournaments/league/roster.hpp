@@ -29,8 +29,11 @@ struct RosterRow {
   std::string message;               // the answer to the last try
   std::string sha256;                // of the last kept entry; "": no entry
   std::vector<std::string> same_as;  // other teams whose entry is the same file
+  // Sentences that say why the team may need help: warnings about its accepted entry, and that it
+  // has lost every leg.
+  std::vector<std::string> notes;
 
-  // Returns "nothing handed in", "accepted", "refused", "not checked to the end" or "given by the
+  // Returns "nothing handed in", "accepted", "refused", "waits for its check" or "given by the
   // host".
   std::string state() const;
 };

@@ -42,10 +42,16 @@ TEST(Entries, AreStoredAndCheckedAndTheLastAcceptedOnePlays) {
             "beta: entry 2 was accepted\n");
   EXPECT_EQ(run(league("submit", folder, {"../beta", bad})).exit_code, 2);
 
+  // The host sees who needs help without reading each verdict.
+  EXPECT_EQ(run(league("submit", folder, {"still", house("idle")})).exit_code, 0);
+  EXPECT_NE(
+      run(league("status", folder, {"--entries"})).out.find("\n    it never turned a wheel\n"),
+      std::string::npos);
+
   ASSERT_EQ(run(league("start", folder)).exit_code, 0);
   for (const auto& line : journal_of(folder)) {
     if (line["kind"] == "entry") {
-      EXPECT_EQ(line["entry"], line["team"] == "alpha" ? 1 : 2);
+      EXPECT_EQ(line["entry"], line["team"] == "beta" ? 2 : 1);
     }
   }
   outcome = run(league("submit", folder, {"alpha", house("striker")}));

@@ -422,7 +422,7 @@ TEST(Teams, AreNotRefusedBeforeTheirCheckHasEnded) {
   check.wait();
   ASSERT_FALSE(fs::exists(folder + "/entries/a/2/entry.json")) << "it was too quick";
   const Outcome outcome = run(league("status", folder, {"--entries"}));
-  EXPECT_NE(outcome.out.find("a: not checked to the end, "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("a: waits for its check, "), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("refused"), std::string::npos) << outcome.out;
 }
 
