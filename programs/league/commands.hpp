@@ -27,7 +27,7 @@ using Add = void(system::Commands& commands);
 Add add_init, add_submit, add_nightly, add_start, add_stop, add_status, add_health, add_stats,
     add_publish, add_prune, add_serve, add_show, add_export, add_token, add_check_hand_in,
     add_play_friendly, add_acts, add_decisions, add_verify, add_backup, add_grades, add_team,
-    add_compare, add_plan, add_run_shard, add_credentials, add_index;
+    add_compare, add_plan, add_run_shard, add_credentials, add_index, add_take;
 
 // Return the text of a file that the build compiles into the program: README.md, or the file
 // show/NAME; empty if the program lacks the file.

@@ -52,7 +52,7 @@ static std::variant<system::Run, int> read_command_line(int argc, char** argv) {
         add_serve,         add_show,   add_export,    add_token,   add_check_hand_in,
         add_play_friendly, add_acts,   add_decisions, add_verify,  add_backup,
         add_grades,        add_team,   add_compare,   add_plan,    add_run_shard,
-        add_credentials,   add_index})
+        add_credentials,   add_index,  add_take})
     add(commands);
   return commands.read(argc, argv, value_names, system::house_teams());
 }

@@ -337,6 +337,12 @@ std::string ServedLeague::why_not(const std::string& team, const std::string& no
   return why_not_now(store_.state(), team, now);
 }
 
+bool ServedLeague::is_late(const std::string& team, const std::string& now) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  return league::is_late(store_.state(), team, now);
+}
+
 std::string ServedLeague::deadline_of(const std::string& team) {
   const std::lock_guard lock(mutex_);
   poll();

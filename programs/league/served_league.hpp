@@ -44,6 +44,9 @@ class ServedLeague {
   // entries.
   std::string why_not(const std::string& team, const std::string& now);
 
+  // True if what a team hands in at the time `now` is late, and kept: league::is_late().
+  bool is_late(const std::string& team, const std::string& now);
+
   // Returns until when a team may hand in: LeagueState::frozen_from().
   std::string deadline_of(const std::string& team);
 

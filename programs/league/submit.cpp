@@ -95,7 +95,36 @@ Result<int> run_submit(const SubmitOptions& options) {
   return done.is_accepted ? exit_yes : exit_no;
 }
 
+struct TakeOptions {
+  std::string folder;
+  std::string team;
+  int entry = 0;
+};
+
+Result<int> run_take(const TakeOptions& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
+  system::Disk disk;
+  const Folder folder{options.folder};
+  MIROCUP_TRY(auto book, Book::open(disk, folder));
+  MIROCUP_TRY(auto booking, Booking::begin(disk, folder));
+  MIROCUP_TRY(const auto why,
+              booking.take_late(book, options.team, options.entry, system::now_s()));
+  if (!why.empty()) return fail(Errc::input, why);
+  std::cout << options.team << " plays with entry " << book.hand_ins().playing(options.team)
+            << '\n';
+  return exit_yes;
+}
+
 }  // namespace
+
+void add_take(system::Commands& commands) {
+  const auto [command, o] =
+      commands.add(run_take, "take", to_take, "Let an entry play that came after the deadline",
+                   {"mirocup league take spring alpha 7"});
+  add_folder(command, o.folder);
+  command.option("TEAM", o.team, "Name of the team").required();
+  command.option("ENTRY", o.entry, "Number of the entry, as status --entries shows it").required();
+}
 
 void add_submit(system::Commands& commands) {
   const auto [command, o] =

@@ -44,6 +44,9 @@ struct PortalOptions {
   // Returns a sentence that says why the league takes no entry of a team at the time `now`; "" if
   // it takes entries.
   std::function<std::string(const std::string& team, const std::string& now)> why_not;
+  // True if what a team hands in at the time `now` is late: it is kept for the host to decide.
+  std::function<bool(const std::string& team, const std::string& now)> is_late =
+      [](const std::string&, const std::string&) { return false; };
   // Returns until when a team may hand in, UTC; "": the format alone decides.
   std::function<std::string(const std::string& team)> deadline = [](const std::string&) {
     return std::string();

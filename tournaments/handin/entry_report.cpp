@@ -96,6 +96,7 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const Hand
   report["sha256"] = handed.sha256;
   report["bytes"] = handed.bytes;
   report["handed_in"] = utc_text(handed.at);
+  if (handed.is_late) report["late"] = true;
   if (handed.state == HandInState::queued) report["before"] = before;
   if (handed.state == HandInState::checking) {
     report["step"] = step.number == 0

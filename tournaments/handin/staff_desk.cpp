@@ -174,7 +174,7 @@ Json attention_values(const std::vector<RosterRow>& rows) {
   }
   return {{{"what", "Not handed in:"}, {"teams", missing}},
           {{"what", "Last hand-in refused:"}, {"teams", refused}},
-          {{"what", "Accepted with warnings, or all lost, see the table:"}, {"teams", noted}},
+          {{"what", "With warnings, late, or all lost, see the table:"}, {"teams", noted}},
           {{"what", "The same file as another team, see the table:"}, {"teams", same}}};
 }
 

@@ -34,8 +34,8 @@ std::string too_large() {
 // Requires state_.mutex. Returns the reply to a team that hands in more than it may, or too late.
 std::optional<web::Reply> Uploads::refused_now(const std::string& team) {
   const std::int64_t now = state_.options.now();
-  if (const std::string why = state_.options.why_not(team, utc_text(now)); !why.empty())
-    return problem_reply(403, why);
+  const std::string why = state_.options.why_not(team, utc_text(now));
+  if (!why.empty() && !state_.options.is_late(team, utc_text(now))) return problem_reply(403, why);
   const HandIns& hand_ins = state_.book.hand_ins();
   if (const int waiting = hand_ins.waiting(team); waiting >= state_.options.max_waiting) {
     return problem_reply(
@@ -127,7 +127,8 @@ web::Reply Uploads::keep(const std::string& team, const std::string& name,
                   .sha256 = sha256,
                   .bytes = file.size(),
                   .at = state_.options.now(),
-                  .is_network = true};
+                  .is_network = true,
+                  .is_late = state_.options.is_late(team, utc_text(state_.options.now()))};
   const auto entry = state_.book.take(std::move(handed),
                                       [&file](const std::string& path) { return file.keep(path); });
   if (!entry) return host_failed(entry.error());

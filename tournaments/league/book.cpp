@@ -27,6 +27,7 @@ static void list_fields(auto& f, HandedIn& line) {
   f("sha256", line.sha256);
   f("bytes", line.bytes);
   f("network", line.is_network);
+  f.if_set("late", line.is_late);
 }
 
 static void list_fields(auto& f, Answered& line) {
@@ -46,6 +47,11 @@ static void list_fields(auto& f, Rejected& line) {
 static void list_fields(auto& f, Dropped& line) {
   f("team", line.team);
   f("entries", line.entries, 0, max_listed);
+}
+
+static void list_fields(auto& f, TakenLate& line) {
+  list_origin(f, line);
+  f("entry", line.entry, 1, max_count);
 }
 
 static void list_fields(auto& f, Pinned& line) {

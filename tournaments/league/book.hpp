@@ -23,8 +23,8 @@
 
 namespace mirocup::league {
 
-using BookLine =
-    std::variant<HandedIn, Answered, Rejected, Dropped, Pinned, Friendly, Burst, FriendlyEnded>;
+using BookLine = std::variant<HandedIn, Answered, Rejected, Dropped, TakenLate, Pinned, Friendly,
+                              Burst, FriendlyEnded>;
 
 class Book {
  public:

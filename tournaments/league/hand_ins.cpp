@@ -106,6 +106,10 @@ void HandIns::apply(const Dropped& dropped) {
   }
 }
 
+void HandIns::apply(const TakenLate& taken) {
+  if (HandedIn* handed = known(taken.team, taken.entry)) handed->is_late = false;
+}
+
 void HandIns::apply(const Pinned& pinned) {
   Team& team = teams_[pinned.team];
   team.pinned = pinned.entry;

@@ -73,6 +73,7 @@ struct HandedIn {
   std::uint64_t bytes = 0;
   std::int64_t at = 0;      // s since 1970
   bool is_network = false;  // it came over the network, and waits for a check by the server
+  bool is_late = false;     // it came after the deadline: it plays when the host has taken it
 
   HandInState state = HandInState::queued;
   std::string message = {};  // the answer to the team; "": none yet
@@ -84,7 +85,7 @@ struct HandedIn {
 
   int times(NoAnswer why) const { return unanswered[static_cast<std::size_t>(why)]; }
   bool is_kept() const { return !library.empty(); }
-  bool may_play() const { return is_kept() && state == HandInState::accepted; }
+  bool may_play() const { return is_kept() && state == HandInState::accepted && !is_late; }
 };
 
 // A line of the book: the answer to a hand-in.
@@ -115,6 +116,15 @@ struct Dropped {
 
   std::string team;
   std::vector<int> entries;
+};
+
+// A line of the book: the host takes an entry that came after the deadline.
+struct TakenLate {
+  static constexpr std::string_view kind = "take";
+
+  std::string team;
+  int entry = 0;
+  std::int64_t at = 0;  // s since 1970
 };
 
 // A line of the book: the entry with which a team wants to play, also if a later one is accepted.
@@ -151,6 +161,7 @@ class HandIns {
   void apply(const Answered& answer);
   void apply(const Rejected& rejected);
   void apply(const Dropped& dropped);
+  void apply(const TakenLate& taken);
   void apply(const Pinned& pinned);
 
   // begin() is to be called when the check of a hand-in begins, wait_again() when the check has

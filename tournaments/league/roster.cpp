@@ -97,6 +97,9 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
     }
     const HandedIn* last = hand_ins.last_try(row.team);
     if (last == nullptr) continue;
+    if (last->is_late)
+      row.notes.push_back("entry " + std::to_string(last->entry) +
+                          " came after the deadline: league take lets it play");
     row.handed_in = utc_text(last->at);
     row.was_accepted = last->state == HandInState::accepted;
     row.has_ended = is_final(last->state);

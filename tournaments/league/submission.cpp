@@ -108,13 +108,19 @@ Result<void> remove_check_files(system::Files& files, const Folder& folder, cons
   });
 }
 
-std::string objection_to(const LeagueState& state, const std::string& team,
-                         const std::string& now) {
+bool is_frozen(const LeagueState& state, const std::string& team, const std::string& now) {
+  const std::string& frozen = state.frozen_from(team);
+  return !frozen.empty() && now >= frozen;
+}
+
+// `minds_deadline`: false for a file that is kept although it is late.
+std::string objection_to(const LeagueState& state, const std::string& team, const std::string& now,
+                         bool minds_deadline) {
   const bool takes_more = state.file.format.takes_entries();
   const auto known = state.find_team(team);
   if (state.is_closed) return "the league is closed";
-  if (const std::string& frozen = state.frozen_from(team); !frozen.empty() && now >= frozen)
-    return "entries are frozen since " + shown_time(state.file, frozen);
+  if (minds_deadline && is_frozen(state, team, now))
+    return "entries are frozen since " + shown_time(state.file, state.frozen_from(team));
   if (state.is_started && !takes_more) return "entries are frozen: the league has started";
   if (known && state.teams[*known].status == TeamStatus::withdrawn) return team + " has withdrawn";
   if (known && state.file.teams[*known].is_firasim())
@@ -244,6 +250,7 @@ Submission answer_to(const HandedIn& handed, const HandIns& hand_ins, Json verdi
     if (playing > 0) done.message += "; entry " + std::to_string(playing) + " plays on";
   } else {
     done.message += " was accepted";
+    if (handed.is_late) done.message += ", but came after the deadline: the host decides about it";
     if (playing > 0 && playing == hand_ins.pinned(team))
       done.message += "; entry " + std::to_string(playing) + ", which is pinned, plays on";
   }
@@ -286,9 +293,18 @@ Result<std::optional<Submission>> receive(system::Files& files, const Folder& fo
 
 }  // namespace
 
-std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now) {
-  const std::string why = objection_to(state, team, now);
+static std::string why_not(const LeagueState& state, const std::string& team,
+                           const std::string& now, bool minds_deadline) {
+  const std::string why = objection_to(state, team, now, minds_deadline);
   return !why.empty() || state.find_team(team) ? why : why_not_join(state, team);
+}
+
+std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now) {
+  return why_not(state, team, now, true);
+}
+
+bool is_late(const LeagueState& state, const std::string& team, const std::string& now) {
+  return is_frozen(state, team, now) && why_not(state, team, now, false).empty();
 }
 
 std::string why_not_join(const LeagueState& state, const std::string& team) {
@@ -365,6 +381,20 @@ Result<std::string> Booking::pin(Book& book, const std::string& team, int number
   return "";
 }
 
+Result<std::string> Booking::take_late(Book& book, const std::string& team, int number,
+                                       std::int64_t now) {
+  const HandedIn* entry = book.hand_ins().find(team, number);
+  const std::string name = "entry " + std::to_string(number) + " of " + team;
+  if (entry == nullptr || !entry->is_late) return name + " did not come after the deadline";
+  if (!entry->is_kept() || entry->state != HandInState::accepted) return name + " was not accepted";
+  MIROCUP_TRY_VOID(book.write(TakenLate{.team = team, .entry = number, .at = now}));
+  if (!state().find_team(team)) {
+    MIROCUP_TRY_VOID(enter_teams(files_, store_, {team}, std::string(TeamConfig::submitted)));
+  }
+  MIROCUP_TRY_VOID(follow(book.hand_ins(), team));
+  return "";
+}
+
 Result<Json> check_entry(system::Files& files, const Folder& folder, const HandedIn& handed,
                          int compile_seconds) {
   MIROCUP_TRY(const auto config,
@@ -402,7 +432,8 @@ Result<Submission> Booking::conclude(Book& book, const std::string& team, int en
   const HandedIn& handed = *hand_ins.find(team, entry);
   Submission done = answer_to(handed, hand_ins, std::move(verdict));
   Answered answer{.team = team, .entry = entry, .plays = done.plays, .at = now};
-  if (const std::string why = why_not_now(state(), team, utc_text(handed.at)); !why.empty()) {
+  const std::string why = why_not(state(), team, utc_text(handed.at), !handed.is_late);
+  if (!why.empty()) {
     done = not_taken(team, why);
   } else {
     const std::string path = folder.library(team, entry);

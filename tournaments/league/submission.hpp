@@ -38,6 +38,10 @@ struct Submission {
 // the league takes it. An unknown team may join before the start.
 std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now);
 
+// True if a file that a team hands in at the time `now` comes after the deadline, but would else be
+// taken: the portal keeps it, and the host decides.
+bool is_late(const LeagueState& state, const std::string& team, const std::string& now);
+
 // Returns why no team of this name can join the league; "" if a team can.
 std::string why_not_join(const LeagueState& state, const std::string& team);
 
@@ -75,6 +79,10 @@ class Booking {
 
   // Calls follow_book().
   Result<void> follow(const HandIns& hand_ins, const std::string& team);
+
+  // Takes an entry that came after the deadline. Returns a sentence that says why not; "" if it
+  // plays from now on.
+  Result<std::string> take_late(Book& book, const std::string& team, int number, std::int64_t now);
 
   // Pins an entry, which plays until another entry is pinned. If `number` is 0, the latest accepted
   // entry plays again. Returns a sentence that says why the entry cannot be pinned; "" if it was

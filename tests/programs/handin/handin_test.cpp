@@ -169,6 +169,23 @@ TEST_F(HandIn, TellsTheVerdictByOneCommand) {
 }
 
 // Catches a verdict or a result that is read from what a library prints.
+// Catches a late file that plays, that is lost, or that the host cannot take.
+TEST_F(HandIn, KeepsWhatComesAfterTheDeadlineForTheHostToDecide) {
+  new_token("alpha");
+  ASSERT_EQ(run(league("freeze", folder_, {"--reason", "last day"})).exit_code, 0);
+  serve();
+  const Outcome late = hand_in("alpha", house("striker"));
+  EXPECT_EQ(late.exit_code, 0) << late.err;
+  EXPECT_NE(late.out.find("the host decides about it"), std::string::npos) << late.out;
+  const auto entries = [&] { return run(league("status", folder_, {"--entries"})).out; };
+  EXPECT_NE(entries().find("entry 1 will play\n"), std::string::npos) << entries();
+  EXPECT_NE(entries().find("entry 2 came after the deadline"), std::string::npos) << entries();
+  EXPECT_EQ(run(league("take", folder_, {"alpha", "1"})).exit_code, 2) << "it came in time";
+  const Outcome taken = run(league("take", folder_, {"alpha", "2"}));
+  EXPECT_EQ(taken.out, "alpha plays with entry 2\n") << taken.err;
+  EXPECT_NE(entries().find("entry 2 will play\n"), std::string::npos) << entries();
+}
+
 // A faculty shows each league below a path of its server: a link that begins with "/" leaves it. A
 // proxy passes the whole path on, or cuts off the beginning.
 TEST_F(HandIn, LivesBelowAPath) {
