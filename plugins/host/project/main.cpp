@@ -8,6 +8,7 @@
 #include "plugins/host/project/unpack.hpp"
 
 #include <algorithm>
+#include <clocale>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -113,6 +114,8 @@ int make_library(const ProjectSources& sources, const std::string& library) {
 
 int run_project_compiler(const std::string& archive, const std::string& folder,
                          const std::string& library) {
+  // libarchive reads names in UTF-8 only if the locale has the letters.
+  std::setlocale(LC_CTYPE, "C.UTF-8");
   if (mkdir(folder.c_str(), 0755) != 0) return say_why("the folder of the project cannot be made");
   if (const auto unpacked = unpack(archive, folder); !unpacked)
     return say_why(unpacked.error().what);

@@ -175,6 +175,15 @@ const std::vector<Kind>& kinds() {
        archive(tar_entry("CMakeLists.txt", "execute_process(COMMAND cat /etc/passwd)") +
                tar_entry("Makefile", "all:\n\tcat /etc/passwd\n") +
                tar_entry("specs", "*cc1: /bin/sh"))},
+      {"HasUmlautsInItsZip", project, harmless,
+       [](const std::string& folder) {
+         const std::string path = folder + "/team.zip";
+         run({"/usr/bin/env", "python3", "-c",
+              "import sys, zipfile\nwith zipfile.ZipFile(sys.argv[1], 'w') as packed: "
+              "packed.writestr('Gr\\u00f6\\u00dfe/team.cpp', sys.argv[2])",
+              path, good});
+         return read_file(path);
+       }},
       {"ReadsTheHostFromAProject", project, refused,
        archive(tar_entry("src/x.cpp", "#include \"/etc/passwd\"\n"))},
   };
