@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <iconv.h>
 #include <utility>
 
 namespace mirocup::system {
@@ -15,36 +15,35 @@ namespace {
 
 constexpr std::string_view mark = "\xef\xbb\xbf";  // with which many programs begin UTF-8
 
-// Files that are no table, by their first bytes.
+// Files that are no table begin so.
 using namespace std::string_view_literals;
-constexpr std::array<std::pair<std::string_view, const char*>, 4> other_files{{
-    {"\xff\xfe"sv, "text in UTF-16: save it as \"CSV UTF-8\""},
-    {"\xfe\xff"sv, "text in UTF-16: save it as \"CSV UTF-8\""},
-    {"PK\x03\x04"sv, "a workbook: save the sheet as \"CSV UTF-8\""},
-    {"\xd0\xcf\x11\xe0"sv, "a workbook: save the sheet as \"CSV UTF-8\""},
-}};
+constexpr std::array<std::string_view, 2> workbooks{"PK\x03\x04"sv, "\xd0\xcf\x11\xe0"sv};
 
-// The characters of the bytes 0x80 to 0x9f; 0 where there is none.
-constexpr std::array<std::uint16_t, 32> windows_1252{
-    0x20ac, 0,      0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021, 0x02c6, 0x2030, 0x0160,
-    0x2039, 0x0152, 0,      0x017d, 0,      0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022,
-    0x2013, 0x2014, 0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, 0,      0x017e, 0x0178};
+// Returns the encoding of text in UTF-16, in which a table begins with a mark or a letter of ASCII;
+// "": it is none.
+const char* utf16_of(std::string_view bytes) {
+  const std::string_view begin = bytes.substr(0, 2);
+  if (begin == "\xff\xfe" || begin.find('\0') == 1) return "UTF-16LE";
+  return begin == "\xfe\xff" || begin.find('\0') == 0 ? "UTF-16BE" : "";
+}
 
-// Bytes that mean nothing stay as they are, so that no name takes them.
-std::string from_windows_1252(std::string_view bytes) {
-  std::string text;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    const unsigned code = byte >= 0x80 && byte < 0xa0 ? windows_1252[byte - 0x80] : byte;
-    if (code < 0x80) {
-      text += c;
-    } else if (code < 0x800) {
-      text += {static_cast<char>(0xc0 | code >> 6), static_cast<char>(0x80 | (code & 0x3f))};
-    } else {
-      text += {static_cast<char>(0xe0 | code >> 12), static_cast<char>(0x80 | (code >> 6 & 0x3f)),
-               static_cast<char>(0x80 | (code & 0x3f))};
-    }
+// Returns text of another encoding in UTF-8. Bytes that mean nothing there stay as they are, so
+// that no name takes them.
+std::string converted(std::string_view bytes, const char* encoding) {
+  std::string text(3 * bytes.size(), '\0');  // no character grows more
+  std::string copy(bytes);
+  char* in = copy.data();
+  char* out = text.data();
+  std::size_t left = copy.size();
+  std::size_t room = text.size();
+  const iconv_t converter = iconv_open("UTF-8", encoding);
+  while (left > 0 && iconv(converter, &in, &left, &out, &room) == static_cast<std::size_t>(-1)) {
+    *out++ = *in++;
+    --left;
+    --room;
   }
+  iconv_close(converter);
+  text.resize(text.size() - room);
   return text;
 }
 
@@ -109,14 +108,19 @@ std::string csv_line(const std::vector<std::string>& cells) {
 }
 
 Result<CsvTable> read_csv(std::string_view bytes) {
-  for (const auto& [begin, what] : other_files) {
-    if (bytes.starts_with(begin)) return fail(Errc::input, std::string("line 1: it is ") + what);
+  for (const std::string_view begin : workbooks) {
+    if (bytes.starts_with(begin))
+      return fail(Errc::input, "line 1: it is a workbook: save the sheet as \"CSV UTF-8\"");
   }
-  if (bytes.substr(0, 2).find('\0') != std::string_view::npos)
-    return fail(Errc::input, std::string("line 1: it is ") + other_files[0].second);
-  if (bytes.starts_with(mark)) bytes.remove_prefix(mark.size());
-  CsvTable table{.rows = {}, .was_windows_1252 = !is_utf8(bytes)};
-  const std::string text = table.was_windows_1252 ? from_windows_1252(bytes) : std::string(bytes);
+  std::string text(bytes);
+  if (const std::string utf16 = utf16_of(bytes); !utf16.empty()) {
+    text = converted(bytes, utf16.c_str());
+    if (bytes.size() % 2 != 0 || !is_utf8(text))
+      return fail(Errc::input, "line 1: it is damaged text in UTF-16: save it as \"CSV UTF-8\"");
+  }
+  if (text.starts_with(mark)) text.erase(0, mark.size());
+  CsvTable table{.rows = {}, .was_windows_1252 = !is_utf8(text)};
+  if (table.was_windows_1252) text = converted(text, "WINDOWS-1252");
   std::size_t at = 0;
   int line = 1;
   char separator = separator_of(text);

@@ -25,11 +25,11 @@ struct CsvTable {
   bool was_windows_1252 = false;
 };
 
-// Reads a table that a spreadsheet or a person wrote, in UTF-8 (with or without a byte order mark)
-// or Windows-1252, with any line ends. The separator is a comma, a semicolon or a tab, whichever is
-// most frequent in the first row, or the character that a line "sep=;" before the first row names.
-// Blanks around a cell are dropped. Errors (Errc::input, a sentence): another encoding, a workbook,
-// a quotation mark that is not closed.
+// Reads a table that a spreadsheet or a person wrote, in UTF-8 (with or without a byte order mark),
+// UTF-16 or Windows-1252, with any line ends. The separator is a comma, a semicolon or a tab,
+// whichever is most frequent in the first row, or the character that a line "sep=;" before the
+// first row names. Blanks around a cell are dropped. Errors (Errc::input, a sentence): damaged
+// UTF-16, a workbook, a quotation mark that is not closed.
 Result<CsvTable> read_csv(std::string_view bytes);
 
 }  // namespace mirocup::system

@@ -504,7 +504,7 @@ TEST(Teams, OfAClassListAreRefusedWithLineAndReason) {
       {"team,display,members\na,B\n", "line 2: 3 cells are expected, and it has 2"},
       {"team,team,members\na,B,x\n", "line 1: two columns are called \"team\""},
       {"team,display\na,\"B\nb,C\n", "line 2: a quotation mark"},
-      {"\xff\xfet", "line 1: it is text in UTF-16"}};
+      {"\xff\xfet", "line 1: it is damaged text in UTF-16"}};
   for (const auto& [text, why] : cases) {
     write_file(list, text);
     const Outcome outcome = run(league("team", folder, {"--csv", list}));

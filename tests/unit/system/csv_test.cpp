@@ -6,6 +6,7 @@
 namespace mirocup::system {
 namespace {
 
+using namespace std::string_view_literals;
 using Cells = std::vector<std::string>;
 
 // The same table as Excel, LibreOffice and editors write it.
@@ -54,14 +55,26 @@ TEST(Csv, ReadsWindows1252) {
   EXPECT_EQ(table->rows[0].cells, (Cells{"Müller", "€", "\x81"}));
 }
 
+// As Excel's "Unicode Text" and PowerShell write it, with and without a mark.
+TEST(Csv, ReadsUtf16) {
+  for (const std::string_view text :
+       {"\xff\xfe"
+        "L\0\xf6\0\t\0\x3d\xd8\x00\xde\r\0\n\0"sv,
+        "L\0\xf6\0\t\0\x3d\xd8\x00\xde"sv, "\xfe\xff\0L\0\xf6\0\t\xd8\x3d\xde\x00"sv,
+        "\0L\0\xf6\0\t\xd8\x3d\xde\x00"sv}) {
+    const auto table = read_csv(text);
+    ASSERT_TRUE(table);
+    EXPECT_FALSE(table->was_windows_1252);
+    EXPECT_EQ(table->rows[0].cells, (Cells{"Lö", "😀"}));
+  }
+}
+
 TEST(Csv, RefusesWhatIsNoTable) {
   EXPECT_EQ(read_csv("\xff\xfe"
                      "a")
                 .error()
                 .what,
-            "line 1: it is text in UTF-16: save it as \"CSV UTF-8\"");
-  EXPECT_EQ(read_csv(std::string_view("t\0e\0", 4)).error().what,
-            "line 1: it is text in UTF-16: save it as \"CSV UTF-8\"");
+            "line 1: it is damaged text in UTF-16: save it as \"CSV UTF-8\"");
   EXPECT_EQ(read_csv("PK\x03\x04").error().what,
             "line 1: it is a workbook: save the sheet as \"CSV UTF-8\"");
   EXPECT_EQ(read_csv("a\nb,\"c\nd").error().what,
