@@ -112,9 +112,10 @@ void add_fixture(const system::Command& command, Act& act) {
 }
 
 void add_freeze(const system::Command& command, Act& act) {
-  const system::Option at = command.option("--at", act.from,
-                                           "Time in UTC (2026-11-30T18:00:00Z), with an offset "
-                                           "(+01:00) or in the league's zone (default: now)");
+  const system::Option at =
+      command.option("--at", act.from,
+                     "Time in the league's zone (\"2026-11-30 18:00\"), or "
+                     "with an offset (+01:00) or Z at its end (default: now)");
   at.named("TIME");
   command.flag("--lift", act.is_lifted, "Take entries again").excludes(at);
   const system::Option except = command.option(

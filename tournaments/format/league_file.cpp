@@ -6,6 +6,7 @@
 #include "record/pitch_json.hpp"
 #include "record/rules_json.hpp"
 #include "record/team_parameters_json.hpp"
+#include "system/printable.hpp"
 #include "system/text.hpp"
 
 #include <algorithm>
@@ -219,18 +220,31 @@ std::string utc_text(std::int64_t at) {
   return system::utc_text(at);
 }
 
+// Returns a time that a person typed in the form of parse_time(), with T, seconds and a colon in
+// the offset. Another text becomes one that is no time.
+static std::string as_written(std::string text) {
+  constexpr std::size_t day = 10, minutes = 16, seconds = 19, with_offset = 24;  // lengths
+  if (text.size() < minutes) return text;
+  if (text[day] == ' ') text[day] = 'T';
+  if (text.substr(minutes, 1) != ":") text.insert(minutes, ":00");
+  if (text.size() > seconds && text[seconds] == ' ') text.erase(seconds, 1);
+  return text.size() == with_offset ? text.insert(seconds + 3, ":") : text;
+}
+
 Result<std::string> utc_of(const std::string& text, const LeagueFile& file) {
   const auto in_words = [](std::int64_t shown) {
     std::string words = utc_text(shown);
     words.pop_back();  // the Z
     return words;
   };
-  const auto time = system::parse_time(text);
+  const auto time = system::parse_time(as_written(text));
   if (!time) {
     return fail(Errc::input,
-                "a time like \"2026-11-30T18:00:00Z\", "
-                "\"2026-11-30T19:00:00+01:00\" or, in the league's zone, "
-                "\"2026-11-30T19:00:00\" is expected");
+                system::in_quotes(text) +
+                    " is no time: one like \"2026-11-30 19:00\" in the league's zone (" +
+                    (file.zone.empty() ? "UTC" : file.zone) +
+                    ") is expected, or with its own, as in \"2026-11-30 19:00+01:00\" or "
+                    "\"2026-11-30 18:00Z\"");
   }
   const auto gap = time->is_local ? file.time_zone.gap_at(time->at) : std::nullopt;
   if (gap) {

@@ -134,8 +134,9 @@ std::string utc_text(std::int64_t at);
 // True if a text is a time in the form of utc_text().
 bool is_time(const std::string& text);
 
-// Converts a time that a person wrote to the form of utc_text(). The person's time has a Z or an
-// offset, or is in the league's zone. Errors: Errc::input.
+// Converts a time that a person wrote to the form of utc_text(): "2026-11-30 19:00", perhaps with T
+// or seconds. It has a Z or an offset (+01:00, +0100), or is in the league's zone. Errors:
+// Errc::input.
 Result<std::string> utc_of(const std::string& text, const LeagueFile& file);
 
 // Returns a time of the journal as people read it: "2026-11-30 19:00 CET (18:00 UTC)".

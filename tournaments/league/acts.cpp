@@ -232,9 +232,12 @@ class Deciding {
     if (!act_.except.empty()) return extend();
     std::string from;
     if (!act_.is_lifted) {
-      MIROCUP_TRY(const auto time, act_.from.empty() ? Result<std::string>(utc_text(now_))
-                                                     : utc_of(act_.from, state().file));
-      from = time;
+      const std::string now = utc_text(now_);
+      MIROCUP_TRY(from, act_.from.empty() ? now : utc_of(act_.from, state().file));
+      if (from < now)
+        return fail(Errc::input, shown_time(state().file, from) + " is past, it is " +
+                                     shown_time(state().file, now) +
+                                     ": choose a later time, or none to take no entry from now on");
     }
     const std::string line =
         from.empty() ? "entries are taken again"

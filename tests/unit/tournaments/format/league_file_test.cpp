@@ -132,6 +132,28 @@ TEST(LeagueFile, FreezesAtATimeThatExists) {
       << refused.error().what;
 }
 
+TEST(LeagueFile, TakesTimesAsPeopleTypeThem) {
+  LeagueFile file =
+      *parse_league_file(R"({"schema": "mirocup/league/1", "zone": "Europe/Berlin"})", "l");
+  for (const char* text :
+       {"2027-01-30 18:00", "2027-01-30T18:00", "2027-01-30 18:00:00", "2027-01-30T17:00Z",
+        "2027-01-30 17:00 Z", "2027-01-30 19:00+02:00", "2027-01-30T18:00:00 +0100"}) {
+    const auto time = utc_of(text, file);
+    ASSERT_TRUE(time) << text;
+    EXPECT_EQ(*time, "2027-01-30T17:00:00Z") << text;
+  }
+  for (const char* text : {"", "2027-01-30", "30.01.2027 18:00", "18:00", "2027-01-30T24:00",
+                           "2027-02-30 18:00", "2027-01-30 18:00 CET", "2027-01-30 18:00+1",
+                           "2027-01-30 18:00:00:00", "2027-01-30 18:00:0"}) {
+    const auto time = utc_of(text, file);
+    ASSERT_FALSE(time) << text;
+    EXPECT_NE(time.error().what.find(
+                  "no time: one like \"2026-11-30 19:00\" in the league's zone (Europe/Berlin)"),
+              std::string::npos)
+        << time.error().what;
+  }
+}
+
 // What was published must not change by an upgrade, so a file says by which rules it was made.
 TEST(LeagueFile, HasTheVersionOfItsRules) {
   EXPECT_NE(print_league_file({}).find("\"rules_version\": 1"), std::string::npos);
