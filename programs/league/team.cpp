@@ -28,7 +28,9 @@ struct TeamOptions {
   std::vector<std::string> members;
   std::optional<std::string> colour;  // "#c03a2b"; "": none
   std::string csv;                    // a class list; "": one team
-  bool is_removed = false;            // a team that was a mistake
+  std::string columns;                // of the class list
+  bool is_dry_run = false;
+  bool is_removed = false;  // a team that was a mistake
 };
 
 void print(const std::string& team, const People& one) {
@@ -38,31 +40,37 @@ void print(const std::string& team, const People& one) {
 }
 
 // Takes a class list: its teams, and who is in them.
-Result<int> take_class_list(system::Files& files, LeagueStore& store, const std::string& path) {
+Result<int> take_class_list(system::Files& files, LeagueStore& store, const TeamOptions& options) {
+  const std::string& path = options.csv;
   const Folder& folder = store.folder();
   MIROCUP_TRY(const auto bytes, files.read_named(path, system::size_limit::league_file));
   const auto in_file = [&path](const Error& error) {
     return Error{error.code, system::printable(path) + ": " + error.what};
   };
-  MIROCUP_TRY(const auto list, read_class_list(bytes).map_error(in_file));
+  MIROCUP_TRY(const auto list, read_class_list(bytes, options.columns).map_error(in_file));
   std::vector<std::string> joining;
   {
     MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
     MIROCUP_TRY(auto people, read_people(files, folder));
     MIROCUP_TRY(joining, list.merge_into(people, store.state()).map_error(in_file));
-    MIROCUP_TRY_VOID(write_people(files, folder, people));
+    if (!options.is_dry_run) MIROCUP_TRY_VOID(write_people(files, folder, people));
   }
-  MIROCUP_TRY_VOID(enter_teams(files, store, joining, std::string(TeamConfig::submitted)));
-  MIROCUP_TRY_VOID(remember_class_list(files, folder, path, bytes));
+  if (!options.is_dry_run) {
+    MIROCUP_TRY_VOID(enter_teams(files, store, joining, std::string(TeamConfig::submitted)));
+    MIROCUP_TRY_VOID(remember_class_list(files, folder, path, bytes));
+  }
   std::vector<std::string> missing;
   for (const TeamConfig& team : store.state().file.teams) {
     const bool is_listed = std::any_of(list.rows.begin(), list.rows.end(),
                                        [&](const auto& row) { return row.team == team.name; });
     if (!is_listed && !team.is_house()) missing.push_back(team.name);
   }
-  std::cout << system::printable(path) << ": " << list.rows.size()
-            << (list.rows.size() == 1 ? " team" : " teams") << ", " << joining.size()
-            << " new to the league\n";
+  std::cout << system::printable(path) << ": " << list.size_in_words() << ", " << joining.size()
+            << " new to the league" << (options.is_dry_run ? " (not written: a dry run)\n" : "\n");
+  if (list.has_several_groups)
+    std::cout << "teams are the groups that begin with Team, Gruppe or Group\n";
+  const std::string without = system::joined(list.without_team, ", ");
+  if (!without.empty()) std::cout << "in no team: " << system::printable(without) << '\n';
   if (!list.kept.empty())
     std::cout << "columns kept for the grades: " << system::joined(list.kept, ", ") << '\n';
   if (!missing.empty())
@@ -109,7 +117,7 @@ Result<int> run_team(const TeamOptions& options) {
   const std::string& team = options.team;
   if (!options.csv.empty()) {
     if (!team.empty()) return fail(Errc::input, "TEAM and --csv exclude each other");
-    return take_class_list(disk, store, options.csv);
+    return take_class_list(disk, store, options);
   }
   if (!is_good_name(team)) return fail(Errc::input, "TEAM or --csv FILE is expected");
   if (options.is_removed) return remove_team(disk, store, team);
@@ -151,11 +159,21 @@ void add_team(system::Commands& commands) {
       .option("--colour", o.colour,
               "Colour of the mark beside the team's name on pages, as #c03a2b; \"\": none")
       .named("COLOUR");
+  const system::Option csv =
+      command.option("--csv", o.csv,
+                     "Make the teams of this class list: a line for each team (team, display, "
+                     "members with ; between them, colour, further columns for the grades), or for "
+                     "each student, as Moodle, Artemis and Excel write it");
+  csv.named("FILE");
   command
-      .option("--csv", o.csv,
-              "Make the teams of this class list; its columns are team, display, members (with ; "
-              "between them), colour, and further columns for the grades")
-      .named("FILE");
+      .option("--columns", o.columns,
+              "Headings of columns that mirocup does not know; KEY is team, display, members, "
+              "first, last, mail, number or colour, as in team=Gruppe,mail=Kontakt")
+      .named("KEY=HEADING,...")
+      .needs(csv);
+  command
+      .flag("--dry-run", o.is_dry_run, "Print what the class list would change, and change nothing")
+      .needs(csv);
   command.flag("--remove", o.is_removed, "Remove a team that was added by mistake");
 }
 

@@ -7,8 +7,10 @@
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/league/class_list.hpp"
+#include "tournaments/league/headings.hpp"
 #include "tournaments/league/submission.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 namespace mirocup::league {
@@ -24,21 +26,19 @@ struct TokenOptions {
   bool assistant = false;  // for those who decide and see no grades
   std::string person;      // the name of the owner of such a token; "": not said
   bool csv = false;
+  bool per_member = false;
   bool revoke = false;
   std::string expires;  // UTC; "": never
 };
 
-// Returns a time as league.json has it; also a day is taken, which means its end.
-Result<std::string> expiry_of(const std::string& text, const std::string& now) {
-  std::string time = text;
+// Returns a time as league.json has it; also a day is taken, which means its end in UTC.
+Result<std::string> expiry_of(const std::string& text, const LeagueFile& file,
+                              const std::string& now) {
+  if (text.empty()) return text;
   constexpr std::size_t length_of_day = 10;  // characters
-  if (time.size() == length_of_day) time += "T23:59:59Z";
-  if (!time.empty() && !is_time(time)) {
-    return fail(Errc::input, "--expires " + text +
-                                 ": a time in UTC like 2026-12-18T18:00:00Z is expected, or a day");
-  }
-  if (!time.empty() && time <= now)
-    return fail(Errc::input, "--expires " + text + ": that time is past");
+  const std::string typed = text.size() == length_of_day ? text + "T23:59:59Z" : text;
+  MIROCUP_TRY(auto time, utc_of(typed, file));
+  if (time <= now) return fail(Errc::input, "--expires " + text + ": that time is past");
   return time;
 }
 
@@ -74,18 +74,29 @@ Result<std::vector<std::string>> teams_of(const TokenOptions& options, const Lea
   return std::vector<std::string>{options.team};
 }
 
-void print(const TokenOptions& options, const PeopleOfTeams& people, const std::string& whose,
-           const std::string& token) {
-  if (options.csv) {
-    const auto known = people.find(whose);
-    std::string line =
-        system::csv_line({whose, known != people.end() ? known->second.display : "", token});
+// Prints a line of CSV for a team, or for each of its members.
+void print_csv(const TokenOptions& options, const People& one, const std::string& whose,
+               const std::string& token) {
+  std::vector<std::string> members = one.members;
+  std::vector<std::string> mails = parts_of(said_of(one, "mail"));
+  if (!options.per_member) members = {system::joined(members, "; ")};
+  if (!options.per_member) mails = {said_of(one, "mail")};
+  members.resize(std::max(members.size(), mails.size()));
+  mails.resize(members.size());
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    std::string line = system::csv_line({whose, one.display, token, members[i], mails[i]});
     std::erase(line, '\r');
     std::cout << line;
-  } else if (options.all) {
-    std::cout << whose << ' ' << token << '\n';
+  }
+}
+
+void print(const TokenOptions& options, const PeopleOfTeams& people, const std::string& whose,
+           const std::string& token) {
+  const auto known = people.find(whose);
+  if (options.csv) {
+    print_csv(options, known != people.end() ? known->second : People{}, whose, token);
   } else {
-    std::cout << token << '\n';
+    std::cout << (options.all ? whose + ' ' : "") << token << '\n';
   }
 }
 
@@ -109,7 +120,7 @@ Result<int> run_token(const TokenOptions& options) {
   const Folder folder{options.folder};
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
   const std::string now = utc_text(system::now_s());
-  MIROCUP_TRY(const auto expires, expiry_of(options.expires, now));
+  MIROCUP_TRY(const auto expires, expiry_of(options.expires, store.state().file, now));
   MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
   MIROCUP_TRY(auto list, read_tokens(disk, folder));
   MIROCUP_TRY(auto people, read_people(disk, folder));
@@ -141,7 +152,7 @@ Result<int> run_token(const TokenOptions& options) {
     return exit_yes;
   }
   // Only what is on disk is shown.
-  if (options.csv) std::cout << "team,display,token\n";
+  if (options.csv) std::cout << "team,display,token,members,mail\n";
   for (const auto& [whose, token] : made) print(options, people, whose, token);
   if (options.all && made.empty()) std::cerr << "mirocup: every team has a token already\n";
   return exit_yes;
@@ -166,11 +177,14 @@ void add_token(system::Commands& commands) {
               "Name of the person who gets such a token: decisions are signed by it, and --revoke "
               "ends its tokens only")
       .named("NAME");
-  command.flag("--csv", o.csv, "Print lines of team, display name and token, for a mail merge");
-  const system::Option expires =
-      command.option("--expires", o.expires,
-                     "Time in UTC when the token ends (2026-12-18T18:00:00Z), or the last day on "
-                     "which it is valid");
+  const system::Option csv =
+      command.flag("--csv", o.csv,
+                   "Print lines of team, display name, token, members and mail, for a mail merge");
+  command.flag("--per-member", o.per_member, "Print a line for each member of a team").needs(csv);
+  const system::Option expires = command.option(
+      "--expires", o.expires,
+      "Time when the token ends, as for freeze --at, or the last day (in UTC) on which "
+      "it is valid");
   command.flag("--revoke", o.revoke, "Make no token, and end all tokens of the team")
       .excludes(expires);
 }

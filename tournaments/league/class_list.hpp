@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A class list: a table of teams and their members, as a spreadsheet writes it. The first row names
-// the columns: `team`, and any of `display`, `members` (with ; between them) and `colour`. Further
-// columns are kept unchanged.
+// the columns (headings.hpp). A list has one line for each team, with ; between its members, or one
+// for each student. Columns that say something else are kept.
 #pragma once
 
 #include "tournaments/league/league_store.hpp"
@@ -25,8 +25,14 @@ struct ClassList {
   bool has_display = false;
   bool has_members = false;
   bool has_colour = false;
-  std::vector<std::string> kept;  // names of the further columns
+  std::vector<std::string> kept;  // headings of the further columns
+  std::size_t members = 0;        // of all teams
+  std::size_t mails = 0;
+  std::vector<std::string> without_team;  // students without a group: "Zoë Brandt (line 7)"
+  bool has_several_groups = false;        // a student is in several, of which one is the team
   bool was_windows_1252 = false;
+
+  std::string size_in_words() const;  // "10 teams, 30 members, 30 mails"
 
   // Replaces the data of the teams in the rows. If the list lacks a column, the data of that column
   // stays. Returns the teams that the league does not know. Errors (Errc::input) begin with the
@@ -35,8 +41,12 @@ struct ClassList {
                                               const LeagueState& state) const;
 };
 
-// Reads a class list. Errors: Errc::input, a sentence with the line and the reason.
-Result<ClassList> read_class_list(std::string_view bytes);
+// Reads a class list. `columns`: what a person says of the columns, as name_fields() takes it. In a
+// list with a line for each student the lines of a team are joined; then a team's name is that of
+// its group, and a group whose name cannot be a team's gets a similar one and keeps its own as
+// display name. If students have several groups, those that begin with Team, Gruppe or Group are
+// the teams. Errors: Errc::input, a sentence with the line and the reason.
+Result<ClassList> read_class_list(std::string_view bytes, const std::string& columns = "");
 
 // Keeps the last class list of a league and its path, so that no command overwrites the list.
 Result<void> remember_class_list(system::Files& files, const Folder& folder,

@@ -3,6 +3,7 @@
 
 #include "record/json_reader.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 
 #include <set>
 #include <unicode/bytestream.h>
@@ -30,15 +31,10 @@ std::string objection_to_colour(const std::string& text) {
   return is_one ? "" : "a colour is '#' and six hexadecimal digits, as in #c03a2b";
 }
 
-std::string read_name(const record::JsonReader& json) {
+std::string read_text(const record::JsonReader& json,
+                      std::string (*objection)(const std::string&)) {
   const std::string text = json.text();
-  if (const std::string why = objection_to_display(text); !why.empty()) json.complain(why);
-  return text;
-}
-
-std::string read_colour(const record::JsonReader& json) {
-  const std::string text = json.text();
-  if (const std::string why = objection_to_colour(text); !why.empty()) json.complain(why);
+  if (const std::string why = objection(text); !why.empty()) json.complain(why);
   return text;
 }
 
@@ -49,15 +45,15 @@ PeopleOfTeams read_teams_file(const record::JsonReader& json) {
   for (const record::JsonReader& team : json.at("teams").elements(0, 1000)) {
     team.expect_object({"team", "display", "members", "colour", "more"});
     People& one = people[team.at("team").text()];
-    if (team.has("display")) one.display = read_name(team.at("display"));
-    if (team.has("colour")) one.colour = read_colour(team.at("colour"));
+    if (team.has("display")) one.display = read_text(team.at("display"), objection_to_display);
+    if (team.has("colour")) one.colour = read_text(team.at("colour"), objection_to_colour);
     if (team.has("more")) {
       for (const auto& [column, value] : team.at("more").members())
         one.more.emplace_back(column, value.text());
     }
     if (!team.has("members")) continue;
     for (const record::JsonReader& member : team.at("members").elements(0, max_members))
-      one.members.push_back(read_name(member));
+      one.members.push_back(read_text(member, objection_to_display));
   }
   return people;
 }
@@ -92,17 +88,22 @@ std::string objection_to(const People& one) {
   return "";
 }
 
-std::vector<std::string> members_of(const std::string& cell) {
-  std::vector<std::string> members;
-  for (std::size_t at = 0; at < cell.size();) {
-    const std::size_t stop = std::min(cell.find_first_of(";\n", at), cell.size());
-    std::string member = cell.substr(at, stop - at);
-    member.erase(0, member.find_first_not_of(' '));
-    member.erase(member.find_last_not_of(' ') + 1);
-    if (!member.empty()) members.push_back(member);
+std::vector<std::string> members_of(const std::string& text) {
+  std::vector<std::string> members = parts_of(system::replaced(text, "\n", ";"));
+  std::erase(members, "");
+  return members;
+}
+
+std::vector<std::string> parts_of(const std::string& cell) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= cell.size();) {
+    const std::size_t stop = std::min(cell.find(';', at), cell.size());
+    std::string& part = parts.emplace_back(cell.substr(at, stop - at));
+    part.erase(0, part.find_first_not_of(' '));
+    part.erase(part.find_last_not_of(' ') + 1);
     at = stop + 1;
   }
-  return members;
+  return parts;
 }
 
 std::string looks_like(const PeopleOfTeams& people, const LeagueState& state,

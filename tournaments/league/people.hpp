@@ -39,6 +39,10 @@ std::string looks_like(const PeopleOfTeams& people, const LeagueState& state,
 // Returns the members that a text lists, separated by semicolons or line ends.
 std::vector<std::string> members_of(const std::string& text);
 
+// Returns what a cell says of each member, between semicolons; some may be "". There is at least
+// one.
+std::vector<std::string> parts_of(const std::string& cell);
+
 // Sets the colour of a team's mark; "" removes the mark. Errors: Errc::input.
 Result<void> set_colour(People& one, const std::string& colour);
 

@@ -3,13 +3,15 @@
 
 #include "record/json_reader.hpp"
 #include "system/csv.hpp"
+#include "system/number_of.hpp"
 #include "system/text.hpp"
+#include "tournaments/league/headings.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace mirocup::league {
 
@@ -21,6 +23,10 @@ struct Marks {
   std::vector<std::string> drills;
 };
 
+std::string with_digits(double value, int digits) {
+  return system::formatted("%.*f", digits, value);
+}
+
 Result<Marks> read_drill_marks(std::string_view text, const std::string& path) {
   const std::vector<std::string> titles{"team", "drill", "score"};
   const auto table = system::read_csv(text);
@@ -29,17 +35,32 @@ Result<Marks> read_drill_marks(std::string_view text, const std::string& path) {
       !std::equal(titles.begin(), titles.end(), table->rows[0].cells.begin()))
     return fail(Errc::input, path + ": it is not what mirocup drill --csv prints");
   Marks marks;
+  bool is_joined = false;  // of several outputs, each with an "all" of its own drills
+  std::set<std::string> drills;
   for (std::size_t i = 1; i < table->rows.size(); ++i) {
     const std::vector<std::string>& cells = table->rows[i].cells;
-    if (cells.size() < titles.size()) {
-      return fail(Errc::input,
-                  path + ": line " + std::to_string(table->rows[i].line) + " has no score");
+    const std::string at = path + ": line " + std::to_string(table->rows[i].line);
+    if (cells.size() < titles.size()) return fail(Errc::input, at + " has no score");
+    if (std::equal(titles.begin(), titles.end(), cells.begin())) {
+      is_joined = true;
+      continue;
     }
-    marks.of_team[cells[0]][cells[1]] = cells[2];
-    const bool is_known =
-        std::find(marks.drills.begin(), marks.drills.end(), cells[1]) != marks.drills.end();
-    if (!is_known) marks.drills.push_back(cells[1]);
+    auto& scores = marks.of_team[cells[0]];
+    if (scores.contains(cells[1]) && cells[1] != "all")
+      return fail(Errc::input, at + ": " + cells[0] + " has a score in " + cells[1] + " already");
+    is_joined = is_joined || scores.contains(cells[1]);
+    scores[cells[1]] = cells[2];
+    if (cells[1] != "all" && drills.insert(cells[1]).second) marks.drills.push_back(cells[1]);
   }
+  for (auto& [team, scores] : marks.of_team) {
+    if (!is_joined) break;
+    scores.erase("all");
+    double sum = 0.0;
+    for (const auto& [drill, score] : scores) sum += system::number_of<double>(score).value_or(0.0);
+    if (scores.size() == drills.size())
+      scores["all"] = with_digits(sum / static_cast<double>(drills.size()), 1);
+  }
+  marks.drills.emplace_back("all");
   return marks;
 }
 
@@ -60,22 +81,6 @@ std::string house_teams_beaten(const Overview& o, int team) {
     if (ahead > 0) names += (names.empty() ? "" : " ") + o.state.name(other);
   }
   return names;
-}
-
-std::vector<std::string> parts_of(const std::string& cell) {
-  std::vector<std::string> parts(1);
-  for (const char c : cell) {
-    if (c == ';') {
-      parts.emplace_back();
-    } else if (c != ' ' || !parts.back().empty()) {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
-std::string with_digits(double value, int digits) {
-  return system::formatted("%.*f", digits, value);
 }
 
 const char* state_of(const Overview& o, std::optional<int> team) {
@@ -128,27 +133,12 @@ std::vector<Graded> all_graded(const Overview& o, const PeopleOfTeams& people) {
   return all;
 }
 
-// Returns the name of the further column that has one of these names in plain letters; "": none.
-std::string column_of(const std::vector<std::string>& columns,
-                      std::initializer_list<std::string_view> names) {
-  for (const std::string& column : columns) {
-    std::string plain;
-    for (const char c : system::lower_case(column))
-      if (c >= 'a' && c <= 'z') plain += c;
-    if (std::find(names.begin(), names.end(), plain) != names.end()) return column;
-  }
-  return "";
-}
-
 // A row for each student, for a program that knows students by mail and number.
 Result<std::string> students(const Overview& o, const std::vector<Graded>& all,
                              const std::vector<std::string>& columns, GradesLayout layout,
                              const MarksOfTeams& marks) {
-  const std::string mail =
-      column_of(columns, {"mail", "email", "emailaddress", "mailaddress", "emailadresse"});
-  const std::string number =
-      column_of(columns, {"number", "id", "idnumber", "sid", "studentid", "studentnumber",
-                          "matriculation", "matriculationnumber", "matrikel", "matrikelnummer"});
+  const std::string mail = heading_of("mail", columns);
+  const std::string number = heading_of("number", columns);
   if (mail.empty() && number.empty()) {
     return fail(Errc::input,
                 "these columns need the mail or the number of each student: give the class list a "

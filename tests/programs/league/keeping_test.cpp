@@ -5,6 +5,7 @@
 // copies. Catches a copy whose journal names what it does not have, a journal whose last lines are
 // lost and that is played on, a command that leaves out a leg and ends with 0, a league that tries
 // each leg again on a full disk, a house team that cannot be added.
+#include "system/text.hpp"
 #include "tests/programs/league/league_command.hpp"
 
 #include <gtest/gtest.h>
@@ -440,10 +441,19 @@ TEST(Teams, AreThoseOfTheClassListEverywhere) {
       "\xef\xbb\xbfteam;display;members;mail\r\na;Zoë & Co;\"Ada;Bo\";\"ada@x;bo@x\"\r\n"
       "b;\"=cmd|' /C calc'!A0\";Cy;cy@x\r\nc;;Di;di@x\r\nd;;;\r\n";
   write_file(list, text);
+  const std::string before = read_file(folder + "/league.json");
+  const Outcome dry = run(league("team", folder, {"--csv", list, "--dry-run"}));
+  EXPECT_EQ(read_file(folder + "/league.json"), before);
+  EXPECT_FALSE(fs::exists(folder + "/teams.json") || fs::exists(folder + "/class-list"));
   const Outcome made = run(league("team", folder, {"--csv", list}));
-  EXPECT_EQ(made.out, list + ": 4 teams, 4 new to the league\ncolumns kept for the grades: mail\n");
+  EXPECT_EQ(system::replaced(dry.out, " (not written: a dry run)", ""), made.out);
+  EXPECT_EQ(made.out, list +
+                          ": 4 teams, 4 members, 4 mails, 4 new to the league\ncolumns kept for "
+                          "the grades: mail\n");
   EXPECT_EQ(run(league("team", folder, {"--csv", list})).out,
-            list + ": 4 teams, 0 new to the league\ncolumns kept for the grades: mail\n");
+            list +
+                ": 4 teams, 4 members, 4 mails, 0 new to the league\ncolumns kept for the grades: "
+                "mail\n");
   EXPECT_EQ(read_json(folder + "/league.json")["teams"].size(), 4u);
 
   // What docs/hosting.md once said to do: the shell empties the list before the program begins.
@@ -453,10 +463,14 @@ TEST(Teams, AreThoseOfTheClassListEverywhere) {
   EXPECT_EQ(over.exit_code, 2);
   EXPECT_EQ(read_file(list), text) << over.err;
   const std::string tokens = run(words).out;
-  EXPECT_EQ(tokens.rfind("team,display,token\na,Zoë & Co,", 0), 0u) << tokens;
+  EXPECT_EQ(tokens.rfind("team,display,token,members,mail\na,Zoë & Co,", 0), 0u) << tokens;
+  EXPECT_NE(tokens.find(",Ada; Bo,ada@x;bo@x\nb,"), std::string::npos) << tokens;
   EXPECT_EQ(std::count(tokens.begin(), tokens.end(), '\n'), 5) << tokens;
   EXPECT_NE(tokens.find("\nb,'=cmd|' /C calc'!A0,"), std::string::npos) << tokens;
-  EXPECT_EQ(run(words).out, "team,display,token\n");
+  EXPECT_EQ(run(words).out, "team,display,token,members,mail\n");
+  const std::string each = run(league("token", folder, {"a", "--csv", "--per-member"})).out;
+  EXPECT_EQ(std::count(each.begin(), each.end(), '\n'), 3) << each;
+  EXPECT_NE(each.find(",Bo,bo@x\n"), std::string::npos) << each;
 
   for (const std::string team : {"a", "b"})
     EXPECT_EQ(run(league("submit", folder, {team, house("chaser")})).exit_code, 0);
@@ -565,6 +579,10 @@ TEST(Teams, MayBeAddedAfterInit) {
   EXPECT_EQ(run(league("submit", folder, {"striker", "house:striker"})).out,
             "striker: entry 1 was accepted\n");
   EXPECT_EQ(run(league("submit", folder, {"x", "house:nobody"})).exit_code, 2);
+  const Outcome past = run(league("freeze", folder, {"--at", "2020-01-30 18:00", "--reason", "x"}));
+  EXPECT_EQ(past.exit_code, 2);
+  EXPECT_NE(past.err.find("2020-01-30 18:00 UTC is past, it is "), std::string::npos) << past.err;
+  EXPECT_NE(past.err.find("or none to take no entry from now on"), std::string::npos) << past.err;
   auto config = read_json(folder + "/league.json");
   config["teams"].push_back({{"name", "keeper"}, {"entry", "house:keeper"}});
   config["teams"].push_back({{"name", "own"}, {"entry", "own.so"}});

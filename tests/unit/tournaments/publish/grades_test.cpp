@@ -40,6 +40,22 @@ TEST(Grades, JoinTheTableWithTheMarksByName) {
   EXPECT_NE(file->bytes.find(",,70.0\r\n"), std::string::npos) << "no mark, no number";
 }
 
+// Outputs of several drills in one file have several lines of titles, and an "all" each.
+TEST(Grades, JoinTheOutputsOfSeveralDrills) {
+  const LeagueState state = league_of_two();
+  const std::string first =
+      "team,drill,score\nalpha,x,10.0\nalpha,all,10.0\n\"be,ta\",x,1.0\n\"be,ta\",all,1.0\n";
+  const std::string both = first + "team,drill,score\nalpha,y,21.0\nalpha,all,21.0\n";
+  const auto file = grades(overview(state), {}, both, "d.csv");
+  ASSERT_TRUE(file) << file.error().what;
+  EXPECT_NE(file->bytes.find(",entry,x,y,all\r\n"), std::string::npos) << file->bytes;
+  EXPECT_NE(file->bytes.find(",10.0,21.0,15.5\r\n"), std::string::npos) << file->bytes;
+  EXPECT_NE(file->bytes.find(",1.0,,\r\n"), std::string::npos) << "a drill is missing";
+  const auto again = grades(overview(state), {}, first + first, "d.csv");
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().what, "d.csv: line 7: alpha has a score in x already");
+}
+
 // Catches a list that names the beaten for the winner, or a team that is no house team; and members
 // that are lost.
 TEST(Grades, NameTheHouseTeamsThatWereBeaten) {
