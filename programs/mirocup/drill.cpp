@@ -6,9 +6,11 @@
 #include "programs/mirocup/drill_report.hpp"
 #include "record/json_reader.hpp"
 #include "record/team_parameters_json.hpp"
+#include "system/child_process.hpp"
 #include "system/files.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
+#include "system/text.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -25,6 +27,7 @@ namespace {
 struct DrillOptions {
   std::string drill;                    // "list", "all", a name, or the path of a file or a folder
   std::vector<std::string> teams;       // as --blue
+  std::string league;                   // a folder, whose entries are tested as well
   std::optional<int> tries;             // nothing: as each drill says
   std::uint64_t seed = 1;               // of the first try
   int jobs = 0;                         // tries at once; 0: one for each processor
@@ -148,6 +151,30 @@ Result<DrillTeams> teams_of(const drills::Drill& drill, const std::string& team,
   return teams;
 }
 
+// Returns NAME=TEAM for the present entry of each team of a league, in the order of its teams. Only
+// mirocup-league can read a league.
+Result<std::vector<std::string>> entries_of(const std::string& league) {
+  const std::string program = system::sibling_program("mirocup-league");
+  MIROCUP_TRY(const auto answer,
+              system::ask({program, "status", league, "--entries", "--json"}, {.seconds = 60.0}));
+  const std::string last = system::last_line(answer.output);
+  if (answer.code > exit_no) return fail(Errc::input, system::replaced(last, "mirocup: ", ""));
+  return record::read_json<std::vector<std::string>>(
+      last, league, Errc::input, [&](const record::JsonReader& json) {
+        std::vector<std::string> teams;
+        for (const record::JsonReader& team : json.at("teams").elements()) {
+          const std::string name = team.at("team").text();
+          const record::JsonReader playing = team.at("plays_with");
+          const record::JsonReader entry = playing.is_null() ? team.at("last_accepted") : playing;
+          if (entry.is_null()) std::cerr << "mirocup: " << name << " has no entry\n";
+          if (!entry.is_null())
+            teams.push_back(name + '=' + league + "/entries/" + name + '/' +
+                            std::to_string(entry.as<int>()) + "/strategy.so");
+        }
+        return teams;
+      });
+}
+
 // On a terminal, a line that counts.
 class Progress {
  public:
@@ -220,11 +247,15 @@ Result<std::vector<std::string>> names_of_teams(const DrillOptions& options) {
   return names;
 }
 
-Result<int> run_drill(const DrillOptions& options, const record::WriteAnswer& answer) {
+Result<int> run_drill(DrillOptions options, const record::WriteAnswer& answer) {
   MIROCUP_TRY(const auto drills, read_drills(options.drill));
   if (options.drill == "list") {
     print_list(drills, options.json);
     return exit_yes;
+  }
+  if (!options.league.empty()) {
+    MIROCUP_TRY(const auto entries, entries_of(options.league));
+    options.teams.insert(options.teams.end(), entries.begin(), entries.end());
   }
   if (options.teams.empty()) return fail(Errc::input, "a team is needed: mirocup drill DRILL TEAM");
   MIROCUP_TRY(const auto parameters,
@@ -271,7 +302,8 @@ void add_drill(system::Commands& commands) {
       commands.add(answering<run_drill, DrillOptions>, "drill", for_teams,
                    "Try a team many times in situations and give it marks, or list the drills",
                    {"mirocup drill list", "mirocup drill shoot-open-goal mine.so --replay failed",
-                    "mirocup drill all mine.so striker --csv"});
+                    "mirocup drill all mine.so striker --csv",
+                    "mirocup drill touch-the-ball --league spring --csv"});
   command
       .option("DRILL", o.drill,
               "list, all, the name of a drill, or the path of a drill or of a folder of drills")
@@ -281,6 +313,9 @@ void add_drill(system::Commands& commands) {
               "Teams to be tested: paths of libraries or names of house teams; NAME=TEAM: the "
               "name in the report")
       .named("");
+  command
+      .option("--league", o.league, "Test the present entry of each team of this league, as well")
+      .named("DIR");
   command
       .option("--tries", o.tries,
               "Number of tries of each drill (default: the number in the drill's file)")

@@ -128,6 +128,29 @@ TEST(DrillCommand, CallsATeamAsItCallsItself) {
   EXPECT_EQ(drill({folder / "mine.json", team, team, "--replay", folder / "failed"}).exit_code, 2);
 }
 
+TEST(DrillCommand, TriesTheEntriesOfALeague) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  const auto league = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {program("mirocup"), "league"});
+    return run(words);
+  };
+  league({"init", folder, "--format", "nightly"});
+  for (const std::string team : {"b", "a"}) league({"submit", folder, team, "house:striker"});
+  league({"submit", folder, "a", "house:idle"});
+  write_file(temporary / "c.csv", "team\nc\n");
+  league({"team", folder, "--csv", temporary / "c.csv"});
+  const Outcome tried = drill({"touch-the-ball", "--tries", "2", "--csv", "--league", folder});
+  EXPECT_EQ(tried.exit_code, 0);
+  EXPECT_NE(tried.out.find("\na,touch-the-ball,0.0,"), std::string::npos)
+      << "the last entry: " << tried.out;
+  EXPECT_LT(tried.out.find("\nb,touch-"), tried.out.find("\na,touch-")) << "in the league's order";
+  EXPECT_EQ(tried.err, "mirocup: c has no entry\n");
+  const Outcome wrong = drill({"touch-the-ball", "--league", temporary / "x"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("is not a league"), std::string::npos) << wrong.err;
+}
+
 TEST(DrillCommand, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   std::ofstream(folder / "bad.json") << R"({"schema": "mirocup/drill/1", "title": 3})";
