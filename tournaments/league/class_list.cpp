@@ -119,7 +119,7 @@ class ClassListReader {
       return fail(Errc::input,
                   std::string(expected) +
                       "there is no column \"team\"; --columns team=HEADING names another one: " +
-                      system::joined(names_, ", "));
+                      system::printable(system::joined(table_.rows[0].cells, ", ")));
     }
     if (list_.kept.size() > max_kept)
       return fail(Errc::input, "at most " + std::to_string(max_kept) + " further columns are kept");
@@ -141,8 +141,9 @@ class ClassListReader {
   }
 
   // Returns the group of a student that is the team; "": none. If students have several, as
-  // "Team 1, Lab A", a team begins with a word for teams.
+  // "Team 1, Lab A", a team begins with a word for teams. In a list by team, the cell is the team.
   Result<std::string> team_among(const std::string& cell) const {
+    if (!by_student_) return cell;
     std::vector<std::string> groups = groups_in(cell);
     const bool are_several = groups.size() > 1;
     std::erase_if(groups, [&](const std::string& group) {
@@ -151,7 +152,8 @@ class ClassListReader {
              !name.starts_with("group");
     });
     if (groups.size() == 1 || (groups.empty() && !are_several)) return system::joined(groups, "");
-    return fail(Errc::input, system::in_quotes(cell) + " are several groups: write the team alone");
+    return fail(Errc::input, system::in_quotes(cell) +
+                                 " are several groups: write the team alone, as \"Team 1\"");
   }
 
   Result<People> read_people(const system::CsvRow& row) const {
@@ -218,10 +220,7 @@ class ClassListReader {
   // Takes a line: a team, or a student into a team.
   Result<void> take(const system::CsvRow& row) {
     MIROCUP_TRY(People people, read_people(row));
-    std::string group = cell(row, "team");
-    if (by_student_) {
-      MIROCUP_TRY(group, team_among(group));
-    }
+    MIROCUP_TRY(const std::string group, team_among(cell(row, "team")));
     const std::string mails = said_of(people, "mail");
     const std::string who = people.members.empty() ? mails : people.members[0];
     if (by_student_ && group.empty()) {

@@ -91,7 +91,7 @@ TEST(ClassList, SaysWhatWouldBeGivenToTheWrongStudent) {
       {"Name;Gruppe\nA;Lab 1, Oz\n", "line 2: \"Lab 1, Oz\" are several groups"},
       {"Name;Kurs\nA;1\n",
        "line 1: the first line names the columns, as in team,display,members: there "
-       "is no column \"team\"; --columns team=HEADING names another one: members, Kurs"}};
+       "is no column \"team\"; --columns team=HEADING names another one: Name, Kurs"}};
   for (const auto& [text, why] : lists)
     EXPECT_EQ(read(text).substr(0, std::string(why).size()), why);
   for (const char* columns : {"team=Kurz", "tem=Kurs", "Kurs"})
