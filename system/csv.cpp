@@ -29,12 +29,11 @@ const char* utf16_of(std::string_view bytes) {
 
 // Returns text of another encoding in UTF-8. Bytes that mean nothing there stay as they are, so
 // that no name takes them.
-std::string converted(std::string_view bytes, const char* encoding) {
+std::string converted(std::string bytes, const char* encoding) {
   std::string text(3 * bytes.size(), '\0');  // no character grows more
-  std::string copy(bytes);
-  char* in = copy.data();
+  char* in = bytes.data();
   char* out = text.data();
-  std::size_t left = copy.size();
+  std::size_t left = bytes.size();
   std::size_t room = text.size();
   const iconv_t converter = iconv_open("UTF-8", encoding);
   while (left > 0 && iconv(converter, &in, &left, &out, &room) == static_cast<std::size_t>(-1)) {
@@ -114,7 +113,7 @@ Result<CsvTable> read_csv(std::string_view bytes) {
   }
   std::string text(bytes);
   if (const std::string utf16 = utf16_of(bytes); !utf16.empty()) {
-    text = converted(bytes, utf16.c_str());
+    text = converted(text, utf16.c_str());
     if (bytes.size() % 2 != 0 || !is_utf8(text))
       return fail(Errc::input, "line 1: it is damaged text in UTF-16: save it as \"CSV UTF-8\"");
   }

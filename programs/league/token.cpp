@@ -4,6 +4,7 @@
 #include "programs/league/commands.hpp"
 #include "system/csv.hpp"
 #include "system/file_lock.hpp"
+#include "system/text.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/league/class_list.hpp"
@@ -79,8 +80,8 @@ void print_csv(const TokenOptions& options, const People& one, const std::string
                const std::string& token) {
   std::vector<std::string> members = one.members;
   std::vector<std::string> mails = parts_of(said_of(one, "mail"));
-  if (!options.per_member) members = {system::joined(members, "; ")};
-  if (!options.per_member) mails = {said_of(one, "mail")};
+  if (!options.per_member) members.assign(1, system::joined(members, "; "));
+  if (!options.per_member) mails.assign(1, said_of(one, "mail"));
   members.resize(std::max(members.size(), mails.size()));
   mails.resize(members.size());
   for (std::size_t i = 0; i < members.size(); ++i) {

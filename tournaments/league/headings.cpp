@@ -71,9 +71,8 @@ std::string heading_of(const std::string& field, const std::vector<std::string>&
 std::string said_of(const People& one, const std::string& field) {
   std::vector<std::string> headings;
   for (const auto& [heading, value] : one.more) headings.push_back(heading);
-  const std::string known_heading = heading_of(field, headings);
   for (const auto& [heading, value] : one.more)
-    if (heading == known_heading) return value;
+    if (heading == heading_of(field, headings)) return value;
   return "";
 }
 
