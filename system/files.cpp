@@ -273,6 +273,11 @@ Result<std::optional<std::string>> Files::read_if_there(const std::string& path,
   return fail(error.code == Errc::input ? Errc::damaged : error.code, error.what);
 }
 
+Result<void> Files::update(const std::string& path, std::string_view bytes) {
+  const auto there = read(path, {.max_size = bytes.size()});
+  return there && *there == bytes ? Result<void>() : write(path, bytes);
+}
+
 Result<std::vector<std::string>> Files::names_if_there(const std::string& folder) {
   auto names = names_in(folder);
   if (names || exists(folder)) return names;

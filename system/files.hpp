@@ -120,6 +120,9 @@ class Files {
   virtual Result<void> write(const std::string& path, std::string_view bytes,
                              Readers readers = Readers::everybody) = 0;
 
+  // Writes the file unless it has these bytes already.
+  Result<void> update(const std::string& path, std::string_view bytes);
+
   // Removes the temporary files of killed writers from the folder and all folders below it. Files
   // that are being written stay.
   virtual Result<void> remove_unfinished(const std::string& folder) = 0;

@@ -217,8 +217,9 @@ Result<int> run_nightly(const NightlyOptions& options) {
 
   MIROCUP_TRY(const auto after, LeagueStore::open(disk, folder));
   MIROCUP_TRY(const auto night, last_night(after.state(), after.journal()));
-  const FactsOfLegs facts = read_facts(disk, folder, after.state());
-  const Overview o = overview(after.state(), facts);
+  KnownLegs legs;
+  read_legs(disk, after.folder(), after.state(), legs);
+  const Overview o = overview(after.state(), legs);
   MIROCUP_TRY_VOID(write_digests(disk, folder, o, *night, options.address));
   MIROCUP_TRY(const auto text, report(disk, after, *night));
   const std::string home = folder.nights() + "/" + std::to_string(night->number);

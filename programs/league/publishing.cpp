@@ -6,7 +6,6 @@
 #include "system/locations.hpp"
 #include "system/printable.hpp"
 #include "tournaments/league/roster.hpp"
-#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"
@@ -26,11 +25,11 @@ std::function<std::string()> playground_maker(system::Files& files) {
   };
 }
 
-std::optional<SiteModule> site_module(system::Files& files) {
+std::optional<SiteFile> site_module(system::Files& files) {
   const auto module = web::browser_module(files).value_or(std::nullopt);
   if (!module) return std::nullopt;
   web::ScriptFile script = web::module_file(*module);
-  return SiteModule{std::move(script.name), std::move(script.text)};
+  return SiteFile{std::move(script.name), std::move(script.text)};
 }
 
 Result<std::optional<Night>> night_for(const LeagueState& shown, const LeagueStore& store) {
@@ -62,13 +61,24 @@ static Result<void> open_site(system::Files& files, const Folder& folder) {
   return fail(Errc::input, named + " has other files than pages of a league: name an empty folder");
 }
 
+// Returns the records of the legs that count and of which something is not known.
+static std::vector<std::string> uncounted_records(const Overview& o) {
+  std::vector<std::string> records;
+  for (const LegView& leg : o.legs) {
+    const bool is_known = leg.report != nullptr && leg.facts != nullptr;
+    if (leg.has_replay() && !leg.is_annulled && !is_known) records.push_back(leg.played->record);
+  }
+  return records;
+}
+
 Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState shown,
                          const std::optional<Night>& night, int jobs) {
   MIROCUP_TRY_VOID(open_site(files, folder));
   // What was told before may not be released any more.
-  // And this program may have no playground.
-  for (const std::string part : {"", "digests/"})
-    MIROCUP_TRY_VOID(remove_former_pages(files, folder.site(), part, {}));
+  for (const std::string part : {"", "digests/"}) {
+    if (night) break;
+    MIROCUP_TRY_VOID(remove_former_pages(files, folder.site(), part, {playground_name}));
+  }
   for (const char* part : {"/teams", "/rounds", "/digests"}) {
     if (part == std::string("/digests") && !night) continue;
     MIROCUP_TRY_VOID(files.make_folder(folder.site() + part));
@@ -76,40 +86,37 @@ Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState
   for (const std::string& path : {folder.path, folder.site()})
     MIROCUP_TRY_VOID(files.remove_unfinished(path));
   // First what takes long: the pages of league and teams show the statistics of every leg.
-  MIROCUP_TRY(const auto failed,
-              make_replay_pages(files, folder, shown, jobs,
-                                shown.file.has_proofs ? site_module(files) : std::nullopt));
-  const bool has_refused = !failed.refused.empty();
-  LegReports reports = kept_statistics(files, folder, shown);
-  FactsOfLegs facts = read_facts(files, folder, shown);
-  const auto uncounted = uncounted_records(shown, reports, facts);
-  const Site site({.state = shown,
-                   .reports = std::move(reports),
-                   .facts = std::move(facts),
+  MIROCUP_TRY(auto legs, publish_legs(files, folder, shown, jobs,
+                                      shown.file.has_proofs ? site_module(files) : std::nullopt));
+  const bool has_refused = !legs.refused.empty();
+  const Site site({.state = std::move(shown),
+                   .legs = std::move(legs.known),
                    .night = has_refused ? std::nullopt : night,
                    .playground = playground_maker(files)});
   const std::vector<std::string> names = site.names();
   for (const std::string& name : names) {
-    MIROCUP_TRY_VOID(files.write(folder.site() + "/" + name, *site.file(name)));
+    MIROCUP_TRY_VOID(files.update(folder.site() + "/" + name, *site.file(name)));
   }
-  // Rounds that are not shown any more, and teams that joined after those that are.
+  // Rounds and nights that are not shown any more, teams that joined after those that are, and the
+  // playground of another program.
   const std::set<std::string> made(names.begin(), names.end());
-  for (const std::string part : {"rounds/", "teams/"}) {
+  for (const std::string part : {"", "digests/", "rounds/", "teams/"}) {
     MIROCUP_TRY_VOID(remove_former_pages(files, folder.site(), part, made));
   }
-  if (!failed.records.empty())
-    std::cerr << "mirocup: " << failed.records.size()
-              << " replay pages could not be made: " << listed(failed.records)
+  if (!legs.without_page.empty())
+    std::cerr << "mirocup: " << legs.without_page.size()
+              << " replay pages could not be made: " << listed(legs.without_page)
               << "; mirocup replay RECORD says why\n";
+  const std::vector<std::string> uncounted = uncounted_records(site.overview());
   if (!uncounted.empty())
     std::cerr << "mirocup: statistics and goals lack " << uncounted.size()
               << " legs: " << listed(uncounted) << "; mirocup league verify says why\n";
-  for (const std::string& record : failed.refused) {
+  for (const std::string& record : legs.refused) {
     std::cerr << "mirocup: " << system::printable(folder.path + "/" + record)
               << " differs from its replay or from the journal, so the pages lack its leg; mirocup "
                  "league verify says more, and mirocup league void has the leg played again\n";
   }
-  return failed.records.empty() && uncounted.empty() && !has_refused ? exit_yes : exit_no;
+  return legs.without_page.empty() && uncounted.empty() && !has_refused ? exit_yes : exit_no;
 }
 
 Result<int> publish_league(system::Files& files, const Folder& folder, int jobs) {

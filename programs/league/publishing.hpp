@@ -24,7 +24,7 @@ std::function<std::string()> playground_maker(system::Files& files);
 
 // Returns the module of this program with which browsers prove the legs of a league; nothing if it
 // was not built.
-std::optional<SiteModule> site_module(system::Files& files);
+std::optional<SiteFile> site_module(system::Files& files);
 
 // Prints to standard error what journal and files of the league lack, and returns it.
 Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store);

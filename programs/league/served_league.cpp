@@ -179,11 +179,9 @@ void ServedLeague::begin_pages() {
   LeagueState shown = released ? std::move(*released) : unplanned_league(store_.state().file);
   plan(shown);
   auto night = night_for(shown, store_).value_or(std::nullopt);
-  facts_ = read_facts(files_, store_.folder(), shown, std::move(facts_));
-  LegReports reports = kept_statistics(files_, store_.folder(), shown, &known_reports_);
+  read_legs(files_, store_.folder(), shown, legs_);
   site_ = std::make_unique<Site>(SiteSource{.state = std::move(shown),
-                                            .reports = std::move(reports),
-                                            .facts = facts_,
+                                            .legs = legs_,
                                             .night = std::move(night),
                                             .playground = playground_maker(files_),
                                             .closing_page = "final/site/index.html"});
@@ -249,7 +247,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
   return web::Page{type_of(path), "", std::move(*bytes)};
 }
 
-const std::optional<SiteModule>& ServedLeague::module() {
+const std::optional<SiteFile>& ServedLeague::module() {
   std::call_once(module_made_, [this] { module_ = site_module(files_); });
   return module_;
 }
@@ -275,7 +273,7 @@ std::optional<web::Page> ServedLeague::module_page(const std::string& name) {
       files_.read(store_.folder().site() + "/" + name, {.max_size = system::size_limit::page});
   if (kept) return web::Page{type_of(name), "", std::move(*kept)};
   if (!module() || module()->name != name) return std::nullopt;
-  return web::Page{type_of(name), "", module()->text};
+  return web::Page{type_of(name), "", module()->bytes};
 }
 
 // Returns a page of the closing round as it was published; links lead out of no folder.
@@ -367,8 +365,8 @@ std::string ServedLeague::digest_of(const std::string& team) {
   if (!sees_nights(Viewer::team, store_.state())) return "";
   const auto night = last_night(*seen, store_.journal());
   if (!night || !*night) return "";
-  facts_ = read_facts(files_, store_.folder(), *seen, std::move(facts_));
-  const Overview o = overview(*seen, facts_);
+  read_legs(files_, store_.folder(), *seen, legs_);
+  const Overview o = overview(*seen, legs_);
   for (const TeamDigest& digest : digests(**night, o)) {
     if (seen->name(digest.team) == team) return digest_html(o, **night, digest, "hand-in/");
   }
@@ -444,7 +442,7 @@ std::string ServedLeague::statistics_of(const std::string& team) {
   if (!index) return "";
   const auto known = statistics_.find(*index);
   if (known != statistics_.end()) return known->second;
-  std::string html = team_statistics_html(site_->overview(), site_->reports(), *index);
+  std::string html = team_statistics_html(site_->overview(), *index);
   return statistics_[*index] = std::move(html);
 }
 

@@ -116,7 +116,7 @@ class ServedLeague {
   std::optional<web::Page> commands_page(const std::string& stem);
   std::optional<web::Page> page_of_closing_round(const std::string& name);
   std::optional<web::Proof> proof(const std::string& root, const std::string& commands_file = "");
-  const std::optional<SiteModule>& module();
+  const std::optional<SiteFile>& module();
 
   system::Files& files_;
   std::atomic<bool> has_written_{false};  // since the last look at the folder
@@ -135,15 +135,14 @@ class ServedLeague {
   std::unique_ptr<Site> site_;  // the site of the released part; null before the first page
   std::string shown_;           // differs after each change of what the site shows
   std::string said_;            // the texts of teams.json and notice.txt
-  FactsOfLegs facts_;
-  KnownReports known_reports_;
+  KnownLegs legs_;
   std::map<int, std::string> statistics_;   // HTML of teams whose statistics were requested
   std::map<std::string, web::Page> pages_;  // pages of site_ that were asked for, by path
   std::set<std::string> records_;           // names of records without .json
 
   std::mutex replaying_;  // held while a replay page is made; pages are made one at a time
   std::once_flag module_made_;
-  std::optional<SiteModule> module_;  // the module of this program; set by module()
+  std::optional<SiteFile> module_;  // the module of this program; set by module()
 };
 
 }  // namespace mirocup::league

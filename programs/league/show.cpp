@@ -12,8 +12,8 @@
 #include "tournaments/publish/bracket_svg.hpp"
 #include "tournaments/publish/front_page.hpp"
 #include "tournaments/publish/page_values.hpp"
-#include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/rounds.hpp"
+#include "tournaments/publish/site_file.hpp"
 #include "tournaments/publish/snapshot.hpp"
 #include "web/design/template.hpp"
 #include "web/page.hpp"
@@ -187,8 +187,9 @@ class ShownRound {
 
   Result<void> read(const LeagueStore& store, const std::string& key) {
     const LeagueState& state = store.state();
-    const FactsOfLegs facts = read_facts(*files_, store.folder(), state);
-    const Overview o = overview(state, facts);
+    KnownLegs known;
+    read_legs(*files_, store.folder(), state, known);
+    const Overview o = overview(state, known);
     const std::vector<RoundView> rounds = rounds_of(o);
     const RoundView* round = round_named(rounds, key);
     if (round == nullptr)
@@ -203,7 +204,7 @@ class ShownRound {
       MIROCUP_TRY(const auto then, state_with_legs(state, store.journal(), round->key, shown));
       const std::string heading =
           shown.empty() ? "Before " + title_ : "After leg " + std::to_string(shown.size());
-      standings_.push_back(standing_html(overview(then, facts), heading, is_of_knockout));
+      standings_.push_back(standing_html(overview(then, known), heading, is_of_knockout));
       return {};
     };
     if (auto added = add_standing(); !added) return added;

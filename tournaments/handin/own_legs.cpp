@@ -2,7 +2,7 @@
 #include "tournaments/handin/own_legs.hpp"
 
 #include "record/json_reader.hpp"
-#include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/site_file.hpp"
 
 #include <filesystem>
 

@@ -2,23 +2,25 @@
 #include "tournaments/publish/bests.hpp"
 
 #include "system/text.hpp"
-#include "tournaments/publish/team_page.hpp"
+#include "tournaments/publish/page_values.hpp"
+#include "tournaments/publish/site_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace mirocup::league {
 
 namespace {
 
-constexpr double run_up = 3.0;            // s of a replay before a goal
 constexpr double upset = 100.0;           // strength; a smaller difference is no surprise
 constexpr double late = 10.0;             // s before the end; such a goal decided late
 constexpr double late_share = 0.1;        // of the leg, if that is longer
 constexpr int most_goals_that_count = 8;  // of the excitement of a leg
+constexpr std::size_t worth_length = 5;   // legs
 
 std::string one_digit(double value) {
   return system::formatted("%.1f", value);
@@ -26,12 +28,6 @@ std::string one_digit(double value) {
 
 std::string place_of(const LegView& leg) {
   return leg.round + ", leg " + std::to_string(leg.leg);
-}
-
-std::string page_of(const LegView& leg, double at = -1.0) {
-  std::string page = leg.page();
-  if (at >= 0.0 && !page.empty()) page += "#t=" + one_digit(std::max(0.0, at - run_up));
-  return page;
 }
 
 std::string pair(const Overview& o, const LegView& leg) {
@@ -79,7 +75,7 @@ struct Records {
     win.offer(std::abs(home - away), &leg);
     goals.offer(home + away, &leg);
     for (const int team : {leg.home, leg.away}) {
-      const int other = team == leg.home ? leg.away : leg.home;
+      const int other = leg.other(team);
       const char letter = leg.letter(team);
       if (letter == 'W')
         surprise.offer(o.ratings.strengths[other].value - o.ratings.strengths[team].value,
@@ -160,8 +156,8 @@ Excitement excitement(const Overview& o, const LegView& leg) {
       e.add(3, "decided " + one_digit(course.decided_before_end) + " s before the end");
   }
   for (const int team : {leg.home, leg.away}) {
-    const int other = team == leg.home ? leg.away : leg.home;
-    const double weaker = o.ratings.strengths[other].value - o.ratings.strengths[team].value;
+    const double weaker =
+        o.ratings.strengths[leg.other(team)].value - o.ratings.strengths[team].value;
     if (leg.letter(team) == 'W' && weaker >= upset)
       e.add(static_cast<int>(weaker / upset), o.state.shown_name(team) + " was the weaker team");
   }
@@ -172,36 +168,41 @@ Excitement excitement(const Overview& o, const LegView& leg) {
 
 }  // namespace
 
-std::vector<Best> bests_of(const Overview& o) {
+Json best(const std::string& title, const std::string& value, const std::string& who,
+          const std::string& where, const std::string& page) {
+  return {{"title", title}, {"value", value}, {"who", who}, {"where", where}, {"page", page}};
+}
+
+Json bests_of(const Overview& o) {
   Records records;
   records.teams.resize(o.state.teams.size());
   for (const LegView& leg : o.legs) {
     if (leg.has_replay() && !leg.is_annulled) records.add(o, leg);
   }
-  std::vector<Best> bests;
+  Json bests = Json::array();
   if (const auto& goal = records.fastest; goal.what) {
     const LegView& leg = *goal.what->first;
-    bests.push_back({"Fastest goal", one_digit(-goal.value) + " s",
-                     scorer_of(o, leg, *goal.what->second), pair(o, leg) + ", " + place_of(leg),
-                     page_of(leg, -goal.value)});
+    bests.push_back(best("Fastest goal", one_digit(-goal.value) + " s",
+                         scorer_of(o, leg, *goal.what->second), pair(o, leg) + ", " + place_of(leg),
+                         leg.page("", -goal.value)));
   }
-  for (const auto& [title, best] :
+  for (const auto& [title, most] :
        {std::pair("Biggest win", &records.win), std::pair("Most goals in a leg", &records.goals)}) {
-    if (!best->what || best->value < 1.0) continue;
-    const LegView& leg = **best->what;
-    bests.push_back({title, score(leg), pair(o, leg), place_of(leg), page_of(leg)});
+    if (!most->what || most->value < 1.0) continue;
+    const LegView& leg = **most->what;
+    bests.push_back(best(title, score(leg), pair(o, leg), place_of(leg), leg.page()));
   }
-  if (const auto& best = records.surprise; best.what && best.value >= upset) {
-    const auto [leg, team] = *best.what;
+  if (const auto& most = records.surprise; most.what && most.value >= upset) {
+    const auto [leg, team] = *most.what;
     bests.push_back(
-        {"Biggest upset", score(*leg),
-         o.state.shown_name(team) + ", weaker by " + std::to_string(std::lround(best.value)),
-         pair(o, *leg) + ", " + place_of(*leg), page_of(*leg)});
+        best("Biggest upset", score(*leg),
+             o.state.shown_name(team) + ", weaker by " + std::to_string(std::lround(most.value)),
+             pair(o, *leg) + ", " + place_of(*leg), leg->page()));
   }
   const auto add_of_team = [&](const char* title, const std::string& value, int team,
                                const std::string& robot, const std::string& unit) {
-    bests.push_back(
-        {title, value, o.state.shown_name(team) + robot, unit, team_page_of(o.state.name(team))});
+    bests.push_back(best(title, value, o.state.shown_name(team) + robot, unit,
+                         team_page_of(o.state.name(team))));
   };
   Largest<int> won, unbeaten, cleanest;
   for (int team = 0; team < static_cast<int>(records.teams.size()); ++team) {
@@ -227,27 +228,24 @@ std::vector<Best> bests_of(const Overview& o) {
   return bests;
 }
 
-std::vector<WorthWatching> worth_watching(const Overview& o, int team, std::size_t most) {
+Json worth_watching(const Overview& o) {
   struct Candidate {
     const LegView* leg;
     Excitement excitement;
   };
   std::vector<Candidate> legs;
   for (const LegView& leg : o.legs) {
-    if (leg.page().empty() || leg.is_annulled || (team >= 0 && !leg.is_of(team))) continue;
-    legs.push_back({&leg, excitement(o, leg)});
+    if (!leg.page().empty() && !leg.is_annulled) legs.push_back({&leg, excitement(o, leg)});
   }
   std::stable_sort(legs.begin(), legs.end(), [](const Candidate& a, const Candidate& b) {
     return a.excitement.points > b.excitement.points;
   });
-  std::vector<WorthWatching> best;
-  for (const Candidate& one : legs) {
-    if (best.size() == most || one.excitement.points <= 0) break;
-    // The legs of a fixture are often mirror images.
-    const bool is_second = std::any_of(best.begin(), best.end(), [&](const WorthWatching& other) {
-      return other.leg->fixture == one.leg->fixture;
-    });
-    if (!is_second) best.push_back({one.leg, one.excitement.why});
+  Json best = Json::array();
+  std::set<std::string> fixtures;  // the legs of a fixture are often mirror images
+  for (const auto& [leg, excitement] : legs) {
+    if (best.size() == worth_length || excitement.points <= 0) break;
+    if (fixtures.insert(leg->fixture).second)
+      best.push_back(leg_values(o, *leg, "", excitement.why));
   }
   return best;
 }

@@ -6,31 +6,22 @@
 #include "tournaments/publish/leg_view.hpp"
 
 #include <string>
-#include <vector>
 
 namespace mirocup::league {
 
-// A best: "Fastest goal", "4.2 s", "Orbit, robot 1", "against Lions, round 3, leg 2".
-struct Best {
-  std::string title;
-  std::string value;
-  std::string who;
-  std::string where;
-  std::string page;  // link from the top of the site to the moment in the replay; "": none
-};
+// Returns a best as values of a template: {title, value, who, where, page}, such as "Fastest goal",
+// "4.2 s", "Orbit, robot 1", "against Lions, round 3, leg 2". `page` is the link from the top of
+// the site to the moment in the replay; "": none.
+Json best(const std::string& title, const std::string& value, const std::string& who,
+          const std::string& where, const std::string& page);
 
 // Returns the bests of the league so far: fastest goal, biggest win, most goals in a leg, biggest
 // upset, longest winning run, longest run without defeat, most goals of a robot, cleanest team.
-std::vector<Best> bests_of(const Overview& overview);
+Json bests_of(const Overview& overview);
 
-struct WorthWatching {
-  const LegView* leg = nullptr;
-  std::string why;  // "the lead changed twice, decided 8 s before the end"
-};
-
-// Returns the most exciting legs, the best first, at most one of each fixture: legs with changes of
-// the lead, with a late decision, with a close score, with many goals, or won by the far weaker
-// team. Only legs of `team` count; no_team: legs of all teams.
-std::vector<WorthWatching> worth_watching(const Overview& overview, int team, std::size_t most);
+// Returns the most exciting legs as leg_values(), the best first, at most one of each fixture:
+// legs with changes of the lead, with a late decision, with a close score, with many goals, or
+// won by the far weaker team.
+Json worth_watching(const Overview& overview);
 
 }  // namespace mirocup::league

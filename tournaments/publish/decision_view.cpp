@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/decision_view.hpp"
 
+#include <tuple>
+
 namespace mirocup::league {
 
 namespace {
@@ -18,72 +20,46 @@ std::string leg_in_words(const LeagueState& state, const auto& e) {
 struct DecisionWriter {
   const LeagueState& state;
 
-  DecisionView operator()(const LegVoided& e) const {
-    return signed_by(e, leg_in_words(state, e) + ": void, to be played again");
+  std::string operator()(const LegVoided& e) const {
+    return leg_in_words(state, e) + ": void, to be played again";
   }
-
-  DecisionView operator()(const Ruled& e) const {
-    return signed_by(e, leg_in_words(state, e) + ": " + std::to_string(e.score.home) + ":" +
-                            std::to_string(e.score.away));
+  std::string operator()(const Ruled& e) const {
+    return leg_in_words(state, e) + ": " + std::to_string(e.score.home) + ":" +
+           std::to_string(e.score.away);
   }
-
-  DecisionView operator()(const Withdrawn& e) const {
-    return signed_by(
-        e, state.shown_name_of(e.team) + (e.results == WithdrawnResults::keep
+  std::string operator()(const Withdrawn& e) const {
+    return state.shown_name_of(e.team) + (e.results == WithdrawnResults::keep
                                               ? " withdrawn, its results stay"
-                                              : " withdrawn, its results count for nothing"));
+                                              : " withdrawn, its results count for nothing");
   }
-
-  DecisionView operator()(const Paused& e) const {
-    return signed_by(e, state.shown_name_of(e.team) + " paused");
+  std::string operator()(const Paused& e) const { return state.shown_name_of(e.team) + " paused"; }
+  std::string operator()(const Resumed& e) const {
+    return state.shown_name_of(e.team) + " plays on";
   }
-
-  DecisionView operator()(const Frozen& e) const {
-    return signed_by(e, e.from.empty()
-                            ? "entries are taken again"
-                            : "from " + shown_time(state.file, e.from) + " on, no entry is taken");
+  std::string operator()(const Frozen& e) const {
+    return e.from.empty() ? "entries are taken again"
+                          : "from " + shown_time(state.file, e.from) + " on, no entry is taken";
   }
-
-  DecisionView operator()(const Extended& e) const {
-    return signed_by(e, state.shown_name_of(e.team) + " may hand in until " +
-                            shown_time(state.file, e.until));
+  std::string operator()(const Extended& e) const {
+    return state.shown_name_of(e.team) + " may hand in until " + shown_time(state.file, e.until);
   }
-
-  DecisionView operator()(const Closed& e) const {
-    return signed_by(e,
-                     std::string("the league is closed") +
-                         (e.closing_round.empty() ? "" : "; a closing round decides the season"));
+  std::string operator()(const Closed& e) const {
+    return std::string("the league is closed") +
+           (e.closing_round.empty() ? "" : "; a closing round decides the season");
   }
-
-  DecisionView operator()(const Released& e) const {
-    return signed_by(e, "pages show " + (!e.through.empty() ? "the rounds through " + e.through
-                                         : e.level == ReleaseLevel::all ? "every round"
-                                                                        : "no round"));
+  std::string operator()(const Released& e) const {
+    return "pages show " + (!e.through.empty()             ? "the rounds through " + e.through
+                            : e.level == ReleaseLevel::all ? "every round"
+                                                           : "no round");
   }
-
-  DecisionView operator()(const Undone& e) const {
+  std::string operator()(const Undone& e) const {
     for (std::size_t i = 0; i < state.decisions.size(); ++i) {
       if (state.decisions[i].line == e.line)
-        return signed_by(e, "decision " + std::to_string(i + 1) + " is undone");
+        return "decision " + std::to_string(i + 1) + " is undone";
     }
-    return signed_by(e, "a decision is undone");
+    return "a decision is undone";
   }
-
-  DecisionView operator()(const Resumed& e) const {
-    return signed_by(e, state.shown_name_of(e.team) + " plays on");
-  }
-
-  DecisionView operator()(const auto&) const { return {}; }  // no decision
-
-  DecisionView signed_by(const auto& e, std::string what) const {
-    DecisionView view;
-    view.kind = e.kind;
-    view.at = e.at;
-    view.by = e.by;
-    view.what = std::move(what);
-    view.why = e.why;
-    return view;
-  }
+  std::string operator()(const auto&) const { return ""; }  // no decision
 };
 
 std::string undoing_in_words(const LeagueState& state, const Event& by, int number) {
@@ -99,8 +75,13 @@ std::string undoing_in_words(const LeagueState& state, const Event& by, int numb
 std::vector<DecisionView> decision_views(const LeagueState& state) {
   std::vector<DecisionView> views;
   for (const Decision& decision : state.decisions) {
-    DecisionView view = std::visit(DecisionWriter{state}, decision.event);
-    view.number = static_cast<int>(views.size()) + 1;
+    DecisionView view{.number = static_cast<int>(views.size()) + 1,
+                      .what = std::visit(DecisionWriter{state}, decision.event)};
+    const auto sign = [&view](const auto& e) {
+      if constexpr (requires { e.by; })
+        std::tie(view.kind, view.at, view.by, view.why) = std::tie(e.kind, e.at, e.by, e.why);
+    };
+    std::visit(sign, decision.event);
     if (!decision.what.empty()) view.what += " (" + decision.what + ")";
     if (decision.undone_by) {
       view.undone_by = static_cast<int>(*decision.undone_by) + 1;

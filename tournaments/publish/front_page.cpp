@@ -25,8 +25,7 @@ constexpr std::size_t max_crosstable_teams = 64;
 constexpr std::size_t max_front_crosstable_teams = 16;
 constexpr int max_front_legs = 240;
 
-constexpr std::size_t front_form_length = 5;  // legs
-constexpr std::size_t worth_length = 5;
+constexpr std::size_t front_form_length = 5;    // legs
 constexpr std::size_t most_scores_in_cell = 6;  // of the crosstable
 
 std::string_view status_of(const TeamState& team) {
@@ -34,9 +33,7 @@ std::string_view status_of(const TeamState& team) {
   return team.status == TeamStatus::withdrawn ? "withdrawn" : "";
 }
 
-Json row_values(const Overview& o, const std::vector<TableRow>& table, std::size_t i) {
-  const TableRow& row = table[i];
-  const TableRow* next = i + 1 < table.size() ? &table[i + 1] : nullptr;
+Json row_values(const Overview& o, const TableRow& row, const TableRow* next) {
   const std::int64_t difference = row.difference();
   return {{"rank", rank_in_words(row)},
           {"team", team_values(o, row.team, "")},
@@ -50,20 +47,16 @@ Json row_values(const Overview& o, const std::vector<TableRow>& table, std::size
           {"goals", std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against)},
           {"difference", (difference > 0 ? "+" : "") + std::to_string(difference)},
           {"is_open", is_decided(o.state, o.ratings, row, next) == false},
-          {"reason", reason_in_words(o, row, next)}};
+          {"reason", reason_in_words(o, row, next)},
+          {"form", form_values(o, row.team, front_form_length, "")},
+          {"strength", row.played > 0 ? strength_values(o, row.team) : Json(false)},
+          {"legs_to_tell", legs_to_tell_in_words(o, row, next)}};
 }
 
-Json table_values(const Overview& o) {
+Json rows_values(const Overview& o, const std::vector<TableRow>& table) {
   Json rows = Json::array();
-  for (std::size_t i = 0; i < o.table.size(); ++i) {
-    const TableRow& row = o.table[i];
-    Json values = row_values(o, o.table, i);
-    values["form"] = form_values(o, row.team, front_form_length, "");
-    values["strength"] = row.played > 0 ? strength_values(o, row.team) : Json(false);
-    values["legs_to_tell"] =
-        legs_to_tell_in_words(o, row, i + 1 < o.table.size() ? &o.table[i + 1] : nullptr);
-    rows.push_back(values);
-  }
+  for (std::size_t i = 0; i < table.size(); ++i)
+    rows.push_back(row_values(o, table[i], i + 1 < table.size() ? &table[i + 1] : nullptr));
   return rows;
 }
 
@@ -81,9 +74,7 @@ Json groups_values(const Overview& o) {
       }
     }
     const auto table = make_table(groups[group], results, o.state.file.table_rules());
-    Json rows = Json::array();
-    for (std::size_t i = 0; i < table.size(); ++i) rows.push_back(row_values(o, table, i));
-    values.push_back({{"number", group + 1}, {"rows", rows}});
+    values.push_back({{"number", group + 1}, {"rows", rows_values(o, table)}});
   }
   return values;
 }
@@ -134,24 +125,9 @@ Json next_round(const SiteContent& c) {
   return false;
 }
 
-Json worth_values(const Overview& o) {
-  Json legs = Json::array();
-  for (const WorthWatching& worth : worth_watching(o, no_team, worth_length))
-    legs.push_back(leg_values(o, *worth.leg, "", worth.why));
-  return legs;
-}
-
 Json bests_values(const Overview& o, const LegReports& reports) {
-  Json bests = Json::array();
-  std::vector<Best> all = bests_of(o);
-  if (auto keeper = best_goalkeeper(o, reports)) all.push_back(*std::move(keeper));
-  for (const Best& best : all) {
-    bests.push_back({{"title", best.title},
-                     {"value", best.value},
-                     {"who", best.who},
-                     {"where", best.where},
-                     {"page", best.page}});
-  }
+  Json bests = bests_of(o);
+  if (Json keeper = best_goalkeeper(o, reports); !keeper.is_null()) bests.push_back(keeper);
   return bests;
 }
 
@@ -256,14 +232,14 @@ std::string front_html(const SiteContent& c) {
   values["unpaired"] = unpaired_in_words(o.state);
   values["last"] = last_round(c);
   values["next"] = next_round(c);
-  values["table"] = table_values(o);
+  values["table"] = rows_values(o, o.table);
   values["is_any_open"] = std::any_of(values["table"].begin(), values["table"].end(),
                                       [](const Json& row) { return row["is_open"]; });
   values["bracket"] = bracket_svg(o);
   values["groups"] = groups_values(o);
   values["per_leg"] = o.state.file.format.takes_entries();
   values["chart"] = strength_picture(o, c.history, no_team);
-  values["worth"] = worth_values(o);
+  values["worth"] = worth_watching(o);
   values["statistics"] = statistics_html(o, c.reports);
   values["bests"] = bests_values(o, c.reports);
   values["filter"] = filter_values(o);

@@ -5,14 +5,11 @@
 #include "record/statistics/statistics_json.hpp"
 #include "system/text.hpp"
 #include "tournaments/publish/page_values.hpp"
-#include "tournaments/publish/replay_pages.hpp"
-#include "tournaments/publish/team_page.hpp"
+#include "tournaments/publish/site_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
-#include <set>
 #include <utility>
 
 namespace mirocup::league {
@@ -25,42 +22,7 @@ using statistics::TeamStatistics;
 using statistics::TeamTotals;
 
 constexpr std::size_t most_goals_unfolded = 60;
-constexpr double lead_in_s = 3.0;  // a link to a goal shows what came before it
-
-Result<LegReport> kept_report(system::Files& files, const Folder& folder,
-                              const std::string& record) {
-  const std::string path = folder.site() + "/" + statistics_file_of(record);
-  MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::note}));
-  return statistics::parse_leg_report(text, path);
-}
-
-// A leg that counts and was played.
-struct CountedLeg {
-  std::string name;  // "r3-f1 leg 2"
-  const PlayedLeg* played;
-};
-
-std::vector<CountedLeg> counted_legs(const LeagueState& state) {
-  std::vector<CountedLeg> legs;
-  for (const FixtureState& f : state.fixtures) {
-    if (!f.fixture.has_both() || f.is_annulled) continue;
-    for (int leg = 1; leg <= f.needed(); ++leg) {
-      const PlayedLeg* played = f.legs[leg - 1].played.get();
-      if (played == nullptr || played->record.empty()) continue;
-      legs.push_back({f.fixture.id() + " leg " + std::to_string(leg), played});
-    }
-  }
-  return legs;
-}
-
-// The report with the names that the league has for it, or nothing if it is of another leg.
-std::optional<LegReport> named(Result<LegReport> report, const CountedLeg& leg) {
-  if (!report || report->differs) return std::nullopt;
-  if (to_hex(report->state_hash) != leg.played->state_hash) return std::nullopt;
-  report->leg = leg.name;
-  report->record = leg.played->record;
-  return *std::move(report);
-}
+constexpr int least_shots = 10;  // on the goal of a best goalkeeper
 
 // The name of an enumerator for people: "kick off".
 std::string in_words(auto e) {
@@ -161,113 +123,89 @@ std::string loss_in_words(const std::optional<statistics::Loss>& loss, const sta
   return in_words(loss->kind) + ", " + third + system::formatted(", %.1f s before", before);
 }
 
-Json goals_against(const LeagueState& state, const LegReports& reports, const std::string& name) {
-  Json goals = Json::array();
-  for (const LegReport& leg : reports) {
-    const auto colour = colour_of(leg, name);
-    const std::string page = page_of_record(state, "../", leg.record);
-    for (const statistics::Goal& goal : leg.statistics.goals) {
-      if (!colour || goal.team == *colour) continue;
-      const double at = std::max(0.0, goal.tick * leg.control_period - lead_in_s);
-      goals.push_back({{"leg", leg.leg},
-                       {"by", state.shown_name_of(leg.names[index_of(goal.team)])},
-                       {"kind", in_words(goal.origin)},
-                       {"restart", in_words(goal.restart) + ": " + in_words(goal.restart_law)},
-                       {"after", system::formatted("%.1f s", goal.since_restart)},
-                       {"loss", loss_in_words(goal.loss, goal, leg.control_period)},
-                       {"tick", goal.tick},
-                       {"page", page.empty() ? "" : page + system::formatted("#t=%.2f", at)}});
-    }
+// True if the report is of the leg that the journal has.
+bool fits(const LegReport& report, const PlayedLeg& leg) {
+  return !report.differs && is_of(report, leg);
+}
+
+// Adds how goals fell against a team in a leg.
+void add_goals_against(const LeagueState& state, const LegView& leg, Team colour, Json& goals) {
+  const LegReport& report = *leg.report;
+  for (const statistics::Goal& goal : report.statistics.goals) {
+    if (goal.team == colour) continue;
+    goals.push_back({{"leg", report.leg},
+                     {"by", state.shown_name_of(report.names[index_of(goal.team)])},
+                     {"kind", in_words(goal.origin)},
+                     {"restart", in_words(goal.restart) + ": " + in_words(goal.restart_law)},
+                     {"after", system::formatted("%.1f s", goal.since_restart)},
+                     {"loss", loss_in_words(goal.loss, goal, report.control_period)},
+                     {"tick", goal.tick},
+                     {"page", leg.page("../", goal.tick * report.control_period, 2)}});
   }
-  return goals;
 }
 
 }  // namespace
 
-std::string statistics_file_of(const std::string& record) {
-  return "statistics/" + std::filesystem::path(record).stem().string() + ".json";
-}
-
-std::optional<std::string> counted_hash(system::Files& files, const Folder& folder,
-                                        const std::string& record) {
-  const auto report = kept_report(files, folder, record);
-  return report ? std::optional(to_hex(report->state_hash)) : std::nullopt;
-}
-
-LegReports kept_statistics(system::Files& files, const Folder& folder, const LeagueState& state,
-                           KnownReports* known) {
-  KnownReports none;
-  if (known == nullptr) known = &none;
+LegReports counted_reports(const Overview& o) {
   LegReports reports;
-  for (const CountedLeg& leg : counted_legs(state)) {
-    const std::string& record = leg.played->record;
-    auto found = known->find(record);
-    if (found == known->end()) {
-      auto report = kept_report(files, folder, record);
-      if (!report) continue;
-      found = known->emplace(record, *std::move(report)).first;
-    }
-    if (auto report = named(found->second, leg)) reports.push_back(*std::move(report));
+  for (const LegView& leg : o.legs) {
+    if (leg.report != nullptr) reports.push_back(*leg.report);
   }
   return reports;
-}
-
-std::vector<std::string> uncounted_records(const LeagueState& state, const LegReports& reports,
-                                           const FactsOfLegs& facts) {
-  std::set<std::string> counted;
-  for (const LegReport& report : reports) counted.insert(report.record);
-  std::vector<std::string> records;
-  for (const CountedLeg& leg : counted_legs(state)) {
-    const std::string& record = leg.played->record;
-    if (!counted.contains(record) || !facts.contains(record)) records.push_back(record);
-  }
-  return records;
 }
 
 Result<LegReports> all_statistics(system::Files& files, const Folder& folder,
                                   const LeagueState& state) {
-  const std::vector<CountedLeg> legs = counted_legs(state);
-  LegReports reports(legs.size());
+  struct Place {
+    std::size_t index;
+    const PlayedLeg* played;
+  };
+  LegReports reports;
   std::vector<std::string> missing;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    if (auto report = named(kept_report(files, folder, legs[i].played->record), legs[i])) {
-      reports[i] = *std::move(report);
-    } else {
-      missing.push_back(folder.path + "/" + legs[i].played->record);
-      places.push_back(i);
+  std::vector<Place> places;  // of what is missing
+  for (const FixtureState& f : state.fixtures) {
+    for (int leg = 1; f.fixture.has_both() && !f.is_annulled && leg <= f.needed(); ++leg) {
+      const PlayedLeg* played = f.legs[leg - 1].played.get();
+      if (played == nullptr || played->record.empty()) continue;
+      const LegName name{f.fixture.id(), leg};
+      auto kept = kept_report(files, folder, name, played->record);
+      if (!kept || !fits(*kept, *played)) {
+        kept = LegReport{.record = played->record, .leg = name_in_words(name)};
+        missing.push_back(folder.path + "/" + played->record);
+        places.push_back({reports.size(), played});
+      }
+      reports.push_back(*std::move(kept));
     }
   }
   MIROCUP_TRY(auto counted, statistics::count_records(files, missing));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const CountedLeg& leg = legs[places[i]];
-    auto report = named(std::move(counted[i]), leg);
-    if (!report) {
+    LegReport& report = reports[places[i].index];
+    if (!fits(counted[i], *places[i].played)) {
       return fail(Errc::damaged, missing[i] + ": it is not the leg that the journal has as " +
-                                     leg.name + " (state hash, or the result of its replay)");
+                                     report.leg + " (state hash, or the result of its replay)");
     }
-    reports[places[i]] = *std::move(report);
+    counted[i].record = std::move(report.record);
+    counted[i].leg = std::move(report.leg);
+    report = std::move(counted[i]);
   }
   return reports;
 }
 
-std::optional<Best> best_goalkeeper(const Overview& o, const LegReports& reports) {
-  const std::vector<TeamTotals> totals = statistics::totals_of(reports);
-  std::optional<Best> best;
+Json best_goalkeeper(const Overview& o, const LegReports& reports) {
+  Json keeper;
   double highest = -1.0;
-  for (const TeamTotals& t : totals) {
+  for (const TeamTotals& t : statistics::totals_of(reports)) {
     const auto team = o.state.find_team(t.name);
     const int shots = t.against.shots_on_goal;
-    if (!team || shots < least_shots) continue;
-    const double share = static_cast<double>(t.own.saves) / shots;
-    if (share <= highest) continue;
+    const double share = static_cast<double>(t.own.saves) / std::max(shots, 1);
+    if (!team || shots < least_shots || share <= highest) continue;
     highest = share;
-    best = Best{
+    keeper = best(
         "Best goalkeeper", statistics::percent(share), o.state.shown_name(*team),
         "saved " + std::to_string(t.own.saves) + " of " + std::to_string(shots) + " shots on goal",
-        team_page_of(t.name)};
+        team_page_of(t.name));
   }
-  return best;
+  return keeper;
 }
 
 std::string statistics_html(const Overview& o, const LegReports& reports) {
@@ -290,15 +228,18 @@ std::string statistics_html(const Overview& o, const LegReports& reports) {
                      {{"numbers", numbers}, {"kinds", kinds}, {"legs", reports.size()}});
 }
 
-std::string team_statistics_html(const Overview& o, const LegReports& reports, int team) {
-  const std::string& name = o.state.name(team);
+std::string team_statistics_html(const Overview& o, int team) {
   TeamTotals all;
   match::ByTeam<TeamTotals> by_colour;
-  for (const LegReport& leg : reports) {
-    const auto colour = colour_of(leg, name);
+  Json goals = Json::array();
+  for (const std::size_t index : o.decided_legs[team]) {
+    const LegView& leg = o.legs[index];
+    const auto colour =
+        leg.report != nullptr ? colour_of(*leg.report, o.state.name(team)) : std::nullopt;
     if (!colour) continue;
-    all.add(leg.statistics, *colour);
-    by_colour[index_of(*colour)].add(leg.statistics, *colour);
+    all.add(leg.report->statistics, *colour);
+    by_colour[index_of(*colour)].add(leg.report->statistics, *colour);
+    add_goals_against(o.state, leg, *colour, goals);
   }
   if (all.legs == 0) return "";
   Json numbers = numbers_table("");
@@ -306,7 +247,6 @@ std::string team_statistics_html(const Overview& o, const LegReports& reports, i
                      numbers_row("As yellow", by_colour[1])};
   Json kinds = kinds_table("");
   kinds["rows"] = {kinds_row("For it", all.own), kinds_row("Against it", all.against)};
-  const Json goals = goals_against(o.state, reports, name);
   const bool is_folded = goals.size() > most_goals_unfolded;
   return filled_page("team_statistics.html", {{"numbers", numbers},
                                               {"kinds", kinds},

@@ -2,6 +2,8 @@
 #include "tournaments/publish/leg_facts.hpp"
 
 #include "record/json_fields.hpp"
+#include "record/statistics/statistics_json.hpp"
+#include "tournaments/publish/site_file.hpp"
 
 namespace mirocup::league {
 
@@ -25,6 +27,10 @@ GoalFact goal(const Json& decision, double period, const std::string& home) {
 }
 
 }  // namespace
+
+std::string name_in_words(const LegName& leg) {
+  return leg.first + " leg " + std::to_string(leg.second);
+}
 
 std::optional<LegFacts> facts_of(const std::string& bytes, bool is_home_blue) {
   const record::ParsedJson parsed = record::parse_json(bytes);
@@ -51,20 +57,33 @@ std::optional<LegFacts> facts_of(const std::string& bytes, bool is_home_blue) {
   return facts;
 }
 
-FactsOfLegs read_facts(system::Files& files, const Folder& folder, const LeagueState& state,
-                       FactsOfLegs known) {
+std::optional<statistics::LegReport> kept_report(system::Files& files, const Folder& folder,
+                                                 const LegName& leg, const std::string& record) {
+  const std::string path = folder.site() + "/" + statistics_file_of(record);
+  const auto text = files.read(path, {.max_size = system::size_limit::note});
+  if (!text) return std::nullopt;
+  auto report = statistics::parse_leg_report(*text, path);
+  if (!report) return std::nullopt;
+  report->leg = name_in_words(leg);
+  report->record = record;
+  return *std::move(report);
+}
+
+void read_legs(system::Files& files, const Folder& folder, const LeagueState& state,
+               KnownLegs& known) {
   for (const FixtureState& f : state.fixtures) {
     for (int leg = 1; leg <= max_legs; ++leg) {
       const PlayedLeg* played = f.legs[leg - 1].played.get();
-      if (played == nullptr || played->record.empty() || known.contains(played->record)) continue;
+      if (played == nullptr || played->record.empty()) continue;
+      const std::string& record = played->record;
+      KnownLeg& one = known[record];
+      if (!one.report) one.report = kept_report(files, folder, {f.fixture.id(), leg}, record);
+      if (one.facts) continue;
       const auto bytes =
-          files.read(folder.path + "/" + played->record, {.max_size = system::size_limit::record});
-      if (!bytes) continue;
-      const bool is_home_blue = blue_team(f.fixture, leg) == f.fixture.home;
-      if (auto facts = facts_of(*bytes, is_home_blue)) known[played->record] = *std::move(facts);
+          files.read(folder.path + "/" + record, {.max_size = system::size_limit::record});
+      if (bytes) one.facts = facts_of(*bytes, blue_team(f.fixture, leg) == f.fixture.home);
     }
   }
-  return known;
 }
 
 }  // namespace mirocup::league

@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
-// Facts of a leg for pages: goals with their times and scorers, fouls, the score of a shoot-out.
-// They come from the match record, because the journal has only the result.
+// Facts of a leg for pages: goals with their times and scorers, fouls, the score of a shoot-out,
+// football statistics. They come from the files of the leg, because the journal has only the
+// result.
 #pragma once
 
+#include "record/statistics/leg_report.hpp"
 #include "tournaments/league/folder.hpp"
 
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mirocup::league {
+
+// A leg of the league: the id of its fixture and its number, from 1.
+using LegName = std::pair<std::string, int>;
+
+// Returns "r3-f1 leg 2".
+std::string name_in_words(const LegName& leg);
 
 struct GoalFact {
   double at = 0.0;       // s since the leg began
@@ -27,13 +36,23 @@ struct LegFacts {
   std::optional<HomeAway> shoot_out;  // number of scored attempts
 };
 
-// The facts by the path of the record inside the league folder.
-using FactsOfLegs = std::map<std::string, LegFacts>;
+// What the files of a leg tell: its record, and the statistics that site/ keeps (site_file.hpp).
+// The program counts a leg once, when it makes the leg's replay page.
+struct KnownLeg {
+  std::optional<LegFacts> facts;                // empty: the record cannot be read
+  std::optional<statistics::LegReport> report;  // empty: none is kept, or it cannot be read
+};
 
-// Reads the facts of all played legs. `known` are the facts of earlier calls, which are not read
-// again, since records do not change. A record that cannot be read has no facts.
-FactsOfLegs read_facts(system::Files& files, const Folder& folder, const LeagueState& state,
-                       FactsOfLegs known = {});
+// By the path of the record inside the league folder.
+using KnownLegs = std::map<std::string, KnownLeg>;
+
+// Reads what is not yet known of the played legs of a state. Records do not change.
+void read_legs(system::Files& files, const Folder& folder, const LeagueState& state,
+               KnownLegs& known);
+
+// Reads the statistics that are kept for a record of a leg.
+std::optional<statistics::LegReport> kept_report(system::Files& files, const Folder& folder,
+                                                 const LegName& leg, const std::string& record);
 
 // Returns the facts of a record's text; nothing if the text is not a record. `is_home_blue`: true
 // if the home team was blue.

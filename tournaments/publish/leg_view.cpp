@@ -4,7 +4,7 @@
 #include "core/base/assert.hpp"
 #include "core/match/controller.hpp"
 #include "system/text.hpp"
-#include "tournaments/publish/replay_pages.hpp"
+#include "tournaments/publish/site_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -62,8 +62,11 @@ int LegView::goals(int team) const {
   return team == home ? played->result.home_goals : played->result.away_goals;
 }
 
-std::string LegView::page(const std::string& root) const {
-  return has_replay() && !is_pruned ? root + replay_page_of(played->record) : "";
+std::string LegView::page(const std::string& root, double at, int digits) const {
+  if (!has_replay() || is_pruned) return "";
+  const std::string page = root + replay_page_of(played->record);
+  constexpr double run_up = 3.0;  // s; what came before the moment is shown, too
+  return at < 0.0 ? page : page + system::formatted("#t=%.*f", digits, std::max(0.0, at - run_up));
 }
 
 bool LegView::is_by_lot() const {
@@ -84,7 +87,11 @@ void LegTotals::add(const LegView& leg, int team) {
   against += leg.goals_against(team);
 }
 
-Overview overview(const LeagueState& state, const FactsOfLegs& facts) {
+bool is_of(const statistics::LegReport& report, const PlayedLeg& leg) {
+  return to_hex(report.state_hash) == leg.state_hash;
+}
+
+Overview overview(const LeagueState& state, const KnownLegs& known) {
   Ratings ratings = state.ratings();
   Overview o{state, state.table(ratings), std::move(ratings), {}, {}};
   o.decided_legs.resize(state.file.teams.size());
@@ -93,14 +100,18 @@ Overview overview(const LeagueState& state, const FactsOfLegs& facts) {
     const std::string round = round_in_words(state, f.fixture);
     for (int i = 0; i < f.needed(); ++i) {
       const PlayedLeg* played = f.legs[i].played.get();
-      const auto known = played == nullptr ? facts.end() : facts.find(played->record);
+      const auto found = played == nullptr ? known.end() : known.find(played->record);
+      const KnownLeg* files = found == known.end() ? nullptr : &found->second;
+      const bool counts = files != nullptr && files->report && !f.is_annulled &&
+                          !files->report->differs && is_of(*files->report, *played);
       o.legs.push_back({.fixture = f.fixture.id(),
                         .round = round,
                         .leg = i + 1,
                         .home = f.fixture.home,
                         .away = f.fixture.away,
                         .played = played,
-                        .facts = known == facts.end() ? nullptr : &known->second,
+                        .facts = files != nullptr && files->facts ? &*files->facts : nullptr,
+                        .report = counts ? &*files->report : nullptr,
                         .is_annulled = f.is_annulled,
                         .is_pruned = state.pruned_nights.contains(f.fixture.round)});
       if (played != nullptr) {

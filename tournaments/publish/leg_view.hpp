@@ -23,19 +23,24 @@ struct LegView {
   int away = 0;
   const PlayedLeg* played = nullptr;  // null: not decided
   const LegFacts* facts = nullptr;    // null: not known
-  bool is_annulled = false;           // the leg counts for nothing, because a team has left
-  bool is_pruned = false;             // the replay page was removed to save room
+  // The football statistics of a leg that counts; null: not known, or of another leg than the
+  // journal has.
+  const statistics::LegReport* report = nullptr;
+  bool is_annulled = false;  // the leg counts for nothing, because a team has left
+  bool is_pruned = false;    // the replay page was removed to save room
 
   // Returns the path of the leg's replay page: `root`, then the path from the top of the site; ""
-  // if the leg has no page.
-  std::string page(const std::string& root = "") const;
+  // if the leg has no page. With `at`, the link to the seconds before that moment, s since the leg
+  // began, written with so many digits.
+  std::string page(const std::string& root = "", double at = -1.0, int digits = 1) const;
 
   bool has_replay() const { return played != nullptr && !played->record.empty(); }
   // True if the leg's shoot-out was level, so that a lot chose its winner.
   bool is_by_lot() const;
   bool is_of(int team) const { return home == team || away == team; }
+  int other(int team) const { return team == home ? away : home; }
   int goals(int team) const;
-  int goals_against(int team) const { return goals(team == home ? away : home); }
+  int goals_against(int team) const { return goals(other(team)); }
   // Returns 'W', 'D' or 'L' for a team of a decided leg.
   char letter(int team) const;
 };
@@ -53,9 +58,9 @@ struct LegTotals {
   std::string score() const { return std::to_string(goals) + ":" + std::to_string(against); }
 };
 
-// The data from which a site is made, computed once. The state and the facts must outlive the
+// The data from which a site is made, computed once. The state and the known legs must outlive the
 // overview.
-inline const FactsOfLegs no_facts;
+inline const KnownLegs no_known_legs;
 
 struct Overview {
   const LeagueState& state;
@@ -66,7 +71,10 @@ struct Overview {
   // For each team, the indexes of its decided legs in the order of the schedule.
   std::vector<std::vector<std::size_t>> decided_legs;
 };
-Overview overview(const LeagueState& state, const FactsOfLegs& facts = no_facts);
+Overview overview(const LeagueState& state, const KnownLegs& known = no_known_legs);
+
+// True if the statistics are of the leg that the journal has.
+bool is_of(const statistics::LegReport& report, const PlayedLeg& leg);
 
 // Returns the name of a fixture's round: "Final", "Semi-final", "Group 2, round 1", "Round 3".
 std::string round_in_words(const LeagueState& state, const Fixture& fixture);

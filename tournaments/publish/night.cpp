@@ -3,7 +3,6 @@
 
 #include "record/json_fields.hpp"
 #include "tournaments/league/apply.hpp"
-#include "tournaments/publish/page_values.hpp"
 
 #include <algorithm>
 
@@ -30,12 +29,11 @@ int rank_of(const Overview& o, int team) {
 void add_moments(const Overview& o, const LegView& leg, int team,
                  std::vector<WorstMoment>& moments) {
   const PlayedLeg& played = *leg.played;
-  const int opponent = leg.home == team ? leg.away : leg.home;
-  const std::string against = " against " + o.state.shown_name(opponent);
+  const std::string against = " against " + o.state.shown_name(leg.other(team));
   if (played.fault && played.fault->team == o.state.name(team)) {
     moments.push_back({.what = "leg lost" + against +
                                " by the team's own fault: " + fault_in_words(*played.fault),
-                       .record = played.record,
+                       .leg = &leg,
                        .at = leg.facts != nullptr ? leg.facts->length : -1.0,
                        .weight = fault_weight});
   }
@@ -59,7 +57,7 @@ void add_moments(const Overview& o, const LegView& leg, int team,
     moments.push_back({.what = goal.is_own_goal ? "own goal, " + score
                                : i == decisive  ? "the goal that decided, " + score
                                                 : "goal, " + score,
-                       .record = played.record,
+                       .leg = &leg,
                        .at = goal.at,
                        .weight = goal.is_own_goal ? own_goal_weight
                                  : i == decisive  ? decisive_weight
@@ -113,13 +111,7 @@ std::vector<TeamDigest> digests(const Night& night, const Overview& now) {
       if (!leg.is_of(team) || leg.played == nullptr || !night.records.contains(leg.played->record))
         continue;
       digest.legs.add(leg, team);
-      if (leg.letter(team) == 'L') {
-        digest.losses.push_back({.opponent = leg.home == team ? leg.away : leg.home,
-                                 .score = score_text(leg, team),
-                                 .record = leg.played->record,
-                                 .fixture = leg.fixture,
-                                 .leg = leg.leg});
-      }
+      if (leg.letter(team) == 'L') digest.losses.push_back(&leg);
       add_moments(now, leg, team, digest.moments);
     }
     std::stable_sort(

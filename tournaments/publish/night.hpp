@@ -28,19 +28,10 @@ struct Night {
 // that pages show; `journal` may have later nights. Errors: Errc::damaged.
 Result<std::optional<Night>> last_night(const LeagueState& shown, const Journal& journal);
 
-// A lost leg, seen by the loser.
-struct LostLeg {
-  int opponent = 0;
-  std::string score;  // "1:3", the own goals first
-  std::string record;
-  std::string fixture;
-  int leg = 1;
-};
-
 // A moment that a team should look at.
 struct WorstMoment {
   std::string what;  // "own goal of robot 0, 1:2 against tiger"
-  std::string record;
+  const LegView* leg = nullptr;
   double at = -1.0;  // s since the leg began; negative: not known
   int weight = 0;    // the worst moment has the greatest weight
 };
@@ -54,11 +45,12 @@ struct TeamDigest {
   int entry = 0;                            // the entry that plays; 0: none
   bool has_new_entry = false;               // true: the entry is new since the night before
   LegTotals legs;                           // of the night
-  std::vector<LostLeg> losses;
+  std::vector<const LegView*> losses;
   std::vector<WorstMoment> moments;  // at most three, the worst first
 };
 
-// Returns the digests of all teams, in the order of the table. `now` has the facts of the legs.
+// Returns the digests of all teams, in the order of the table. `now` has the facts of the legs, and
+// must outlive the digests.
 std::vector<TeamDigest> digests(const Night& night, const Overview& now);
 
 }  // namespace mirocup::league

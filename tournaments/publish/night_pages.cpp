@@ -4,7 +4,6 @@
 #include "record/json_fields.hpp"
 #include "system/text.hpp"
 #include "tournaments/publish/page_values.hpp"
-#include "tournaments/publish/replay_pages.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,18 +14,11 @@ namespace mirocup::league {
 namespace {
 
 constexpr const char* closing_words = "A closing round of the last entries decides the season";
-constexpr double run_up_s = 3.0;  // a moment is shown from a little before
 
-std::string page_of_moment(const Overview& o, const std::string& root, const WorstMoment& moment) {
-  const std::string page = page_of_record(o.state, root, moment.record);
-  if (moment.at < 0.0 || page.empty()) return page;
-  return page + system::formatted("#t=%.1f", std::max(0.0, moment.at - run_up_s));
-}
-
+// "1:23 ", or "" for a time that is not known.
 std::string time_text(double at) {
-  if (at < 0.0) return "";
   const int s = static_cast<int>(at);
-  return system::formatted("%d:%02d", s / 60, s % 60);
+  return at < 0.0 ? "" : system::formatted("%d:%02d ", s / 60, s % 60);
 }
 
 // "3 (yesterday 5)", or "3 (new)".
@@ -96,74 +88,61 @@ std::string entry_in_words(const TeamDigest& d) {
   return std::to_string(d.entry) + (d.has_new_entry ? ", new since yesterday" : "");
 }
 
-std::string moment_in_words(const WorstMoment& moment) {
-  return (moment.at >= 0.0 ? time_text(moment.at) + " " : "") + moment.what;
-}
-
 }  // namespace
+
+// The values of digest.html and digest.txt. Links begin with `root`.
+static Json digest_values(const Overview& o, const Night& night, const TeamDigest& d,
+                          const std::string& root) {
+  Json losses = Json::array();
+  for (const LegView* leg : d.losses)
+    losses.push_back(
+        {{"page", leg->page(root)},
+         {"what", o.state.shown_name(leg->other(d.team)) + " " + score_text(*leg, d.team)},
+         {"fixture", leg->fixture},
+         {"leg", leg->leg}});
+  Json moments = Json::array();
+  for (const WorstMoment& moment : d.moments)
+    moments.push_back({{"page", moment.leg->page(root, moment.at)},
+                       {"what", time_text(moment.at) + moment.what}});
+  return {{"title", title_of(night)},
+          {"rank", rank_in_words(d)},
+          {"strength", strength_in_words(d)},
+          {"legs", legs_in_words(d)},
+          {"entry", entry_in_words(d)},
+          {"closing", o.state.closing_round.empty() ? "" : closing_words},
+          {"losses", losses},
+          {"moments", moments}};
+}
 
 std::string digest_html(const Overview& o, const Night& night, const TeamDigest& d,
                         const std::string& root) {
-  Json losses = Json::array();
-  for (const LostLeg& leg : d.losses)
-    losses.push_back({{"page", page_of_record(o.state, root, leg.record)},
-                      {"what", o.state.shown_name(leg.opponent) + " " + leg.score},
-                      {"fixture", leg.fixture},
-                      {"leg", leg.leg}});
-  Json moments = Json::array();
-  for (const WorstMoment& moment : d.moments)
-    moments.push_back(
-        {{"page", page_of_moment(o, root, moment)}, {"what", moment_in_words(moment)}});
-  return filled_page("digest.html",
-                     {{"title", title_of(night)},
-                      {"rank", rank_in_words(d)},
-                      {"strength", strength_in_words(d)},
-                      {"legs", legs_in_words(d)},
-                      {"entry", entry_in_words(d)},
-                      {"closing", o.state.closing_round.empty() ? "" : closing_words},
-                      {"losses", losses},
-                      {"moments", moments}});
+  return filled_page("digest.html", digest_values(o, night, d, root));
 }
 
 std::string digest_text(const Overview& o, const Night& night, const TeamDigest& d,
                         const std::string& address) {
-  const auto link = [&address](const std::string& page) {
-    return address.empty() || page.empty() ? "" : "  " + address + page;
-  };
-  std::string text =
-      o.state.file.title + ", " + title_of(night) + ", " + shown_time(o.state.file, night.at);
-  text += "\n\n" + o.state.shown_name(d.team) + "\nRank:     " + rank_in_words(d) +
-          "\nStrength: " + strength_in_words(d) + "\nLegs:     " + legs_in_words(d) + "\n";
-  if (d.entry > 0) text += "Entry:    " + entry_in_words(d) + "\n";
-  if (!o.state.closing_round.empty()) text += closing_words + std::string("\n");
-  text += "\nLost to:\n";
-  if (d.losses.empty()) text += "  nobody\n";
-  for (const LostLeg& leg : d.losses) {
-    text += "  " + o.state.shown_name(leg.opponent) + " " + leg.score +
-            link(page_of_record(o.state, "", leg.record)) + "\n";
-  }
-  text += "\nWorst moments:\n";
-  if (d.moments.empty()) text += "  none\n";
-  for (const WorstMoment& moment : d.moments) {
-    text += "  " + moment_in_words(moment) + link(page_of_moment(o, "", moment)) + "\n";
-  }
-  return text;
+  Json values = digest_values(o, night, d, address);
+  values.update({{"league", o.state.file.title},
+                 {"at", shown_time(o.state.file, night.at)},
+                 {"team", o.state.shown_name(d.team)},
+                 {"has_links", !address.empty()}});
+  return filled_page("digest.txt", values);
 }
 
 Json digest_json(const Overview& o, const TeamDigest& d) {
   Json losses = Json::array();
-  for (const LostLeg& leg : d.losses) {
-    losses.push_back({{"to", o.state.name(leg.opponent)},
-                      {"score", leg.score},
-                      {"fixture", leg.fixture},
-                      {"leg", leg.leg},
-                      {"replay", page_of_record(o.state, "", leg.record)}});
+  for (const LegView* leg : d.losses) {
+    losses.push_back({{"to", o.state.name(leg->other(d.team))},
+                      {"score", score_text(*leg, d.team)},
+                      {"fixture", leg->fixture},
+                      {"leg", leg->leg},
+                      {"replay", leg->page()}});
   }
   Json moments = Json::array();
   for (const WorstMoment& moment : d.moments) {
     moments.push_back({{"what", moment.what},
                        {"at", moment.at >= 0.0 ? Json(moment.at) : Json()},
-                       {"replay", page_of_moment(o, "", moment)}});
+                       {"replay", moment.leg->page("", moment.at)}});
   }
   return {
       {"team", o.state.name(d.team)},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/page_values.hpp"
 
-#include "tournaments/publish/team_page.hpp"
+#include "tournaments/publish/site_file.hpp"
 #include "web/design/template.hpp"
 
 #include <nlohmann/json.hpp>

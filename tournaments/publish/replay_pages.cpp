@@ -7,33 +7,16 @@
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
 #include "tournaments/league/schedule_growth.hpp"
-#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/page_values.hpp"
-#include "tournaments/publish/site.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 namespace mirocup::league {
 
 namespace {
-
-using Arguments = std::vector<std::string>;
-
-// Returns the records of a fixture, those of void attempts included: they are evidence.
-std::vector<std::string> records_of(system::Files& files, const Folder& folder,
-                                    const FixtureState& f) {
-  std::vector<std::string> records;
-  for (int leg = 1; leg <= max_legs; ++leg) {
-    const LegState& now = f.legs[leg - 1];
-    for (int version = 1; version < now.version; ++version) {
-      const std::string record = Folder::record_name(f.fixture, leg, version);
-      if (files.exists(folder.path + "/" + record)) records.push_back(record);
-    }
-    if (now.played && !now.played->record.empty()) records.push_back(now.played->record);
-  }
-  return records;
-}
 
 bool is_pruned(const LeagueState& state, const FixtureState& f) {
   return state.pruned_nights.contains(f.fixture.round);
@@ -51,40 +34,23 @@ bool has_changed(const Folder& folder, const std::string& record) {
   return time_of(path) > made || time_of(record::replay_path_of(path)) > made;
 }
 
-// True if the statistics that are kept for a record are of the leg that the journal has, as far as
-// they can be read and the leg counts.
-bool are_of_its_leg(system::Files& files, const Folder& folder, const FixtureState& f,
-                    const std::string& record) {
-  const auto hash = counted_hash(files, folder, record);
-  return std::none_of(f.legs.begin(), f.legs.end(), [&](const LegState& leg) {
-    return hash && leg.played && leg.played->record == record && leg.played->state_hash != *hash;
-  });
-}
-
-// True if the page of a record is there with statistics that can be read. Of a pruned leg the
-// statistics are enough.
-bool has_page(system::Files& files, const Folder& folder, const FixtureState& f,
-              const std::string& record, bool is_pruned) {
-  if (!is_pruned && !files.exists(folder.site() + "/" + replay_page_of(record))) return false;
-  if (has_changed(folder, record) || !are_of_its_leg(files, folder, f, record)) return false;
-  return counted_hash(files, folder, record).has_value();
-}
-
-// Returns the path inside site/ of the file with the league's part of a record's page, and the
-// module that the page names.
-std::string part_file_of(const std::string& record) {
-  return "replays/" + std::filesystem::path(record).stem().string() + ".league.json";
-}
-
-// Returns the content of that file; null if there is none, or it cannot be read.
-Json read_part(system::Files& files, const Folder& folder, const std::string& record) {
+// Returns what the league has put on a page, with the name of the page's module; null if there is
+// no such file, or it cannot be read.
+Json kept_part(system::Files& files, const Folder& folder, const std::string& record) {
   const auto text = files.read(folder.site() + "/" + part_file_of(record),
                                {.max_size = system::size_limit::note});
   return text ? record::parse_json(*text).value : Json();
 }
 
+// What the league's part has besides the module.
+bool is_same_part(Json kept, const Json& part) {
+  if (kept.is_object()) kept.erase("module");
+  return kept == part;
+}
+
 // A page to make, and what the league puts on it.
 struct NewPage {
+  LegName leg;
   std::string record;
   Json part;
 };
@@ -93,114 +59,19 @@ struct NewPage {
 // no proof.
 std::vector<std::string> command_for(const Folder& folder, const NewPage& page,
                                      const std::string& module) {
-  std::vector<std::string> words{system::sibling_program("mirocup"),
-                                 "replay",
-                                 folder.path + "/" + page.record,
-                                 "--no-times",
-                                 "--public",
-                                 "-o",
-                                 folder.site() + "/" + replay_page_of(page.record),
-                                 "--statistics",
-                                 folder.site() + "/" + statistics_file_of(page.record),
-                                 "--links=" + record::text_in(page.part, "links")};
+  std::vector<std::string> words{system::sibling_program("mirocup"), "replay"};
+  words.push_back(folder.path + "/" + page.record);
+  words.insert(words.end(), {"--no-times", "--public", "-o"});
+  words.push_back(folder.site() + "/" + replay_page_of(page.record));
+  words.insert(words.end(),
+               {"--statistics", folder.site() + "/" + statistics_file_of(page.record)});
+  words.push_back("--links=" + record::text_in(page.part, "links"));
   if (!page.part["names"].empty()) words.emplace_back("--names");
   for (const Json& name : page.part["names"]) {
     if (const auto* text = name.get_ptr<const std::string*>()) words.push_back(*text);
   }
   if (!module.empty()) words.insert(words.end(), {"--proof-module", "../" + module});
   return words;
-}
-
-Result<std::vector<NewPage>> missing_pages(system::Files& files, const Folder& folder,
-                                           const Overview& o, const FailedPages& failed) {
-  std::vector<NewPage> missing;
-  for (const FixtureState& f : o.state.fixtures) {
-    for (const std::string& record : records_of(files, folder, f)) {
-      if (failed.refused.contains(record) || failed.has(record)) continue;
-      const bool is_gone = is_pruned(o.state, f);
-      Json part = league_part(o, record);
-      if (has_page(files, folder, f, record, is_gone) &&
-          (is_gone || has_page_with(files, folder, record, part)))
-        continue;
-      for (const auto& name :
-           {replay_page_of(record), commands_file_of(record), statistics_file_of(record)})
-        MIROCUP_TRY_VOID(files.read_if_there(folder.site() + "/" + name,
-                                             {.max_size = system::size_limit::page}));
-      missing.push_back({record, std::move(part)});
-    }
-  }
-  return missing;
-}
-
-// Makes the pages that are missing or have another part, but for those that have failed.
-Result<void> make_missing_pages(system::Files& files, const Folder& folder, const Overview& o,
-                                int jobs, const std::optional<SiteModule>& module,
-                                FailedPages& failed) {
-  MIROCUP_TRY(auto missing, missing_pages(files, folder, o, failed));
-  if (missing.empty()) return {};
-  for (const char* name : {"/replays", "/statistics", "/module"}) {
-    if (name == std::string("/module") && !module) continue;
-    MIROCUP_TRY_VOID(files.make_folder(folder.site() + name));
-  }
-  if (module) MIROCUP_TRY_VOID(files.write(folder.site() + "/" + module->name, module->text));
-  const std::string module_name = module ? module->name : "";
-  const std::size_t at_once =
-      jobs > 0 ? static_cast<std::size_t>(jobs) : system::processors().size();
-  system::ProcessSet processes;
-  for (std::size_t next = 0; next < missing.size() || processes.running() > 0;) {
-    if (next < missing.size() && processes.running() < at_once) {
-      MIROCUP_TRY_VOID(processes.start(
-          command_for(folder, missing[next], module_name), static_cast<int>(next), -1, "/dev/null",
-          {.seconds = record::limit_of_repeating(o.state.file.rules.half_s),
-           .bytes = system::size_limit::page}));
-      ++next;
-      continue;
-    }
-    const auto exit = processes.wait();
-    if (!exit) return fail(Errc::interrupted, "interrupted while making replay pages");
-    NewPage& page = missing[static_cast<std::size_t>(exit->tag)];
-    if (exit->signal == 0 && exit->code == exit_no) {
-      failed.refused.insert(page.record);
-    } else if (exit->signal != 0 || exit->code != exit_yes) {
-      failed.records.push_back(page.record);
-    } else {
-      page.part["module"] = module_name;
-      MIROCUP_TRY_VOID(files.write(folder.site() + "/" + part_file_of(page.record),
-                                   record::json_text(page.part) + "\n"));
-    }
-  }
-  return {};
-}
-
-// Removes modules that no page names.
-Result<void> remove_other_modules(system::Files& files, const Folder& folder,
-                                  const LeagueState& state) {
-  std::set<std::string> modules;
-  for (const FixtureState& f : state.fixtures) {
-    for (const std::string& record : records_of(files, folder, f))
-      modules.insert(record::text_in(read_part(files, folder, record), "module"));
-  }
-  return remove_former_pages(files, folder.site(), "module/", modules);
-}
-
-// Removes what was made of other legs: those of rounds that are not shown any more, and of nights
-// that are pruned.
-Result<void> remove_other_pages(system::Files& files, const Folder& folder,
-                                const LeagueState& state) {
-  std::set<std::string> shown;
-  for (const FixtureState& f : state.fixtures) {
-    for (const std::string& record : records_of(files, folder, f)) {
-      shown.insert(statistics_file_of(record));
-      if (is_pruned(state, f)) continue;
-      shown.insert(replay_page_of(record));
-      shown.insert(commands_file_of(record));
-      shown.insert(part_file_of(record));
-    }
-  }
-  for (const std::string part : {"replays/", "statistics/"}) {
-    MIROCUP_TRY_VOID(remove_former_pages(files, folder.site(), part, shown));
-  }
-  return {};
 }
 
 bool is_ruled(const LeagueState& state, const std::string& fixture, int leg) {
@@ -210,70 +81,194 @@ bool is_ruled(const LeagueState& state, const std::string& fixture, int leg) {
   });
 }
 
-// Takes the legs of these records out of the state, and legs that are not those of the journal.
-// Leaves in `records` those that count: the rest are of void attempts, or a person has decided.
-void take_out(system::Files& files, const Folder& folder, LeagueState& state,
-              std::set<std::string>& records) {
-  std::set<std::string> counting;
-  for (std::size_t i = 0; i < state.fixtures.size(); ++i) {
-    for (int leg = 0; leg < max_legs; ++leg) {
-      FixtureState& f = state.fixtures[i];
-      if (!f.legs[leg].played || f.legs[leg].played->record.empty()) continue;
-      PlayedLeg decided = *f.legs[leg].played;
-      const std::string record = std::exchange(decided.record, "");
-      if (!records.contains(record) && are_of_its_leg(files, folder, f, record)) continue;
-      const bool counts = !is_ruled(state, f.fixture.id(), leg + 1);
-      if (counts) counting.insert(record);
-      f.legs[leg].played = counts ? nullptr : std::make_shared<const PlayedLeg>(decided);
-      ScheduleGrowth(state).fixture_changed(static_cast<int>(i));
-    }
+// A record of a leg. That of a void attempt stays as evidence.
+struct Attempt {
+  LegName leg;
+  std::string record;
+  const PlayedLeg* played;  // null: the attempt is void
+  bool is_pruned;
+};
+
+class ReplayPages {
+ public:
+  ReplayPages(system::Files& files, const Folder& folder, LeagueState& state, int jobs,
+              const std::optional<SiteFile>& module)
+      : files_(files), folder_(folder), state_(state), jobs_(jobs), module_(module) {}
+
+  Result<PublishedLegs> make() {
+    MIROCUP_TRY_VOID(remove_other_pages());
+    read_legs(files_, folder_, state_, legs_.known);
+    for (const Attempt& attempt : attempts()) pages_[attempt.record] = kept_page(attempt);
+    // What is new first: a record that differs from its replay has no links from other pages.
+    MIROCUP_TRY_VOID(make_missing(false));
+    take_out_others();
+    do {
+      MIROCUP_TRY_VOID(make_missing(true));
+    } while (take_out_others());
+    // Statistics of pruned nights that were missing came with their pages.
+    MIROCUP_TRY_VOID(remove_other_pages());
+    std::set<std::string> modules;
+    for (const Attempt& attempt : attempts())
+      modules.insert(record::text_in(pages_[attempt.record].part, "module"));
+    MIROCUP_TRY_VOID(remove_former_pages(files_, folder_.site(), "module/", modules));
+    return std::move(legs_);
   }
-  records = counting;
-}
 
-}  // namespace
+ private:
+  struct KeptPage {
+    bool is_fresh = false;  // page and statistics are there, and not older than the record
+    Json part;              // as kept_part()
+    int code = exit_yes;    // exit_no: the record differs from its replay; other: no page was made
+  };
 
+  std::vector<Attempt> attempts() const {
+    std::vector<Attempt> all;
+    for (const FixtureState& f : state_.fixtures) {
+      const auto add = [&](int leg, const std::string& record, const PlayedLeg* played) {
+        all.push_back({{f.fixture.id(), leg}, record, played, is_pruned(state_, f)});
+      };
+      for (int leg = 1; leg <= max_legs; ++leg) {
+        const LegState& now = f.legs[leg - 1];
+        for (int version = 1; version < now.version; ++version) {
+          const std::string record = Folder::record_name(f.fixture, leg, version);
+          if (files_.exists(folder_.path + "/" + record)) add(leg, record, nullptr);
+        }
+        if (now.played && !now.played->record.empty())
+          add(leg, now.played->record, now.played.get());
+      }
+    }
+    return all;
+  }
+
+  // Of a pruned leg the statistics are enough.
+  KeptPage kept_page(const Attempt& attempt) {
+    const std::string& record = attempt.record;
+    auto& report = legs_.known[record].report;
+    if (attempt.played == nullptr) report = kept_report(files_, folder_, attempt.leg, record);
+    const bool is_there =
+        attempt.is_pruned || files_.exists(folder_.site() + "/" + replay_page_of(record));
+    return {.is_fresh = is_there && report && !has_changed(folder_, record) &&
+                        (attempt.played == nullptr || is_of(*report, *attempt.played)),
+            .part = kept_part(files_, folder_, record)};
+  }
+
+  // Removes what was made of other legs: those of rounds that are not shown any more, and of nights
+  // that are pruned.
+  Result<void> remove_other_pages() {
+    std::set<std::string> shown;
+    for (const Attempt& attempt : attempts()) {
+      const std::string& record = attempt.record;
+      shown.insert(statistics_file_of(record));
+      if (attempt.is_pruned) continue;
+      shown.insert({replay_page_of(record), commands_file_of(record), part_file_of(record)});
+    }
+    for (const std::string part : {"replays/", "statistics/"})
+      MIROCUP_TRY_VOID(remove_former_pages(files_, folder_.site(), part, shown));
+    return {};
+  }
+
+  // Returns the pages that are missing or, if `compares_parts`, have another part, but for those
+  // that have failed.
+  Result<std::vector<NewPage>> missing(bool compares_parts) {
+    std::vector<NewPage> missing;
+    std::optional<Overview> o;
+    for (const Attempt& attempt : attempts()) {
+      const std::string& record = attempt.record;
+      const KeptPage& kept = pages_[record];
+      const bool may_stay = kept.is_fresh && (attempt.is_pruned || !compares_parts);
+      if (may_stay || kept.code != exit_yes) continue;
+      if (!o) o.emplace(overview(state_));
+      Json part = league_part(*o, record);
+      if (kept.is_fresh && is_same_part(kept.part, part)) continue;
+      for (const auto& name :
+           {replay_page_of(record), commands_file_of(record), statistics_file_of(record)})
+        MIROCUP_TRY_VOID(files_.read_if_there(folder_.site() + "/" + name,
+                                              {.max_size = system::size_limit::page}));
+      missing.push_back({attempt.leg, record, std::move(part)});
+    }
+    return missing;
+  }
+
+  Result<void> make_missing(bool compares_parts) {
+    MIROCUP_TRY(auto missing, this->missing(compares_parts));
+    if (missing.empty()) return {};
+    std::vector<std::string> folders{"/replays", "/statistics"};
+    if (module_) folders.push_back("/module");
+    for (const std::string& name : folders)
+      MIROCUP_TRY_VOID(files_.make_folder(folder_.site() + name));
+    const std::string module = module_ ? module_->name : "";
+    if (module_) MIROCUP_TRY_VOID(files_.update(folder_.site() + "/" + module, module_->bytes));
+    const std::size_t at_once =
+        jobs_ > 0 ? static_cast<std::size_t>(jobs_) : system::processors().size();
+    system::ProcessSet processes;
+    for (std::size_t next = 0; next < missing.size() || processes.running() > 0;) {
+      if (next < missing.size() && processes.running() < at_once) {
+        MIROCUP_TRY_VOID(processes.start(
+            command_for(folder_, missing[next], module), static_cast<int>(next), -1, "/dev/null",
+            {.seconds = record::limit_of_repeating(state_.file.rules.half_s),
+             .bytes = system::size_limit::page}));
+        ++next;
+        continue;
+      }
+      const auto exit = processes.wait();
+      if (!exit) return fail(Errc::interrupted, "interrupted while making replay pages");
+      NewPage& page = missing[static_cast<std::size_t>(exit->tag)];
+      page.part["module"] = module;
+      MIROCUP_TRY_VOID(note_end(page, exit->signal == 0 ? exit->code : exit_code(Errc::host)));
+    }
+    return {};
+  }
+
+  // Takes over what `mirocup replay` has made of a leg.
+  Result<void> note_end(NewPage& page, int code) {
+    pages_[page.record].code = code;
+    if (code != exit_yes && code != exit_no) legs_.without_page.push_back(page.record);
+    if (code != exit_yes) return {};
+    MIROCUP_TRY_VOID(files_.write(folder_.site() + "/" + part_file_of(page.record),
+                                  record::json_text(page.part) + "\n"));
+    legs_.known[page.record].report = kept_report(files_, folder_, page.leg, page.record);
+    pages_[page.record] = {.is_fresh = true, .part = std::move(page.part)};
+    return {};
+  }
+
+  // Takes legs out whose record differs from its replay, or is not that of the journal's leg.
+  // Returns false if there is none.
+  bool take_out_others() {
+    bool any = false;
+    for (std::size_t i = 0; i < state_.fixtures.size(); ++i) {
+      for (int leg = 0; leg < max_legs; ++leg) {
+        FixtureState& f = state_.fixtures[i];
+        if (!f.legs[leg].played || f.legs[leg].played->record.empty()) continue;
+        PlayedLeg decided = *f.legs[leg].played;
+        const std::string record = std::exchange(decided.record, "");
+        const auto& report = legs_.known[record].report;
+        if (pages_[record].code != exit_no && (!report || is_of(*report, decided))) continue;
+        any = true;
+        const bool counts = !is_ruled(state_, f.fixture.id(), leg + 1);
+        if (counts) legs_.refused.insert(record);
+        f.legs[leg].played = counts ? nullptr : std::make_shared<const PlayedLeg>(decided);
+        ScheduleGrowth(state_).fixture_changed(static_cast<int>(i));
+      }
+    }
+    return any;
+  }
+
+  system::Files& files_;
+  const Folder& folder_;
+  LeagueState& state_;
+  const int jobs_;
+  const std::optional<SiteFile>& module_;
+  PublishedLegs legs_;
+  std::map<std::string, KeptPage> pages_;  // by record
+};
+
+// Returns the fixture of a record, also of a void attempt: "r1-f2" for "records/r1-f2-1-1.json".
 const FixtureState* fixture_of_record(const LeagueState& state, const std::string& record) {
   std::string id = std::filesystem::path(record).stem();
   for (int part = 0; part < 2; ++part) id = id.substr(0, id.rfind('-'));
   const auto index = state.find_fixture(id);
   return index ? &state.fixtures[static_cast<std::size_t>(*index)] : nullptr;
 }
-
-std::string page_of_record(const LeagueState& state, const std::string& root,
-                           const std::string& record) {
-  const FixtureState* f = fixture_of_record(state, record);
-  return f != nullptr && is_pruned(state, *f) ? "" : root + replay_page_of(record);
-}
-
-std::string replay_page_of(const std::string& record) {
-  return "replays/" + std::filesystem::path(record).stem().string() + ".html";
-}
-
-std::string commands_file_of(const std::string& record) {
-  return "replays/" + std::filesystem::path(record).stem().string() + ".proof.js";
-}
-
-Result<FailedPages> make_replay_pages(system::Files& files, const Folder& folder,
-                                      LeagueState& state, int jobs,
-                                      const std::optional<SiteModule>& module) {
-  MIROCUP_TRY_VOID(remove_other_pages(files, folder, state));
-  FailedPages failed;
-  const auto make = [&] {
-    return make_missing_pages(files, folder, overview(state), jobs, module, failed);
-  };
-  MIROCUP_TRY_VOID(make());
-  std::set<std::string> counting = failed.refused;
-  take_out(files, folder, state, counting);
-  MIROCUP_TRY_VOID(make());  // those that have a link to a leg that was taken out
-  failed.refused = std::move(counting);
-  // Statistics of pruned nights that were missing came with their pages.
-  MIROCUP_TRY_VOID(remove_other_pages(files, folder, state));
-  MIROCUP_TRY_VOID(remove_other_modules(files, folder, state));
-  return failed;
-}
-
-namespace {
 
 Json link_to(const Overview& o, const LegView* leg) {
   if (leg == nullptr) return false;
@@ -319,6 +314,11 @@ std::string nav(const Overview& o, const std::string& record) {
 
 }  // namespace
 
+Result<PublishedLegs> publish_legs(system::Files& files, const Folder& folder, LeagueState& state,
+                                   int jobs, const std::optional<SiteFile>& module) {
+  return ReplayPages(files, folder, state, jobs, module).make();
+}
+
 Json league_part(const Overview& o, const std::string& record) {
   Json part{{"links", nav(o, record)}, {"names", Json::array()}};
   const FixtureState* f = fixture_of_record(o.state, record);
@@ -332,9 +332,8 @@ Json league_part(const Overview& o, const std::string& record) {
 
 bool has_page_with(system::Files& files, const Folder& folder, const std::string& record,
                    const Json& part) {
-  Json known = read_part(files, folder, record);
-  if (known.is_object()) known.erase("module");
-  return known == part && files.exists(folder.site() + "/" + replay_page_of(record));
+  return is_same_part(kept_part(files, folder, record), part) &&
+         files.exists(folder.site() + "/" + replay_page_of(record));
 }
 
 }  // namespace mirocup::league

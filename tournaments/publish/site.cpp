@@ -8,7 +8,6 @@
 #include "web/design/template.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
@@ -51,9 +50,10 @@ std::string table_text(const LeagueState& state) {
 
 Site::Site(SiteSource source)
     : source_(std::move(source)),
-      overview_(league::overview(source_.state, source_.facts)),
+      overview_(league::overview(source_.state, source_.legs)),
+      reports_(counted_reports(overview_)),
       content_{overview_,
-               source_.reports,
+               reports_,
                rounds_of(overview_),
                {},
                source_.night.has_value(),
@@ -69,7 +69,7 @@ std::string site_style() {
 
 FileMakers Site::makers() {
   FileMakers files = exports(overview_);
-  files.merge(statistics_exports(source_.reports));
+  files.merge(statistics_exports(reports_));
   if (source_.night) files.merge(night_pages(overview_, *source_.night));
   if (source_.playground) files[playground_name] = source_.playground;
   files["index.html"] = [this] { return front_html(content_); };
@@ -93,35 +93,6 @@ std::vector<std::string> Site::names() const {
 std::optional<std::string> Site::file(const std::string& name) const {
   const auto found = makers_.find(name);
   return found == makers_.end() ? std::nullopt : std::optional(found->second());
-}
-
-// True if publishing gives files of that part of the site such names, or gave them in the past.
-static bool is_name_of(std::string_view part, std::string_view name) {
-  if (part.empty()) return name == "night.html" || name == "feed.xml" || name == playground_name;
-  const bool is_module = part == "module/";
-  std::string_view end = is_module ? ".js" : part == "statistics/" ? ".json" : ".html";
-  for (const std::string_view beside : {".proof.js", ".league.json"}) {
-    if (part == "replays/" && name.ends_with(beside)) end = beside;
-  }
-  if (!name.ends_with(end)) return false;
-  const std::string_view stem = name.substr(0, name.size() - end.size());
-  if (part == "teams/" || part == "digests/") return is_good_name(std::string(stem));
-  const char* letters = is_module ? "0123456789abcdef" : "fgkr-0123456789";  // "g1-r2-f3-1-1"
-  return !stem.empty() && stem.find_first_not_of(letters) == std::string_view::npos;
-}
-
-Result<void> remove_former_pages(system::Files& files, const std::string& site,
-                                 const std::string& part, const std::set<std::string>& names) {
-  const std::string folder = site + "/" + part;
-  MIROCUP_TRY(const auto present, files.names_if_there(folder));
-  for (const std::string& name : present) {
-    std::error_code none;
-    const auto type = std::filesystem::symlink_status(folder + name, none).type();
-    if (type == std::filesystem::file_type::directory) continue;
-    if (names.contains(part + name) || !is_name_of(part, name)) continue;
-    MIROCUP_TRY_VOID(files.remove(folder + name));
-  }
-  return {};
 }
 
 }  // namespace mirocup::league

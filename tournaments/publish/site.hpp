@@ -6,10 +6,9 @@
 //
 // The files are index.html, crosstable.html, a page for each round below rounds/ and for each team
 // below teams/, the style sheet and the script of these pages, and the files of exports() and
-// statistics_exports(). make_replay_pages() makes the replay pages and the statistics of each leg.
+// statistics_exports(). publish_legs() makes the replay pages and the statistics of each leg.
 #pragma once
 
-#include "system/files.hpp"
 #include "tournaments/publish/front_page.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/leg_view.hpp"
@@ -18,7 +17,6 @@
 
 #include <functional>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -27,8 +25,7 @@ namespace mirocup::league {
 // The data from which a site is made.
 struct SiteSource {
   LeagueState state;
-  LegReports reports = {};                       // of the played legs; optional
-  FactsOfLegs facts = {};                        // of the played legs; optional
+  KnownLegs legs = {};                           // of the played legs; optional
   std::optional<Night> night = {};               // adds night.html and digests/
   std::function<std::string()> playground = {};  // makes playground.html; null: no playground
   std::string closing_page = "../final/site/index.html";  // of the closing round, from index.html
@@ -51,7 +48,6 @@ class Site {
   std::optional<std::string> file(const std::string& name) const;
 
   const LeagueState& state() const { return source_.state; }
-  const LegReports& reports() const { return source_.reports; }
   const Overview& overview() const { return overview_; }
 
  private:
@@ -59,17 +55,12 @@ class Site {
 
   const SiteSource source_;
   const Overview overview_;
+  const LegReports reports_;
   SiteContent content_;
   FileMakers makers_;
 };
 
 // Returns the table as lines of text for a terminal.
 std::string table_text(const LeagueState& state);
-
-// To be called because the staff may have hidden rounds again: removes the files that `names` does
-// not list from the folder `part` ("rounds/") of the site. Each name begins with `part`. Files stay
-// whose names publishing never gives, and so do folders.
-Result<void> remove_former_pages(system::Files& files, const std::string& site,
-                                 const std::string& part, const std::set<std::string>& names);
 
 }  // namespace mirocup::league

@@ -32,32 +32,6 @@ std::optional<Round> round_named(const std::string& name) {
   return number ? std::optional(Round{name[0] == 'k', *number}) : std::nullopt;
 }
 
-// The leg that an event is about; 0 if it is about none.
-int leg_of(const Event& event) {
-  return std::visit(
-      [](const auto& e) {
-        if constexpr (requires { e.leg; }) {
-          return e.leg;
-        } else {
-          return 0;
-        }
-      },
-      event);
-}
-
-// The team that joined, handed in, paused or left; null if the event is about none.
-const std::string* team_of(const Event& event) {
-  return std::visit(
-      [](const auto& e) -> const std::string* {
-        if constexpr (requires { e.team; }) {
-          return &e.team;
-        } else {
-          return nullptr;
-        }
-      },
-      event);
-}
-
 // Returns the round of a league with that name.
 Result<Round> find_round(const LeagueState& whole, const std::string& name) {
   const auto round = round_named(name);
@@ -91,16 +65,17 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
     }
     if (std::holds_alternative<TeamJoined>(*event)) {
       if (has_last_begun) continue;
-    } else if (const std::string* team = team_of(*event); team != nullptr) {
-      if (!state.find_team(*team)) continue;  // it is to join later
+    } else if (const std::string team = record::text_in(line, "team"); !team.empty()) {
+      if (!state.find_team(team)) continue;  // it is to join later
     }
     const int number = record::value_in(line, "n", 0);
-    if (const std::string* id = fixture_of(*event); id != nullptr) {
+    if (const std::string id = record::text_in(line, "fixture"); !id.empty()) {
       // An unknown fixture follows from one that is left out.
-      const auto index = state.find_fixture(*id);
+      const auto index = state.find_fixture(id);
       if (!index) continue;
       const Round of = Round::of(state.fixtures[*index].fixture);
-      if (of.is_after(last) || (of == last && !shows(*id, leg_of(*event)))) continue;
+      if (of.is_after(last) || (of == last && !shows(id, record::value_in(line, "leg", 0))))
+        continue;
     }
     if (undone.contains(number) && is_of_person(*event)) {
       note_undone_decision(state, *event, number);
@@ -172,14 +147,9 @@ Result<void> copy_records(system::Files& files, const Folder& from, const League
       if (!leg.played || leg.played->record.empty()) continue;
       const std::string& record = leg.played->record;
       for (const std::string& name : {record, record::replay_path_of(record)}) {
-        MIROCUP_TRY_VOID(
-            files.read(from.path + "/" + name, {.max_size = system::size_limit::replay})
-                .and_then([&](const std::string& bytes) -> Result<void> {
-                  const std::string copy = to.path + "/" + name;
-                  const auto there = files.read(copy, {.max_size = system::size_limit::replay});
-                  if (there && *there == bytes) return {};  // its page stays, too
-                  return files.write(copy, bytes);
-                }));
+        MIROCUP_TRY(const auto bytes,
+                    files.read(from.path + "/" + name, {.max_size = system::size_limit::replay}));
+        MIROCUP_TRY_VOID(files.update(to.path + "/" + name, bytes));  // else its page is made again
         copies.insert(name);
       }
     }

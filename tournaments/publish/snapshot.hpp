@@ -6,6 +6,7 @@
 
 #include "tournaments/journal/journal.hpp"
 #include "tournaments/league/folder.hpp"
+#include "tournaments/publish/leg_facts.hpp"
 
 #include <set>
 #include <string>
@@ -54,9 +55,6 @@ class SeenState {
 };
 
 SeenState seen_by(Viewer viewer, const LeagueState& whole, const LeagueState& released);
-
-// A leg of the league: the id of its fixture and its number, from 1.
-using LegName = std::pair<std::string, int>;
 
 // Like state_through(), but of the given round only the legs in `legs` count as played.
 Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,

@@ -60,15 +60,11 @@ Json totals_values(const Overview& o, int team, const PlayedLegs& legs) {
   return Json::array({all.values("All"), blue.values("As blue"), yellow.values("As yellow")});
 }
 
-int other_of(const LegView& leg, int team) {
-  return leg.home == team ? leg.away : leg.home;
-}
-
 // How much better than expected a leg went: the goals that the team was ahead, and 1 for each 100
 // that the other team is stronger.
 double achievement(const Overview& o, const LegView& leg, int team) {
   const double stronger =
-      std::round(o.ratings.strengths[other_of(leg, team)].value - o.ratings.strengths[team].value);
+      std::round(o.ratings.strengths[leg.other(team)].value - o.ratings.strengths[team].value);
   return leg.goals(team) - leg.goals_against(team) + stronger / 100.0;
 }
 
@@ -90,7 +86,7 @@ Json extremes(const Overview& o, int team, PlayedLegs legs, bool best) {
 
 Json opponents_values(const Overview& o, int team, const PlayedLegs& legs) {
   std::map<int, TotalsRow> against;
-  for (const LegView* leg : legs) against[other_of(*leg, team)].add(*leg, team, o.state.name(team));
+  for (const LegView* leg : legs) against[leg->other(team)].add(*leg, team, o.state.name(team));
   Json values = Json::array();
   for (const TableRow& row : o.table) {
     const auto found = against.find(row.team);
@@ -110,7 +106,7 @@ Json faults_values(const Overview& o, int team, const PlayedLegs& legs) {
   Json faults = Json::array();
   for (const LegView* leg : legs) {
     if (!leg->played->fault || leg->played->fault->team != o.state.name(team)) continue;
-    faults.push_back(leg->fixture + " leg " + std::to_string(leg->leg) + ": " +
+    faults.push_back(name_in_words({leg->fixture, leg->leg}) + ": " +
                      fault_in_words(*leg->played->fault));
   }
   return faults;
@@ -131,10 +127,6 @@ void add_fixtures(Json& values, const SiteContent& c, int team) {
 }
 
 }  // namespace
-
-std::string team_page_of(const std::string& team) {
-  return "teams/" + team + ".html";
-}
 
 std::string team_html(const SiteContent& c, int team) {
   const Overview& o = c.overview;
@@ -163,7 +155,7 @@ std::string team_html(const SiteContent& c, int team) {
   values["best"] = extremes(o, team, legs, true);
   values["worst"] = extremes(o, team, legs, false);
   values["opponents"] = opponents_values(o, team, legs);
-  values["statistics"] = team_statistics_html(o, c.reports, team);
+  values["statistics"] = team_statistics_html(o, team);
   values["faults"] = faults_values(o, team, legs);
   add_fixtures(values, c, team);
   return filled_page("team.html", values);

@@ -9,9 +9,6 @@
 
 namespace mirocup::league {
 
-// Returns the path of the team's page inside site/.
-std::string team_page_of(const std::string& team);
-
 // Returns the page of a team. `team` is its index in the league.
 std::string team_html(const SiteContent& content, int team);
 

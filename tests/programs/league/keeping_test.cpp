@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <random>
 #include <sys/mount.h>
 #include <unistd.h>
@@ -332,6 +333,29 @@ TEST(NamedFile, ThatIsMissingOrALinkIsNamed) {
   const Outcome linked = run(league("backup", folder, {temporary / "second"}));
   EXPECT_NE(linked.exit_code, 0);
   EXPECT_NE(linked.err.find("records"), std::string::npos) << linked.err;
+}
+
+// Catches pages that every visitor loads anew, and a disk that is written to for nothing.
+TEST(Publish, WritesOnlyWhatHasChanged) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:striker", "b=house:idle"}, "1");
+  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
+  namespace fs = std::filesystem;
+  const auto times = [&] {
+    std::map<std::string, fs::file_time_type> times;
+    for (const auto& file : fs::recursive_directory_iterator(folder + "/site"))
+      times[file.path()] = file.last_write_time();
+    return times;
+  };
+  const auto before = times();
+  EXPECT_GT(before.size(), 10u);
+  EXPECT_EQ(run(league("publish", folder)).exit_code, 0);
+  EXPECT_TRUE(times() == before);
+  const std::string page = folder + "/site/teams/a.html";
+  write_file(page, "another page");
+  EXPECT_EQ(run(league("publish", folder)).exit_code, 0);
+  EXPECT_NE(read_file(page), "another page");
 }
 
 // Catches tables with fewer legs than the league, of which only the replay pages know.

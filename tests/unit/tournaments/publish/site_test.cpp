@@ -84,12 +84,21 @@ std::vector<std::string> row_of(const std::string& html, const std::string& head
   return cells;
 }
 
+// Returns the file of a site.
+std::string page(const std::vector<SiteFile>& site, const std::string& name) {
+  for (const SiteFile& file : site) {
+    if (file.name == name) return file.bytes;
+  }
+  ADD_FAILURE() << "there is no " << name;
+  return {};
+}
+
 // Catches numbers below another head, of the other team, and pages that show a team no goal that
 // fell against it.
 TEST(Site, ShowsTheStatisticsOfItsLegs) {
   statistics::LegReport leg;
-  leg.record = "records/x.json";
   leg.leg = "r1-f1 leg 1";
+  leg.state_hash = 0x0123456789abcdef;
   leg.names = {"a", "b"};
   statistics::TeamStatistics& blue = leg.statistics.teams[0];
   blue.shots = 7;
@@ -105,7 +114,7 @@ TEST(Site, ShowsTheStatisticsOfItsLegs) {
   goal.loss = statistics::Loss{.tick = 900, .kind = statistics::LossKind::save};
   leg.statistics.goals.push_back(goal);
 
-  const auto site = make_site({state_after({{0, 1}}), {leg}});
+  const auto site = make_site({state_after({{0, 1}}), {{"records/x.json", {{}, leg}}}});
   const auto text_of = [&](const std::string& name) {
     const auto found = std::find_if(site.begin(), site.end(),
                                     [&](const SiteFile& file) { return file.name == name; });
@@ -124,22 +133,17 @@ TEST(Site, ShowsTheStatisticsOfItsLegs) {
   EXPECT_EQ(cell(index, "Statistics", 1, "Possession"), "75 %");
   EXPECT_EQ(cell(index, "Statistics", 2, "Fouls"), "3");
   EXPECT_EQ(cell(index, "Goals by kind", 1, "rebound"), "1");
-  const std::string page = text_of("teams/b.html");
-  EXPECT_EQ(cell(page, "Play", 3, "Fouls"), "3") << "as yellow";
-  EXPECT_EQ(cell(page, "Goals by kind", 2, "rebound"), "1") << "against it";
-  EXPECT_EQ(cell(page, "How goals fell against it", 1, "Last restart"), "kick off: toss");
-  EXPECT_NE(page.find("../replays/x.html#t=30.00"), std::string::npos) << "3 s before the goal";
+  const std::string team = text_of("teams/b.html");
+  EXPECT_EQ(cell(team, "Play", 3, "Fouls"), "3") << "as yellow";
+  EXPECT_EQ(cell(team, "Goals by kind", 2, "rebound"), "1") << "against it";
+  EXPECT_EQ(cell(team, "How goals fell against it", 1, "Last restart"), "kick off: toss");
+  EXPECT_NE(team.find("../replays/x.html#t=30.00"), std::string::npos) << "3 s before the goal";
   EXPECT_EQ(text_of("teams/a.html").find("How goals fell"), std::string::npos);
   EXPECT_EQ(text_of("teams/c.html").find("<h2>Play</h2>"), std::string::npos) << "has not played";
-}
-
-// Returns the file of a site.
-std::string page(const std::vector<SiteFile>& site, const std::string& name) {
-  for (const SiteFile& file : site) {
-    if (file.name == name) return file.bytes;
-  }
-  ADD_FAILURE() << "there is no " << name;
-  return {};
+  leg.state_hash ^= 1;
+  const auto other = make_site({state_after({{0, 1}}), {{"records/x.json", {{}, leg}}}});
+  EXPECT_EQ(page(other, "index.html").find("<h2>Statistics</h2>"), std::string::npos)
+      << "the journal has another leg";
 }
 
 TEST(Site, LetsNoTextBecomeMarkup) {
@@ -262,7 +266,7 @@ TEST(Decisions, OfLegsOfATeamThatLeavesNoResultsCountForNothing) {
 // Plays a tie of a knockout that is level by goals: its third leg ends in that way. Returns the
 // page of its round and the front page.
 std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner,
-                              const FactsOfLegs& facts = {}) {
+                              const KnownLegs& legs = {}) {
   LeagueFile file;
   file.format.kind = FormatKind::knockout;
   for (const char* name : {"ada", "bob"}) file.teams.push_back({name, "house:idle", false});
@@ -282,7 +286,7 @@ std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner,
     EXPECT_TRUE(validate(state, event));
     league::apply(state, event);
   }
-  const std::vector<SiteFile> site = make_site({.state = state, .facts = facts});
+  const std::vector<SiteFile> site = make_site({.state = state, .legs = legs});
   return page(site, "rounds/k1.html") + page(site, "index.html");
 }
 
@@ -296,9 +300,9 @@ TEST(Site, SaysWhoWonALevelTie) {
   EXPECT_NE(by_shoot_out.find("\"away won\""), std::string::npos) << by_shoot_out;
   EXPECT_EQ(by_shoot_out.find("by lot"), std::string::npos) << by_shoot_out;
   // The shoot-out was level as well. Catches a bracket that says that it was won.
-  FactsOfLegs facts;
-  facts["records/x.json"].shoot_out = HomeAway{.home = 2, .away = 2};
-  const std::string level = page_of_level_tie(LegEnd::shoot_out, "bob", facts);
+  KnownLegs legs;
+  legs["records/x.json"].facts.emplace().shoot_out = HomeAway{.home = 2, .away = 2};
+  const std::string level = page_of_level_tie(LegEnd::shoot_out, "bob", legs);
   EXPECT_NE(level.find("shoot-out, level, won by lot by bob"), std::string::npos) << level;
   EXPECT_NE(level.find(">by lot</text>"), std::string::npos) << "the bracket";
   EXPECT_NE(level.find("came further in the knockout, by lot"), std::string::npos) << "the table";
