@@ -22,6 +22,12 @@ bool is_left_out(const std::string& path) {
   return left_out.contains(path) || path.find(".unfinished-") != std::string::npos;
 }
 
+system::Readers readers_of(fs::perms permissions) {
+  const fs::perms others = fs::perms::group_all | fs::perms::others_all;
+  return (permissions & others) == fs::perms::none ? system::Readers::owner
+                                                   : system::Readers::everybody;
+}
+
 class Backup {
  public:
   Backup(system::Files& files, const Folder& from, const Folder& to)
@@ -95,10 +101,8 @@ class Backup {
     const std::string path = from_.path + "/" + inside;
     MIROCUP_TRY(const auto names, files_.names_in(path));
     std::error_code failed;
-    const bool is_closed = (fs::status(path, failed).permissions() &
-                            (fs::perms::group_all | fs::perms::others_all)) == fs::perms::none;
-    MIROCUP_TRY_VOID(files_.make_folder(
-        to_.path + "/" + inside, is_closed ? system::Readers::owner : system::Readers::everybody));
+    MIROCUP_TRY_VOID(files_.make_folder(to_.path + "/" + inside,
+                                        readers_of(fs::status(path, failed).permissions())));
     for (const std::string& name : names) {
       const std::string one = inside + name;
       const bool is_new = (inside == "records/" || inside == "nights/") && !before_.contains(one);
@@ -130,10 +134,7 @@ class Backup {
     // What ends between two looks is not there any more: the output of a check, a version that is
     // pruned.
     if (!text) return {};
-    const bool is_closed =
-        (permissions & (fs::perms::group_all | fs::perms::others_all)) == fs::perms::none;
-    MIROCUP_TRY_VOID(
-        files_.write(to, *text, is_closed ? system::Readers::owner : system::Readers::everybody));
+    MIROCUP_TRY_VOID(files_.write(to, *text, readers_of(permissions)));
     if ((permissions & fs::perms::owner_exec) != fs::perms::none) {
       std::error_code failed;
       fs::permissions(to, permissions, failed);

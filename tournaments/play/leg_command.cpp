@@ -16,14 +16,17 @@ namespace mirocup::league {
 
 namespace {
 
+void append(std::vector<std::string>& words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+}
+
 // Returns what differs from a preset as options of `mirocup match`: the preset, then KEY=VALUE.
 std::vector<std::string> options_of(const std::string& preset_option, const std::string& option,
                                     const Json& own, const Json& preset) {
   std::vector<std::string> options{preset_option, record::text_in(own, "preset")};
   for (const auto& [key, value] : own.items()) {
     if (value == preset.at(key)) continue;
-    options.push_back(option);
-    options.push_back(key + "=" + record::json_text(value));
+    append(options, {option, key + "=" + record::json_text(value)});
   }
   return options;
 }
@@ -50,6 +53,13 @@ std::vector<std::string> seat_parameters(const TeamConfig& team, const std::stri
                               : record::parameter_options(team.parameters, option);
 }
 
+// Returns the parameters of a team as options; none if the league lacks the team.
+std::vector<std::string> parameters_of(const LeagueState& state, const std::string& team,
+                                       const std::string& option) {
+  const auto index = state.find_team(team);
+  return index ? seat_parameters(state.file.teams[*index], option) : std::vector<std::string>();
+}
+
 // Returns the options of a team that speaks FIRASim's protocol; none for others.
 std::vector<std::string> program_options(const Folder& folder, const TeamConfig& team,
                                          const std::string& option) {
@@ -72,7 +82,7 @@ std::vector<std::string> firasim_options(const LeagueFile& file, const TeamConfi
                "--interface",        place.interface,
                "--join-within",      record::json_text(place.join_within)};
     const auto add = [&](const char* option, const std::string& address) {
-      if (!address.empty()) options.insert(options.end(), {option, address});
+      if (!address.empty()) append(options, {option, address});
     };
     add("--firasim-vision", place.vision);
     add("--firasim-command", place.command);
@@ -89,10 +99,9 @@ std::vector<std::string> firasim_options(const LeagueFile& file, const TeamConfi
 std::vector<std::string> match_command(const LeagueFile& file, const FriendlyTerms::Side& blue,
                                        const FriendlyTerms::Side& yellow, std::uint64_t seed) {
   std::vector<std::string> words{system::sibling_program("mirocup"), "match"};
-  words.insert(words.end(), {"--blue", blue.library, "--blue-name", blue.name});
-  words.insert(words.end(), {"--yellow", yellow.library, "--yellow-name", yellow.name});
-  words.insert(words.end(), {"--league", std::string(to_string(file.league))});
-  words.insert(words.end(), {"--seed", std::to_string(seed)});
+  append(words, {"--blue", blue.library, "--blue-name", blue.name});
+  append(words, {"--yellow", yellow.library, "--yellow-name", yellow.name});
+  append(words, {"--league", std::string(to_string(file.league)), "--seed", std::to_string(seed)});
   return words;
 }
 
@@ -121,26 +130,22 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
   const LeagueFile& file = state.file;
   const int blue = blue_team(fixture, id.leg);
   const int yellow = blue == fixture.home ? fixture.away : fixture.home;
-  std::vector<std::string> arguments =
+  std::vector<std::string> words =
       match_command(file, {seat_of(folder, state, blue), file.teams[blue].name},
                     {seat_of(folder, state, yellow), file.teams[yellow].name}, leg_seed(state, id));
-  arguments.insert(arguments.end(),
-                   {"--match", match_id, "--record", folder.record(fixture, id.leg, id.version)});
-  if (file.keeps_thoughts) arguments.push_back("--thoughts");
-  if (id.leg > fixture.legs) {
-    // With golden goal and shoot-out one team wins.
-    arguments.insert(arguments.end(), {"--stage", "knockout"});
-  }
-  for (const auto& words :
-       {rule_options(file.rules, file.league), condition_options(state.conditions),
-        pitch_option(file), seat_parameters(file.teams[blue], "--blue-param"),
-        seat_parameters(file.teams[yellow], "--yellow-param"),
-        program_options(folder, file.teams[blue], "--blue-program"),
-        program_options(folder, file.teams[yellow], "--yellow-program"),
-        firasim_options(file, file.teams[blue], file.teams[yellow])}) {
-    arguments.insert(arguments.end(), words.begin(), words.end());
-  }
-  return arguments;
+  append(words, {"--match", match_id, "--record", folder.record(fixture, id.leg, id.version)});
+  if (file.keeps_thoughts) words.push_back("--thoughts");
+  // With golden goal and shoot-out one team wins.
+  if (id.leg > fixture.legs) append(words, {"--stage", "knockout"});
+  append(words, rule_options(file.rules, file.league));
+  append(words, condition_options(state.conditions));
+  append(words, pitch_option(file));
+  append(words, seat_parameters(file.teams[blue], "--blue-param"));
+  append(words, seat_parameters(file.teams[yellow], "--yellow-param"));
+  append(words, program_options(folder, file.teams[blue], "--blue-program"));
+  append(words, program_options(folder, file.teams[yellow], "--yellow-program"));
+  append(words, firasim_options(file, file.teams[blue], file.teams[yellow]));
+  return words;
 }
 
 std::vector<std::string> term_options(const LeagueState& state) {
@@ -148,45 +153,29 @@ std::vector<std::string> term_options(const LeagueState& state) {
   const match::Conditions conditions =
       state.is_started ? state.conditions : file.conditions.value_or(default_conditions());
   std::vector<std::string> options = rule_options(file.rules, file.league);
-  for (const auto& words : {condition_options(conditions), pitch_option(file)})
-    options.insert(options.end(), words.begin(), words.end());
+  append(options, condition_options(conditions));
+  append(options, pitch_option(file));
   return options;
 }
 
 std::vector<std::string> friendly_command(const LeagueState& state, const FriendlyTerms& terms) {
   const LeagueFile& file = state.file;
-  std::vector<std::string> arguments = match_command(file, terms.blue, terms.yellow, terms.seed);
-  arguments.insert(arguments.end(), {"--record", terms.record});
-  if (file.keeps_thoughts) arguments.push_back("--thoughts");
-  for (const std::string& option : term_options(state)) arguments.push_back(option);
-  const auto add_parameters = [&](const std::string& name, const std::string& option) {
-    const auto team = state.find_team(name);
-    if (!team) return;
-    const auto words = seat_parameters(file.teams[*team], option);
-    arguments.insert(arguments.end(), words.begin(), words.end());
-  };
-  add_parameters(terms.blue.name, "--blue-param");
-  add_parameters(terms.yellow.name, "--yellow-param");
-  return arguments;
+  std::vector<std::string> words = match_command(file, terms.blue, terms.yellow, terms.seed);
+  append(words, {"--record", terms.record});
+  if (file.keeps_thoughts) words.push_back("--thoughts");
+  append(words, term_options(state));
+  append(words, parameters_of(state, terms.blue.name, "--blue-param"));
+  append(words, parameters_of(state, terms.yellow.name, "--yellow-param"));
+  return words;
 }
 
 std::vector<std::string> drills_command(const LeagueState& state, const FriendlyTerms::Side& entry,
                                         const std::string& marks) {
-  std::vector<std::string> arguments{system::sibling_program("mirocup"),
-                                     "drill",
-                                     "all",
-                                     entry.name + "=" + entry.library,
-                                     "--tries",
-                                     "3",
-                                     "--jobs",
-                                     "1",
-                                     "--answer",
-                                     marks};
-  if (const auto team = state.find_team(entry.name)) {
-    const auto words = seat_parameters(state.file.teams[*team], "--param");
-    arguments.insert(arguments.end(), words.begin(), words.end());
-  }
-  return arguments;
+  std::vector<std::string> words{system::sibling_program("mirocup"), "drill", "all"};
+  words.push_back(entry.name + "=" + entry.library);
+  append(words, {"--tries", "3", "--jobs", "1", "--answer", marks});
+  append(words, parameters_of(state, entry.name, "--param"));
+  return words;
 }
 
 std::string leg_output(const Folder& folder, const LegId& leg) {

@@ -88,13 +88,9 @@ bool Runner::is_taken(const std::string& id) const {
                      [&id](const Worker& w) { return w.fixture == id; });
 }
 
-Result<bool> Runner::fill_workers() {
-  bool any = false;
-  for (Worker& worker : workers_) {
-    MIROCUP_TRY(const bool filled, start_next_leg(worker));
-    any = any || filled;
-  }
-  return any;
+Result<void> Runner::fill_workers() {
+  for (Worker& worker : workers_) MIROCUP_TRY_VOID(start_next_leg(worker));
+  return {};
 }
 
 const FixtureState* Runner::next_fixture(const Worker& worker) const {
@@ -130,12 +126,12 @@ void Runner::tell_people(const LegId& leg, int blue, int yellow) const {
   }
 }
 
-// Starts the next leg of a free worker. False if there is none.
-Result<bool> Runner::start_next_leg(Worker& worker) {
+// Starts the next leg of a free worker, if there is one.
+Result<void> Runner::start_next_leg(Worker& worker) {
   while (!worker.playing) {
     const FixtureState* next = next_fixture(worker);
     worker.fixture.clear();
-    if (next == nullptr) return false;
+    if (next == nullptr) return {};
     worker.fixture = next->fixture.id();
     const LegId leg = *recorder_.next_leg(*next);
     // A shard may have played it, or an earlier run may have died before it booked it.
@@ -146,7 +142,7 @@ Result<bool> Runner::start_next_leg(Worker& worker) {
     worker.playing = leg;
     MIROCUP_TRY_VOID(start_leg(worker));
   }
-  return true;
+  return {};
 }
 
 // A league with credentials plays in secure mode.
@@ -177,11 +173,8 @@ Result<void> Runner::start_leg(Worker& worker) {
       command.insert(command.end(), {"--speed", "max"});
   }
   tell_people(leg, blue, yellow);
-  if (auto started =
-          processes_.start(command, tag, worker.cpu, leg_output(recorder_.folder(), leg));
-      !started)
-    return tl::unexpected(started.error());
-  if (auto joined = start_joiner(worker, blue, "blue", match_id); !joined) return joined;
+  MIROCUP_TRY_VOID(processes_.start(command, tag, worker.cpu, leg_output(recorder_.folder(), leg)));
+  MIROCUP_TRY_VOID(start_joiner(worker, blue, "blue", match_id));
   return start_joiner(worker, yellow, "yellow", match_id);
 }
 
@@ -192,16 +185,9 @@ Result<void> Runner::start_joiner(Worker& worker, int team, const std::string& c
   const LegId& leg = *worker.playing;
   const std::string log =
       recorder_.folder().record(leg.fixture, leg.leg, leg.version) + "." + colour + ".join";
-  std::vector<std::string> command{
-      system::sibling_program("mirocup"),
-      "join",
-      "--match",
-      match_id,
-      "--team",
-      colour,
-      "--name",
-      entry.name,
-      recorder_.folder().library(entry.name, state().teams[team].entry)};
+  std::vector<std::string> command{system::sibling_program("mirocup"), "join"};
+  command.insert(command.end(), {"--match", match_id, "--team", colour, "--name", entry.name});
+  command.push_back(recorder_.folder().library(entry.name, state().teams[team].entry));
   const auto parameters = record::parameter_options(entry.parameters, "--param");
   command.insert(command.end(), parameters.begin(), parameters.end());
   add_network(command, "teams/" + entry.name);

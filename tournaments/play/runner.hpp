@@ -52,8 +52,8 @@ class Runner {
     pid_t joiner[2] = {0, 0};      // processes of mirocup join for DDS teams, blue and yellow
   };
 
-  Result<bool> fill_workers();
-  Result<bool> start_next_leg(Worker& worker);
+  Result<void> fill_workers();
+  Result<void> start_next_leg(Worker& worker);
   bool is_taken(const std::string& id) const;
   const FixtureState* next_fixture(const Worker& worker) const;
   bool may_play(const Worker& worker, const FixtureState& fixture) const;

@@ -26,17 +26,12 @@ std::string taken_as_written(const std::string& path) {
 }  // namespace
 
 CommandLine sbatch_command(const SlurmArray& array) {
-  CommandLine command{
-      "sbatch",
-      "--parsable",
-      "--requeue",
-      "--ntasks=1",
-      "--cpus-per-task=1",
-      "--chdir=/",
-      "--open-mode=append",
-      "--job-name=" + job_name(array.league) + std::to_string(array.plan),
-      "--array=1-" + std::to_string(array.tasks) + "%" + std::to_string(array.max_running),
-      "--output=" + taken_as_written(array.log) + "-%a.log"};
+  CommandLine command{"sbatch", "--parsable", "--requeue", "--ntasks=1", "--cpus-per-task=1"};
+  command.insert(command.end(), {"--chdir=/", "--open-mode=append"});
+  command.push_back("--job-name=" + job_name(array.league) + std::to_string(array.plan));
+  command.push_back("--array=1-" + std::to_string(array.tasks) + "%" +
+                    std::to_string(array.max_running));
+  command.push_back("--output=" + taken_as_written(array.log) + "-%a.log");
   command.insert(command.end(), array.shard.begin(), array.shard.end());
   return command;
 }
@@ -56,11 +51,7 @@ std::vector<SlurmTask> parse_queue(const std::string& text, const std::string& l
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
-    std::string name;
-    std::string job;
-    std::string index;
-    std::string state;
-    std::string restarts;
+    std::string name, job, index, state, restarts;
     if (!(words >> name >> job >> index >> state >> restarts) || !name.starts_with(prefix))
       continue;
     const auto plan = system::number_of<int>(std::string_view(name).substr(prefix.size()));
@@ -99,8 +90,7 @@ int parse_processors(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream numbers(line);
-    int allocated = 0;
-    int idle = 0;
+    int allocated = 0, idle = 0;
     char slash = 0;
     if (numbers >> allocated >> slash >> idle) processors = std::max(processors, allocated + idle);
   }

@@ -74,7 +74,7 @@ Result<int> SlurmRunner::run(int jobs) {
 }
 
 Result<void> SlurmRunner::prepare(int jobs) {
-  if (auto started = recorder_.start(); !started) return started;
+  MIROCUP_TRY_VOID(recorder_.start());
   const std::string path = std::filesystem::absolute(recorder_.folder().path).lexically_normal();
   folder_ = path + "/cluster";
   league_ = system::sha256(path + state().config_sha256).substr(0, 12);
