@@ -10,7 +10,7 @@
 
 #include "core/base/error.hpp"
 #include "record/statistics/counter.hpp"
-#include "web/http/address.hpp"
+#include "web/http/server.hpp"
 #include "web/page.hpp"
 #include "web/track_encoder.hpp"
 
@@ -71,24 +71,24 @@ class LiveServer {
   static Result<std::unique_ptr<LiveServer>> open(const Address& address, const match::Leg& match,
                                                   const match::ByTeam<std::string>& names,
                                                   const std::string& about);
-  ~LiveServer();
-  LiveServer(const LiveServer&) = delete;
-  LiveServer& operator=(const LiveServer&) = delete;
 
-  std::string url() const;
-  int port() const;
+  std::string url() const { return http_.url(); }
+  int port() const { return http_.port(); }
 
   // To be called after every tick.
-  void publish(const match::Leg& match);
+  void publish(const match::Leg& match) { feed_.publish(match); }
 
   // Sends the result to the viewers, and waits at most 1.5 s for them to receive it.
   void close(const match::Leg& match);
 
  private:
-  struct Impl;  // keeps the HTTP library in one file
-  explicit LiveServer(std::unique_ptr<Impl> impl);
+  LiveServer(const match::Leg& match, std::string page) : feed_(match), page_(std::move(page)) {}
+  Reply answer(const Request& request);
 
-  std::unique_ptr<Impl> impl_;
+  LiveFeed feed_;
+  const std::string page_;
+  // The first to go: its threads use the others.
+  HttpServer http_{[this](const Request& request, const Body&) { return answer(request); }, {}};
 };
 
 }  // namespace mirocup::web

@@ -32,8 +32,13 @@ SvgPath& SvgPath::circle(const Vec2& centre, double radius) {
   return move_to(right).arc_to(radius, left, true).arc_to(radius, right, true);
 }
 
+SvgPath& SvgPath::lines(const std::vector<Vec2>& points) {
+  for (const Vec2& point : points) add(&point == points.data() ? 'M' : 'L', point);
+  return *this;
+}
+
 SvgPath& SvgPath::polygon(const std::vector<Vec2>& corners) {
-  for (const Vec2& corner : corners) add(&corner == corners.data() ? 'M' : 'L', corner);
+  lines(corners);
   text_ += "Z";
   return *this;
 }
@@ -60,22 +65,24 @@ std::string ground(const field::Field& f) {
   return SvgPath().polygon(outline).text();
 }
 
+// The corners of a rectangle at the goal line of an end, with its other side at `front`.
+std::vector<Vec2> corners(const field::Field& f, End end, double front, double half_width) {
+  return {at_end(end, f.half_length, -half_width), at_end(end, front, -half_width),
+          at_end(end, front, half_width), at_end(end, f.half_length, half_width)};
+}
+
+std::vector<Vec2> corners(const field::Field& f, End end, const field::Area& area) {
+  return corners(f, end, f.half_length - area.depth, area.half_width);
+}
+
 std::string goal(const field::Field& f, End end) {
-  const double x = f.half_length;
-  const double y = f.goal_half_width;
-  return SvgPath()
-      .polygon({at_end(end, x, -y), at_end(end, x + f.goal_depth, -y),
-                at_end(end, x + f.goal_depth, y), at_end(end, x, y)})
-      .text();
+  return SvgPath().polygon(corners(f, end, f.half_length + f.goal_depth, f.goal_half_width)).text();
 }
 
 void add_area(SvgPath& path, const field::Field& f, const field::Area& area, End end) {
-  const double front = f.half_length - area.depth;
-  path.move_to(at_end(end, f.half_length, -area.half_width))
-      .line_to(at_end(end, front, -area.half_width))
-      .line_to(at_end(end, front, area.half_width))
-      .line_to(at_end(end, f.half_length, area.half_width));
+  path.lines(corners(f, end, area));
   if (area.arc_radius == 0.0) return;
+  const double front = f.half_length - area.depth;
   const double beyond = front - area.arc_centre;
   const double half_chord = std::sqrt(area.arc_radius * area.arc_radius - beyond * beyond);
   path.move_to(at_end(end, front, half_chord))
@@ -97,14 +104,8 @@ std::string lines(const field::Field& f) {
 
 std::string zone(const field::Field& f, End end) {
   SvgPath path;
-  const auto add = [&](const field::Area& area) {
-    const double front = f.half_length - area.depth;
-    path.polygon({at_end(end, f.half_length, -area.half_width),
-                  at_end(end, front, -area.half_width), at_end(end, front, area.half_width),
-                  at_end(end, f.half_length, area.half_width)});
-  };
-  add(f.goal_area);
-  if (f.penalty_area) add(*f.penalty_area);
+  path.polygon(corners(f, end, f.goal_area));
+  if (f.penalty_area) path.polygon(corners(f, end, *f.penalty_area));
   return path.text();
 }
 

@@ -24,6 +24,7 @@ class SvgPath {
   SvgPath& arc_to(double radius, const Vec2& point, bool counter_clockwise);
 
   SvgPath& circle(const Vec2& centre, double radius);
+  SvgPath& lines(const std::vector<Vec2>& points);
   SvgPath& polygon(const std::vector<Vec2>& corners);
 
   const std::string& text() const { return text_; }

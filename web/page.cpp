@@ -5,6 +5,7 @@
 #include "record/json_fields.hpp"
 #include "record/replay_file.hpp"
 #include "record/statistics/counter.hpp"
+#include "system/digest.hpp"
 #include "web/design/template.hpp"
 #include "web/picture.hpp"
 
@@ -105,10 +106,6 @@ Json start_score_json(const match::Setup& setup) {
   return {{"blue", score[0]}, {"yellow", score[1]}};
 }
 
-Json teams_json(const match::ByTeam<std::string>& names) {
-  return {{"blue", {{"name", names[0]}}}, {"yellow", {{"name", names[1]}}}};
-}
-
 // The speeds that wheels have which roll along with a robot.
 simulator::WheelSpeeds rolling_wheels(const simulator::Twist& twist, const match::Leg& match) {
   const simulator::Parameters& p = match.setup().parameters;
@@ -121,10 +118,7 @@ simulator::WheelSpeeds rolling_wheels(const simulator::Twist& twist, const match
 // statistics.
 class LegTimeline {
  public:
-  explicit LegTimeline(const match::Leg& match)
-      : track_(match.field().robots_per_team), counter_(match) {
-    show(match);
-  }
+  explicit LegTimeline(const match::Leg& match) : counter_(match) { show(match); }
 
   // To be called after every tick.
   void add(const match::Leg& match) {
@@ -132,7 +126,9 @@ class LegTimeline {
     show(match);
   }
 
-  Json track_json() const { return {{"frames", track_.frames()}, {"packed", track_.packed()}}; }
+  Json track_json() const {
+    return {{"frames", track_.rows()}, {"packed", system::base64(track_.bytes())}};
+  }
   const Json& moments() const { return moments_; }
   const Json& keepers() const { return keepers_; }
   statistics::LegStatistics counted() const { return counter_.statistics(); }
@@ -162,7 +158,7 @@ class LegTimeline {
 
   void show(const match::Leg& match) {
     const match::Snapshot scene = match.snapshot();
-    track_.add(scene);
+    track_.add(frame_of(scene, match.field().robots_per_team, track_.last()));
     add_wheels(match);
     const Json keepers = keepers_json(scene);
     if (keepers_.empty() || keepers != last_keepers_) {
@@ -176,7 +172,7 @@ class LegTimeline {
     moments_.push_back(std::move(moment));
   }
 
-  TrackEncoder track_;
+  ColumnEncoder track_;
   ColumnEncoder wheels_;
   statistics::LegCounter counter_;
   Json moments_ = Json::array();
@@ -315,17 +311,18 @@ std::string commands_script(const record::MatchRecord& record) {
   return "globalThis.mirocup_commands = " + record::json_text(commands_json(record)) + ";\n";
 }
 
-std::string live_page(const match::Leg& match, const LiveMatch& live) {
+std::string live_page(const match::Leg& match, const match::ByTeam<std::string>& names,
+                      const std::string& about) {
   const Json data{{"schema", "mirocup/page/1"},
-                  {"teams", teams_json(live.names)},
+                  {"teams", {{"blue", {{"name", names[0]}}}, {"yellow", {{"name", names[1]}}}}},
                   {"score", start_score_json(match.setup())},
                   {"period", match.setup().control_period},
                   {"robots", match.field().robots_per_team},
                   {"half_length", match.field().half_length},
                   {"zones", zones_json(match.field())},
-                  {"about", live.about},
-                  {"live", live.events}};
-  return page(match, live.names, data);
+                  {"about", about},
+                  {"live", "events"}};
+  return page(match, names, data);
 }
 
 }  // namespace mirocup::web

@@ -65,13 +65,9 @@ tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchReco
 // Returns the script file with the commands of both teams for a page of this record.
 std::string commands_script(const record::MatchRecord& record);
 
-// The data of a live page besides the match.
-struct LiveMatch {
-  match::ByTeam<std::string> names;
-  std::string about;   // a line for the foot of the page
-  std::string events;  // URL of the events, relative to the page
-};
-
-std::string live_page(const match::Leg& match, const LiveMatch& live);
+// Returns the page of a running match, which gets the match from the events at "events" beside it.
+// `about` is a line for the foot of the page.
+std::string live_page(const match::Leg& match, const match::ByTeam<std::string>& names,
+                      const std::string& about);
 
 }  // namespace mirocup::web

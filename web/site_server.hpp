@@ -56,17 +56,17 @@ class SiteServer {
   // does not belong to this host.
   static Result<std::unique_ptr<SiteServer>> open(const Address& address, const std::string& option,
                                                   Site site, ServerOptions options = {});
-  ~SiteServer();
-  SiteServer(const SiteServer&) = delete;
-  SiteServer& operator=(const SiteServer&) = delete;
 
-  std::string url() const;
+  std::string url() const { return http_.url(); }
 
  private:
-  struct Impl;
-  explicit SiteServer(std::unique_ptr<Impl> impl);
+  SiteServer(Site site, ServerOptions options);
+  Reply answer(Request request, const Body& body);
+  Reply control(const Request& request, const Body& body);
+  Reply of_match(const std::string& rest);
 
-  std::unique_ptr<Impl> impl_;
+  const Site site_;
+  HttpServer http_;  // the first to go: its threads use the other
 };
 
 // True if a live page answers at this port of this host. Waits at most some seconds.

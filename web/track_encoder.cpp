@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "web/track_encoder.hpp"
 
-#include "system/digest.hpp"
-
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -80,10 +78,6 @@ std::string ColumnEncoder::bytes() const {
   std::string bytes;
   for (const std::string& column : columns_) bytes += column;
   return bytes;
-}
-
-std::string TrackEncoder::packed() const {
-  return system::base64(columns_.bytes());
 }
 
 }  // namespace mirocup::web

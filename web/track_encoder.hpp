@@ -47,22 +47,4 @@ class ColumnEncoder {
   std::vector<std::string> columns_;
 };
 
-class TrackEncoder {
- public:
-  explicit TrackEncoder(int robots) : robots_(robots) {}
-
-  void add(const match::Snapshot& scene) {
-    columns_.add(frame_of(scene, robots_, columns_.last()));
-  }
-
-  std::size_t frames() const { return columns_.rows(); }
-
-  // Returns the track in base64.
-  std::string packed() const;
-
- private:
-  int robots_;
-  ColumnEncoder columns_;
-};
-
 }  // namespace mirocup::web

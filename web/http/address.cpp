@@ -8,8 +8,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <memory>
-#include <netdb.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -44,15 +42,9 @@ int port_of(int listener) {
 }
 
 Result<int> listen_at_port(Address& address, const std::string& option) {
-  addrinfo hints{};
-  hints.ai_socktype = SOCK_STREAM;
-  hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
-  addrinfo* list = nullptr;
-  if (getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &list) != 0)
-    return tl::unexpected(not_bound(address, option, "is not an address of this host"));
-  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(list, freeaddrinfo);
+  const AddressList list = looked_up(address, AI_PASSIVE);
   int reason = EADDRNOTAVAIL;
-  for (const addrinfo* one = list; one != nullptr; one = one->ai_next) {
+  for (const addrinfo* one = list.get(); one != nullptr; one = one->ai_next) {
     const int listener = socket(one->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (listener < 0) continue;
     // A port whose last connections are just ending may be taken. Another server's may not.
@@ -101,6 +93,16 @@ Result<int> listen_at_path(const Address& address, const std::string& option) {
 }
 
 }  // namespace
+
+AddressList looked_up(const Address& address, int flags) {
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_STREAM;
+  hints.ai_flags = flags | AI_NUMERICSERV;
+  addrinfo* list = nullptr;
+  const std::string port = std::to_string(address.port);
+  const bool is_known = getaddrinfo(address.host.c_str(), port.c_str(), &hints, &list) == 0;
+  return AddressList(is_known ? list : nullptr, freeaddrinfo);
+}
 
 Result<Address> parse_address(const std::string& text, const std::string& option) {
   Address address;

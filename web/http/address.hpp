@@ -5,6 +5,8 @@
 
 #include "core/base/error.hpp"
 
+#include <memory>
+#include <netdb.h>
 #include <string>
 
 namespace mirocup::web {
@@ -16,6 +18,11 @@ struct Address {
   int port = 0;
   std::string path = {};  // path of a Unix socket; "": the address is host and port
 };
+
+// Returns the addresses of a host and port, as getaddrinfo() has them; null if there is no such
+// host. `flags`: of addrinfo.
+using AddressList = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
+AddressList looked_up(const Address& address, int flags = 0);
 
 // Reads an address. The error (Errc::input) names `option`, the option that gave the text.
 Result<Address> parse_address(const std::string& text, const std::string& option);

@@ -11,8 +11,6 @@
 #include <boost/beast/http/string_body.hpp>
 #include <cerrno>
 #include <csignal>
-#include <memory>
-#include <netdb.h>
 #include <poll.h>
 #include <sys/socket.h>
 
@@ -59,15 +57,9 @@ class NoBrokenPipe {
 // Connects to the first address of a server that accepts. Otherwise sets the reason.
 system::Descriptor connected(const Address& server, std::chrono::seconds most,
                              std::string& reason) {
-  addrinfo hints{};
-  hints.ai_socktype = SOCK_STREAM;
-  hints.ai_flags = AI_NUMERICSERV;
-  addrinfo* list = nullptr;
   reason = refused;
-  if (getaddrinfo(server.host.c_str(), std::to_string(server.port).c_str(), &hints, &list) != 0)
-    return system::Descriptor();
-  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(list, freeaddrinfo);
-  for (const addrinfo* one = list; one != nullptr; one = one->ai_next) {
+  const AddressList list = looked_up(server);
+  for (const addrinfo* one = list.get(); one != nullptr; one = one->ai_next) {
     system::Descriptor end(
         socket(one->ai_family, one->ai_socktype | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
     int error = connect(end.get(), one->ai_addr, one->ai_addrlen) == 0 ? 0 : errno;

@@ -26,25 +26,24 @@ int connection_capacity() {
   return most;
 }
 
-int Entrance::present(const std::string* address) const {
-  return static_cast<int>(std::count_if(guests_.begin(), guests_.end(), [&](const auto& one) {
-    return one.second.stage != Stage::leaving &&
-           (address == nullptr || one.second.address == *address);
-  }));
+// Returns the number of guests for which matches(guest) is true.
+int Entrance::count(auto matches) const {
+  return static_cast<int>(std::count_if(guests_.begin(), guests_.end(),
+                                        [&](const auto& one) { return matches(one.second); }));
 }
 
-int Entrance::count_streams(const std::string* address, bool is_for_strangers) const {
-  return static_cast<int>(std::count_if(guests_.begin(), guests_.end(), [&](const auto& one) {
-    const Guest& guest = one.second;
-    return guest.stage == Stage::streaming && !(is_for_strangers && guest.is_known) &&
-           (address == nullptr || guest.address == *address);
-  }));
+int Entrance::present(const std::string* address) const {
+  return count([&](const Guest& guest) {
+    return guest.stage != Stage::leaving && (address == nullptr || guest.address == *address);
+  });
+}
+
+int Entrance::streams() const {
+  return count([](const Guest& guest) { return guest.stage == Stage::streaming; });
 }
 
 int Entrance::count(const std::string& address, Stage stage) const {
-  return static_cast<int>(std::count_if(guests_.begin(), guests_.end(), [&](const auto& one) {
-    return one.second.address == address && one.second.stage == stage;
-  }));
+  return count([&](const Guest& g) { return g.address == address && g.stage == stage; });
 }
 
 bool Entrance::has_many(const std::string& address) const {
@@ -108,9 +107,11 @@ bool Entrance::begin_stream(int connection, bool is_for_known, Instant now) {
   Guest& guest = guests_.at(connection);
   if (guest.stage == Stage::leaving) return false;
   // A quarter is for pages and files; strangers leave another quarter to teams.
-  if (count_streams(nullptr, false) >= limits_.capacity * 3 / 4) return false;
+  if (streams() >= limits_.capacity * 3 / 4) return false;
   if (!is_for_known) {
-    if (count_streams(nullptr, true) >= limits_.capacity / 2) return false;
+    const int strangers =
+        count([](const Guest& g) { return g.stage == Stage::streaming && !g.is_known; });
+    if (strangers >= limits_.capacity / 2) return false;
     if (is_crowded() && count(guest.address, Stage::streaming) >= limits_.many_streams)
       return false;
   }

@@ -87,7 +87,7 @@ class Entrance {
   int present(const std::string* address = nullptr) const;
 
   bool is_crowded() const { return present() > limits_.capacity / 2; }
-  int streams() const { return count_streams(nullptr, false); }
+  int streams() const;
 
  private:
   struct Guest {
@@ -98,7 +98,7 @@ class Entrance {
     Instant since{};
   };
 
-  int count_streams(const std::string* address, bool is_for_strangers) const;
+  int count(auto matches) const;
   int count(const std::string& address, Stage stage) const;
   bool has_many(const std::string& address) const;
   bool let_oldest_go(Stage stage, Instant before, const std::string* address = nullptr);
