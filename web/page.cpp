@@ -19,11 +19,11 @@ namespace mirocup::web {
 namespace {
 
 // The modules of the page, each behind those that it imports.
-constexpr std::array<std::string_view, 20> modules{
+constexpr std::array<std::string_view, 19> modules{
     "text.js",       "track.js",    "field.js", "actions.js",  "layers.js",
     "player.js",     "viewer.js",   "reel.js",  "calls.js",    "situation.js",
     "statistics.js", "momentum.js", "log.js",   "thoughts.js", "inspector.js",
-    "clip.js",       "live.js",     "proof.js", "play.js",     "main.js"};
+    "clip.js",       "proof.js",    "play.js",  "main.js"};
 
 // "KICK_OFF" -> "Kick off", as page/text.js has it.
 std::string words(const std::string& name) {

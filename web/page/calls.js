@@ -93,8 +93,7 @@ export class Calls {
   }
 
   show(tick) {
-    let now = this.calls.length - 1;
-    while (now >= 0 && this.calls[now].tick > tick) --now;
+    const now = this.calls.findLastIndex((one) => one.tick <= tick);
     const call = this.calls[now];
     const isFresh = call !== undefined && tick - call.tick < bannerTicks;
     this.banner.hidden = !isFresh;

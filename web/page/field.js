@@ -4,6 +4,21 @@
 
 const trailSeconds = 1;
 
+// Writes each team's name at the end that it defends.
+export function nameEnds(left, names) {
+  for (const [end, team] of [['left', left], ['right', left === 'blue' ? 'yellow' : 'blue']]) {
+    const place = document.querySelector(`.end.${end}`);
+    place.className = `end ${end} ${team}`;
+    place.textContent = names[team];
+  }
+}
+
+// The place of a pointer in a picture: m, y upwards.
+export function placeIn(svg, { clientX, clientY }) {
+  const map = svg.getScreenCTM();
+  return { x: (clientX - map.e) / map.a / 1000, y: -(clientY - map.f) / map.d / 1000 };
+}
+
 export class FieldView {
   constructor(svg) {
     this.ball = svg.querySelector('.ball');

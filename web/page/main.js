@@ -3,8 +3,8 @@
 // Builds the page from its data (embedded in it or sent by a server), the player and the controls.
 import { Calls } from './calls.js';
 import { canRecord, Painter, record } from './clip.js';
+import { nameEnds, placeIn } from './field.js';
 import { Inspector } from './inspector.js';
-import { listen } from './live.js';
 import { momentum, MomentumView } from './momentum.js';
 import { Player } from './player.js';
 import { houseTeams, Play } from './play.js';
@@ -12,11 +12,10 @@ import { offerProof, proofData } from './proof.js';
 import { Reel } from './reel.js';
 import { commandAt, download, situationAt } from './situation.js';
 import { heatOf, showHeat, showStatistics } from './statistics.js';
-import { element, minutes, words } from './text.js';
+import { by, element, minutes, words } from './text.js';
 import { ThoughtsView, unpackBytes, unpackText } from './thoughts.js';
 import { Viewer } from './viewer.js';
 
-const by = (id) => document.getElementById(id);
 const leg = JSON.parse(by('leg').textContent);
 const names = { blue: leg.teams.blue.name, yellow: leg.teams.yellow.name };
 const picture = document.querySelector('.field');
@@ -26,10 +25,8 @@ const reel = new Reel(() => calls.goals.map((call) => call.tick * leg.period));
 const player = new Player(track, reel, show);
 const calls = new Calls(by('calls'), by('marks'), by('banner'), names, (tick) => player.seek(tick * leg.period), leg.score);
 const shownTick = () => Math.floor(player.time / leg.period + 1e-6);
-const momentAt = (tick) => viewer.momentAt(tick);
 // A goal of this tick counts; the moment that has it begins with the next one.
 const scoreAt = (tick) => viewer.momentAt(tick + 1).score;
-const shareOf = (tick) => viewer.shareOf(tick);
 const curve = new MomentumView(by('momentum'), (share) =>
   player.seek((track.firstTick + share * (track.lastTick - track.firstTick)) * leg.period));
 let result = null;
@@ -40,13 +37,13 @@ const play = by('hand') ? new Play(() => ({ svg: picture, field, layers }), show
 function show() {
   if (track.isEmpty || play?.isOn) return;
   const tick = shownTick();
-  const moment = momentAt(tick);
+  const moment = viewer.momentAt(tick);
   const scene = viewer.show(player.time);
   inspector?.show(player.time);
   thoughts?.show(tick, moment.left);
   calls.show(tick);
   showEnds(moment.left);
-  curve.show(shareOf(player.time / leg.period));
+  curve.show(viewer.shareOf(player.time / leg.period));
   by('slow').hidden = !(player.isPlaying && reel.isSlow(player.time));
   const isOver = result !== null && tick >= track.lastTick;
   const score = isOver ? result.score : scoreAt(tick);
@@ -58,7 +55,7 @@ function show() {
   const scrub = by('scrub');
   scrub.value = tick;
   scrub.setAttribute('aria-valuetext', minutes(player.time, 1));
-  scrub.style.setProperty('--done', `${100 * shareOf(tick)}%`);
+  scrub.style.setProperty('--done', `${100 * viewer.shareOf(tick)}%`);
   by('play').classList.toggle('playing', player.isPlaying);
   by('play').setAttribute('aria-label', player.isPlaying ? 'Pause' : 'Play');
   by('live').classList.toggle('on', player.isFollowing);
@@ -70,12 +67,7 @@ let leftShown = null;
 function showEnds(left) {
   if (left === leftShown) return;
   leftShown = left;
-  const right = left === 'blue' ? 'yellow' : 'blue';
-  for (const [end, team] of [['left', left], ['right', right]]) {
-    const place = document.querySelector(`.end.${end}`);
-    place.className = `end ${end} ${team}`;
-    place.textContent = names[team];
-  }
+  nameEnds(left, names);
 }
 
 // The shown moment as a part of an address. It is rounded up: a moment before a goal's is before the goal.
@@ -115,9 +107,9 @@ function drawMomentum() {
   const half = leg.half_length / 0.0005;
   const ballX = (tick) => {
     const x = track.frames[track.indexAt(tick)][1] / half;
-    return momentAt(tick).left === 'blue' ? x : -x;
+    return viewer.momentAt(tick).left === 'blue' ? x : -x;
   };
-  const goals = calls.goals.map((call) => ({ share: shareOf(call.tick), team: calls.colour(call) }));
+  const goals = calls.goals.map((call) => ({ share: viewer.shareOf(call.tick), team: calls.colour(call) }));
   curve.draw(momentum(track.firstTick, track.lastTick, leg.period, ballX), goals);
 }
 
@@ -137,7 +129,7 @@ function offerBodies() {
   const [, , width, height] = picture.getAttribute('viewBox').split(' ').map((mm) => mm / 1000);
   const draw = () => {
     const heat = heatOf(track, Number(by('heat_of').value), [width, height],
-      (tick) => momentAt(tick).state === 'PLAY', (tick) => momentAt(tick).left);
+      (tick) => viewer.momentAt(tick).state === 'PLAY', (tick) => viewer.momentAt(tick).left);
     showHeat(by('heat'), heat, by('heat_of').selectedOptions[0].textContent);
   };
   by('heat_of').addEventListener('change', draw);
@@ -151,15 +143,20 @@ function showNumbers(numbers) {
   layers.actions.set(numbers);
 }
 
+// Copies a text, and says so for a moment on the button; or where the text is. `name()`: what the button says then.
+async function copy(text, button, where, name) {
+  try {
+    await navigator.clipboard.writeText(text);
+    button.textContent = 'Copied';
+  } catch {
+    button.textContent = where;
+  }
+  setTimeout(() => { button.textContent = name(); }, 1500);
+}
+
 async function copyLink() {
   writeAddress();
-  try {
-    await navigator.clipboard.writeText(location.href);
-    by('link').textContent = 'Copied';
-  } catch {
-    by('link').textContent = 'In the address bar';
-  }
-  setTimeout(() => { by('link').textContent = 'Link'; }, 1500);
+  await copy(location.href, by('link'), 'In the address bar', () => 'Link');
 }
 
 // Plays on in this page, from the shown moment, or goes back to the replay.
@@ -192,21 +189,14 @@ async function playOn() {
   player.isPlaying = player.isPlaying && !play;
   command.textContent = commandAt(shownTick(), leg.teams);
   command.hidden = false;
-  try {
-    await navigator.clipboard.writeText(command.textContent);
-    by('play-on').textContent = 'Copied';
-  } catch {
-    by('play-on').textContent = 'Below';
-  }
-  const name = () => { by('play-on').textContent = play?.isOn ? 'Back to the replay' : 'Play on'; };
-  setTimeout(name, 1500);
+  await copy(command.textContent, by('play-on'), 'Below', () => (play?.isOn ? 'Back to the replay' : 'Play on'));
   if (play) await playHere().catch((error) => { command.textContent = `It cannot be played on here: ${error.message}.`; });
 }
 
 function saveSituation() {
   const tick = shownTick();
   const call = leg.decisions.filter((one) => one.restart && one.tick <= tick).pop();
-  download('situation.json', situationAt({ track, tick, moment: momentAt(tick), call, league: leg.league }));
+  download('situation.json', situationAt({ track, tick, moment: viewer.momentAt(tick), call, league: leg.league }));
 }
 
 function toCall(direction) {
@@ -261,7 +251,7 @@ async function saveClip() {
   const painter = new Painter(picture);
   const paint = (time) => {
     const tick = Math.floor(time / leg.period + 1e-6);
-    const { left } = momentAt(tick);
+    const { left } = viewer.momentAt(tick);
     const score = scoreAt(tick);
     painter.paint(track.at(time), { leftTeam: left, names, text: `${score.blue} : ${score.yellow}` });
   };
@@ -367,7 +357,7 @@ function inspect() {
   inspector = new Inspector({ place: by('inspector'), body: by('inspected'), names }, viewer, leg.wheels,
     (team, tick) => thoughts?.at(team, tick) ?? null, () => player.changed());
   document.querySelector('figure').addEventListener('click', (event) => {
-    if (!play?.isOn) inspector.chooseAt(viewer.placeOf(event), player.time);
+    if (!play?.isOn) inspector.chooseAt(placeIn(picture, event), player.time);
   });
 }
 
@@ -375,22 +365,25 @@ function followMatch() {
   by('live').hidden = false;
   for (const id of ['link', 'play-on', 'save']) by(id).hidden = true;
   document.body.classList.add('live');
-  listen(leg.live, {
-    onStart({ decisions }) {
+  // A viewer may join in the middle or again after a lost connection.
+  const source = new EventSource(leg.live);
+  const on = {
+    start({ decisions }) {
       document.body.classList.remove('lost');
       decisions.slice(calls.calls.length).forEach((call) => calls.add(call));
       if (!player.isPlaying) player.follow();
     },
-    onFrame(now) {
+    frame(now) {
       viewer.add(now);
       fitTimeline();
     },
-    onCall(call) { calls.add(call); },
-    onStatistics(numbers) {
+    call(call) { calls.add(call); },
+    statistics(numbers) {
       showNumbers(numbers);
       drawMomentum();
     },
-    onEnd(end) {
+    end(end) {
+      source.close();
       result = end;
       calls.addFaults(result, track.lastTick, track.lastClock);
       document.body.classList.add('ended');
@@ -399,8 +392,9 @@ function followMatch() {
       offerBodies();
       linkReplay();
     },
-    onLost() { document.body.classList.add('lost'); },
-  });
+  };
+  for (const [name, handle] of Object.entries(on)) source.addEventListener(name, ({ data }) => handle(JSON.parse(data)));
+  source.addEventListener('error', () => document.body.classList.add('lost'));
 }
 
 // `league serve` shows a running leg below /live/ and its replay, once it is over, below /replays/.

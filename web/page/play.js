@@ -2,9 +2,10 @@
 //
 // Play by hand, in the playground and from a moment of a replay: play.html. The module of browser/ plays in a worker; this page
 // asks it for ticks, one question at a time.
+import { placeIn } from './field.js';
 import { startWorker } from './proof.js';
 import { download } from './situation.js';
-import { element, minutes, words } from './text.js';
+import { by, element, minutes, words } from './text.js';
 import { ThoughtsCanvas, unpackBytes } from './thoughts.js';
 import { Track } from './track.js';
 
@@ -78,29 +79,30 @@ const reach = 0.06;  // m: a body that is closer is meant
 const unit = 2000;  // of a frame, in a metre
 const readingTime = 40;  // ms for a letter
 
-const get = (id) => document.getElementById(`hand_${id}`);
+const get = (id) => by(`hand_${id}`);
+
+// The angle by which a robot turns towards a place, and 1; or with its back to a place so far behind, and -1.
+function turnTo({ x, y }, robot, farBehind) {
+  const off = Math.atan2(y - robot.y, x - robot.x) - robot.heading;
+  const turned = Math.atan2(Math.sin(off), Math.cos(off));
+  return Math.abs(turned) > farBehind ? [turned - Math.sign(turned) * Math.PI, -1] : [turned, 1];
+}
 
 // Wheel speeds with which a robot drives to a place, and backwards to one behind it.
-function wheelsTo({ x, y }, robot) {
-  const distance = Math.hypot(x - robot.x, y - robot.y);
+function wheelsTo(place, robot) {
+  const distance = Math.hypot(place.x - robot.x, place.y - robot.y);
   if (distance < 0.02) return [0, 0];
-  let off = Math.atan2(y - robot.y, x - robot.x) - robot.heading;
-  off = Math.atan2(Math.sin(off), Math.cos(off));
-  const isBehind = Math.abs(off) > 0.75 * Math.PI;
-  if (isBehind) off -= Math.sign(off) * Math.PI;
+  const [off, way] = turnTo(place, robot, 0.75 * Math.PI);
   const turning = Math.min(Math.max(14 * off, -handTurn), handTurn);
-  const speed = Math.min(handSpeed, 200 * distance) * Math.max(Math.cos(off), 0) * (isBehind ? -1 : 1);
+  const speed = Math.min(handSpeed, 200 * distance) * Math.max(Math.cos(off), 0) * way;
   return [speed - turning, speed + turning];
 }
 
 // Wheel speeds with which a robot drives through the ball, as fast as it can.
 function wheelsThrough(ball, robot) {
-  let off = Math.atan2(ball.y - robot.y, ball.x - robot.x) - robot.heading;
-  off = Math.atan2(Math.sin(off), Math.cos(off));
-  const isBehind = Math.abs(off) > 0.5 * Math.PI;
-  if (isBehind) off -= Math.sign(off) * Math.PI;
+  const [off, way] = turnTo(ball, robot, 0.5 * Math.PI);
   const turning = 20 * off;
-  const speed = Math.max(fullSpeed * Math.cos(off) - Math.abs(turning), 0) * (isBehind ? -1 : 1);
+  const speed = Math.max(fullSpeed * Math.cos(off) - Math.abs(turning), 0) * way;
   return [speed - turning, speed + turning];
 }
 
@@ -176,14 +178,14 @@ export class Play {
     this.pause();
     this.#take(await this.ask({ act: 'begin', start }));
     this.isOn = true;
-    document.getElementById('hand').hidden = false;
+    by('hand').hidden = false;
     this.show();
   }
 
   end() {
     this.pause();
     this.isOn = false;
-    document.getElementById('hand').hidden = true;
+    by('hand').hidden = true;
     for (const canvas of this.canvases.values()) canvas.begin();
   }
 
@@ -252,7 +254,7 @@ export class Play {
 
   // Shows a text on the field, as long as it takes to read it.
   #tell(text, kind = '') {
-    const banner = document.getElementById('banner');
+    const banner = by('banner');
     banner.textContent = text;
     banner.className = kind;
     banner.hidden = false;
@@ -303,10 +305,9 @@ export class Play {
     if (this.dragged) this.#showDragged();
     view.layers.show(this.track, this.time, left);
     this.#showShapes(left);
-    const set = (id, text) => { document.getElementById(id).textContent = text; };
-    set('score', `${status.score.blue} : ${status.score.yellow}`);
-    set('phase', status.over ? words(status.result?.end ?? 'over') : status.state === 'READY' ? 'Restart' : words(status.phase));
-    set('clock', minutes(status.clock));
+    by('score').textContent = `${status.score.blue} : ${status.score.yellow}`;
+    by('phase').textContent = status.over ? words(status.result?.end ?? 'over') : status.state === 'READY' ? 'Restart' : words(status.phase);
+    by('clock').textContent = minutes(status.clock);
     get('time').textContent = `tick ${status.tick}`;
     get('play').classList.toggle('playing', this.isPlaying);
     get('play').setAttribute('aria-label', this.isPlaying ? 'Pause' : 'Play');
@@ -539,10 +540,7 @@ export class Play {
 
   // While the leg runs, the chosen robot drives to where the mouse or a finger is held; while it stands, bodies are dragged.
   #connectPointer(figure) {
-    const at = (event) => {
-      const map = this.view.svg.getScreenCTM();
-      return { x: (event.clientX - map.e) / map.a / 1000, y: -(event.clientY - map.f) / map.d / 1000 };
-    };
+    const at = (event) => placeIn(this.view.svg, event);
     const nearest = ({ x, y }) => Array.from({ length: 2 * this.robots + 1 }, (_, i) => this.#body(String(i - 1)))
       .map((body) => ({ ...body, far: Math.hypot(body.x - x, body.y - y) }))
       .reduce((a, b) => (b.far < a.far ? b : a));

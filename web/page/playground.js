@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // The playground: legs by house teams and by hand, without a server.
-import { FieldView } from './field.js';
+import { FieldView, nameEnds } from './field.js';
 import { Layers } from './layers.js';
 import { Play } from './play.js';
+import { by } from './text.js';
 
-const by = (id) => document.getElementById(id);
 const given = JSON.parse(by('playground').textContent);  // {module, leagues: {small: {robots, zones}…}, drills: {NAME: drill}}
 const views = {};
 let file = null;  // the JSON of a situation or a drill
@@ -24,12 +24,8 @@ function viewOf(league) {
 const play = new Play(viewOf, (left) => {
   const nameOf = (colour) => [play.teams[colour], play.driven === colour && 'you'].filter(Boolean).join(' and ') || 'nobody';
   const names = { blue: nameOf('blue'), yellow: nameOf('yellow') };
-  for (const [end, team] of [['left', left], ['right', left === 'blue' ? 'yellow' : 'blue']]) {
-    const place = document.querySelector(`.end.${end}`);
-    place.className = `end ${end} ${team}`;
-    place.textContent = names[team];
-    by(`${team}_name`).textContent = names[team];
-  }
+  nameEnds(left, names);
+  for (const team of ['blue', 'yellow']) by(`${team}_name`).textContent = names[team];
 });
 
 function optionsOf(teams) {

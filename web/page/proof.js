@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // "Prove it": the leg is simulated again in this browser, by the module of browser/ in a worker, and compared with the record.
-import { element } from './text.js';
+import { by, element } from './text.js';
 import { unpackBytes, unpackText } from './thoughts.js';
 
 // The worker runs the module's script, which is here as a text, and this.
@@ -39,7 +39,7 @@ function valueOf(file, name) {
 
 // What this page, or files beside it, have for a simulation: {module, record, replay}.
 export async function proofData() {
-  const { module_file: file, commands_file: commands, ...inside } = JSON.parse(document.getElementById('proof').textContent);
+  const { module_file: file, commands_file: commands, ...inside } = JSON.parse(by('proof').textContent);
   const module = file ? { module: await valueOf(file, 'mirocup_module') } : {};
   return { ...inside, ...module, ...(commands ? await valueOf(commands, 'mirocup_commands') : {}) };
 }
@@ -73,9 +73,9 @@ function showAnswer(place, { found, seconds }, seek) {
 
 // Connects the button, if this page can be proved. `seek(tick)` shows a moment.
 export function offerProof(seek) {
-  if (!document.getElementById('proof')) return;
-  const button = document.getElementById('prove');
-  const place = document.getElementById('proof_found');
+  if (!by('proof')) return;
+  const button = by('prove');
+  const place = by('proof_found');
   button.addEventListener('click', async () => {
     button.disabled = true;
     place.replaceChildren(element('p', 'small', 'Simulating …'));

@@ -2,6 +2,8 @@
 //
 // Words and numbers for people. Names go into the page as text, never as markup.
 
+export const by = (id) => document.getElementById(id);
+
 // An element with a class and text.
 export function element(tag, cssClass, text) {
   const made = document.createElement(tag);

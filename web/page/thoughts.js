@@ -4,6 +4,7 @@
 // layers that can be switched; texts such as "speed = 1.2" as curves; and what the team printed.
 import { TeamLog } from './log.js';
 import { element, shape } from './text.js';
+import { lastAt } from './track.js';
 
 const curvePoints = 400;  // of a value over the leg, at most
 const valueText = /^(.{1,31}) = (-?[0-9.]+(?:e[-+]?[0-9]+)?)$/;
@@ -131,16 +132,10 @@ function curveOf(points, firstTick, lastTick) {
   return { svg, low, high, show: (tick) => now.setAttribute('d', `M${x(tick)} 0V40`) };
 }
 
-// Returns the last point at or before a tick.
+// Returns the value of the last point at or before a tick.
 function valueAt(points, tick) {
-  let low = 0;
-  let high = points.length;
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (points[middle][0] <= tick) low = middle;
-    else high = middle;
-  }
-  return points[low][0] <= tick ? points[low][1] : null;
+  const [at, value] = points[lastAt(points, tick, ([one]) => one)];
+  return at <= tick ? value : null;
 }
 
 // The part of the page that shows the thoughts of the teams that have any, and their logs.

@@ -37,6 +37,18 @@ export function unpackBytesOf(bytes, frameCount, columnCount) {
   return frames;
 }
 
+// Returns the index of the last element whose tick is at or before a tick; 0: none.
+export function lastAt(all, tick, tickOf = (one) => one) {
+  let low = 0;
+  let high = all.length;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (tickOf(all[middle]) <= tick) low = middle;
+    else high = middle;
+  }
+  return low;
+}
+
 export class Track {
   constructor(period) {
     this.period = period;
@@ -56,16 +68,7 @@ export class Track {
   get lastClock() { return (this.frames[this.frames.length - 1]?.[0] ?? 0) * clockUnit; }
 
   // Returns the last frame at or before the tick.
-  indexAt(tick) {
-    let low = 0;
-    let high = this.ticks.length;
-    while (high - low > 1) {
-      const middle = (low + high) >> 1;
-      if (this.ticks[middle] <= tick) low = middle;
-      else high = middle;
-    }
-    return low;
-  }
+  indexAt(tick) { return lastAt(this.ticks, tick); }
 
   // Returns all positions at a time (s), interpolated linearly between two frames: mm with y
   // downwards, degrees clockwise.

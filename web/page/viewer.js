@@ -36,17 +36,9 @@ export class Viewer {
   // Where a tick is between the ends of the leg, 0 to 1.
   shareOf(tick) { return (tick - this.track.firstTick) / Math.max(this.track.lastTick - this.track.firstTick, 1); }
 
-  momentAt(tick) {
-    let i = this.moments.length - 1;
-    while (i > 0 && this.moments[i].tick > tick) --i;
-    return this.moments[i];
-  }
+  momentAt(tick) { return this.moments.findLast((moment) => moment.tick <= tick) ?? this.moments[0]; }
 
-  keepersAt(tick) {
-    let i = this.keepers.length - 1;
-    while (i > 0 && this.keepers[i][0] > tick) --i;
-    return this.keepers[i]?.slice(1) ?? [-1, -1];
-  }
+  keepersAt(tick) { return (this.keepers.findLast(([from]) => from <= tick) ?? this.keepers[0] ?? [0, -1, -1]).slice(1); }
 
   // Draws a time (s) and returns {tick, clock, ball, robots} of it, as Track.at().
   show(time) {
@@ -54,11 +46,5 @@ export class Viewer {
     const scene = this.field.show(this.track, time, left);
     this.layers.show(this.track, time, left);
     return scene;
-  }
-
-  // The place of a pointer in the picture: m, y upwards.
-  placeOf({ clientX, clientY }) {
-    const map = this.svg.getScreenCTM();
-    return { x: (clientX - map.e) / map.a / 1000, y: -(clientY - map.f) / map.d / 1000 };
   }
 }

@@ -4,7 +4,7 @@
 // then what it changes in the table or the bracket; or two or four legs side by side. What is still to come is not in
 // the page before its turn.
 import { FieldView } from '/page/field.js';
-import { element, minutes, words } from '/page/text.js';
+import { by, element, minutes, words } from '/page/text.js';
 import { Track, unpack } from '/page/track.js';
 
 const announceSeconds = 5;
@@ -16,7 +16,6 @@ const againAfter = 0.4;
 const againSpeed = 0.6;  // of real time
 const speeds = [0.5, 1, 2, 4, 8, 16];
 
-const by = (id) => document.getElementById(id);
 const asked = Number(new URLSearchParams(location.search).get('speed'));
 const state = { isHeld: true, isSkipped: false, speed: asked > 0 ? asked : 1, atOnce: 1 };
 
