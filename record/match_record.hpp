@@ -8,8 +8,8 @@
 
 #include "core/match/team_parameters.hpp"
 #include "core/replay/recording.hpp"
-#include "record/absence.hpp"
 #include "record/durations.hpp"
+#include "record/traffic.hpp"
 #include "system/files.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -48,32 +48,12 @@ inline bool is_on_network(TeamKind kind) {
   return kind == TeamKind::dds || kind == TeamKind::firasim;
 }
 
-// Counts of the datagrams of a team that plays by FIRASim's protocol, by their fate. Only datagrams
-// that reached the server are counted.
-struct DatagramReport {
-  std::uint64_t received = 0;        // commands of the team's own sender
-  std::uint64_t placements = 0;      // placements by the team
-  std::uint64_t stale = 0;           // commands after the answer that counted, or for another step
-  std::uint64_t malformed = 0;       // datagrams of any sender that are not a message
-  std::uint64_t replacements = 0;    // refused replacements of any sender
-  std::uint64_t not_finite = 0;      // commands with NaN or an infinity
-  std::uint64_t unknown_robots = 0;  // commands to a robot that does not exist
-};
-
-// The traffic between the server and a team on the network. Commands are counted by their fate. A
-// command in step answered the present tick and was driven. In a tick without one, the newest late
-// command could be driven.
-struct NetworkReport {
-  std::uint64_t in_step = 0;
-  std::uint64_t late = 0;         // for a tick that was over
-  std::uint64_t late_driven = 0;  // late commands that were driven
-  std::uint64_t duplicate = 0;    // further commands for the tick that was answered last
-  std::uint64_t ahead = 0;        // for a tick that had not begun
-  std::uint64_t foreign = 0;      // from a process without the team's seat
-  int processes = 0;              // processes that played for the team in turn
+// The traffic between the server and a team on the network.
+struct NetworkReport : CommandCounts {
+  int processes = 0;  // processes that played for the team in turn
   std::vector<Absence> absences;
   Durations answers;  // wall time from sending a tick's state to the answer in step
-  std::optional<DatagramReport> datagrams = std::nullopt;  // only of a team of TeamKind::firasim
+  std::optional<DatagramCounts> datagrams = std::nullopt;  // only of a team of TeamKind::firasim
 };
 
 // The lateness of a match at real time or at a multiple of real time.

@@ -37,10 +37,9 @@ Result<TeamChoice> choose_team(const std::string& text) {
     choice.info = {choice.network_name, kind, std::nullopt};
     if (choice.network_name.empty())
       return fail(Errc::input, prefix + " needs a name, as in " + prefix + "NAME");
-    if (kind == record::TeamKind::dds && choice.network_name.size() > dds::max_team_name) {
+    if (kind == record::TeamKind::dds && choice.network_name.size() > dds::max_team_name)
       return fail(Errc::input, "\"" + text + "\": the name of a team on the network has at most " +
                                    std::to_string(dds::max_team_name) + " bytes");
-    }
     return choice;
   }
   choice.library = system::house_team(text);
@@ -181,23 +180,19 @@ namespace {
 // What no team sent counts for each: it may have been meant for any.
 record::NetworkReport report_of(const firasim::Seat& seat, const firasim::Counts& strangers) {
   const firasim::Counts& own = seat.counts();
-  return {
-      .in_step = own.in_time,
-      .late = own.held,
-      .late_driven = own.held,
-      .duplicate = own.repeated,
-      .ahead = 0,
-      .foreign = own.foreign + strangers.foreign,
-      .processes = own.senders,
-      .absences = seat.absences(),
-      .answers = seat.answers(),
-      .datagrams = record::DatagramReport{.received = own.datagrams,
-                                          .placements = own.placements,
-                                          .stale = own.stale,
-                                          .malformed = own.malformed + strangers.malformed,
-                                          .replacements = own.replacements + strangers.replacements,
-                                          .not_finite = own.not_finite,
-                                          .unknown_robots = own.unknown_robots}};
+  record::DatagramCounts datagrams = own;
+  datagrams.malformed += strangers.malformed;
+  datagrams.replacements += strangers.replacements;
+  return {{.in_step = own.in_time,
+           .late = own.held,
+           .late_driven = own.held,
+           .duplicate = own.repeated,
+           .ahead = 0,
+           .foreign = own.foreign + strangers.foreign},
+          own.senders,
+          seat.absences(),
+          seat.answers(),
+          datagrams};
 }
 
 }  // namespace
@@ -205,23 +200,15 @@ record::NetworkReport report_of(const firasim::Seat& seat, const firasim::Counts
 std::optional<record::NetworkReport> TeamSeat::network_report() const {
   if (firasim_ != nullptr) return report_of(*firasim_, firasim_server_->strangers());
   if (network_ == nullptr) return std::nullopt;
-  const dds::CommandCounts& commands = network_->commands();
-  return record::NetworkReport{.in_step = commands.in_step,
-                               .late = commands.late,
-                               .late_driven = commands.late_driven,
-                               .duplicate = commands.duplicate,
-                               .ahead = commands.ahead,
-                               .foreign = commands.foreign,
-                               .processes = network_->processes(),
-                               .absences = network_->absences(),
-                               .answers = network_->answers()};
+  return record::NetworkReport{network_->commands(), network_->processes(), network_->absences(),
+                               network_->answers()};
 }
 
-void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, system::Interrupt& interrupt) {
+void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, system::Interrupt* interrupt) {
   std::vector<match::TeamFault> faults;
   for (const Team team : both_teams) {
     const auto ready = seats[index_of(team)].wait_until_ready();
-    if (interrupt.is_asked_for()) return;
+    if (interrupt != nullptr && interrupt->is_asked_for()) return;
     if (ready) continue;
     if (const auto* failure = std::get_if<match::HostFailure>(&ready.error())) {
       match.declare_void(failure->text);

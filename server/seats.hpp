@@ -109,7 +109,7 @@ class TeamSeat {
 void stay_on_this_core();
 
 // Waits until both teams can play, blue first. If a team can never play, the match becomes void or
-// forfeited. Returns early after an interrupt.
-void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, system::Interrupt& interrupt);
+// forfeited. Returns early after an interrupt, if `interrupt` is not null.
+void wait_until_ready(std::span<TeamSeat> seats, match::Leg& match, system::Interrupt* interrupt);
 
 }  // namespace mirocup::server

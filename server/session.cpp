@@ -28,11 +28,10 @@ Result<plugins::ProcessTerms> process_terms(const Session& s) {
   MIROCUP_TRY(const auto strongest, plugins::strongest_isolation());
   const auto wanted = from_string<plugins::Isolation>(s.terms.isolation);
   terms.isolation = wanted.value_or(strongest);
-  if (terms.isolation > strongest) {
+  if (terms.isolation > strongest)
     return fail(Errc::unavailable, "--isolation " + s.terms.isolation + ": this system allows " +
                                        std::string(to_string(strongest)) +
                                        " only: " + plugins::why_no_t2());
-  }
   if (s.pacer.period() > 0.0) {
     terms.deadline.emplace();
     terms.deadline->tick = s.pacer.period();
@@ -42,13 +41,12 @@ Result<plugins::ProcessTerms> process_terms(const Session& s) {
 
 Result<TeamSeat> take_seat(Session& s, const TeamChoice& choice, Team team) {
   const int i = index_of(team);
-  if (record::is_on_network(choice.info.kind)) {
+  if (record::is_on_network(choice.info.kind))
     return s.network.take_seat(choice, team,
                                {.leg = s.leg,
                                 .period = s.pacer.period(),
                                 .interrupt = s.interrupt,
                                 .log = s.terms.logs[i]});
-  }
   const match::Briefing briefing = s.leg.briefing(team);
   if (s.terms.trusted) {
     s.isolation = to_string(plugins::Isolation::none);
@@ -133,7 +131,7 @@ Result<void> seat_teams(Session& s, const match::ByTeam<TeamChoice>& teams) {
     s.seats.push_back(std::move(seat));
   }
   s.network.announce(s.leg, names_of(s), s.speed);
-  wait_until_ready(s.seats, s.leg, s.interrupt);
+  wait_until_ready(s.seats, s.leg, &s.interrupt);
   use_own_names(s);
   return {};
 }

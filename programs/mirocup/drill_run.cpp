@@ -62,16 +62,16 @@ class Try {
   }
 
   Result<void> seat_teams() {
-    if (auto taken = seat(task_.teams->tested, drills::tested, terms_); !taken) return taken;
+    MIROCUP_TRY_VOID(seat(task_.teams->tested, drills::tested, terms_));
     const Team opponent = opponent_of(drills::tested);
-    if (auto taken = seat(task_.teams->opponent, opponent, terms_); !taken) return taken;
+    MIROCUP_TRY_VOID(seat(task_.teams->opponent, opponent, terms_));
     if (!task_.teams->mates) return {};
     return seat(*task_.teams->mates, drills::tested, mates_terms_);
   }
 
   // Plays until the try is decided. Returns false if the host has failed.
   bool play() {
-    wait_until_ready();
+    server::wait_until_ready(seats_, match_, nullptr);  // signals are left to the main thread
     if (!match_.is_over() && seats_.size() > 2) {
       if (!seats_[2].wait_until_ready()) return false;
       shared_ = std::make_unique<SharedTeam>(seats_[0].controller(), seats_[2].controller(),
@@ -120,7 +120,7 @@ class Try {
     }
     record.recording = replay::record(match_, trace_);
     system::Disk disk;
-    if (auto saved = record::save(disk, path, record); !saved) return saved;
+    MIROCUP_TRY_VOID(record::save(disk, path, record));
     const auto page = web::replay_page(record, web::Times::left_out);
     if (!page) return fail(Errc::host, path + ": it cannot be shown: " + page.error().what);
     const std::string shown = std::filesystem::path(path).replace_extension(".html");
@@ -128,21 +128,6 @@ class Try {
   }
 
  private:
-  // As the function of that name does for a match; but signals are left to the main thread.
-  void wait_until_ready() {
-    std::vector<match::TeamFault> faults;
-    for (const Team team : both_teams) {
-      const auto ready = seats_[index_of(team)].wait_until_ready();
-      if (ready) continue;
-      if (const auto* failure = std::get_if<match::HostFailure>(&ready.error())) {
-        match_.declare_void(failure->text);
-        return;
-      }
-      faults.push_back({team, std::get<match::Fault>(ready.error())});
-    }
-    if (!faults.empty()) match_.forfeit(std::move(faults));
-  }
-
   Result<void> seat(const server::TeamChoice& choice, Team team,
                     const plugins::ProcessTerms& terms) {
     MIROCUP_TRY(auto seat, server::TeamSeat::take_in_process(choice, match_.briefing(team), terms));

@@ -168,7 +168,7 @@ Result<std::optional<CommandDifference>> play_again(
                                                              match.briefing(team), terms));
     seats.push_back(std::move(seat));
   }
-  server::wait_until_ready(seats, match, interrupt);
+  server::wait_until_ready(seats, match, &interrupt);
   while (!match.is_over()) {
     if (interrupt.is_asked_for()) return fail(Errc::interrupted, "interrupted");
     const std::size_t before = match.log().size();

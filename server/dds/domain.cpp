@@ -92,10 +92,9 @@ Result<Domain> open_domain(const std::string& interface, const std::string& xml,
                 .reply = Reply::to_listed};
   const auto before = open_descriptors();
   const dds_entity_t domain = dds_create_domain(static_cast<dds_domainid_t>(number), xml.c_str());
-  if (domain == DDS_RETCODE_PRECONDITION_NOT_MET) {
+  if (domain == DDS_RETCODE_PRECONDITION_NOT_MET)
     return fail(Errc::input, "this process has a connection in DDS domain " +
                                  std::to_string(number) + " already: close it first");
-  }
   auto made = created(domain, "the connection");
   if (!made) return fail(made.error().code, made.error().what + opened.log->last_error_suffix());
   opened.domain = std::move(*made);
@@ -169,9 +168,7 @@ Result<Domain> open_team_domain(const std::string& server, const std::string& cr
 
 Result<Entity> make_participant(const Domain& domain) {
   Qos qos(dds_create_qos());
-  if (!domain.credentials.empty()) {
-    MIROCUP_TRY_VOID(set_credentials(qos.get(), domain.credentials));
-  }
+  if (!domain.credentials.empty()) MIROCUP_TRY_VOID(set_credentials(qos.get(), domain.credentials));
   auto made = created(
       dds_create_participant(static_cast<dds_domainid_t>(domain.number), qos.get(), nullptr),
       "the participant");

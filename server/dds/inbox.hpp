@@ -5,6 +5,8 @@
 // for the present tick has come.
 #pragma once
 
+#include "record/traffic.hpp"
+
 #include <cstdint>
 #include <optional>
 
@@ -13,15 +15,6 @@ namespace mirocup::dds {
 // A late command is driven if it answers a tick that is at most this many ticks old. 6 ticks are
 // 0.2 s at a control period of 33 ms. An older command only shows that the team is present.
 inline constexpr std::uint32_t max_late_ticks = 6;
-
-struct CommandCounts {
-  std::uint64_t in_step = 0;      // answered the present tick; at most one command for each tick
-  std::uint64_t late = 0;         // answered a tick that was over
-  std::uint64_t late_driven = 0;  // late commands that were driven
-  std::uint64_t duplicate = 0;    // further answers to the last tick that was answered in step
-  std::uint64_t ahead = 0;        // answered a tick that has not begun
-  std::uint64_t foreign = 0;      // from a process without the seat
-};
 
 // The kinds of commands of the team's own process.
 enum class Arrival {
@@ -71,13 +64,13 @@ class Inbox {
     return counts_.in_step + counts_.late + counts_.duplicate + counts_.ahead;
   }
 
-  const CommandCounts& counts() const { return counts_; }
+  const record::CommandCounts& counts() const { return counts_; }
 
  private:
   std::uint32_t expected_ = 0;
   std::optional<std::uint32_t> answered_;
   std::optional<std::uint32_t> newest_;
-  CommandCounts counts_;
+  record::CommandCounts counts_;
 };
 
 }  // namespace mirocup::dds

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "core/match/snapshot.hpp"
-#include "record/absence.hpp"
+#include "record/traffic.hpp"
 
 #include <algorithm>
 #include <cstdint>

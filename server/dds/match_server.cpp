@@ -89,12 +89,11 @@ Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::
   if (const std::string& folder = domain_.credentials; !folder.empty()) {
     const std::int64_t last_end = latest_end(terms);
     const auto own_end = credentials_end(folder);
-    if (own_end && *own_end < last_end) {
+    if (own_end && *own_end < last_end)
       return fail(Errc::input, "the credentials in " + folder + " are valid until " +
                                    system::TimeZone().text(*own_end) +
                                    ", but the leg may last until " +
                                    system::TimeZone().text(last_end) + ": make new ones");
-    }
     link.credentials_end = team_credentials_end(folder, name);
   }
   auto seat = std::make_unique<Seat>(std::move(link), briefing, name, terms);

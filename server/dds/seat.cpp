@@ -108,9 +108,7 @@ mirocup_v1_Welcome Seat::answer_to(const mirocup_v1_Hello& hello, dds_instance_h
     return answer(Admission::refused, why);
   }
   if (hello.nonce == nonce_ && *process == process_) return welcome;
-  if (!may_be_taken()) {
-    return answer(Admission::not_now, "another process of the team is playing");
-  }
+  if (!may_be_taken()) return answer(Admission::not_now, "another process of the team is playing");
   const bool is_same = nonce_ != 0 && is_same_process(nonce_, hello.nonce);
   nonce_ = hello.nonce;
   process_ = *process;

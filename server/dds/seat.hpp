@@ -116,7 +116,7 @@ class Seat final : public match::Controller {
 
   Team team() const { return briefing_.team; }
   std::uint64_t heard() const { return inbox_.heard(); }
-  const CommandCounts& commands() const { return inbox_.counts(); }
+  const record::CommandCounts& commands() const { return inbox_.counts(); }
   const std::vector<record::Absence>& absences() const { return liveliness_.absences(); }
   // Number of processes that have had the seat.
   int processes() const { return processes_; }

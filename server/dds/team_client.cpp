@@ -239,20 +239,18 @@ std::string TeamClient::last_error() const {
   if (!wait_reason_.empty()) return "the match server says: " + wait_reason_;
   dds_subscription_matched_status_t match{};
   dds_get_subscription_matched_status(link_.state_reader.get(), &match);
-  if (match.current_count > 0) {
+  if (match.current_count > 0)
     return "the match is there, but does not expect a team called \"" + request_.name + "\" as " +
            std::string(to_string(request_.team));
-  }
   const std::string reasons =
       request_.credentials.empty()
           ? "does it run, under this ID, and can it be reached by UDP? If the match uses "
             "credentials, its server answers only teams with credentials"
           : "does it run, under this ID, and can it be reached by UDP? The match must be played "
             "with credentials of the same league, and yours must be neither revoked nor expired";
-  if (const std::string type = type_of_server(); !type.empty()) {
+  if (const std::string type = type_of_server(); !type.empty())
     return "the match is there, but its server sends " + type + ", and this program needs " +
            mirocup_v1_WorldState_desc.m_typename + ": both need the same version of mirocup";
-  }
   return "no match server answered (" + reasons + ")" + domain_.log->last_error_suffix();
 }
 

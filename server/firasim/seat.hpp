@@ -14,8 +14,8 @@
 #pragma once
 
 #include "core/match/controller.hpp"
-#include "record/absence.hpp"
 #include "record/durations.hpp"
+#include "record/traffic.hpp"
 #include "server/firasim/convert.hpp"
 #include "server/firasim/udp.hpp"
 
@@ -50,18 +50,11 @@ struct Terms {
 };
 
 // Counts of datagrams by their fate; the record has these numbers.
-struct Counts {
-  std::uint64_t in_time = 0;    // ticks that were answered in time
-  std::uint64_t held = 0;       // ticks in which the robots drove older commands
-  std::uint64_t datagrams = 0;  // datagrams of the team's own sender
-  std::uint64_t placements = 0;
+struct Counts : record::DatagramCounts {
+  std::uint64_t in_time = 0;   // ticks that were answered in time
+  std::uint64_t held = 0;      // ticks in which the robots drove older commands
   std::uint64_t repeated = 0;  // commands to a robot that already had a command in this tick
-  std::uint64_t stale = 0;     // packets for another vision or, in lock-step, after the answer
-  std::uint64_t malformed = 0;
-  std::uint64_t foreign = 0;         // datagrams of another sender
-  std::uint64_t replacements = 0;    // refused replacements, because a team may not move bodies
-  std::uint64_t not_finite = 0;      // commands with NaN or infinity
-  std::uint64_t unknown_robots = 0;  // commands to a robot that does not exist
+  std::uint64_t foreign = 0;   // datagrams of another sender
   int senders = 0;
 };
 

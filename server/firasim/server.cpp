@@ -35,10 +35,9 @@ std::string port_of(int instance, int first) {
 }  // namespace
 
 Result<Addresses> addresses_of(int instance, const Addresses& changes) {
-  if (instance < 0 || instance > 9999) {
+  if (instance < 0 || instance > 9999)
     return fail(Errc::input, "--firasim-instance " + std::to_string(instance) +
                                  ": a number from 0 to 9999 is expected");
-  }
   Addresses all{.vision = "224.0.0.1" + port_of(instance, 10002),
                 .referee = "224.5.23.2" + (instance == 0 ? ":10003" : port_of(instance, 40000)),
                 .command = port_of(instance, 20011).substr(1),
@@ -98,10 +97,9 @@ tl::expected<void, match::Answer> Server::wait_until_ready(const Seat& seat,
   const Terms& terms = seat.terms();
   while (!seat.was_heard()) {
     const double now = clock_.now();
-    if (terms.interrupted()) {
+    if (terms.interrupted())
       return tl::unexpected<match::Answer>(
           match::HostFailure{"interrupted while a team was awaited"});
-    }
     if (auto why = terms.why_gone("before it sent anything"))
       return tl::unexpected(std::move(*why));
     if (now - begun > terms.to_join) {
@@ -158,9 +156,7 @@ void Server::call(const match::Leg& leg) {
   }
   const double since = (leg.tick() - called_at_) * leg.setup().control_period;
   const bool is_half_time = since >= leg.setup().rules.ready_s / 2.0;
-  if (called_ != Foul::STOP && !now.placing && is_half_time) {
-    send_call(to_command(leg, Foul::STOP));
-  }
+  if (called_ != Foul::STOP && !now.placing && is_half_time) send_call(to_command(leg, Foul::STOP));
 }
 
 void Server::send_call(const RefereeCommand& command) {
@@ -280,7 +276,7 @@ bool Server::take_packet(const Receiver::Datagram& datagram, double now) {
       continue;
     }
     if (packet->has_replacement) ++counts.replacements;
-    ++counts.datagrams;
+    ++counts.received;
     const Team other = opponent_of(place.seat->team());
     const Place* both = place_of(other);
     Packet own = *packet;

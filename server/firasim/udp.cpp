@@ -135,10 +135,9 @@ Result<Receiver> Receiver::open(const Endpoint& at, const std::string& interface
   if (at.is_group()) set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
   set(socket, SOL_SOCKET, SO_RCVBUF, 1 << 20);
   const sockaddr_in address = to_sockaddr(at);
-  if (bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+  if (bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
     return fail(Errc::unavailable, option + " " + to_text(at) + ": " + std::strerror(errno) +
                                        (errno == EADDRINUSE ? " (by another match?)" : ""));
-  }
   MIROCUP_TRY(const auto indexes, indexes_of(interface));
   if (!at.is_group()) {
     if (at.address == INADDR_ANY) join(socket, INADDR_ALLHOSTS_GROUP, indexes);
@@ -147,10 +146,9 @@ Result<Receiver> Receiver::open(const Endpoint& at, const std::string& interface
     set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
     return receiver;
   }
-  if (!join(socket, at.address, indexes)) {
+  if (!join(socket, at.address, indexes))
     return fail(Errc::unavailable, option + " " + to_text(at) +
                                        ": the group cannot be joined: " + std::strerror(errno));
-  }
   return receiver;
 }
 

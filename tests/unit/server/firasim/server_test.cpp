@@ -318,7 +318,7 @@ TEST_F(FirasimSeats, CommandsMayComeByTheGroup) {
   ASSERT_TRUE(group);
   group->send(drive_all(Team::blue, 1.0, 1.0));
   EXPECT_EQ(reason(Team::blue), "");
-  EXPECT_EQ(seats_[index_of(Team::blue)]->counts().datagrams, 1U);
+  EXPECT_EQ(seats_[index_of(Team::blue)]->counts().received, 1U);
 }
 
 // Catches a forfeit whose reason is not the true one: something came, and was not taken.
