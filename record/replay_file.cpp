@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <concepts>
 #include <zstd.h>
 
 namespace mirocup::record {
@@ -46,107 +47,107 @@ struct Counts {
   std::size_t asked_size() const { return 4 + 1 + (2 + 3 * robots) * sizeof(double); }
 };
 
-void put(std::string& bytes, std::uint64_t value, int width) {
-  for (int i = 0; i < width; ++i) bytes += static_cast<char>(value >> (8 * i));
-}
+// Writes the numbers of a replay, little-endian. A Reader has the same functions.
+class Writer {
+ public:
+  explicit Writer(std::string& bytes) : bytes_(bytes) {}
 
-std::uint64_t get(const std::string& bytes, std::size_t& at, int width) {
-  std::uint64_t value = 0;
-  for (int i = 0; i < width; ++i) {
-    value |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[at++])) << (8 * i);
+  void integer(std::uint64_t value, int width) {
+    for (int i = 0; i < width; ++i) bytes_ += static_cast<char>(value >> (8 * i));
   }
-  return value;
-}
+  void numbers(std::same_as<double> auto... values) {
+    (integer(std::bit_cast<std::uint64_t>(values), 8), ...);
+  }
+  void team(Team team) { integer(static_cast<std::uint64_t>(index_of(team)), 1); }
+  // The difference of a command from that of the tick before.
+  void command(std::int16_t value, std::uint16_t& before) {
+    const auto now = static_cast<std::uint16_t>(value);
+    integer(static_cast<std::uint16_t>(now - before), 2);
+    before = now;
+  }
 
-// Calls visit(number) for each number of a checkpoint, in the order of the file.
-template <class C, class Visit>
-void for_each_number(C& checkpoint, std::size_t robots, Visit visit) {
-  for (std::size_t i = 0; i < 2 * robots; ++i) {
-    auto& robot = checkpoint.robots[i];
-    visit(robot.position.x());
-    visit(robot.position.y());
-    visit(robot.heading.cos);
-    visit(robot.heading.sin);
-    visit(robot.twist.forward);
-    visit(robot.twist.left);
-    visit(robot.twist.omega);
-  }
-  visit(checkpoint.ball.position.x());
-  visit(checkpoint.ball.position.y());
-  visit(checkpoint.ball.velocity.x());
-  visit(checkpoint.ball.velocity.y());
-}
+ private:
+  std::string& bytes_;
+};
 
-// The same for the poses that a team asked for.
-template <class P, class Visit>
-void for_each_asked_number(P& poses, std::size_t robots, Visit visit) {
-  visit(poses.ball_x);
-  visit(poses.ball_y);
-  for (std::size_t i = 0; i < robots; ++i) {
-    visit(poses.robots[i].x);
-    visit(poses.robots[i].y);
-    visit(poses.robots[i].heading);
-  }
-}
+class Reader {
+ public:
+  // The caller has seen that there are as many bytes as will be read.
+  explicit Reader(const std::string& bytes) : bytes_(bytes) {}
 
-void put_asked(std::string& plain, const std::vector<match::LoggedPlacementRequest>& asked,
-               std::size_t robots) {
-  for (const match::LoggedPlacementRequest& logged : asked) {
-    put(plain, logged.tick, 4);
-    put(plain, static_cast<std::uint64_t>(index_of(logged.team)), 1);
-    for_each_asked_number(logged.request, robots, [&plain](double number) {
-      put(plain, std::bit_cast<std::uint64_t>(number), 8);
-    });
+  void integer(auto& value, int width) {
+    std::uint64_t read = 0;
+    for (int i = 0; i < width; ++i)
+      read |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes_[at_++])) << (8 * i);
+    value = static_cast<std::decay_t<decltype(value)>>(read);
   }
-}
+  void numbers(std::same_as<double> auto&... values) {
+    std::uint64_t bits = 0;
+    ((integer(bits, 8), values = std::bit_cast<double>(bits)), ...);
+  }
+  void team(Team& team) {
+    std::uint8_t index = 0;
+    integer(index, 1);
+    has_wrong_team_ = has_wrong_team_ || index >= both_teams.size();
+    team = both_teams[index % both_teams.size()];
+  }
+  void command(std::int16_t& value, std::uint16_t& before) {
+    std::uint16_t difference = 0;
+    integer(difference, 2);
+    before = static_cast<std::uint16_t>(before + difference);
+    value = static_cast<std::int16_t>(before);
+  }
 
-// Reads the answers at restarts. Returns false if one has no valid team, or if they are not in the
-// order of the ticks.
-bool get_asked(const std::string& plain, std::size_t& at,
-               std::vector<match::LoggedPlacementRequest>& asked, std::size_t robots) {
-  for (match::LoggedPlacementRequest& logged : asked) {
-    logged.tick = static_cast<std::uint32_t>(get(plain, at, 4));
-    const std::uint64_t team = get(plain, at, 1);
-    if (team >= both_teams.size()) return false;
-    logged.team = both_teams[team];
-    for_each_asked_number(logged.request, robots, [&](double& number) {
-      number = std::bit_cast<double>(get(plain, at, 8));
-    });
-  }
-  return std::is_sorted(asked.begin(), asked.end(),
-                        [](const match::LoggedPlacementRequest& a,
-                           const match::LoggedPlacementRequest& b) { return a.tick < b.tick; });
-}
+  bool has_wrong_team() const { return has_wrong_team_; }
+
+ private:
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+  bool has_wrong_team_ = false;
+};
 
 // Column by column, each as differences: commands change little from tick to tick.
-void put_commands(std::string& plain, const std::vector<match::TickLog>& ticks, int robots) {
+void transfer_commands(auto& stream, auto& ticks, std::size_t robots) {
   for (int team = 0; team < 2; ++team) {
-    for (int i = 0; i < robots; ++i) {
+    for (std::size_t i = 0; i < robots; ++i) {
       for (int wheel = 0; wheel < 2; ++wheel) {
         std::uint16_t before = 0;
-        for (const match::TickLog& tick : ticks) {
-          const auto now = static_cast<std::uint16_t>(tick.commands[team].wheels[i][wheel]);
-          put(plain, static_cast<std::uint16_t>(now - before), 2);
-          before = now;
-        }
+        for (auto& tick : ticks) stream.command(tick.commands[team].wheels[i][wheel], before);
       }
     }
   }
 }
 
-void get_commands(const std::string& plain, std::size_t& at, std::vector<match::TickLog>& ticks,
-                  int robots) {
-  for (int team = 0; team < 2; ++team) {
-    for (int i = 0; i < robots; ++i) {
-      for (int wheel = 0; wheel < 2; ++wheel) {
-        std::uint16_t value = 0;
-        for (match::TickLog& tick : ticks) {
-          value = static_cast<std::uint16_t>(value + get(plain, at, 2));
-          tick.commands[team].wheels[i][wheel] = static_cast<std::int16_t>(value);
-        }
-      }
-    }
+void transfer_checkpoint(auto& stream, auto& checkpoint, std::size_t robots) {
+  for (std::size_t i = 0; i < 2 * robots; ++i) {
+    auto& robot = checkpoint.robots[i];
+    stream.numbers(robot.position.x(), robot.position.y(), robot.heading.cos, robot.heading.sin);
+    stream.numbers(robot.twist.forward, robot.twist.left, robot.twist.omega);
   }
+  auto& [position, velocity] = checkpoint.ball;
+  stream.numbers(position.x(), position.y(), velocity.x(), velocity.y());
+}
+
+// The poses that a team asked for at a restart.
+void transfer_asked(auto& stream, auto& asked, std::size_t robots) {
+  stream.integer(asked.tick, 4);
+  stream.team(asked.team);
+  stream.numbers(asked.request.ball_x, asked.request.ball_y);
+  for (std::size_t i = 0; i < robots; ++i) {
+    auto& pose = asked.request.robots[i];
+    stream.numbers(pose.x, pose.y, pose.heading);
+  }
+}
+
+// Everything after the counts, in the order of the file.
+void transfer(auto& stream, const Counts& counts, auto& ticks, auto& trace, auto& all_asked) {
+  transfer_commands(stream, ticks, counts.robots);
+  for (auto& tick : ticks) stream.integer(tick.hash, 8);
+  for (std::size_t body = 0; body < counts.bodies(); ++body) {
+    for (auto& tick : trace.ticks) stream.integer(tick[body], 1);
+  }
+  for (auto& checkpoint : trace.checkpoints) transfer_checkpoint(stream, checkpoint, counts.robots);
+  for (auto& asked : all_asked) transfer_asked(stream, asked, counts.robots);
 }
 
 // The largest number of bytes of a replay of this shape, before compression: with a trace, and with
@@ -185,22 +186,12 @@ std::string plain_replay(const replay::Recording& recording, int robots) {
                       .checkpoints = trace.checkpoints.size()};
   std::string plain;
   plain.reserve(counts.plain_size());
+  Writer writer(plain);
   for (const std::size_t count :
        {counts.ticks, counts.robots, counts.fingerprints, counts.checkpoints}) {
-    put(plain, count, 4);
+    writer.integer(count, 4);
   }
-  put_commands(plain, ticks, robots);
-  for (const match::TickLog& tick : ticks) put(plain, tick.hash, 8);
-  for (std::size_t body = 0; body < counts.bodies(); ++body) {
-    for (const replay::Fingerprints& tick : trace.ticks) put(plain, tick[body], 1);
-  }
-  for (const replay::Checkpoint& checkpoint : trace.checkpoints) {
-    for_each_number(checkpoint, counts.robots, [&plain](double number) {
-      put(plain, std::bit_cast<std::uint64_t>(number), 8);
-    });
-  }
-
-  put_asked(plain, recording.placement_requests, counts.robots);
+  transfer(writer, counts, ticks, trace, recording.placement_requests);
   return plain;
 }
 
@@ -233,10 +224,10 @@ Result<Replay> read_plain_replay(const std::string& plain, const ReplayShape& sh
   const auto damaged = [&path](const char* why) { return fail(Errc::damaged, path + ": " + why); };
   if (plain.size() < head_size) return damaged("its length does not fit its ticks");
   Counts counts;
-  std::size_t at = 0;
+  Reader reader(plain);
   for (std::size_t* count :
        {&counts.ticks, &counts.robots, &counts.fingerprints, &counts.checkpoints}) {
-    *count = get(plain, at, 4);
+    reader.integer(*count, 4);
   }
   if (counts.robots != static_cast<std::size_t>(shape.robots)) {
     return damaged("it has another number of robots than the record");
@@ -253,23 +244,15 @@ Result<Replay> read_plain_replay(const std::string& plain, const ReplayShape& sh
 
   Replay replay;
   replay.ticks.resize(counts.ticks);
-  get_commands(plain, at, replay.ticks, shape.robots);
-  for (match::TickLog& tick : replay.ticks) tick.hash = get(plain, at, 8);
   replay.trace.ticks.resize(counts.fingerprints);
-  for (std::size_t body = 0; body < counts.bodies(); ++body) {
-    for (replay::Fingerprints& tick : replay.trace.ticks) {
-      tick[body] = static_cast<std::uint8_t>(get(plain, at, 1));
-    }
-  }
   replay.trace.checkpoints.resize(counts.checkpoints);
-  for (replay::Checkpoint& checkpoint : replay.trace.checkpoints) {
-    for_each_number(checkpoint, counts.robots,
-                    [&](double& number) { number = std::bit_cast<double>(get(plain, at, 8)); });
-  }
   replay.asked.resize((plain.size() - counts.plain_size()) / counts.asked_size());
-  if (!get_asked(plain, at, replay.asked, counts.robots)) {
+  transfer(reader, counts, replay.ticks, replay.trace, replay.asked);
+  const bool is_in_order =
+      std::is_sorted(replay.asked.begin(), replay.asked.end(),
+                     [](const auto& a, const auto& b) { return a.tick < b.tick; });
+  if (reader.has_wrong_team() || !is_in_order)
     return damaged("it has a placement in a tick without a restart");
-  }
   return replay;
 }
 
