@@ -200,10 +200,9 @@ class TreeBuilder final : public nlohmann::json_sax<JsonReader::Json> {
   bool number_integer(number_integer_t value) override { return add(Json(value)); }
   bool number_unsigned(number_unsigned_t value) override { return add(Json(value)); }
   bool number_float(number_float_t value, const string_t& digits) override {
-    if (digits.size() > limits_.number) {
+    if (digits.size() > limits_.number)
       return refuse("a number has at most " + std::to_string(limits_.number) + " characters, not " +
                     std::to_string(digits.size()));
-    }
     return add(Json(value));
   }
   bool string(string_t& value) override {
@@ -269,10 +268,9 @@ class TreeBuilder final : public nlohmann::json_sax<JsonReader::Json> {
   bool add(Json value) { return place(std::move(value)) != nullptr; }
 
   bool open(Json container) {
-    if (levels_.size() >= limits_.depth) {
+    if (levels_.size() >= limits_.depth)
       return refuse("lists and objects may be nested at most " + std::to_string(limits_.depth) +
                     " deep");
-    }
     Json* const opened = place(std::move(container));
     if (opened == nullptr) return false;
     levels_.push_back(opened);
@@ -285,10 +283,9 @@ class TreeBuilder final : public nlohmann::json_sax<JsonReader::Json> {
   }
 
   bool is_good_text(const std::string& text) {
-    if (text.size() > limits_.text) {
+    if (text.size() > limits_.text)
       return refuse("a text has at most " + std::to_string(limits_.text) + " bytes, not " +
                     std::to_string(text.size()));
-    }
     if (text.find('\0') != std::string::npos) {
       return refuse("a text may not have the character U+0000");
     }
@@ -355,9 +352,7 @@ Result<JsonReader::Json> with_changes(JsonReader::Json object,
     const std::size_t equals = change.find('=');
     const std::string text = equals == std::string::npos ? "" : change.substr(equals + 1);
     ParsedJson value = parse_json(text);
-    if (value.problem) {
-      return fail(Errc::input, option + " " + change + ": KEY=VALUE is expected");
-    }
+    if (value.problem) return fail(Errc::input, option + " " + change + ": KEY=VALUE is expected");
     object[change.substr(0, equals)] = std::move(value.value);
   }
   return object;

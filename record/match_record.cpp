@@ -387,7 +387,7 @@ Result<void> save(system::Files& files, const std::string& path, const MatchReco
   const std::string replay = pack_replay(record.recording, robots);
   const std::string replay_path = replay_path_of(path);
   if (!system::is_written_in_place(path)) {
-    if (auto written = files.write(replay_path, replay); !written) return written;
+    MIROCUP_TRY_VOID(files.write(replay_path, replay));
   }
   const std::string name = std::filesystem::path(replay_path).filename().string();
   return files.write(path, record_text(record, name, replay));
@@ -422,9 +422,7 @@ Result<MatchRecord> load(system::Files& files, const std::string& path, Checksum
   MIROCUP_TRY(const auto text, files.read_named(path, system::size_limit::record));
   if (text.find("\"mirocup/match/") == std::string::npos)
     return fail(Errc::damaged, path + ": it is no match record");
-  if (policy == ChecksumPolicy::checked) {
-    MIROCUP_TRY_VOID(expect_whole(text, path));
-  }
+  if (policy == ChecksumPolicy::checked) MIROCUP_TRY_VOID(expect_whole(text, path));
   MIROCUP_TRY(auto file, parse_record(text, path));
   std::string replay_path = beside(path, file.replay_name);
   // JSON holds no name that is not UTF-8; the digest tells whether it is the right file.
@@ -433,10 +431,9 @@ Result<MatchRecord> load(system::Files& files, const std::string& path, Checksum
     replay_path = same_name;
   }
   MIROCUP_TRY(const auto replay, files.read_named(replay_path, system::size_limit::replay));
-  if (system::sha256(replay) != file.replay_sha256) {
+  if (system::sha256(replay) != file.replay_sha256)
     return fail(Errc::damaged,
                 replay_path + ": it is not the replay that the record was saved with");
-  }
   MatchRecord record = std::move(file.record);
   const int robots = field::make_field(record.recording.setup.league).robots_per_team;
   MIROCUP_TRY(auto unpacked,

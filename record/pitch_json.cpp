@@ -103,12 +103,11 @@ Result<PitchSpec> pitch_of_option(const std::string& option) {
   if (const auto preset = from_string<PitchPreset>(option)) return match::pitch_of(*preset);
   if (option.starts_with("{")) return parse_pitch(option, "--pitch");
   system::Disk disk;
-  if (!disk.exists(option)) {
+  if (!disk.exists(option))
     return fail(Errc::input, "--pitch " + option +
                                  ": there is no such file, and no pitch of that "
                                  "name: " +
                                  list_of_names<PitchPreset>());
-  }
   MIROCUP_TRY(const auto text, disk.read_named(option, system::size_limit::note));
   return parse_pitch(text, option);
 }

@@ -260,9 +260,7 @@ Json to_json(const Situation& situation) {
   const int robots = field::make_field(situation.league).robots_per_team;
   for (const Team team : both_teams) {
     Json& list = json[std::string(to_string(team))] = Json::array();
-    for (int i = 0; i < robots; ++i) {
-      list.push_back(robot_json(start.robots[index_of(team)][i]));
-    }
+    for (int i = 0; i < robots; ++i) list.push_back(robot_json(start.robots[index_of(team)][i]));
   }
   json["restart"] = nullptr;
   if (start.restart) {

@@ -126,11 +126,10 @@ Result<Answer> ask(const std::vector<std::string>& arguments, const ChildLimits&
   while (!has_ended(pid) && std::chrono::steady_clock::now() < end) poll(nullptr, 0, look_interval);
   const bool is_in_time = has_ended(pid);
   const int code = code_of(end_group(pid));
-  if (!is_in_time) {
+  if (!is_in_time)
     return fail(
         Errc::unavailable,
         arguments[0] + formatted(" has not ended after %g s and was stopped", limits.seconds));
-  }
   return Disk()
       .read("/proc/self/fd/" + std::to_string(output.get()),
             {.max_size = limits.bytes, .links = Links::followed, .growth = Growth::ignored})

@@ -170,10 +170,9 @@ Result<CsvTable> read_csv(std::string_view bytes) {
     const std::string& now = row.cells.back();
     is_blank = is_blank && (now.empty() || blanks.find(now.back()) != std::string_view::npos);
   }
-  if (is_quoted) {
+  if (is_quoted)
     return fail(Errc::input, "line " + std::to_string(row.line) +
                                  ": a quotation mark begins a cell and no other one ends it");
-  }
   end_row();
   return table;
 }

@@ -133,10 +133,9 @@ Result<bool> FileLock::signal_holder(const std::string& path, std::span<const in
                                        "be asked to stop; end the process where it was started");
   }
   for (const int signal : signals) {
-    if (syscall(SYS_pidfd_send_signal, process.get(), signal, nullptr, 0) != 0) {
+    if (syscall(SYS_pidfd_send_signal, process.get(), signal, nullptr, 0) != 0)
       return fail(Errc::unavailable, "process " + std::to_string(pid) +
                                          " cannot be asked to stop: " + std::strerror(errno));
-    }
   }
   return true;
 }

@@ -394,10 +394,9 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
   }
   const bool is_c = language == SourceLanguage::c;
   const char* const compiler = is_c ? c_compiler : cpp_compiler;
-  if (access(compiler, X_OK) != 0) {
+  if (access(compiler, X_OK) != 0)
     return fail(Errc::unavailable,
                 "sources are not compiled here: there is no " + std::string(compiler));
-  }
   if (std::string why_not = objection_to_source(source); !why_not.empty())
     return Compiled{.library = {}, .why_not = std::move(why_not), .output = {}};
   Work work;

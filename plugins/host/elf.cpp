@@ -243,10 +243,9 @@ tl::expected<SharedLibrary, std::string> read_shared_library(std::string_view by
   SharedLibrary library;
   for (const std::uint64_t name : dynamic.needed) {
     const auto text = image.text_at_address(dynamic.strings + name, max_name);
-    if (!text) {
+    if (!text)
       return bad(
           "the names of the libraries that it needs are damaged or too long: build it again");
-    }
     library.needed.emplace_back(*text);
   }
   if (dynamic.search_path) {

@@ -44,10 +44,9 @@ tl::expected<Plugin, match::Fault> load_python(const std::string& path, const st
   if (load == nullptr) return no_load(module + " is of another version");
   PythonLoaded loaded{};
   load(path.c_str(), &setup, &loaded);
-  if (loaded.team == nullptr) {
+  if (loaded.team == nullptr)
     return tl::unexpected(
         match::Fault{match::FaultCode::no_load, loaded.why, loaded.cause, loaded.line});
-  }
   return Plugin::adopt(*loaded.strategy, loaded.team);
 }
 

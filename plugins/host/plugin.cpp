@@ -108,7 +108,7 @@ tl::expected<Plugin, Fault> Plugin::open(const std::string& path) {
   const mirocup_strategy* strategy = plugin.strategy_;
   if (strategy == nullptr)
     return fault(FaultCode::bad_abi, "mirocup_entry() returned null", "no_strategy");
-  if (strategy->abi_version != MIROCUP_ABI_VERSION) {
+  if (strategy->abi_version != MIROCUP_ABI_VERSION)
     return fault(FaultCode::bad_abi,
                  "the library was built for version " + std::to_string(strategy->abi_version) +
                      " of strategy.h, this is version " + std::to_string(MIROCUP_ABI_VERSION) +
@@ -116,7 +116,6 @@ tl::expected<Plugin, Fault> Plugin::open(const std::string& path) {
                  strategy->abi_version == 0               ? "no_version"
                  : strategy->abi_version > latest_version ? "wild_version"
                                                           : "");
-  }
   if (strategy->size < min_strategy_size || strategy->create == nullptr ||
       strategy->decide == nullptr) {
     return fault(FaultCode::bad_abi, "mirocup_entry() returned an incomplete structure",

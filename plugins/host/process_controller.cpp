@@ -166,10 +166,9 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
       why.append(text, static_cast<std::size_t>(length));
   }
   child_.kill();
-  if (has_ended && child_.exit_status()->signal == SIGKILL) {
+  if (has_ended && child_.exit_status()->signal == SIGKILL)
     return HostFailure{"the " + std::string(to_string(team_)) +
                        " team's process was killed from outside before its sandbox was complete"};
-  }
   return HostFailure{"the sandbox of a team could not be built: " + why};
 }
 
@@ -367,11 +366,10 @@ std::optional<Fault> ProcessController::find_overdraft() const {
 // Returns the fault of a team that has used up its bank or slept too long by the end of a tick.
 std::optional<Fault> ProcessController::find_overrun() {
   if (auto fault = find_overdraft()) return fault;
-  if (has_slept_too_long()) {
+  if (has_slept_too_long())
     return Fault{FaultCode::hang,
                  "the team slept more than " + seconds_text(budget_.sleep) + " in this leg",
                  "slept"};
-  }
   return std::nullopt;
 }
 

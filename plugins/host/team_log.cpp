@@ -77,9 +77,7 @@ std::string TeamLog::text(bool has_ticks) const {
   const std::size_t times = has_ticks ? 2 : 1;
   const std::size_t most = times * max_beginning;
   const std::size_t most_at_end = times * max_end;
-  if (left_out_ == 0 && beginning.size() + end.size() <= most + most_at_end) {
-    return beginning + end;
-  }
+  if (left_out_ == 0 && beginning.size() + end.size() <= most + most_at_end) return beginning + end;
   std::size_t left_out = left_out_;
   if (beginning.size() > most) {
     left_out += beginning.size() - most;

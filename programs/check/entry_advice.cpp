@@ -165,11 +165,10 @@ std::string advice_on_python(const FaultEvidence& evidence) {
   const bool is_loaded = evidence.fault.code == FaultCode::crash;
   if (is_loaded || evidence.fault.code == FaultCode::no_load) {
     if (const char* known = advice_in(python_errors, evidence.fault.cause)) return known;
-    if (evidence.fault.cause == "ModuleNotFoundError") {
+    if (evidence.fault.cause == "ModuleNotFoundError")
       return is_loaded ? "import the module at the top of the file: no file can be opened while "
                          "the team plays"
                        : one_file;
-    }
   }
   switch (evidence.fault.code) {
     case FaultCode::no_load:

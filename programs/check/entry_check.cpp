@@ -175,9 +175,7 @@ Result<EntryReport> check_entry(const std::string& path, const EntryTerms& terms
   e.setup.rules.mercy_goal_diff = 0;  // so that the second half is played, whatever the score
   tell_next(e);
   MIROCUP_TRY(const auto looks_well, examine_file(e));
-  if (looks_well) {
-    MIROCUP_TRY_VOID(examine_play(e));
-  }
+  if (looks_well) MIROCUP_TRY_VOID(examine_play(e));
   while (e.report.checks.size() < check_names.size())
     e.report.checks.push_back({check_names[e.report.checks.size()], std::nullopt, "not tried"});
   warn(e);

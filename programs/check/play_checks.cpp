@@ -61,23 +61,21 @@ void note_time(Examination& e, const TrialLeg& leg) {
 // A team that would lose each of its legs by its budget is told so now.
 bool judge_time(Examination& e) {
   const double most_sleep = plugins::Budget().sleep;
-  if (e.slept > most_sleep) {
+  if (e.slept > most_sleep)
     return fail_with(
         e, {.what = system::formatted(
                 "in a leg with halves of %g s it would sleep for %.0f s, and at most %.0f s are "
                 "allowed",
                 e.setup.rules.half_s, e.slept, most_sleep),
             .cure = "do not sleep or wait in decide()"});
-  }
   const std::string text = system::formatted(
       "a leg with halves of %g s would take %.1f s of processor time, %.0f %% of the %.1f s that a "
       "team has",
       e.setup.rules.half_s, e.report.leg_seconds, 100.0 * e.report.leg_share,
       e.report.leg_seconds / e.report.leg_share);
-  if (e.report.leg_share > refused_leg_share) {
+  if (e.report.leg_share > refused_leg_share)
     return fail_with(e, {.what = text,
                          .cure = e.entry->is_python() ? advice_on_time_in_python : advice_on_time});
-  }
   return pass(e, text);
 }
 

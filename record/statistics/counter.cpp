@@ -279,9 +279,7 @@ void Counter::count_goal(const match::LoggedDecision& d) {
 }
 
 void Counter::stop_play(std::optional<Team> scoring) {
-  if (save_ && scoring != opponent_of(save_->team)) {
-    ++counted_.teams[index_of(save_->team)].saves;
-  }
+  if (save_ && scoring != opponent_of(save_->team)) ++counted_.teams[index_of(save_->team)].saves;
   end_duel(scoring);
   save_.reset();
   shot_.reset();

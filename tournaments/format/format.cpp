@@ -12,15 +12,13 @@ int Format::swiss_rounds(int teams) const {
 
 std::string objection(const Format& format, int teams) {
   if (teams < 2) return "a league needs two teams";
-  if (format.kind == FormatKind::groups && format.groups * 2 > teams) {
+  if (format.kind == FormatKind::groups && format.groups * 2 > teams)
     return std::to_string(format.groups) + " groups need " + std::to_string(2 * format.groups) +
            " teams";
-  }
   const int max = max_swiss_rounds(teams);
-  if (format.kind == FormatKind::swiss && format.rounds > max) {
+  if (format.kind == FormatKind::swiss && format.rounds > max)
     return std::to_string(teams) + " teams can play " + std::to_string(max) +
            " rounds at most if no two of them meet twice";
-  }
   return "";
 }
 

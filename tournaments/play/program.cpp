@@ -76,10 +76,9 @@ namespace {
 
 // Returns a sentence of the answer of `mirocup verify` that a record is not reproduced.
 std::string problem_in(const Json& answer) {
-  if (answer.contains("tick")) {
+  if (answer.contains("tick"))
     return "differs from tick " + std::to_string(record::value_in(answer, "tick", 0)) +
            " on: " + record::text_in(answer, "what");
-  }
   const std::string error = record::text_in(answer, "error");
   return error.empty() ? "could not be verified" : error;
 }

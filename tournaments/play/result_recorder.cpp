@@ -2,6 +2,7 @@
 #include "tournaments/play/result_recorder.hpp"
 
 #include "core/match/controller.hpp"
+#include "system/text.hpp"
 #include "tournaments/league/start.hpp"
 #include "tournaments/play/leg_record.hpp"
 #include "tournaments/play/program.hpp"
@@ -60,9 +61,7 @@ Result<bool> ResultRecorder::book_own(const LegId& leg) {
 Result<bool> ResultRecorder::book_found(const LegId& leg) {
   MIROCUP_TRY(const auto played, find_played_leg(files_, folder(), state(), leg));
   if (!played) return false;
-  if (!checked_.contains(record_of(leg))) {
-    MIROCUP_TRY_VOID(check_found());
-  }
+  if (!checked_.contains(record_of(leg))) MIROCUP_TRY_VOID(check_found());
   const std::string why = checked_[record_of(leg)];
   checked_.erase(record_of(leg));
   if (why.empty()) return book_own(leg);
@@ -110,16 +109,11 @@ Result<int> ResultRecorder::book_played(const std::string& fixture) {
 }
 
 std::string ResultRecorder::last_output_line(const LegId& leg) const {
-  const std::string text =
+  return system::last_line(
       files_
           .read(leg_output(folder(), leg),
                 {.max_size = system::size_limit::log, .growth = system::Growth::ignored})
-          .value_or("");
-  const std::size_t end = text.find_last_not_of('\n');
-  if (end == std::string::npos) return "";
-  const std::size_t before = text.rfind('\n', end);
-  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
-  return text.substr(begin, end + 1 - begin);
+          .value_or(""));
 }
 
 Result<void> ResultRecorder::book_void(const LegId& leg, const std::string& why) {
@@ -141,7 +135,7 @@ Result<void> ResultRecorder::book_result(const LegId& leg, const LegPlayed& play
     return write_void(leg, VoidCause::confirm,
                       played.fault->summary() + "; played again to confirm it");
   }
-  if (auto booked = drop_if_outdated(store_.write(played)); !booked) return booked;
+  MIROCUP_TRY_VOID(drop_if_outdated(store_.write(played)));
   std::string end(to_string(played.end));
   if (played.fault) end += ": " + played.fault->team + ": " + played.fault->code;
   progress_.say(std::to_string(state().played()) + "/" + std::to_string(state().legs()) + "  " +

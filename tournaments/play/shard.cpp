@@ -67,10 +67,9 @@ std::vector<std::string> open_shards(const LeagueState& state) {
 Result<int> play_shards(system::Files& files, const LeagueStore& store,
                         const std::vector<std::string>& fixtures) {
   const LeagueState& state = store.state();
-  if (!state.is_started) {
+  if (!state.is_started)
     return fail(Errc::input,
                 store.folder().path + " has not started: mirocup league plan starts it");
-  }
   Shard shard(files, store);
   int failed = 0;
   for (const std::string& id : fixtures) {

@@ -120,11 +120,10 @@ int run_project_compiler(const std::string& archive, const std::string& folder,
   if (const auto unpacked = unpack(archive, folder); !unpacked)
     return say_why(unpacked.error().what);
   const ProjectSources sources = sources_of_project(folder);
-  if (sources.c.empty() && sources.cpp.empty()) {
+  if (sources.c.empty() && sources.cpp.empty())
     return say_why(
         "the archive has no source of a team: a file that ends in .cpp, .cc, .cxx or .c, outside "
         "of test, tests and build");
-  }
   if (chdir(sources.root.c_str()) != 0) return say_why("the folder of the project cannot be read");
   return make_library(sources, library) == 0 ? 0 : 1;
 }

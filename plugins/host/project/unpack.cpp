@@ -82,10 +82,9 @@ class Unpacking {
   Result<void> take(archive_entry* entry) {
     const char* given = archive_entry_pathname(entry);
     const std::string name = given != nullptr ? given : "";
-    if (++files_ > limits_.files) {
+    if (++files_ > limits_.files)
       return fail(Errc::input,
                   "the archive has more than " + std::to_string(limits_.files) + " files");
-    }
     const auto parts = parts_of(name);
     if (const std::string why = objection_to_name(name, parts, limits_); !why.empty())
       return refuse(name, why);
@@ -123,11 +122,10 @@ class Unpacking {
       size += read;
       read_ += read;
       if (out >= 0) kept_ += read;
-      if (read_ > limits_.read || kept_ > limits_.all || (out >= 0 && size > limits_.file)) {
+      if (read_ > limits_.read || kept_ > limits_.all || (out >= 0 && size > limits_.file))
         return refuse(name, "is too large, or makes the archive too large: a file has at most " +
                                 std::to_string(limits_.file >> 20) + " MiB, and all together " +
                                 std::to_string(limits_.all >> 20) + " MiB");
-      }
       if (out >= 0 && write(out, bytes.data(), read) != count)
         return fail(Errc::host, std::string("a file cannot be written: ") + std::strerror(errno));
     }

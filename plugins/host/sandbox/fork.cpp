@@ -118,10 +118,9 @@ Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& ru
                          CLONE_NEWUTS | CLONE_NEWCGROUP;
   const long flags = SIGCHLD | (has_namespaces ? namespaces : 0);
   const auto pid = static_cast<pid_t>(syscall(SYS_clone, flags, 0, 0, 0, 0));
-  if (pid < 0) {
+  if (pid < 0)
     return no_sandbox(has_namespaces ? "a process with namespaces of its own cannot be started"
                                      : "a process cannot be started");
-  }
   if (pid == 0) {
     line.reset();
     if (receive_byte(child_line) && (has_namespaces ? become_inner_user() : become_other_user()) &&

@@ -77,17 +77,15 @@ std::string why_no_t2() {
 Result<Isolation> strongest_isolation() {
   const char* advice =
       ". Strategies are not run without it; --trusted runs them unprotected, in this process";
-  if (!can_trap_system_calls()) {
+  if (!can_trap_system_calls())
     return fail(
         Errc::unavailable,
         std::string("this system has no seccomp, which keeps strategies from harm") + advice);
-  }
-  if (landlock_version() < 1) {
+  if (landlock_version() < 1)
     return fail(Errc::unavailable,
                 std::string("this kernel has no Landlock (Linux 5.13), which keeps strategies from "
                             "files") +
                     advice);
-  }
   return why_no_t2().empty() ? Isolation::T2 : Isolation::T1;
 }
 
