@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
@@ -16,9 +15,6 @@
 namespace mirocup::system {
 
 namespace {
-
-// The names that CLI11 gives to values whose option does not say one.
-constexpr std::array<std::string_view, 5> nameless{"TEXT", "INT", "UINT", "FLOAT", "BOOLEAN"};
 
 // "LEAGUE:{small,middle,large}" has the values of the option, "N:NUMBER in [1 - 10]" their range.
 std::string bounded(const std::string& type, std::string_view open, std::string_view close) {
@@ -30,6 +26,18 @@ std::string bounded(const std::string& type, std::string_view open, std::string_
 
 bool takes_value(const CLI::Option& option) {
   return option.get_items_expected_max() > 0;
+}
+
+// Returns the name of an option's value without the checks that CLI11 appends: "ADDR:PORT" for
+// "ADDR:PORT", "N" for "N:INT in [1 - 10]". CLI11 puts a colon before each check, and some names
+// have colons of their own.
+std::string own_value_name(const std::string& type) {
+  for (std::size_t at = type.find(':'); at != std::string::npos; at = type.find(':', at + 1)) {
+    for (const char* check : {"{", "NUMBER in", "DIR", "SEED"}) {
+      if (type.compare(at + 1, std::strlen(check), check) == 0) return type.substr(0, at);
+    }
+  }
+  return type;
 }
 
 // What is typed after the option: "small|middle|large", "SECONDS", "[PORT]".
@@ -263,29 +271,11 @@ complete -c @P@ -f -a '(__@P@_complete)'
 
 }  // namespace
 
-// CLI11 puts a colon before each check, and some names have colons of their own.
-std::string own_value_name(const std::string& type) {
-  for (std::size_t at = type.find(':'); at != std::string::npos; at = type.find(':', at + 1)) {
-    for (const char* check : {"{", "NUMBER in", "DIR", "SEED"}) {
-      if (type.compare(at + 1, std::strlen(check), check) == 0) return type.substr(0, at);
-    }
-  }
-  return type;
-}
-
-void finish_help(CLI::App& app, std::span<const CommandHelp> commands, const ValueNames& names) {
+void finish_help(CLI::App& app, std::span<const CommandHelp> commands) {
   const auto layout = std::make_shared<HelpLayout>();
   app.formatter(layout);
-  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     command->formatter(layout);
-    for (CLI::Option* option : command->get_options()) {
-      if (!takes_value(*option)) continue;
-      const std::string own = own_value_name(option->get_type_name());
-      if (std::find(nameless.begin(), nameless.end(), own) == nameless.end()) continue;
-      const auto known = names.find(option->get_name(false, false));
-      option->type_name(known == names.end() ? "VALUE" : known->second);
-    }
-  }
   for (const CommandHelp& help : commands) {
     CLI::App* command = app.get_subcommand(help.name);
     command->group(help.group);

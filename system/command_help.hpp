@@ -23,17 +23,9 @@ struct CommandHelp {
   std::vector<const char*> examples;
 };
 
-// For an option in any command, the name of its value: {"--half", "SECONDS"}. An option that
-// declares a value name keeps it.
-using ValueNames = std::map<std::string, const char*>;
-
-// Returns the name of an option's value without the checks that CLI11 appends: "ADDR:PORT" for
-// "ADDR:PORT", "N" for "N:INT in [1 - 10]".
-std::string own_value_name(const std::string& type);
-
-// Sets the layout of the program's help, the names of the options' values, and the commands' groups
-// and examples. To be called once, after all commands are declared.
-void finish_help(CLI::App& app, std::span<const CommandHelp> commands, const ValueNames& names);
+// Sets the layout of the program's help, and the commands' groups and examples. To be called once,
+// after all commands are declared.
+void finish_help(CLI::App& app, std::span<const CommandHelp> commands);
 
 // Returns the completions of the last word, a completion in a line: "WORD<tab>DESCRIPTION". `words`
 // are the words after the program's name; the last may be "". A last line ":files" means that the

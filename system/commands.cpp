@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "system/commands.hpp"
 
-#include "system/command_line.hpp"
+#include "system/files.hpp"
 #include "system/number_of.hpp"
+#include "system/printable.hpp"
 #include "system/text.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <iostream>
 #include <limits>
 
 namespace mirocup::system {
@@ -39,34 +41,29 @@ CLI::Validator range(Number low, Number high, const std::string& word = "") {
 
 }  // namespace
 
-Option Option::named(const std::string& value) const {
-  option_->type_name(value);
-  return *this;
+std::string problem_with_seed(const std::string& text) {
+  if (number_of<std::uint64_t>(text)) return "";
+  return in_quotes(text) + " is not a seed, an integer from 0 to 18446744073709551615";
 }
 
 Option Option::required() const {
-  option_->required();
-  return *this;
+  return Option(option_->required());
 }
 
 Option Option::shows_default() const {
-  option_->capture_default_str();
-  return *this;
+  return Option(option_->capture_default_str());
 }
 
 Option Option::between(int low, int high) const {
-  option_->check(range(low, high));
-  return *this;
+  return Option(option_->check(range(low, high)));
 }
 
 Option Option::between(double low, double high) const {
-  option_->check(range(low, high));
-  return *this;
+  return Option(option_->check(range(low, high)));
 }
 
 Option Option::between_or(int low, int high, const std::string& word) const {
-  option_->check(range(low, high, word));
-  return *this;
+  return Option(option_->check(range(low, high, word)));
 }
 
 Option Option::one_of(const std::vector<std::string>& words) const {
@@ -77,13 +74,12 @@ Option Option::one_of(const std::vector<std::string>& words) const {
       list.replace(last, 2, " or ");
     return text + " is not " + list;
   };
-  option_->check(CLI::Validator(problem, "{" + joined(words, ",") + "}"));
-  return *this;
+  return Option(option_->check(CLI::Validator(problem, "{" + joined(words, ",") + "}")));
 }
 
 Option Option::checked(const std::string& value, std::string (*problem)(const std::string&)) const {
-  option_->check(CLI::Validator([problem](std::string& text) { return problem(text); }, value));
-  return *this;
+  return Option(option_->check(
+      CLI::Validator([problem](std::string& text) { return problem(text); }, value)));
 }
 
 Option Option::is_a_seed() const {
@@ -91,32 +87,37 @@ Option Option::is_a_seed() const {
 }
 
 Option Option::split_at(char separator) const {
-  option_->delimiter(separator);
-  return *this;
+  return Option(option_->delimiter(separator));
 }
 
 Option Option::takes(int least, int most) const {
-  option_->expected(least, most);
-  return *this;
+  return Option(option_->expected(least, most));
 }
 
 Option Option::excludes(const Option& other) const {
-  option_->excludes(other.option_);
-  return *this;
+  return Option(option_->excludes(other.option_));
 }
 
 Option Option::needs(const Option& other) const {
-  option_->needs(other.option_);
-  return *this;
+  return Option(option_->needs(other.option_));
 }
 
 Option Option::in_group(const std::string& heading) const {
-  option_->group(heading);
-  return *this;
+  return Option(option_->group(heading));
 }
 
 Option Option::hidden() const {
   return in_group("");
+}
+
+// "--output FILE": the names of an option, and that of its value.
+static CLI::Option* with_value_name(CLI::Option* option, const std::string& names) {
+  const std::size_t blank = names.find(' ');
+  return option->type_name(blank == std::string::npos ? "VALUE" : names.substr(blank + 1));
+}
+
+static std::string without_value_name(const std::string& names) {
+  return names.substr(0, names.find(' '));
 }
 
 template <class T>
@@ -130,9 +131,11 @@ Option Command::option(const std::string& names, T& value, const std::string& he
       return number.has_value();
     };
     const auto default_text = [&value] { return number_text(std::optional(value).value_or(0)); };
-    return Option(app_->add_option(names, read, help, false, default_text)->type_name("FLOAT"));
+    CLI::Option* const option =
+        app_->add_option(without_value_name(names), read, help, false, default_text);
+    return Option(with_value_name(option, names));
   } else {
-    return Option(app_->add_option(names, value, help));
+    return Option(with_value_name(app_->add_option(without_value_name(names), value, help), names));
   }
 }
 
@@ -154,7 +157,9 @@ template Option Command::option(const std::string&, std::vector<std::string>&,
 Option Command::option_or_flag(const std::string& names, std::optional<std::string>& value,
                                const std::string& help) const {
   const auto assign = [&value](const std::string& text) { value = text; };
-  return Option(app_->add_option_function<std::string>(names, assign, help)).takes(0, 1);
+  CLI::Option* const option =
+      app_->add_option_function<std::string>(without_value_name(names), assign, help);
+  return Option(with_value_name(option, names)).takes(0, 1);
 }
 
 Option Command::flag(const std::string& names, bool& value, const std::string& help) const {
@@ -162,9 +167,124 @@ Option Command::flag(const std::string& names, bool& value, const std::string& h
 }
 
 Option Command::jobs(int& value, const std::string& what) const {
-  return option("--jobs", value, "Number of " + what + " at once (default: one for each processor)")
+  return option("--jobs NUMBER", value,
+                "Number of " + what + " at once (default: one for each processor)")
       .between(1, 1024);
 }
+
+namespace {
+
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+// Prints what is wrong, and where to read on.
+int complain(const std::string& program, const std::string& what) {
+  std::cerr << program << ": " << printable(what) << '\n' << "See " << program << " --help\n";
+  return exit_code(Errc::input);
+}
+
+// The first example of the command's help.
+std::string for_example(std::span<const CommandHelp> helps, const std::string& command) {
+  for (const CommandHelp& help : helps) {
+    if (help.name == command && !help.examples.empty())
+      return std::string("; for example: ") + help.examples.front();
+  }
+  return "";
+}
+
+// Returns the library's sentence about a mistake, or our own about a mistake that the state of the
+// command shows.
+std::string sentence_of(const CLI::App& command, const CLI::ParseError& error) {
+  const std::vector<std::string> left = command.remaining();
+  const auto unknown = std::find_if(left.begin(), left.end(), [](const std::string& word) {
+    return word.size() > 1 && word.front() == '-';
+  });
+  if (unknown != left.end()) {
+    const std::string name = unknown->substr(0, unknown->find('='));
+    return "there is no option " + name;
+  }
+  const int kind = error.get_exit_code();
+  if (kind == static_cast<int>(CLI::ExitCodes::ExtrasError) && !left.empty())
+    return in_quotes(left.front()) + " is not expected";
+  const auto options = command.get_options();
+  const auto doubled = std::find_if(options.begin(), options.end(), [](const CLI::Option* option) {
+    return option->get_items_expected_max() == 1 && option->count() > 1;
+  });
+  if (kind == static_cast<int>(CLI::ExitCodes::ArgumentMismatch) && doubled != options.end())
+    return (*doubled)->get_name() + " is given more than once";
+  return error.what();
+}
+
+int explain(const CLI::App& app, std::span<const CommandHelp> helps, const CLI::ParseError& error) {
+  const auto parsed = app.get_subcommands();
+  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  const std::string program = app.get_name() + (parsed.empty() ? "" : " " + command.get_name());
+  const bool is_wrong_value =
+      error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ValidationError);
+  return complain(program, sentence_of(command, error) +
+                               (is_wrong_value ? "" : for_example(helps, command.get_name())));
+}
+
+// Parses the arguments from argv[1] on. The app's name is the way to call it, such as "mirocup
+// league". If a subcommand was chosen, its callback has run, and the function returns nothing. If
+// help was asked for or the arguments are wrong, prints the help, or the mistake and a command to
+// type, and returns the exit code: 0 or 2. `helps` has the examples.
+std::optional<int> parse_command_line(CLI::App& app, std::span<const CommandHelp> helps, int argc,
+                                      char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words[0] == "help") {
+    words.erase(words.begin());
+    words.resize(std::min<std::size_t>(words.size(), 1));
+    words.emplace_back("--help");
+  }
+  const std::vector<std::string> commands = commands_of(app);
+  if (words.empty()) {
+    std::cerr << app.help();
+    return exit_code(Errc::input);
+  }
+  const std::string& first = words[0];
+  const bool is_known = std::find(commands.begin(), commands.end(), first) != commands.end();
+  if (first.empty() || (first.front() != '-' && !is_known)) {
+    return complain(app.get_name(), "there is no command " + in_quotes(first));
+  }
+  try {
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    app.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) return explain(app, helps, error);
+    app.exit(error);  // prints the help, or the version
+    return exit_yes;
+  }
+  return std::nullopt;
+}
+
+// Answers a command line about the program itself, for a shell or a packager: `complete WORD…`
+// prints completions(), `man DIR` writes the manual's pages. Returns nothing for all other command
+// lines.
+std::optional<int> tell_about(const CLI::App& app, int argc, char** argv,
+                              const std::string& version, std::span<const std::string> teams) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first == "complete") {
+    const std::vector<std::string> words(argv + 2, argv + argc);
+    std::cout << completions(app, words, teams);
+    return exit_yes;
+  }
+  if (first != "man" || argc != 3) return std::nullopt;
+  Disk disk;
+  for (const auto& [name, text] : manual_pages(app, version)) {
+    const auto written = disk.write(argv[2] + ("/" + name), text);
+    if (written) continue;
+    std::cerr << app.get_name() << ": " << printable(written.error().what) << '\n';
+    return exit_code(written.error().code);
+  }
+  return exit_yes;
+}
+
+}  // namespace
 
 Commands::Commands(const std::string& name, const std::string& description,
                    const std::string& version, const std::string& footer)
@@ -176,7 +296,7 @@ Commands::Commands(const std::string& name, const std::string& description,
 
 Commands::~Commands() = default;
 
-Command Commands::add_run(const CommandHelp& help, Run run) {
+Command Commands::add_run(const CommandHelp& help, std::function<Result<int>()> run) {
   CLI::App* command = app_->add_subcommand(help.name, help.description);
   command->callback([this, run = std::move(run)] { chosen_ = run; });
   helps_.push_back(help);
@@ -188,12 +308,11 @@ void Commands::add_other(const CommandHelp& help) {
   helps_.push_back(help);
 }
 
-std::variant<Run, int> Commands::read(int argc, char** argv, const ValueNames& values,
-                                      std::span<const std::string> teams) {
-  finish_help(*app_, helps_, values);
+Result<int> Commands::run(int argc, char** argv, std::span<const std::string> teams) {
+  finish_help(*app_, helps_);
   if (const auto told = tell_about(*app_, argc, argv, version_, teams)) return *told;
   if (const auto done = parse_command_line(*app_, helps_, argc, argv)) return *done;
-  return chosen_;
+  return chosen_();
 }
 
 }  // namespace mirocup::system

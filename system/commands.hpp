@@ -14,7 +14,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace CLI {
@@ -29,8 +28,6 @@ class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
-  // Sets the name of the option's value in the help: "FILE".
-  Option named(const std::string& value) const;
   Option required() const;
   Option shows_default() const;
 
@@ -62,9 +59,10 @@ class Command {
  public:
   explicit Command(CLI::App* app) : app_(app) {}
 
-  // Adds an option "-o,--output", or an argument "FILE". `value` is its default and gets the typed
-  // value. T: std::string, an integer, double, a std::optional of one of these, or a list of
-  // std::string. A number is written as number_of() reads it.
+  // Adds an option "-o,--output FILE", where FILE is the name of its value in the help (default:
+  // VALUE), or an argument "FILE". `value` is its default and gets the typed value. T: std::string,
+  // an integer, double, a std::optional of one of these, or a list of std::string. A number is
+  // written as number_of() reads it.
   template <class T>
   Option option(const std::string& names, T& value, const std::string& help = "") const;
   // Adds an option whose value may be missing: then `value` becomes "".
@@ -77,9 +75,6 @@ class Command {
  private:
   CLI::App* app_;
 };
-
-// The chosen subcommand with its options.
-using Run = std::function<Result<int>()>;
 
 // The subcommands of one program.
 class Commands {
@@ -109,23 +104,25 @@ class Commands {
   }
 
   // Adds the help of a command that another program runs, so that this command never comes to
-  // read().
+  // run().
   void add_other(const CommandHelp& help);
 
-  // Returns the subcommand that was chosen. If the command line asks for help or is wrong, prints
-  // the help or the error and returns the exit code instead. `values` has names for the values of
-  // options that declare no such name; `teams` are the names of the house teams, for completion.
-  std::variant<Run, int> read(int argc, char** argv, const ValueNames& values,
-                              std::span<const std::string> teams);
+  // Runs the subcommand that was chosen, and returns its result. If the command line asks for help
+  // or is wrong, prints the help or the error and returns the exit code. `teams` are the names of
+  // the house teams, for completion.
+  Result<int> run(int argc, char** argv, std::span<const std::string> teams);
 
  private:
-  Command add_run(const CommandHelp& help, Run run);
+  Command add_run(const CommandHelp& help, std::function<Result<int>()> run);
 
   std::unique_ptr<CLI::App> app_;
   std::string version_;
   std::vector<CommandHelp> helps_;
-  Run chosen_;
+  std::function<Result<int>()> chosen_;
 };
+
+// Returns why a text is not a seed, an integer from 0 to 2^64 - 1; "" if the text is a seed.
+std::string problem_with_seed(const std::string& text);
 
 // The names of an enum, for Option::one_of.
 template <class E>

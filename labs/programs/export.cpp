@@ -49,9 +49,7 @@ void add_export(system::Commands& commands) {
                                          "Write a learned network as the source of a team",
                                          {"mirocup export policy.npz -o learned.cpp"});
   command.option("POLICY", o.policy, "The network, an .npz of schema mirocup/policy/1").required();
-  command.option("-o,--output", o.output, "File to write the source to")
-      .named("FILE.cpp")
-      .required();
+  command.option("-o,--output FILE.cpp", o.output, "File to write the source to").required();
 }
 
 }  // namespace mirocup::labs

@@ -58,18 +58,13 @@ void add_identify(system::Commands& commands) {
   command
       .option("RECORDING", o.recordings, "Recordings (mirocup/recording/1, or .csv) of one pitch")
       .required();
-  command.option("-o", o.output, "File to write the pitch to (mirocup/pitch/1)")
-      .named("FILE")
-      .required();
+  command.option("-o FILE", o.output, "File to write the pitch to (mirocup/pitch/1)").required();
   command
-      .option("--pitch", o.pitch,
+      .option("--pitch NAME|FILE", o.pitch,
               "Pitch with the known numbers: sizes, masses, and others that recordings do not tell")
-      .named("NAME|FILE")
       .shows_default();
-  command
-      .option("--page", o.page,
-              "File to write a page to, with the found numbers and their 95 % intervals")
-      .named("FILE");
+  command.option("--page FILE", o.page,
+                 "File to write a page to, with the found numbers and their 95 % intervals");
   command.flag("--json", o.json, "Print the pitch as one JSON object");
 }
 

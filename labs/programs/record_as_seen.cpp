@@ -49,22 +49,21 @@ void add_record_as_seen(system::Commands& commands) {
                    "Write what a camera would have seen of a played match, as a recording",
                    {"mirocup record-as-seen leg.json -o seen.jsonl"});
   command.option("RECORD", o.record, "Match record, written by --record").required();
-  command.option("-o", o.output, "File to write the recording to (mirocup/recording/1)")
-      .named("FILE")
+  command.option("-o FILE", o.output, "File to write the recording to (mirocup/recording/1)")
       .required();
-  command.option("--noise-mm", o.noise_mm, "Standard deviation of a position, mm")
+  command.option("--noise-mm MM", o.noise_mm, "Standard deviation of a position, mm")
       .between(0.0, 100.0)
       .shows_default();
-  command.option("--noise-deg", o.noise_deg, "Standard deviation of a heading, degrees")
+  command.option("--noise-deg DEGREES", o.noise_deg, "Standard deviation of a heading, degrees")
       .between(0.0, 90.0)
       .shows_default();
-  command.option("--gaps", o.gaps, "Share of bodies that a picture misses")
+  command.option("--gaps SHARE", o.gaps, "Share of bodies that a picture misses")
       .between(0.0, 0.9)
       .shows_default();
-  command.option("--outliers", o.outliers, "Share of bodies that are seen at a wrong place")
+  command.option("--outliers SHARE", o.outliers, "Share of bodies that are seen at a wrong place")
       .between(0.0, 0.5)
       .shows_default();
-  command.option("--seed", o.seed, "Seed of the noise").is_a_seed().shows_default();
+  command.option("--seed SEED", o.seed, "Seed of the noise").is_a_seed().shows_default();
 }
 
 }  // namespace mirocup::labs

@@ -4,8 +4,6 @@
 #include "core/base/random.hpp"
 #include "labs/programs/commands.hpp"
 #include "labs/tune/tuning_file.hpp"
-#include "programs/league/commands.hpp"
-#include "programs/league/progress_bar.hpp"
 #include "record/json_reader.hpp"
 #include "system/number_of.hpp"
 #include "system/printable.hpp"
@@ -288,31 +286,32 @@ void add_tune(system::Commands& commands) {
                    {"mirocup tune mine.so --param wait=0.3:0.6 --against chaser,striker"});
   TuningOptions& t = o.tuning;
   command.option("TEAM", o.team, "Library, or name of a house team").required();
-  command.option("--param", o.parameters, "Parameter of the team, and its range").required();
-  command.option("--against", o.against, "Opponents, with commas between them")
+  command.option("--param KEY=LOW:HIGH", o.parameters, "Parameter of the team, and its range")
+      .required();
+  command.option("--against TEAM,TEAM", o.against, "Opponents, with commas between them")
       .split_at(',')
       .required();
   add_terms(command, o.league, o.run);
-  command.option("--seed", t.seed, "Seed of the search and of its fixtures")
+  command.option("--seed SEED", t.seed, "Seed of the search and of its fixtures")
       .is_a_seed()
       .shows_default();
   command.jobs(o.run.jobs, "legs played");
-  command.option("--generations", t.generations, "Generations of the search")
+  command.option("--generations NUMBER", t.generations, "Generations of the search")
       .between(1, 10'000)
       .shows_default();
   command
-      .option("--fixtures", t.fixtures,
+      .option("--fixtures NUMBER", t.fixtures,
               "Fixtures (two legs each) that each candidate of the first generation plays against "
               "each opponent; later generations play more fixtures if their results are noisy")
       .between(2, 1000)
       .shows_default();
   command
-      .option("--test", t.test_fixtures,
+      .option("--test NUMBER", t.test_fixtures,
               "Fixtures that the test at the end plays against each opponent")
       .between(10, 100'000)
       .shows_default();
   command
-      .option("-o,--output", o.folder,
+      .option("-o,--output DIR", o.folder,
               "Folder for the played fixtures and the picture; the same command, called again, "
               "continues from it")
       .shows_default();

@@ -47,13 +47,11 @@ void add_validate(system::Commands& commands) {
       "simple yardsticks do (exit code 1: a yardstick is better)",
       {"mirocup validate seen.jsonl --pitch ours.json -o validation.html"});
   command.option("RECORDING", o.recordings, "Recordings (mirocup/recording/1, or .csv)").required();
-  command.option("--pitch", o.pitch, "Pitch to simulate with").named("NAME|FILE").shows_default();
-  command.option("-o,--page", o.page, "File to write a page with pictures to").named("FILE");
-  command
-      .option("--against", o.against,
-              "Another engine as a further yardstick, if mirocup-bench is built with it: box2d, "
-              "chipmunk or ode")
-      .named("ENGINE");
+  command.option("--pitch NAME|FILE", o.pitch, "Pitch to simulate with").shows_default();
+  command.option("-o,--page FILE", o.page, "File to write a page with pictures to");
+  command.option("--against ENGINE", o.against,
+                 "Another engine as a further yardstick, if mirocup-bench is built with it: box2d, "
+                 "chipmunk or ode");
   command.flag("--json", o.json, "Print one JSON object");
 }
 

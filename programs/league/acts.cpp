@@ -8,23 +8,17 @@
 #include "programs/league/commands.hpp"
 #include "programs/league/finals.hpp"
 #include "programs/league/playing.hpp"
-#include "programs/league/progress_bar.hpp"
 #include "programs/league/publishing.hpp"
-#include "system/clock.hpp"
-#include "system/printable.hpp"
 #include "tournaments/league/apply.hpp"
-#include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/site.hpp"
 
 #include <array>
-#include <iostream>
 
 namespace mirocup::league {
 
 namespace {
 
-struct ActOptions {
-  std::string folder;
+struct ActOptions : LeagueOptions {
   Act act;
   int legs = legs_per_fixture;  // of each pair in the closing round
   int jobs = 0;                 // legs of the closing round at once; 0: one for each processor
@@ -37,41 +31,33 @@ Result<int> play_closing_round(system::Files& files, const LeagueStore& season,
   MIROCUP_TRY_VOID(init_from(files, season, folder, file, true));
   MIROCUP_TRY_VOID(publish_league(files, season.folder(), jobs));
   MIROCUP_TRY(auto held, hold_league(files, folder, ""));
-  auto progress = make_progress_reporter();
-  MIROCUP_TRY(const auto end, play_league(files, std::move(held.store), *progress, {.jobs = jobs}));
-  progress->say("making pages");
-  MIROCUP_TRY(const int published, publish_league(files, folder, jobs));
-  progress.reset();
+  MIROCUP_TRY(const auto end, play_and_publish(files, std::move(held.store), {{.jobs = jobs}}));
   std::cout << table_text(end.state);
-  const bool is_over = end.state.legs() == end.state.played();
-  if (!is_over) say_what_is_left(end.state);
-  return is_over && end.refused == 0 ? published : exit_no;
+  return exit_code_of(end, end.state);
 }
 
-Result<int> run_act(const ActOptions& options) {
-  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
-  system::Disk disk;
-  MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
+Result<int> run_act(system::Files& files, LeagueStore& store, const ActOptions& options) {
   LeagueFile closing;
   if (!options.act.final.empty()) {
-    MIROCUP_TRY(closing, closing_round(disk, store, *from_string<FormatKind>(options.act.final),
+    MIROCUP_TRY(closing, closing_round(files, store, *from_string<FormatKind>(options.act.final),
                                        options.legs));
-    if (disk.exists(folder_of_closing_round(store.folder()).config()))
+    if (files.exists(folder_of_closing_round(store.folder()).config()))
       return fail(Errc::input, options.folder + "/final is there already: mirocup league start " +
                                    options.folder + "/final continues it");
   }
-  MIROCUP_TRY(const auto lines, perform(disk, store, options.act, system::now_s()));
+  MIROCUP_TRY(const auto lines, perform(files, store, options.act, system::now_s()));
   for (const std::string& line : lines) std::cout << system::printable(line) << '\n';
   // What is held back must not stay on the pages, and what is released is looked for there.
   if (options.act.kind == ActKind::release && !options.act.is_dry_run &&
-      disk.exists(store.folder().site())) {
-    return publish_league(disk, store.folder());
+      files.exists(store.folder().site())) {
+    return publish_league(files, store.folder());
   }
   if (options.act.final.empty()) return exit_yes;
   std::cout << closing.teams.size() << " teams, " << new_league(closing).legs()
             << " legs in the closing round, " << options.folder << "/final\n"
             << std::flush;
-  return options.act.is_dry_run ? exit_yes : play_closing_round(disk, store, closing, options.jobs);
+  return options.act.is_dry_run ? exit_yes
+                                : play_closing_round(files, store, closing, options.jobs);
 }
 
 // The description of an act in the help, and an example of its subcommand.
@@ -107,24 +93,21 @@ constexpr std::array<ActHelp, 10> act_helps{{
 void add_fixture(const system::Command& command, Act& act) {
   command.option("FIXTURE", act.fixture, "Id of the fixture, as in r3-f1").required();
   const system::Option leg =
-      command.option("--leg", act.leg, "Number of the leg: 1, 2 or 3").between(1, 3);
+      command.option("--leg NUMBER", act.leg, "Number of the leg: 1, 2 or 3").between(1, 3);
   command.flag("--all-legs", act.has_all_legs, "All legs of the fixture").excludes(leg);
 }
 
 void add_freeze(const system::Command& command, Act& act) {
   const system::Option at =
-      command.option("--at", act.from,
+      command.option("--at TIME", act.from,
                      "Time in the league's zone (\"2026-11-30 18:00\"), or "
                      "with an offset (+01:00) or Z at its end (default: now)");
-  at.named("TIME");
   command.flag("--lift", act.is_lifted, "Take entries again").excludes(at);
   const system::Option except = command.option(
-      "--except", act.except,
+      "--except TEAM", act.except,
       "Let this team alone hand in longer, until --until; then the reason is not published");
-  except.named("TEAM").excludes(at);
-  command.option("--until", act.from, "Until when, in the forms of --at")
-      .named("TIME")
-      .needs(except);
+  except.excludes(at);
+  command.option("--until TIME", act.from, "Until when, in the forms of --at").needs(except);
 }
 
 void add_close(const system::Command& command, ActOptions& options) {
@@ -147,7 +130,7 @@ void add_release(const system::Command& command, Act& act) {
               "hidden (nobody)")
       .one_of({"all", "teams", "hidden"})
       .shows_default();
-  command.option("--through", act.through,
+  command.option("--through ROUND", act.through,
                  "Last round that the pages show, r3 or k1 (default: every round with --level all, "
                  "otherwise none)");
 }
@@ -155,7 +138,8 @@ void add_release(const system::Command& command, Act& act) {
 // Adds the options that no other act has.
 void add_own_options(const system::Command& command, Act& act) {
   if (act.kind == ActKind::rule)
-    command.option("--score", act.score, "Goals of the home team and of the away team").required();
+    command.option("--score HOME:AWAY", act.score, "Goals of the home team and of the away team")
+        .required();
   if (act.kind == ActKind::void_)
     command.flag("--same-seed", act.keeps_seed,
                  "Keep the seed: the same libraries then play the same leg again");
@@ -177,11 +161,10 @@ void add_own_options(const system::Command& command, Act& act) {
 void add_acts(system::Commands& commands) {
   for (const auto& [kind, description, example] : act_helps) {
     const auto [command, options] =
-        commands.add(run_act, to_string(kind).data(), kind == ActKind::release ? to_show : to_rule,
-                     description, {example});
+        add_command(commands, on_own_league<run_act, ActOptions>, to_string(kind).data(),
+                    kind == ActKind::release ? to_show : to_rule, description, {example});
     Act& act = options.act;
     act.kind = kind;
-    add_folder(command, options.folder);
     if (kind == ActKind::award || kind == ActKind::rule || kind == ActKind::void_)
       add_fixture(command, act);
     if (kind == ActKind::award || kind == ActKind::withdraw || kind == ActKind::pause ||
@@ -189,8 +172,8 @@ void add_acts(system::Commands& commands) {
       command.option("TEAM", act.team, "Name of the team").required();
     add_own_options(command, act);
     if (kind == ActKind::close) add_close(command, options);
-    command.option("--reason", act.reason, "Reason, which is published").required();
-    command.option("--by", act.by, "Name of the person who decides; it is published");
+    command.option("--reason TEXT", act.reason, "Reason, which is published").required();
+    command.option("--by NAME", act.by, "Name of the person who decides; it is published");
     command.flag("--dry-run", act.is_dry_run, "Print what would change, and change nothing");
   }
 }

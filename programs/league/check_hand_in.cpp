@@ -11,8 +11,7 @@ namespace mirocup::league {
 
 namespace {
 
-struct CheckHandInOptions {
-  std::string folder;
+struct CheckHandInOptions : LeagueOptions {
   std::string team;
   int entry = 0;
   std::string file;
@@ -34,9 +33,8 @@ Result<int> run_check_hand_in(const CheckHandInOptions& options) {
 }  // namespace
 
 void add_check_hand_in(system::Commands& commands) {
-  const auto [command, o] = commands.add(run_check_hand_in, "check-hand-in", "",
-                                         "Check a hand-in, as a child of serve --hand-in", {});
-  add_folder(command, o.folder);
+  const auto [command, o] = add_command(commands, run_check_hand_in, "check-hand-in", "",
+                                        "Check a hand-in, as a child of serve --hand-in", {});
   command.option("TEAM", o.team).required();
   command.option("ENTRY", o.entry).required();
   command.option("--file", o.file).required();

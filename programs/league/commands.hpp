@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `mirocup league`. Each has one source, which declares its options and does its
-// work; acts.cpp has all acts of the staff. A run returns the exit code of an answer, exit_yes or
+// The subcommands of `mirocup league`, and what their sources share. A source declares the options
+// of its commands and does their work. A run returns the exit code of an answer, exit_yes or
 // exit_no, or an error.
 #pragma once
 
+#include "record/json_reader.hpp"
 #include "system/commands.hpp"
+#include "system/printable.hpp"
+#include "tournaments/league/league_store.hpp"
 
+#include <iostream>
 #include <string>
 #include <string_view>
 
 namespace mirocup::league {
-
-struct ComparisonRun;
 
 // The headings of the help.
 inline constexpr const char* to_make = "Make";
@@ -34,13 +36,45 @@ Add add_init, add_submit, add_nightly, add_start, add_stop, add_status, add_heal
 std::string_view given_file(std::string_view name);
 std::string_view show_file(std::string_view name);
 
-// The argument DIR, the league's folder.
-void add_folder(const system::Command& command, std::string& folder);
+// Prints a value in one line.
+inline void print_json(const Json& json) {
+  std::cout << record::json_text(json) << '\n';
+}
 
-// The options --league, --half and --conditions of a comparison.
-void add_terms(const system::Command& command, std::string& league, ComparisonRun& run);
+// The options of a command about a league; those of a command with more options derive from these.
+struct LeagueOptions {
+  std::string folder;  // the argument DIR
+};
+
+// The run of a command that needs the league open: `run` gets the disk, the league and the options.
+template <auto run, class Options = LeagueOptions>
+Result<int> on_league(const Options& options) {
+  system::Disk disk;
+  MIROCUP_TRY(auto store, LeagueStore::open(disk, Folder{options.folder}));
+  return run(disk, store, options);
+}
+
+// The same for a command that only the owner of the folder may give: expect_owner().
+template <auto run, class Options = LeagueOptions>
+Result<int> on_own_league(const Options& options) {
+  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
+  return on_league<run>(options);
+}
 
 // Returns why a text cannot be the name of a folder; "" if it can.
 std::string problem_with_folder(const std::string& text);
+
+// Adds a command with the argument DIR, as Commands::add() does.
+template <class Options>
+system::Commands::Added<Options> add_command(system::Commands& commands,
+                                             Result<int> (*run)(const Options&), const char* name,
+                                             const char* group, const char* description,
+                                             std::vector<const char*> examples) {
+  const auto added = commands.add(run, name, group, description, std::move(examples));
+  added.command.option("DIR", added.options.folder, "Folder of the league")
+      .required()
+      .checked("DIR", problem_with_folder);
+  return added;
+}
 
 }  // namespace mirocup::league

@@ -2,9 +2,6 @@
 //
 // The subcommand compare.
 #include "programs/league/commands.hpp"
-#include "programs/league/progress_bar.hpp"
-#include "record/json_reader.hpp"
-#include "system/printable.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/event.hpp"
 #include "tournaments/play/comparison_run.hpp"
@@ -12,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 namespace mirocup::league {
 
@@ -251,13 +247,13 @@ void print(const std::vector<PairComparison>& pairs, const ComparisonRun& run,
     return;
   }
   if (pairs.size() == 1 && !has_table) {
-    std::cout << record::json_text(pair_json(pairs[0], run)) << '\n';
+    print_json(pair_json(pairs[0], run));
     return;
   }
   Json json{{"comparisons", Json::array()}};
   for (const PairComparison& pair : pairs) json["comparisons"].push_back(pair_json(pair, run));
   if (has_table) json["table"] = table_json(table, run);
-  std::cout << record::json_text(json) << '\n';
+  print_json(json);
 }
 
 Result<int> run_compare(const CompareOptions& options) {
@@ -307,20 +303,21 @@ void add_compare(system::Commands& commands) {
       .one_of({"first", "all"})
       .shows_default();
   add_terms(command, o.league, r);
-  command.option("--seed", r.seed, "Seed of the fixtures").is_a_seed().shows_default();
+  command.option("--seed SEED", r.seed, "Seed of the fixtures").is_a_seed().shows_default();
   command.jobs(r.jobs, "legs played");
   command
-      .option("--most", o.most,
+      .option("--most NUMBER", o.most,
               "Largest number of fixtures (two legs each) that a pair of teams plays; a pair that "
               "is not decided after them stays undecided (default: " +
                   std::to_string(r.max_fixtures) +
                   "; with --against all: " + std::to_string(fixtures_of_a_table) + ")")
       .between(1, 1'000'000);
   command
-      .option("--equal", r.test.equal_elo, "Difference in Elo below which two teams count as equal")
+      .option("--equal ELO", r.test.equal_elo,
+              "Difference in Elo below which two teams count as equal")
       .between(1.0, 400.0)
       .shows_default();
-  command.option("--keep", o.keep,
+  command.option("--keep DIR", o.keep,
                  "Folder for the records; the same command, called again, continues from them");
   command.flag("--json", o.json, "Print one JSON object");
 }

@@ -6,7 +6,6 @@
 #include "record/match_record.hpp"
 #include "system/child_process.hpp"
 #include "system/locations.hpp"
-#include "tournaments/league/folder.hpp"
 
 #include <algorithm>
 
@@ -14,8 +13,7 @@ namespace mirocup::league {
 
 namespace {
 
-struct CredentialsOptions {
-  std::string folder;
+struct CredentialsOptions : LeagueOptions {
   std::vector<std::string> teams;
   std::vector<std::string> revoked;
   int days = 365;
@@ -46,22 +44,17 @@ Result<void> check_name(const std::string& option, const std::string& name) {
   };
   if (name.empty()) return bad("must not be empty");
   if (name == "." || name == "..") return bad("must not be \".\" or \"..\"");
-  if (name.size() > max_name) {
+  if (name.size() > max_name)
     return bad("has at most " + std::to_string(max_name) + " bytes, this one has " +
                std::to_string(name.size()));
-  }
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
   if (std::ranges::any_of(name, is_control)) return bad("must not have control characters");
   return {};
 }
 
 Result<void> check_names(const CredentialsOptions& options) {
-  for (const std::string& name : options.teams) {
-    if (auto checked = check_name("--team", name); !checked) return checked;
-  }
-  for (const std::string& name : options.revoked) {
-    if (auto checked = check_name("--revoke", name); !checked) return checked;
-  }
+  for (const std::string& name : options.teams) MIROCUP_TRY_VOID(check_name("--team", name));
+  for (const std::string& name : options.revoked) MIROCUP_TRY_VOID(check_name("--revoke", name));
   return {};
 }
 
@@ -100,13 +93,12 @@ Result<int> run_credentials(const CredentialsOptions& options) {
 
 void add_credentials(system::Commands& commands) {
   const auto [command, o] =
-      commands.add(run_credentials, "credentials", to_make,
-                   "Make the certificates of teams, match server and spectators for DDS Security",
-                   {"mirocup league credentials spring"});
-  add_folder(command, o.folder);
-  command.option("--team", o.teams, "Further team, which league.json does not have");
-  command.option("--revoke", o.revoked, "Team whose credentials become invalid");
-  command.option("--days", o.days, "Number of days for which new credentials are valid")
+      add_command(commands, run_credentials, "credentials", to_make,
+                  "Make the certificates of teams, match server and spectators for DDS Security",
+                  {"mirocup league credentials spring"});
+  command.option("--team NAME", o.teams, "Further team, which league.json does not have");
+  command.option("--revoke TEAM", o.revoked, "Team whose credentials become invalid");
+  command.option("--days DAYS", o.days, "Number of days for which new credentials are valid")
       .between(1, 3650)
       .shows_default();
 }

@@ -3,17 +3,12 @@
 // mirocup league export: table, legs and bracket as files, or the sources of the teams.
 #include "programs/league/commands.hpp"
 #include "programs/league/publishing.hpp"
-#include "record/json_reader.hpp"
 #include "system/locations.hpp"
-#include "system/printable.hpp"
 #include "tournaments/league/hand_ins.hpp"
-#include "tournaments/league/league_store.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/exports.hpp"
 
 #include <filesystem>
-#include <iostream>
-#include <string>
 
 namespace mirocup::league {
 
@@ -105,26 +100,24 @@ Result<void> export_sources(system::Files& files, const LeagueStore& store,
   return {};
 }
 
-struct ExportOptions {
-  std::string folder;
+struct ExportOptions : LeagueOptions {
   std::string output = "export";
   bool sources = false;
 };
 
-Result<int> run_export(const ExportOptions& options) {
-  system::Disk disk;
-  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
-  MIROCUP_TRY(const auto found, say_gaps(disk, store));
+Result<int> run_export(system::Files& files, const LeagueStore& store,
+                       const ExportOptions& options) {
+  MIROCUP_TRY(const auto found, say_gaps(files, store));
   const int result = found.is_whole() ? exit_yes : exit_no;
   if (options.sources) {
-    MIROCUP_TRY_VOID(export_sources(disk, store, options.output));
+    MIROCUP_TRY_VOID(export_sources(files, store, options.output));
     return result;
   }
-  MIROCUP_TRY_VOID(disk.make_folder(options.output));
+  MIROCUP_TRY_VOID(files.make_folder(options.output));
   const Overview overview = league::overview(store.state());
   for (const auto& [name, make] : exports(overview)) {
     const std::string path = options.output + "/" + name;
-    MIROCUP_TRY_VOID(disk.write(path, make()));
+    MIROCUP_TRY_VOID(files.write(path, make()));
     std::cout << path << '\n';
   }
   return result;
@@ -133,12 +126,11 @@ Result<int> run_export(const ExportOptions& options) {
 }  // namespace
 
 void add_export(system::Commands& commands) {
-  const auto [command, o] =
-      commands.add(run_export, "export", to_show, "Write table, legs and bracket as files",
-                   {"mirocup league export spring -o tables",
-                    "mirocup league export spring --sources -o sources"});
-  add_folder(command, o.folder);
-  command.option("-o,--output", o.output, "Folder for the files")
+  const auto [command, o] = add_command(commands, on_league<run_export, ExportOptions>, "export",
+                                        to_show, "Write table, legs and bracket as files",
+                                        {"mirocup league export spring -o tables",
+                                         "mirocup league export spring --sources -o sources"});
+  command.option("-o,--output DIR", o.output, "Folder for the files")
       .shows_default()
       .checked("DIR", problem_with_folder);
   command.flag("--sources", o.sources,

@@ -4,9 +4,7 @@
 #include "tournaments/publish/grades.hpp"
 
 #include "programs/league/commands.hpp"
-#include "programs/league/progress_bar.hpp"
 #include "programs/league/publishing.hpp"
-#include "record/json_reader.hpp"
 #include "tournaments/league/class_list.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/play/comparison_run.hpp"
@@ -14,15 +12,13 @@
 #include "tournaments/publish/exports.hpp"
 
 #include <algorithm>
-#include <iostream>
 #include <set>
 
 namespace mirocup::league {
 
 namespace {
 
-struct GradesOptions {
-  std::string folder;
+struct GradesOptions : LeagueOptions {
   std::string drills;  // the output of mirocup drill --csv; "": none
   std::string output;
   bool per_member = false;
@@ -147,22 +143,20 @@ GradesLayout layout_of(const GradesOptions& options) {
   return options.per_member ? GradesLayout::members : GradesLayout::teams;
 }
 
-Result<int> run_grades(const GradesOptions& options) {
-  system::Disk disk;
-  const Folder folder{options.folder};
-  MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
-  MIROCUP_TRY(const auto found, say_gaps(disk, store));
+Result<int> run_grades(system::Files& files, const LeagueStore& store,
+                       const GradesOptions& options) {
+  MIROCUP_TRY(const auto found, say_gaps(files, store));
   const int result = found.lost.empty() ? exit_yes : exit_no;
   std::string drills;
   if (!options.drills.empty()) {
-    MIROCUP_TRY(drills, disk.read_named(options.drills, system::size_limit::note));
+    MIROCUP_TRY(drills, files.read_named(options.drills, system::size_limit::note));
   }
-  MIROCUP_TRY_VOID(
-      spare_class_list(disk, folder, options.output.empty() ? "/proc/self/fd/1" : options.output));
-  MIROCUP_TRY(const auto people, everybody(disk, store));
+  MIROCUP_TRY_VOID(spare_class_list(files, store.folder(),
+                                    options.output.empty() ? "/proc/self/fd/1" : options.output));
+  MIROCUP_TRY(const auto people, everybody(files, store));
   MarksOfTeams marks;
   if (!options.scale.empty()) {
-    MIROCUP_TRY(marks, Marking(disk, store, options).marks());
+    MIROCUP_TRY(marks, Marking(files, store, options).marks());
   }
   MIROCUP_TRY(const auto file, grades(overview(store.state()), people, drills, options.drills,
                                       layout_of(options), marks));
@@ -170,7 +164,7 @@ Result<int> run_grades(const GradesOptions& options) {
     std::cout << file.bytes;
     return result;
   }
-  MIROCUP_TRY_VOID(disk.write(options.output, file.bytes, system::Readers::owner));
+  MIROCUP_TRY_VOID(files.write(options.output, file.bytes, system::Readers::owner));
   std::cout << options.output << '\n';
   return result;
 }
@@ -178,15 +172,13 @@ Result<int> run_grades(const GradesOptions& options) {
 }  // namespace
 
 void add_grades(system::Commands& commands) {
-  const auto [command, o] = commands.add(
-      run_grades, "grades", to_show, "Print the figures for a lecturer's grades, as CSV",
-      {"mirocup league grades spring --drills drills.csv -o grades.csv",
-       "mirocup league grades spring --moodle -o moodle.csv"});
-  add_folder(command, o.folder);
-  command
-      .option("--drills", o.drills,
-              "File with the marks of the teams, as mirocup drill --csv prints them")
-      .named("FILE");
+  const auto [command, o] =
+      add_command(commands, on_league<run_grades, GradesOptions>, "grades", to_show,
+                  "Print the figures for a lecturer's grades, as CSV",
+                  {"mirocup league grades spring --drills drills.csv -o grades.csv",
+                   "mirocup league grades spring --moodle -o moodle.csv"});
+  command.option("--drills FILE", o.drills,
+                 "File with the marks of the teams, as mirocup drill --csv prints them");
   const system::Option per_member =
       command.flag("--per-member", o.per_member, "Write a row for each member of a team");
   const system::Option moodle =
@@ -198,22 +190,24 @@ void add_grades(system::Commands& commands) {
   moodle.excludes(per_member).excludes(gradescope);
   gradescope.excludes(per_member);
   const system::Option scale =
-      command.option("--scale", o.scale,
+      command.option("--scale FILE", o.scale,
                      "Scale of marks, JSON: [{\"mark\": 5.0}, {\"mark\": 4.0, \"beats\": "
                      "\"chaser\"}, {\"mark\": 1.0, \"beats\": \"tactician\"}]; linear in "
                      "strength between the house teams");
-  scale.named("FILE").excludes(gradescope);
+  scale.excludes(gradescope);
   const system::Option decide =
       command.flag("--decide", o.decide,
                    "Play further legs against the house teams of the scale, until it is decided "
                    "at 1 in 20 which is better; the legs lie in DIR/marks");
   decide.needs(scale);
-  command.option("--most", o.most, "Most fixtures (two legs each) of a team against a house team")
+  command
+      .option("--most NUMBER", o.most,
+              "Most fixtures (two legs each) of a team against a house team")
       .between(1, 100'000)
       .shows_default()
       .needs(decide);
   command.jobs(o.jobs, "legs of --decide played");
-  command.option("-o,--output", o.output,
+  command.option("-o,--output DIR", o.output,
                  "File to write to, which only you can then read (default: standard output)");
 }
 

@@ -71,7 +71,7 @@ void add_index(system::Commands& commands) {
   command.option("DIR", o.folder, "Folder with a folder for each league")
       .required()
       .checked("DIR", problem_with_folder);
-  command.option("--title", o.title, "Title of the page").named("TEXT").shows_default();
+  command.option("--title TEXT", o.title, "Title of the page").shows_default();
   command.flag("--static", o.is_static,
                "Link to the pages that publish has made (default: to DIR/, where a proxy shows "
                "league serve)");

@@ -5,17 +5,14 @@
 #include "programs/league/finals.hpp"
 #include "record/rules_json.hpp"
 #include "tournaments/league/apply.hpp"
-#include "tournaments/league/league_store.hpp"
 
 #include <filesystem>
-#include <iostream>
 
 namespace mirocup::league {
 
 namespace {
 
-struct InitOptions {
-  std::string folder;
+struct InitOptions : LeagueOptions {
   std::string config;
   std::vector<std::string> teams;  // NAME=ENTRY
   std::string format;
@@ -64,12 +61,11 @@ Result<LeagueFile> file_from(system::Files& files, const InitOptions& options,
   if (!file.conditions) file.conditions = default_conditions();
   for (const std::string& text : options.teams) {
     const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) {
+    if (equals == std::string::npos)
       return fail(Errc::input,
                   "--team " + text +
                       ": NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, "
                       "NAME=firasim:NAME or NAME=submitted (it hands in later) is expected");
-    }
     file.teams.push_back(
         {.name = text.substr(0, equals), .source = text.substr(equals + 1), .over_dds = false});
   }
@@ -102,39 +98,35 @@ Result<int> run_init(const InitOptions& options) {
 }  // namespace
 
 void add_init(system::Commands& commands) {
-  const auto [command, o] = commands.add(
-      run_init, "init", to_make, "Make a league",
+  const auto [command, o] = add_command(
+      commands, run_init, "init", to_make, "Make a league",
       {"mirocup league init spring --team alpha=alpha.so --team house=house:striker --half 120",
        "mirocup league init finals --from spring --top 8",
        "mirocup league init spring --config league.json"});
-  add_folder(command, o.folder);
   const system::Option config =
-      command.option("--config", o.config, "Make the league from this league.json");
+      command.option("--config FILE", o.config, "Make the league from this league.json");
   command
-      .option("--team", o.teams,
+      .option("--team NAME=TEAM", o.teams,
               "NAME=house:TEAM, NAME=FILE.so, NAME=FILE.py, NAME=firasim:NAME (a person starts its "
               "program), or NAME=submitted (the team hands in later); once for each team")
-      .named("NAME=TEAM")
       .excludes(config);
   const system::Option from = command
-                                  .option("--from", o.from,
+                                  .option("--from LEAGUE", o.from,
                                           "League whose table gives the teams, their entries and "
                                           "their seeds for a knockout, or for another --format")
-                                  .named("LEAGUE")
                                   .excludes(config);
   const system::Option top =
-      command.option("--top", o.top, "Number of teams from the top of that table")
-          .named("NUMBER")
+      command.option("--top NUMBER", o.top, "Number of teams from the top of that table")
           .between(2, static_cast<int>(max_teams))
           .needs(from);
   from.needs(top);
   command.option("--format", o.format, "Format of the schedule (default: double_round_robin)")
       .one_of(system::names_of<FormatKind>())
       .excludes(config);
-  command.option("--half", o.half_s, "Length of a half in seconds")
+  command.option("--half SECONDS", o.half_s, "Length of a half in seconds")
       .between(record::min_half_s, record::max_half_s)
       .excludes(config);
-  command.option("--seed", o.seed, "Seed of all random draws").is_a_seed().excludes(config);
+  command.option("--seed SEED", o.seed, "Seed of all random draws").is_a_seed().excludes(config);
 }
 
 }  // namespace mirocup::league

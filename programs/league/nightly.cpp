@@ -3,12 +3,8 @@
 // The subcommand nightly: what is accepted now plays, every team hears what has changed.
 #include "programs/league/commands.hpp"
 #include "programs/league/playing.hpp"
-#include "programs/league/progress_bar.hpp"
 #include "programs/league/publishing.hpp"
-#include "record/json_reader.hpp"
 #include "system/child_process.hpp"
-#include "system/clock.hpp"
-#include "system/printable.hpp"
 #include "tournaments/league/book.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/league/start.hpp"
@@ -20,15 +16,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <sstream>
 
 namespace mirocup::league {
 
 namespace {
 
-struct NightlyOptions {
-  std::string folder;
+struct NightlyOptions : LeagueOptions {
   bool another = false;         // one more on the same day
   std::string on_night;         // a program that hears of the night; "": none
   int on_night_within_s = 600;  // it is stopped if it takes longer
@@ -93,7 +87,7 @@ Result<void> begin_night(system::Files& files, LeagueStore& store, const Nightly
                          std::int64_t now) {
   if (store.state().is_closed) return fail(Errc::input, "the league is closed: no night follows");
   doubt_clock(store, now);
-  if (auto started = start_league(files, store); !started) return started;
+  MIROCUP_TRY_VOID(start_league(files, store));
   if (!options.another && goes_on(store.state(), now)) {
     std::cerr << "mirocup: night " << store.state().nights.size()
               << " continues; --another begins a further night on the same day\n";
@@ -209,12 +203,7 @@ Result<int> run_nightly(const NightlyOptions& options) {
   MIROCUP_TRY_VOID(expect_program(held.store, record::this_software()));
   MIROCUP_TRY_VOID(begin_night(disk, held.store, options, system::now_s()));
 
-  auto progress = make_progress_reporter();
-  MIROCUP_TRY(const auto end, play_league(disk, std::move(held.store), *progress, options.play));
-  progress->say("making pages");
-  MIROCUP_TRY(const int published, publish_league(disk, folder, options.play.jobs));
-  progress.reset();
-
+  MIROCUP_TRY(const auto end, play_and_publish(disk, std::move(held.store), options.play));
   MIROCUP_TRY(const auto after, LeagueStore::open(disk, folder));
   MIROCUP_TRY(const auto night, last_night(after.state(), after.journal()));
   KnownLegs legs;
@@ -226,36 +215,29 @@ Result<int> run_nightly(const NightlyOptions& options) {
   MIROCUP_TRY_VOID(disk.write(home + "/report.txt", text, system::Readers::owner));
   std::cout << text << std::flush;
   MIROCUP_TRY_VOID(tell_program(disk, options, home, after.state()));
-  if (after.state().played() == after.state().legs()) return end.refused > 0 ? exit_no : published;
-  say_what_is_left(after.state());
-  return exit_no;
+  return exit_code_of(end, after.state());
 }
 
 }  // namespace
 
 void add_nightly(system::Commands& commands) {
-  const auto [command, o] = commands.add(
-      run_nightly, "nightly", to_play,
+  const auto [command, o] = add_command(
+      commands, run_nightly, "nightly", to_play,
       "Play a night with the accepted entries, publish it, and write a digest for each team",
       {"mirocup league nightly spring",
        "mirocup league nightly spring --on-night ./mail --address https://league.example/"});
-  add_folder(command, o.folder);
   command.jobs(o.play.jobs, "legs played");
   command.flag("--another", o.another, "Play a further night on the same day");
-  command
-      .option("--on-night", o.on_night,
-              "Program to start once after the night; its argument is the folder of the night's "
-              "digests")
-      .named("PROGRAM");
+  command.option("--on-night PROGRAM", o.on_night,
+                 "Program to start once after the night; its argument is the folder of the night's "
+                 "digests");
   command
       .option("--on-night-within", o.on_night_within_s,
               "Seconds after which the program of --on-night is stopped and counts as failed")
       .between(1, 86'400);
-  command
-      .option("--address", o.address,
-              "Address of the league's pages, with which the links in digests begin, as "
-              "https://league.example/")
-      .named("URL");
+  command.option("--address URL", o.address,
+                 "Address of the league's pages, with which the links in digests begin, as "
+                 "https://league.example/");
 }
 
 }  // namespace mirocup::league

@@ -3,22 +3,18 @@
 // The subcommand play-friendly: becomes the match of one friendly, or the drills of an
 // entry, at a low priority.
 #include "programs/league/commands.hpp"
+#include "system/child_process.hpp"
 #include "system/locations.hpp"
 #include "tournaments/league/friendly.hpp"
-#include "tournaments/league/league_store.hpp"
 #include "tournaments/play/leg_command.hpp"
 
-#include <cerrno>
-#include <cstring>
 #include <sys/resource.h>
-#include <unistd.h>
 
 namespace mirocup::league {
 
 namespace {
 
-struct PlayFriendlyOptions {
-  std::string folder;
+struct PlayFriendlyOptions : LeagueOptions {
   std::string team;
   int number = 0;  // 0: the drills
   int entry = 0;
@@ -47,19 +43,14 @@ Result<int> run_play_friendly(const PlayFriendlyOptions& options) {
           ? drills_command(store.state(), terms.blue,
                            folder.drill_marks(options.team, options.entry) + ".answer")
           : friendly_command(store.state(), terms);
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  execv(words[0], words.data());
-  return fail(Errc::host, command[0] + ": " + std::strerror(errno));
+  return fail(Errc::host, system::become_program(command).what);
 }
 
 }  // namespace
 
 void add_play_friendly(system::Commands& commands) {
-  const auto [command, o] = commands.add(run_play_friendly, "play-friendly", "",
-                                         "Play a friendly, as a child of serve --hand-in", {});
-  add_folder(command, o.folder);
+  const auto [command, o] = add_command(commands, run_play_friendly, "play-friendly", "",
+                                        "Play a friendly, as a child of serve --hand-in", {});
   command.option("TEAM", o.team).required();
   command.option("NUMBER", o.number).required();
   command.option("--entry", o.entry).required();

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "programs/league/playing.hpp"
 
+#include "programs/league/publishing.hpp"
 #include "record/kept_module.hpp"
 #include "system/printable.hpp"
 #include "tournaments/play/program.hpp"
-#include "tournaments/play/runner.hpp"
+#include "tournaments/play/progress_reporter.hpp"
 #include "tournaments/play/slurm_runner.hpp"
 
 #include <iostream>
@@ -22,8 +23,8 @@ Result<HeldLeague> hold_league(system::Files& files, const Folder& folder,
   return HeldLeague{std::move(store), std::move(*lock)};
 }
 
-Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
-                                 ProgressReporter& progress, const PlayTerms& terms) {
+static Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
+                                        ProgressReporter& progress, const PlayTerms& terms) {
   const auto end_of = [](auto& runner, const Result<int>& left) -> Result<PlayedLeague> {
     if (!left) return tl::unexpected(left.error());
     return PlayedLeague{runner.state(), runner.refused()};
@@ -35,12 +36,21 @@ Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
     return end_of(runner, runner.run(terms.jobs));
   }
   Runner runner(files, std::move(store), progress);
-  return end_of(
-      runner,
-      runner.run({.jobs = terms.jobs, .watched = terms.watched, .dds_domain = terms.dds_domain}));
+  return end_of(runner, runner.run(terms));
 }
 
-void say_what_is_left(const LeagueState& state) {
+Result<PlayedLeague> play_and_publish(system::Files& files, LeagueStore store,
+                                      const PlayTerms& terms) {
+  const Folder folder = store.folder();
+  const auto progress = make_progress_reporter();
+  MIROCUP_TRY(auto played, play_league(files, std::move(store), *progress, terms));
+  progress->say("making pages");
+  MIROCUP_TRY(played.published,
+              publish_league(files, folder, terms.engine == "local" ? terms.jobs : 0));
+  return played;
+}
+
+static void say_what_is_left(const LeagueState& state) {
   std::cerr << "mirocup: " << state.legs() - state.played() << " legs are not decided\n";
   for (std::size_t i = 0; i < state.teams.size(); ++i) {
     if (state.teams[i].status != TeamStatus::paused) continue;
@@ -57,6 +67,12 @@ void say_what_is_left(const LeagueState& state) {
                    "start tries this leg again\n";
     }
   }
+}
+
+int exit_code_of(const PlayedLeague& played, const LeagueState& now) {
+  const bool is_over = now.legs() == now.played();
+  if (!is_over) say_what_is_left(now);
+  return is_over && played.refused == 0 ? played.published : exit_no;
 }
 
 }  // namespace mirocup::league

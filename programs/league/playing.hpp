@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Parts of the subcommands that play a league: `start` and `nightly`.
+// Parts of the subcommands that play a league: `start`, `nightly` and `close --final`.
 #pragma once
 
 #include "system/commands.hpp"
 #include "system/file_lock.hpp"
-#include "tournaments/league/league_store.hpp"
-#include "tournaments/play/progress_reporter.hpp"
+#include "tournaments/play/runner.hpp"
 
 #include <string>
 
@@ -25,25 +24,25 @@ Result<HeldLeague> hold_league(system::Files& files, const Folder& folder,
                                const std::string& advice);
 
 // The settings with which a league is played.
-struct PlayTerms {
+struct PlayTerms : RunOptions {
   std::string engine = "local";  // "local" or "slurm"
-  int jobs = 0;                  // legs at once; 0: a leg for each processor
-  bool watched = false;          // true: league serve shows the legs of this host
-  int dds_domain = 0;            // the DDS domain of legs with teams over DDS
 };
 
-// A league after play_league(), and the number of records from elsewhere that differ from their
-// replays, so that their legs were void.
+// A league after play_and_publish().
 struct PlayedLeague {
   LeagueState state;
+  // The number of records from elsewhere that differ from their replays, so that their legs were
+  // void.
   int refused = 0;
+  int published = 0;  // what publish_league() has returned
 };
 
-// Plays until no leg can be played. Errors include those of expect_program().
-Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
-                                 ProgressReporter& progress, const PlayTerms& terms);
+// Plays until no leg can be played, and makes the pages. Errors include those of expect_program().
+Result<PlayedLeague> play_and_publish(system::Files& files, LeagueStore store,
+                                      const PlayTerms& terms);
 
-// Prints to standard error why the league has not ended.
-void say_what_is_left(const LeagueState& state);
+// Returns the exit code of a command that has played. If legs are left in `now`, prints to standard
+// error why the league has not ended.
+int exit_code_of(const PlayedLeague& played, const LeagueState& now);
 
 }  // namespace mirocup::league

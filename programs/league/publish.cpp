@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup league publish: makes the pages.
+// The subcommands publish, which makes the pages, and prune, which makes room by removing the
+// replay pages of former nights.
 #include "programs/league/commands.hpp"
 #include "programs/league/publishing.hpp"
-#include "tournaments/league/league_store.hpp"
+#include "system/memory.hpp"
+#include "tournaments/league/health.hpp"
 #include "tournaments/publish/snapshot.hpp"
 
 #include <filesystem>
-#include <iostream>
 
 namespace mirocup::league {
 
 namespace {
 
-struct PublishOptions {
-  std::string folder;
+struct PublishOptions : LeagueOptions {
   std::string output;
   std::string through;  // the last round shown; "": all rounds
   int pages = 0;        // the night whose pages were removed and are made again; 0: none
@@ -28,28 +28,24 @@ Result<void> restore_night(system::Files& files, const LeagueStore& store, int n
   return write_pruned_nights(files, store.folder(), nights);
 }
 
-Result<int> run_publish(const PublishOptions& options) {
-  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
-  system::Disk disk;
-  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
-  if (options.pages > 0) {
-    MIROCUP_TRY_VOID(restore_night(disk, store, options.pages));
-  }
+Result<int> run_publish(system::Files& files, const LeagueStore& store,
+                        const PublishOptions& options) {
+  if (options.pages > 0) MIROCUP_TRY_VOID(restore_night(files, store, options.pages));
   // site/ has what is released, so the pages of other rounds go to another folder.
   const Folder folder = options.through.empty() ? store.folder() : Folder{options.output};
-  if (!options.through.empty() && disk.exists(folder.config()))
+  if (!options.through.empty() && files.exists(folder.config()))
     return fail(Errc::input, "--output " + folder.path +
                                  " is a league, whose records and pages would be replaced: name a "
                                  "folder for the pages alone");
   MIROCUP_TRY(const int published,
               options.through.empty()
-                  ? publish_league(disk, folder)
-                  : say_gaps(disk, store).and_then([&](const Gaps& found) -> Result<int> {
+                  ? publish_league(files, folder)
+                  : say_gaps(files, store).and_then([&](const Gaps& found) -> Result<int> {
                       if (!found.lost.empty()) return exit_no;
                       MIROCUP_TRY(const auto shown,
                                   state_through(store.state(), store.journal(), options.through));
-                      MIROCUP_TRY_VOID(copy_records(disk, store.folder(), shown, folder));
-                      return publish_site(disk, folder, shown, {});
+                      MIROCUP_TRY_VOID(copy_records(files, store.folder(), shown, folder));
+                      return publish_site(files, folder, shown, {});
                     }));
   if (published == exit_yes)
     std::cout
@@ -58,27 +54,71 @@ Result<int> run_publish(const PublishOptions& options) {
   return published;
 }
 
+struct PruneOptions : LeagueOptions {
+  int before = 0;  // the first night that keeps its pages
+};
+
+// The last night keeps its pages: digests and mails link to them. What is removed is noted first,
+// so that a command that is killed is finished by the next one that makes pages.
+Result<int> run_prune(system::Files& files, const LeagueStore& store, const PruneOptions& options) {
+  const Folder& folder = store.folder();
+  const LeagueState& state = store.state();
+  const int last = static_cast<int>(state.nights.size());
+  if (state.file.format.kind != FormatKind::nightly)
+    return fail(Errc::input,
+                folder.path + " has no nights: only leagues of the format nightly have nights");
+  if (options.before > last)
+    return fail(Errc::input, "--before " + std::to_string(options.before) +
+                                 ": the last night keeps its pages, so at most " +
+                                 std::to_string(last) + " is possible");
+  MIROCUP_TRY(const auto found, gaps(files, store, is_being_played(folder)));
+  if (!found.lost.empty()) return fail(Errc::damaged, found.lost);
+  std::set<int> nights = state.pruned_nights;
+  for (int night = 1; night < options.before; ++night) nights.insert(night);
+  const DiskUse before = disk_use(folder);
+  MIROCUP_TRY_VOID(write_pruned_nights(files, folder, nights));
+  MIROCUP_TRY(const int published, publish_league(files, folder));
+  const DiskUse after = disk_use(folder);
+  std::cout << folder.path << ": pages of " << nights.size()
+            << (nights.size() == 1 ? " night" : " nights") << " are removed, "
+            << system::mebibytes(before.pages - std::min(before.pages, after.pages))
+            << " freed; records and replay files stay\ndisk: " << in_words(after) << '\n';
+  return published;
+}
+
 }  // namespace
 
 void add_publish(system::Commands& commands) {
-  const auto [command, o] = commands.add(run_publish, "publish", to_show, "Make the pages",
-                                         {"mirocup league publish spring"});
-  add_folder(command, o.folder);
+  const auto [command, o] =
+      add_command(commands, on_own_league<run_publish, PublishOptions>, "publish", to_show,
+                  "Make the pages", {"mirocup league publish spring"});
   const system::Option output =
-      command.option("-o,--output", o.output, "Folder for the pages that --through makes")
+      command.option("-o,--output DIR", o.output, "Folder for the pages that --through makes")
           .checked("DIR", problem_with_folder);
   const system::Option through =
       command
-          .option("--through", o.through,
+          .option("--through ROUND", o.through,
                   "Leave out all rounds after this one: r3, or k1 of a knockout")
           .needs(output);
   output.needs(through);
   command
-      .option("--pages", o.pages,
+      .option("--pages NIGHT", o.pages,
               "Also make the pages of this night, which mirocup league prune removed")
-      .named("NIGHT")
       .between(1, max_count)
       .excludes(through);
+}
+
+void add_prune(system::Commands& commands) {
+  const auto [command, o] =
+      add_command(commands, on_own_league<run_prune, PruneOptions>, "prune", to_show,
+                  "Remove the replay pages of former nights, to make room",
+                  {"mirocup league prune spring --before 12"});
+  command
+      .option("--before NIGHT", o.before,
+              "Nights before this one lose their pages; mirocup league publish --pages makes the "
+              "pages of a night again")
+      .between(2, max_count)
+      .required();
 }
 
 }  // namespace mirocup::league

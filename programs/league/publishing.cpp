@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "programs/league/publishing.hpp"
 
-#include "record/json_reader.hpp"
 #include "record/match_record.hpp"
 #include "system/locations.hpp"
 #include "system/printable.hpp"
-#include "tournaments/league/roster.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"
@@ -94,15 +92,13 @@ Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState
                    .night = has_refused ? std::nullopt : night,
                    .playground = playground_maker(files)});
   const std::vector<std::string> names = site.names();
-  for (const std::string& name : names) {
+  for (const std::string& name : names)
     MIROCUP_TRY_VOID(files.update(folder.site() + "/" + name, *site.file(name)));
-  }
   // Rounds and nights that are not shown any more, teams that joined after those that are, and the
   // playground of another program.
   const std::set<std::string> made(names.begin(), names.end());
-  for (const std::string part : {"", "digests/", "rounds/", "teams/"}) {
+  for (const std::string part : {"", "digests/", "rounds/", "teams/"})
     MIROCUP_TRY_VOID(remove_former_pages(files, folder.site(), part, made));
-  }
   if (!legs.without_page.empty())
     std::cerr << "mirocup: " << legs.without_page.size()
               << " replay pages could not be made: " << listed(legs.without_page)
@@ -130,52 +126,6 @@ Result<int> publish_league(system::Files& files, const Folder& folder, int jobs)
   MIROCUP_TRY(const auto night, night_for(shown, store));
   MIROCUP_TRY(const int published, publish_site(files, store.folder(), shown, night, jobs));
   return found.is_whole() ? published : exit_no;
-}
-
-namespace {
-
-void print_row(const LeagueFile& file, const RosterRow& row) {
-  std::cout << row.team;
-  if (!row.people.display.empty()) std::cout << " \"" << row.people.display << '"';
-  std::cout << ": " << row.state();
-  if (!row.handed_in.empty()) std::cout << ", " << shown_time(file, row.handed_in);
-  if (row.playing_entry > 0) {
-    std::cout << ", plays with entry " << row.playing_entry;
-    if (row.last_accepted > 0 && row.last_accepted != row.playing_entry)
-      std::cout << ", entry " << row.last_accepted << " from the next night on";
-  } else if (row.last_accepted > 0) {
-    std::cout << ", entry " << row.last_accepted << " will play";
-  }
-  if (!row.has_joined) std::cout << ", not in the league";
-  if (row.status == TeamStatus::paused) std::cout << ", paused: " << system::printable(row.why);
-  if (row.status == TeamStatus::withdrawn) std::cout << ", has withdrawn";
-  std::cout << '\n';
-  if (!row.handed_in.empty() && !row.was_accepted)
-    std::cout << "    " << system::printable(row.message) << '\n';
-  for (const std::string& note : row.notes) std::cout << "    " << system::printable(note) << '\n';
-  for (const std::string& other : row.same_as)
-    std::cout << "    the same file as " << other << '\n';
-}
-
-}  // namespace
-
-Result<void> print_roster(system::Files& files, const LeagueStore& store, bool is_json) {
-  MIROCUP_TRY(const auto rows, roster(files, store));
-  const LeagueState& state = store.state();
-  const std::string last = last_leg_at(store.journal());
-  if (is_json) {
-    const Json json{{"title", state.file.title},
-                    {"played", state.played()},
-                    {"legs", state.legs()},
-                    {"last_leg_at", last.empty() ? Json() : Json(last)},
-                    {"teams", roster_json(rows)}};
-    std::cout << record::json_text(json) << '\n';
-    return {};
-  }
-  for (const RosterRow& row : rows) print_row(state.file, row);
-  if (!last.empty())
-    std::cout << "the last leg was played at " << shown_time(state.file, last) << '\n';
-  return {};
 }
 
 }  // namespace mirocup::league

@@ -39,7 +39,4 @@ Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState
 // missing. If the journal has lost lines, the pages stay as they are.
 Result<int> publish_league(system::Files& files, const Folder& folder, int jobs = 0);
 
-// Prints the teams and their entries.
-Result<void> print_roster(system::Files& files, const LeagueStore& store, bool is_json);
-
 }  // namespace mirocup::league

@@ -4,22 +4,16 @@
 #include "programs/league/commands.hpp"
 #include "programs/league/publishing.hpp"
 #include "programs/league/served_league.hpp"
-#include "system/clock.hpp"
 #include "system/locations.hpp"
-#include "system/printable.hpp"
 #include "system/process_set.hpp"
 #include "system/tls.hpp"
 #include "tournaments/handin/check_runner.hpp"
-
-#include <functional>
-#include <iostream>
 
 namespace mirocup::league {
 
 namespace {
 
-struct ServeOptions {
-  std::string folder;
+struct ServeOptions : LeagueOptions {
   std::string at = "0";  // [HOST:]PORT or unix:PATH
   std::string base;      // the path at which a proxy shows the league; "": its top, or cut off
   bool hand_in = false;  // take entries from teams with a token
@@ -94,17 +88,15 @@ Result<web::ProxyTrust> proxy_trust(const ServeOptions& options, const web::Addr
     MIROCUP_TRY(trust.secret, read_secret(options.proxy_secret));
   }
   if (trust.is_unix_socket) return trust;
-  if (!trust.addresses.empty() && trust.secret.empty()) {
+  if (!trust.addresses.empty() && trust.secret.empty())
     return fail(Errc::input,
                 "--trust-proxy: an address is not enough, since every program on the proxy's "
                 "computer has it: name a secret by --proxy-secret FILE, or let a proxy on this "
                 "computer connect to --at unix:PATH");
-  }
-  if (!options.team_header.empty() && trust.addresses.empty()) {
+  if (!options.team_header.empty() && trust.addresses.empty())
     return fail(Errc::input,
                 "--team-header: anybody can send this header: listen at --at unix:PATH, or name "
                 "the proxy by --trust-proxy ADDR and --proxy-secret FILE");
-  }
   return trust;
 }
 
@@ -159,41 +151,37 @@ Result<int> run_serve(const ServeOptions& options) {
 }  // namespace
 
 void add_serve(system::Commands& commands) {
-  const auto [command, o] = commands.add(
-      run_serve, "serve", to_show, "Show the league in browsers, as it is now",
+  const auto [command, o] = add_command(
+      commands, run_serve, "serve", to_show, "Show the league in browsers, as it is now",
       {"mirocup league serve spring --at 8080",
        "mirocup league serve spring --hand-in --at 0.0.0.0:8443 --tls cert.pem key.pem"});
-  add_folder(command, o.folder);
-  command.option("--at", o.at,
+  command.option("--at [HOST:]PORT", o.at,
                  "Where to listen: [HOST:]PORT, or unix:PATH for a proxy (default: this host only, "
                  "any free port)");
   command
-      .option("--base", o.base,
-              "Path at which a proxy shows the league, as /spring, if the proxy passes it on")
-      .named("PATH");
+      .option("--base PATH", o.base,
+              "Path at which a proxy shows the league, as /spring, if the proxy passes it on");
   const system::Option hand_in = command.flag(
       "--hand-in", o.hand_in, "Also take entries from teams that have a token (league token)");
   command.jobs(o.jobs, "checks").needs(hand_in);
-  command.option("--tls", o.tls, "Encrypt connections: files of the certificate and of its key")
-      .named("CERT KEY")
+  command
+      .option("--tls CERT KEY", o.tls,
+              "Encrypt connections: files of the certificate and of its key")
       .takes(2, 2);
   command
-      .option("--trust-proxy", o.proxies,
+      .option("--trust-proxy ADDR", o.proxies,
               "Address of a proxy whose requests may name the viewer (X-Forwarded-For, "
               "X-Forwarded-Proto); needs --proxy-secret; may be given several times")
-      .named("ADDR")
       .takes(1, 1)
       .needs(hand_in);
   command
-      .option("--proxy-secret", o.proxy_secret,
+      .option("--proxy-secret FILE", o.proxy_secret,
               "File with the secret that the proxies of --trust-proxy send in the header "
               "X-Mirocup-Proxy; other programs at the same addresses do not know it")
-      .named("FILE")
       .needs(hand_in);
   command
-      .option("--team-header", o.team_header,
+      .option("--team-header NAME", o.team_header,
               "Header in which the proxy names the team of a visitor who signed on at the proxy")
-      .named("NAME")
       .needs(hand_in);
 }
 

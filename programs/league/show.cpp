@@ -2,13 +2,11 @@
 //
 // The subcommand show.
 #include "programs/league/commands.hpp"
-#include "record/json_reader.hpp"
 #include "record/match_record.hpp"
 #include "system/digest.hpp"
 #include "system/number_of.hpp"
 #include "system/process_set.hpp"
 #include "system/secret.hpp"
-#include "tournaments/league/league_store.hpp"
 #include "tournaments/publish/bracket_svg.hpp"
 #include "tournaments/publish/front_page.hpp"
 #include "tournaments/publish/page_values.hpp"
@@ -23,11 +21,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <mutex>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace mirocup::league {
 
@@ -207,7 +202,7 @@ class ShownRound {
       standings_.push_back(standing_html(overview(then, known), heading, is_of_knockout));
       return {};
     };
-    if (auto added = add_standing(); !added) return added;
+    MIROCUP_TRY_VOID(add_standing());
     for (const FixtureView& f : in_order(round->fixtures)) {
       for (const LegView* leg : f.legs) {
         if (!leg->has_replay()) continue;
@@ -220,7 +215,7 @@ class ShownRound {
                          store.folder().path + "/" + leg->played->record,
                          store.folder().site() + "/" + replay_page_of(leg->played->record)});
         shown.insert({leg->fixture, leg->leg});
-        if (auto added = add_standing(); !added) return added;
+        MIROCUP_TRY_VOID(add_standing());
       }
       if (!legs_.empty()) legs_.back().about["has_standing"] = true;  // its tie is over
     }
@@ -285,8 +280,7 @@ class ShownRound {
   std::unique_ptr<Commands> commands_ = std::make_unique<Commands>();
 };
 
-struct ShowOptions {
-  std::string folder;
+struct ShowOptions : LeagueOptions {
   std::string round;     // its key, as in "r3"; "": the last one of which a leg was played
   std::string at = "0";  // [HOST:]PORT
   int at_once = 1;       // legs side by side
@@ -320,13 +314,13 @@ Result<int> run_show(const ShowOptions& options) {
 
 void add_show(system::Commands& commands) {
   const auto [command, o] =
-      commands.add(run_show, "show", to_show,
-                   "Play the recorded legs of a round on a projector, one after the other",
-                   {"mirocup league show spring --round r3 --at-once 2"});
-  add_folder(command, o.folder);
-  command.option("--round", o.round,
+      add_command(commands, run_show, "show", to_show,
+                  "Play the recorded legs of a round on a projector, one after the other",
+                  {"mirocup league show spring --round r3 --at-once 2"});
+  command.option("--round ROUND", o.round,
                  "Round: r3, or k1 of a knockout (default: the last round that was played)");
-  command.option("--at", o.at, "Where to listen (default: this host only, any free port)");
+  command.option("--at [HOST:]PORT", o.at,
+                 "Where to listen (default: this host only, any free port)");
   command.option("--at-once", o.at_once, "Number of legs side by side: 1, 2 or 4")
       .one_of({"1", "2", "4"});
 }

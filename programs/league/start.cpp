@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup league start: plays a league, or resumes it.
+// The subcommands start, which plays a league or resumes it, and stop.
 #include "programs/league/commands.hpp"
 #include "programs/league/playing.hpp"
-#include "programs/league/progress_bar.hpp"
-#include "programs/league/publishing.hpp"
 #include "tournaments/publish/site.hpp"
 
-#include <iostream>
+#include <csignal>
 
 namespace mirocup::league {
 
 namespace {
 
-struct StartOptions {
-  std::string folder;
+struct StartOptions : LeagueOptions {
   PlayTerms play;
 };
 
@@ -23,30 +20,43 @@ Result<int> run_start(const StartOptions& options) {
   const Folder folder{options.folder};
   MIROCUP_TRY(auto held,
               hold_league(disk, folder, "; to stop that, call mirocup league stop " + folder.path));
-
-  auto progress = make_progress_reporter();
-  MIROCUP_TRY(const auto end, play_league(disk, std::move(held.store), *progress, options.play));
-  const LeagueState& played = end.state;
-  progress->say("making pages");
-  const int jobs_here = options.play.engine == "local" ? options.play.jobs : 0;
-  MIROCUP_TRY(const int published, publish_league(disk, folder, jobs_here));
-  progress.reset();  // removes the bar before the table is printed
-  std::cout << table_text(played);
-  if (played.legs() == played.played()) return end.refused > 0 ? exit_no : published;
-  say_what_is_left(played);
-  if (options.play.engine != "local")
+  MIROCUP_TRY(const auto end, play_and_publish(disk, std::move(held.store), options.play));
+  std::cout << table_text(end.state);
+  const int result = exit_code_of(end, end.state);
+  if (end.state.legs() != end.state.played() && options.play.engine != "local")
     std::cerr
         << "mirocup: legs of teams that play over the network need league start without --engine\n";
-  return exit_no;
+  return result;
+}
+
+struct StopOptions : LeagueOptions {
+  bool now = false;
+};
+
+// Asks the process that plays the league to stop. The lock on the file tells whether there is one.
+Result<int> run_stop(const StopOptions& options) {
+  const Folder folder{options.folder};
+  system::Disk disk;
+  MIROCUP_TRY_VOID(expect_league(disk, folder));
+  // A second SIGINT could merge with the first, so the second request is another signal.
+  std::vector<int> signals{SIGINT};
+  if (options.now) signals.push_back(SIGTERM);
+  MIROCUP_TRY(const auto asked, system::FileLock::signal_holder(folder.running(), signals));
+  if (!asked) {
+    std::cout << folder.path << " is not being played\n";
+    return exit_no;
+  }
+  std::cout << folder.path
+            << (options.now ? " stops\n" : " stops when its present legs are over\n");
+  return exit_yes;
 }
 
 }  // namespace
 
 void add_start(system::Commands& commands) {
   const auto [command, o] =
-      commands.add(run_start, "start", to_play, "Play the league, or resume it",
-                   {"mirocup league start spring --jobs 4"});
-  add_folder(command, o.folder);
+      add_command(commands, run_start, "start", to_play, "Play the league, or resume it",
+                  {"mirocup league start spring --jobs 4"});
   command
       .option("--engine", o.play.engine,
               "Where to play legs: on this host, or on the nodes of its Slurm cluster")
@@ -55,15 +65,22 @@ void add_start(system::Commands& commands) {
   command.flag("--watch", o.play.watched,
                "Let league serve show the legs of this host while they are played");
   command
-      .option("--jobs", o.play.jobs,
+      .option("--jobs NUMBER", o.play.jobs,
               "How many legs are played at once, and after them how many pages are made at once "
               "(default: one for each processor)")
       .between(1, 1024);
   command
-      .option("--dds-domain", o.play.dds_domain,
+      .option("--dds-domain NUMBER", o.play.dds_domain,
               "DDS domain for legs on this host with a team that plays over DDS")
       .between(0, 230)
       .shows_default();
+}
+
+void add_stop(system::Commands& commands) {
+  const auto [command, o] =
+      add_command(commands, run_stop, "stop", to_play, "Stop a league that is being played",
+                  {"mirocup league stop spring"});
+  command.flag("--now", o.now, "Also stop the present legs, instead of playing them to their end");
 }
 
 }  // namespace mirocup::league

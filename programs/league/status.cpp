@@ -1,68 +1,197 @@
 // SPDX-License-Identifier: MIT
 //
-// mirocup league status: the table, and what is left.
+// The subcommands that say how a league stands: status, health, decisions, and stats, which
+// `mirocup stats` starts for a league.
 #include "programs/league/commands.hpp"
 #include "programs/league/publishing.hpp"
-#include "record/json_reader.hpp"
-#include "system/printable.hpp"
+#include "record/statistics/report.hpp"
 #include "tournaments/league/health.hpp"
-#include "tournaments/league/league_store.hpp"
 #include "tournaments/league/roster.hpp"
+#include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/exports.hpp"
+#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/site.hpp"
-
-#include <iostream>
 
 namespace mirocup::league {
 
 namespace {
 
-struct StatusOptions {
-  std::string folder;
+struct StatusOptions : LeagueOptions {
   bool entries = false;
   bool json = false;
 };
 
-Result<int> run_status(const StatusOptions& options) {
-  system::Disk disk;
-  MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
-  MIROCUP_TRY_VOID(say_gaps(disk, store));
+void print_row(const LeagueFile& file, const RosterRow& row) {
+  std::cout << row.team;
+  if (!row.people.display.empty()) std::cout << " \"" << row.people.display << '"';
+  std::cout << ": " << row.state();
+  if (!row.handed_in.empty()) std::cout << ", " << shown_time(file, row.handed_in);
+  if (row.playing_entry > 0) {
+    std::cout << ", plays with entry " << row.playing_entry;
+    if (row.last_accepted > 0 && row.last_accepted != row.playing_entry)
+      std::cout << ", entry " << row.last_accepted << " from the next night on";
+  } else if (row.last_accepted > 0) {
+    std::cout << ", entry " << row.last_accepted << " will play";
+  }
+  if (!row.has_joined) std::cout << ", not in the league";
+  if (row.status == TeamStatus::paused) std::cout << ", paused: " << system::printable(row.why);
+  if (row.status == TeamStatus::withdrawn) std::cout << ", has withdrawn";
+  std::cout << '\n';
+  if (!row.handed_in.empty() && !row.was_accepted)
+    std::cout << "    " << system::printable(row.message) << '\n';
+  for (const std::string& note : row.notes) std::cout << "    " << system::printable(note) << '\n';
+  for (const std::string& other : row.same_as)
+    std::cout << "    the same file as " << other << '\n';
+}
+
+void print_last_leg(const LeagueFile& file, const std::string& at) {
+  if (!at.empty()) std::cout << "the last leg was played at " << shown_time(file, at) << '\n';
+}
+
+Result<void> print_roster(system::Files& files, const LeagueStore& store, bool is_json) {
+  MIROCUP_TRY(const auto rows, roster(files, store));
+  const LeagueState& state = store.state();
+  const std::string last = last_leg_at(store.journal());
+  if (is_json) {
+    print_json({{"title", state.file.title},
+                {"played", state.played()},
+                {"legs", state.legs()},
+                {"last_leg_at", record::or_null(last)},
+                {"teams", roster_json(rows)}});
+    return {};
+  }
+  for (const RosterRow& row : rows) print_row(state.file, row);
+  print_last_leg(state.file, last);
+  return {};
+}
+
+void print_table(const LeagueStore& store) {
+  const LeagueState& state = store.state();
+  std::cout << system::printable(state.file.title) << ": " << state.played() << " of "
+            << state.legs() << " legs played\n"
+            << table_text(state);
+  for (std::size_t i = 0; i < state.teams.size(); ++i) {
+    const TeamState& team = state.teams[i];
+    if (team.status == TeamStatus::playing) continue;
+    std::cout << state.file.teams[i].name
+              << (team.status == TeamStatus::paused ? " is paused: " : " has withdrawn: ")
+              << system::printable(team.why) << '\n';
+  }
+  print_last_leg(state.file, last_leg_at(store.journal()));
+  std::cout << "disk: " << in_words(disk_use(store.folder())) << '\n';
+}
+
+Result<int> run_status(system::Files& files, const LeagueStore& store,
+                       const StatusOptions& options) {
+  MIROCUP_TRY_VOID(say_gaps(files, store));
   const LeagueState& state = store.state();
   if (options.entries) {
-    MIROCUP_TRY_VOID(print_roster(disk, store, options.json));
+    MIROCUP_TRY_VOID(print_roster(files, store, options.json));
   } else if (options.json) {
     Json json = table_json(overview(state));
     json["disk"] = disk_json(disk_use(store.folder()));
-    std::cout << record::json_text(json) << '\n';
+    print_json(json);
   } else {
-    std::cout << system::printable(state.file.title) << ": " << state.played() << " of "
-              << state.legs() << " legs played\n"
-              << table_text(state);
-    for (std::size_t i = 0; i < state.teams.size(); ++i) {
-      const TeamState& team = state.teams[i];
-      if (team.status == TeamStatus::playing) continue;
-      std::cout << state.file.teams[i].name
-                << (team.status == TeamStatus::paused ? " is paused: " : " has withdrawn: ")
-                << system::printable(team.why) << '\n';
-    }
-    if (const std::string at = last_leg_at(store.journal()); !at.empty())
-      std::cout << "the last leg was played at " << shown_time(state.file, at) << '\n';
-    std::cout << "disk: " << in_words(disk_use(store.folder())) << '\n';
+    print_table(store);
   }
   return state.played() == state.legs() ? exit_yes : exit_no;
+}
+
+struct JsonOptions : LeagueOptions {
+  bool json = false;
+};
+
+Result<int> run_health(system::Files& files, const LeagueStore& store, const JsonOptions& options) {
+  MIROCUP_TRY(const auto h, health(files, store, system::now_s()));
+  const DiskUse use = disk_use(store.folder());
+  const LeagueFile& file = store.state().file;
+  const int result = h.problems.empty() ? exit_yes : exit_no;
+  if (options.json) {
+    const Json night{{"number", h.night}, {"at", h.night_at}};
+    print_json({{"title", file.title},
+                {"needs_person", !h.problems.empty()},
+                {"problems", h.problems},
+                {"night", h.night > 0 ? night : Json()},
+                {"playing", h.is_playing},
+                {"open_legs", h.open_legs},
+                {"hand_ins", {{"waiting", h.waiting}, {"longest_s", h.waits_s}}},
+                {"disk", disk_json(use)}});
+    return result;
+  }
+  std::cout << system::printable(file.title) << ": ";
+  if (h.night == 0) std::cout << "no night yet";
+  if (h.night > 0) std::cout << "night " << h.night << " began at " << shown_time(file, h.night_at);
+  std::cout << (h.is_playing ? ", the league is being played" : "")
+            << "; legs that are not decided: " << h.open_legs
+            << "\nhand-ins that wait for their checks: " << h.waiting << "\ndisk: " << in_words(use)
+            << '\n';
+  for (const std::string& problem : h.problems)
+    std::cout << "for you: " << system::printable(problem) << '\n';
+  return result;
+}
+
+Result<int> run_decisions(system::Files& files, const LeagueStore& store,
+                          const JsonOptions& options) {
+  MIROCUP_TRY_VOID(say_gaps(files, store));
+  const LeagueState& state = store.state();
+  if (options.json) {
+    std::cout << decisions_json(state) << '\n';
+    return exit_yes;
+  }
+  for (const DecisionView& d : decision_views(state)) {
+    std::cout << d.number << "  " << shown_time(state.file, d.at) << "  "
+              << (d.by.empty() ? "-" : system::printable(d.by)) << "  " << system::printable(d.what)
+              << "  \"" << system::printable(d.why) << '"'
+              << (d.undoing.empty() ? "" : "  [" + d.undoing + "]") << '\n';
+  }
+  return exit_yes;
+}
+
+struct StatsOptions : LeagueOptions {
+  statistics::ReportOptions report;
+};
+
+Result<int> run_stats(system::Files& files, const LeagueStore& store, const StatsOptions& options) {
+  MIROCUP_TRY(const auto legs, all_statistics(files, store.folder(), store.state()));
+  MIROCUP_TRY(const auto text, statistics::report(legs, options.report));
+  std::cout << text;
+  return exit_yes;
 }
 
 }  // namespace
 
 void add_status(system::Commands& commands) {
   const auto [command, o] =
-      commands.add(run_status, "status", to_play,
-                   "Print the table and the state of the league (exit code 1: legs are left)",
-                   {"mirocup league status spring", "mirocup league status spring --entries"});
-  add_folder(command, o.folder);
+      add_command(commands, on_league<run_status, StatusOptions>, "status", to_play,
+                  "Print the table and the state of the league (exit code 1: legs are left)",
+                  {"mirocup league status spring", "mirocup league status spring --entries"});
   command.flag("--entries", o.entries,
                "Print each team's hand-ins and their answers; this does not change the exit code");
   command.flag("--json", o.json, "Print one JSON object");
+}
+
+void add_health(system::Commands& commands) {
+  const auto [command, o] = add_command(
+      commands, on_league<run_health, JsonOptions>, "health", to_play,
+      "Print the state of nights, hand-ins and disk (exit code 1: the league needs a person)",
+      {"mirocup league health spring || mail -s spring lecturer@example.org"});
+  command.flag("--json", o.json, "Print one JSON object");
+}
+
+void add_decisions(system::Commands& commands) {
+  const auto [command, o] =
+      add_command(commands, on_league<run_decisions, JsonOptions>, "decisions", to_rule,
+                  "List the decisions: number, time, person, what and why",
+                  {"mirocup league decisions spring"});
+  command.flag("--json", o.json, "Print one JSON object");
+}
+
+void add_stats(system::Commands& commands) {
+  const auto [command, o] =
+      add_command(commands, on_league<run_stats, StatsOptions>, "stats", to_show,
+                  "Print the football statistics of all legs that count",
+                  {"mirocup league stats spring --csv"});
+  statistics::add_options(command, o.report, "Only the legs of this team");
 }
 
 }  // namespace mirocup::league

@@ -2,22 +2,17 @@
 //
 // mirocup league submit: stores an entry, checks it, and plays with it if it passes.
 #include "programs/league/commands.hpp"
-#include "record/json_reader.hpp"
-#include "system/clock.hpp"
 #include "system/locations.hpp"
-#include "system/printable.hpp"
 #include "tournaments/league/firasim_team.hpp"
 #include "tournaments/league/submission.hpp"
 
 #include <filesystem>
-#include <iostream>
 
 namespace mirocup::league {
 
 namespace {
 
-struct SubmitOptions {
-  std::string folder;
+struct SubmitOptions : LeagueOptions {
   std::string team;
   std::string file;
   std::string run;  // the command of a firasim team; "": people start it
@@ -37,13 +32,12 @@ void print(const SubmitOptions& options, const Submission& done) {
     }
     return;
   }
-  std::cout << record::json_text({{"accepted", done.is_accepted},
-                                  {"team", options.team},
-                                  {"file", options.file},
-                                  {"entry", done.entry > 0 ? Json(done.entry) : Json()},
-                                  {"message", done.message},
-                                  {"verdict", done.verdict}})
-            << '\n';
+  print_json({{"accepted", done.is_accepted},
+              {"team", options.team},
+              {"file", options.file},
+              {"entry", done.entry > 0 ? Json(done.entry) : Json()},
+              {"message", done.message},
+              {"verdict", done.verdict}});
 }
 
 // A program for FIRASim is no file to be checked: the team joins at once.
@@ -75,10 +69,9 @@ Result<int> run_submit(const SubmitOptions& options) {
   // Before anything is locked there.
   MIROCUP_TRY_VOID(expect_league(disk, Folder{options.folder}));
   if (options.file.starts_with(TeamConfig::firasim_prefix)) return enter_program(disk, options);
-  if (!options.run.empty() || options.lockstep) {
+  if (!options.run.empty() || options.lockstep)
     return fail(Errc::input, std::string(options.run.empty() ? "--lockstep" : "--run") +
                                  " is only for a team that is entered as firasim:NAME");
-  }
   HandIn handed;
   handed.team = options.team;
   handed.path = options.file;
@@ -128,10 +121,9 @@ void add_take(system::Commands& commands) {
 
 void add_submit(system::Commands& commands) {
   const auto [command, o] =
-      commands.add(run_submit, "submit", to_take,
-                   "Hand in an entry: store it, check it, and play with it if it passes",
-                   {"mirocup league submit spring alpha alpha.so"});
-  add_folder(command, o.folder);
+      add_command(commands, run_submit, "submit", to_take,
+                  "Hand in an entry: store it, check it, and play with it if it passes",
+                  {"mirocup league submit spring alpha alpha.so"});
   command.option("TEAM", o.team, "Name of the team").required();
   command
       .option("FILE", o.file,
@@ -139,13 +131,12 @@ void add_submit(system::Commands& commands) {
               "firasim:NAME for a program that speaks FIRASim's protocol")
       .required();
   const system::Option run =
-      command.option("--run", o.run,
+      command.option("--run COMMAND", o.run,
                      "Command that starts a program for FIRASim in each leg; "
                      "without --run, a person starts the program");
   command
-      .option("--folder", o.run_folder,
+      .option("--folder DIR", o.run_folder,
               "Folder in which the command of --run runs (default: the working folder)")
-      .named("DIR")
       .needs(run);
   command.flag("--lockstep", o.lockstep,
                "Let the legs of a program for FIRASim wait for its answers, not for the clock");

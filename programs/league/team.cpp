@@ -2,27 +2,20 @@
 //
 // mirocup league team: makes teams, and says by what names people know them.
 #include "programs/league/commands.hpp"
-#include "system/clock.hpp"
 #include "system/file_lock.hpp"
-#include "system/printable.hpp"
 #include "system/text.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/league/book.hpp"
 #include "tournaments/league/class_list.hpp"
-#include "tournaments/league/league_store.hpp"
 #include "tournaments/league/submission.hpp"
 
 #include <algorithm>
-#include <iostream>
-#include <optional>
-#include <vector>
 
 namespace mirocup::league {
 
 namespace {
 
-struct TeamOptions {
-  std::string folder;
+struct TeamOptions : LeagueOptions {
   std::string team;
   std::optional<std::string> display;
   std::vector<std::string> members;
@@ -89,11 +82,10 @@ Result<int> remove_team(system::Files& files, LeagueStore& store, const std::str
   const bool is_in = store.state().find_team(team).has_value();
   MIROCUP_TRY(const auto book, Book::open(files, folder));
   const bool has_entry = book.hand_ins().last_kept(team) > 0;
-  if (has_entry || (is_in && store.state().is_started)) {
+  if (has_entry || (is_in && store.state().is_started))
     return fail(Errc::input,
                 team + (has_entry ? " has handed in" : " is in a league that has started") +
                     ": league withdraw takes the team out of the league");
-  }
   MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
   MIROCUP_TRY(auto people, read_people(files, folder));
   MIROCUP_TRY(auto tokens, read_tokens(files, folder));
@@ -146,30 +138,26 @@ Result<int> run_team(const TeamOptions& options) {
 }  // namespace
 
 void add_team(system::Commands& commands) {
-  const auto [command, o] = commands.add(
-      run_team, "team", to_take, "Make teams from a class list, and set their display names",
-      {"mirocup league team spring --csv class.csv",
-       "mirocup league team spring alpha --display \"Zoë & Co\" --member Zoë"});
-  add_folder(command, o.folder);
+  const auto [command, o] =
+      add_command(commands, run_team, "team", to_take,
+                  "Make teams from a class list, and set their display names",
+                  {"mirocup league team spring --csv class.csv",
+                   "mirocup league team spring alpha --display \"Zoë & Co\" --member Zoë"});
   command.option("TEAM", o.team, "Name of the team in the league");
-  command.option("--display", o.display, "Display name, of any letters; \"\": none");
-  command.option("--member", o.members,
+  command.option("--display NAME", o.display, "Display name, of any letters; \"\": none");
+  command.option("--member NAME", o.members,
                  "Member of the team; may be given once for each member; \"\": no members");
-  command
-      .option("--colour", o.colour,
-              "Colour of the mark beside the team's name on pages, as #c03a2b; \"\": none")
-      .named("COLOUR");
+  command.option("--colour COLOUR", o.colour,
+                 "Colour of the mark beside the team's name on pages, as #c03a2b; \"\": none");
   const system::Option csv =
-      command.option("--csv", o.csv,
+      command.option("--csv FILE", o.csv,
                      "Make the teams of this class list: a line for each team (team, display, "
                      "members with ; between them, colour, further columns for the grades), or for "
                      "each student, as Moodle, Artemis and Excel write it");
-  csv.named("FILE");
   command
-      .option("--columns", o.columns,
+      .option("--columns KEY=HEADING,...", o.columns,
               "Headings of columns that mirocup does not know; KEY is team, display, members, "
               "first, last, mail, number or colour, as in team=Gruppe,mail=Kontakt")
-      .named("KEY=HEADING,...")
       .needs(csv);
   command
       .flag("--dry-run", o.is_dry_run, "Print what the class list would change, and change nothing")

@@ -12,14 +12,12 @@
 #include "tournaments/league/submission.hpp"
 
 #include <algorithm>
-#include <iostream>
 
 namespace mirocup::league {
 
 namespace {
 
-struct TokenOptions {
-  std::string folder;
+struct TokenOptions : LeagueOptions {
   std::string team;
   bool all = false;        // for each team of the league that has none
   bool staff = false;      // for those who run the league
@@ -55,18 +53,16 @@ Result<std::vector<std::string>> teams_of(const TokenOptions& options, const Lea
     for (const auto& [team, one] : people) {
       if (!state.find_team(team)) teams.push_back(team);
     }
-    if (teams.empty()) {
+    if (teams.empty())
       return fail(
           Errc::input,
           "the league has no team: league team DIR --csv FILE makes the teams of a class list");
-    }
     std::erase_if(teams, [&](const std::string& team) { return list.has_valid(team, now); });
     return teams;
   }
-  if (!is_good_name(options.team)) {
+  if (!is_good_name(options.team))
     return fail(Errc::input, "\"" + options.team +
                                  "\" is no name: letters, digits, '-', '_' and '.', at most 40");
-  }
   // A team that will join is named here for the first time.
   if (!options.revoke && !state.find_team(options.team)) {
     if (const std::string why = why_not_now(state, options.team, now); !why.empty())
@@ -162,10 +158,10 @@ Result<int> run_token(const TokenOptions& options) {
 }  // namespace
 
 void add_token(system::Commands& commands) {
-  const auto [command, o] = commands.add(
-      run_token, "token", to_take, "Make a token by which a team hands in, and print it once",
+  const auto [command, o] = add_command(
+      commands, run_token, "token", to_take,
+      "Make a token by which a team hands in, and print it once",
       {"mirocup league token spring alpha", "mirocup league token spring --all --csv >tokens.csv"});
-  add_folder(command, o.folder);
   command.option("TEAM", o.team, "Name of the team; it may be new to the league");
   command.flag("--all", o.all, "Make a token for each team of the league that has none");
   command.flag("--staff", o.staff, "Make a token for the staff, who read all hand-ins and decide");
@@ -173,17 +169,15 @@ void add_token(system::Commands& commands) {
                "Make a token for a tutor, who reads the same as the staff and decides nothing");
   command.flag("--assistant", o.assistant,
                "Make a token for an assistant, who decides and does not see the grades");
-  command
-      .option("--name", o.person,
-              "Name of the person who gets such a token: decisions are signed by it, and --revoke "
-              "ends its tokens only")
-      .named("NAME");
+  command.option("--name NAME", o.person,
+                 "Name of the person who gets such a token: decisions are signed by it, and "
+                 "--revoke ends its tokens only");
   const system::Option csv =
       command.flag("--csv", o.csv,
                    "Print lines of team, display name, token, members and mail, for a mail merge");
   command.flag("--per-member", o.per_member, "Print a line for each member of a team").needs(csv);
   const system::Option expires = command.option(
-      "--expires", o.expires,
+      "--expires TIME", o.expires,
       "Time when the token ends, as for freeze --at, or the last day (in UTC) on which "
       "it is valid");
   command.flag("--revoke", o.revoke, "Make no token, and end all tokens of the team")

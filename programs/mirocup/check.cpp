@@ -3,21 +3,13 @@
 // mirocup check FILE.so: prints whether the library would be accepted as an entry, and why.
 #include "programs/check/entry_check.hpp"
 #include "programs/mirocup/commands.hpp"
-#include "record/json_reader.hpp"
 #include "record/match_record.hpp"
 #include "record/rules_json.hpp"
 #include "record/team_parameters_json.hpp"
 #include "server/seats.hpp"
-#include "system/files.hpp"
-#include "system/printable.hpp"
 #include "system/text.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include <iostream>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace mirocup::app {
 
@@ -70,7 +62,7 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
     return failure == nullptr ? record::Json() : record::Json(failure->*part);
   };
   return {{"file", options.path},
-          {"sha256", report.sha256.empty() ? record::Json() : record::Json(report.sha256)},
+          {"sha256", record::or_null(report.sha256)},
           {"accepted", failure == nullptr},
           {"reason", failure == nullptr ? record::Json()
                                         : record::Json(failure->name + ": " + failure->text)},
@@ -176,7 +168,7 @@ Result<int> run_check(const CheckOptions& options, const record::WriteAnswer& an
   const record::Json json = to_json(options, report);
   MIROCUP_TRY_VOID(answer(json));
   if (options.json) {
-    std::cout << record::json_text(json) << '\n';
+    print_json(json);
   } else {
     print(options, report);
   }
@@ -201,7 +193,7 @@ void add_check(system::Commands& commands) {
       .one_of(system::names_of<referee::Preset>())
       .shows_default();
   command
-      .option("--half", o.half_s,
+      .option("--half SECONDS", o.half_s,
               "Length of a half in the team's league, in seconds; a team's processor time in a leg "
               "depends on it (default: as in the rules)")
       .between(record::min_half_s, record::max_half_s);
@@ -211,10 +203,9 @@ void add_check(system::Commands& commands) {
               "Oldest processor on which the team may play; a warning names instructions beyond it")
       .one_of(system::names_of<system::Processor>())
       .shows_default();
-  command
-      .option("--record", o.record_path,
-              "File to write the record of the team's leg against striker to, for mirocup replay")
-      .named("FILE.json");
+  command.option(
+      "--record FILE.json", o.record_path,
+      "File to write the record of the team's leg against striker to, for mirocup replay");
   command.flag("--json", o.json, "Print the report as one JSON object");
   add_answer(command, o.answer);
 }

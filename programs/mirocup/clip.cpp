@@ -57,11 +57,10 @@ Result<int> draw_pictures(system::Files& files, const replay::Recording& recordi
     balls.push_back(scene.ball.position);
     if (!playback.advance()) break;
   }
-  if (playback.divergence()) {
+  if (playback.divergence())
     return fail(Errc::damaged, "the record differs from tick " +
                                    std::to_string(playback.divergence()->tick) +
                                    " on: " + playback.divergence()->what);
-  }
   if (pictures == 0)
     return fail(Errc::input,
                 "--clip: the leg ends before " + system::formatted("%.4f", span.from) + " s");
@@ -95,11 +94,10 @@ Result<ClipSpan> parse_clip(const std::string& text) {
   const std::string_view all(text);
   const ClipSpan span{.from = system::number_of<double>(all.substr(0, colon)).value_or(-1.0),
                       .to = system::number_of<double>(all.substr(colon + 1)).value_or(-1.0)};
-  if (colon == std::string::npos || span.from < 0.0 || span.to < 0.0) {
+  if (colon == std::string::npos || span.from < 0.0 || span.to < 0.0)
     return fail(
         Errc::input,
         "--clip " + text + ": two times in seconds are expected, as 12:18.5 for 12 s to 18.5 s");
-  }
   if (span.to <= span.from)
     return fail(Errc::input, "--clip " + text + ": it ends before it begins");
   if (span.to - span.from > max_clip_s)
@@ -116,7 +114,7 @@ bool is_video_name(const std::string& path) {
 Result<void> write_clip(system::Files& files, const record::MatchRecord& record,
                         const ClipSpan& span, const std::string& output) {
   const PictureFolder folder(output + ".pictures-" + std::to_string(getpid()));
-  if (auto made = files.make_folder(folder.path, system::Readers::owner); !made) return made;
+  MIROCUP_TRY_VOID(files.make_folder(folder.path, system::Readers::owner));
   MIROCUP_TRY_VOID(draw_pictures(files, record.recording, span, folder.path));
   MIROCUP_TRY(
       const auto answer,

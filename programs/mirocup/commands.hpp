@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `mirocup`. Each has one source, which declares its options and does its work.
-// A run returns the exit code of an answer, exit_yes or exit_no, or an error.
+// The subcommands of `mirocup`, and what their sources share. Each has one source, which declares
+// its options and does its work. A run returns the exit code of an answer, exit_yes or exit_no, or
+// an error.
 #pragma once
 
+#include "core/replay/verification.hpp"
 #include "record/answer.hpp"
+#include "record/json_reader.hpp"
 #include "system/commands.hpp"
+#include "system/files.hpp"
+#include "system/printable.hpp"
 
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -38,6 +44,16 @@ Result<int> answering(const Options& options) {
                            [&](const record::WriteAnswer& write) { return run(options, write); });
 }
 void add_answer(const system::Command& command, std::string& path);
+
+// Prints a value in one line.
+inline void print_json(const record::Json& json) {
+  std::cout << record::json_text(json) << '\n';
+}
+
+// Returns the answer of a command that cannot do what `undone` says ("shown") with a record, since
+// the leg differs from the record: prints so, or returns the error of a record of another version.
+Result<int> not_reproduced(const std::string& path, const record::MatchRecord& record,
+                           const replay::Divergence& found, const char* undone);
 
 // Runs mirocup-labs in the place of this process. Returns only if it cannot be run.
 Error become_labs(std::vector<std::string> arguments);

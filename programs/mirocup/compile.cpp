@@ -6,12 +6,8 @@
 
 #include "plugins/host/elf.hpp"
 #include "programs/mirocup/commands.hpp"
-#include "record/json_reader.hpp"
-#include "system/files.hpp"
 #include "system/locations.hpp"
-#include "system/printable.hpp"
 
-#include <iostream>
 #include <sstream>
 
 namespace mirocup::app {
@@ -70,9 +66,7 @@ Result<int> run_compile(const CompileOptions& options, const record::WriteAnswer
                    .project_compiler = system::sibling_program("mirocup-project-compiler")},
                   {.seconds = options.seconds}));
   const bool is_compiled = done.why_not.empty();
-  if (is_compiled) {
-    MIROCUP_TRY_VOID(disk.write(options.output, done.library));
-  }
+  if (is_compiled) MIROCUP_TRY_VOID(disk.write(options.output, done.library));
   std::string said = system::printable(done.output, system::LineEnds::kept);
   const system::Processor needs = plugins::processor_for(done.library);
   if (needs > system::Processor::v1 || (!is_project && chooses_processor(source))) {
@@ -80,12 +74,11 @@ Result<int> run_compile(const CompileOptions& options, const record::WriteAnswer
             std::string(needs > system::Processor::v1 ? to_string(needs) : "newer processors") +
             ", which end the team on a computer that lacks them: remove it\n";
   }
-  const record::Json json{{"compiled", is_compiled},
-                          {"reason", is_compiled ? record::Json() : record::Json(done.why_not)},
-                          {"log", said}};
+  const record::Json json{
+      {"compiled", is_compiled}, {"reason", record::or_null(done.why_not)}, {"log", said}};
   MIROCUP_TRY_VOID(answer(json));
   if (options.json) {
-    std::cout << record::json_text(json) << '\n';
+    print_json(json);
   } else {
     std::cout << said;
     if (!is_compiled) std::cout << system::printable(options.path) << ": " << done.why_not << '\n';
@@ -105,7 +98,7 @@ void add_compile(system::Commands& commands) {
               "One file of C++20, or of C17 if its name ends in .c, or an archive of a project "
               "(.tar.gz, .tar, .zip)")
       .required();
-  command.option("-o,--output", o.output, "Library to write").named("FILE.so").required();
+  command.option("-o,--output FILE.so", o.output, "Library to write").required();
   command.option("--language", o.language, "Language of the source, if its name does not tell it")
       .one_of({"c", "c++", "project"});
   command

@@ -4,8 +4,6 @@
 #include "programs/mirocup/commands.hpp"
 #include "system/command_help.hpp"
 
-#include <iostream>
-
 namespace mirocup::app {
 
 namespace {

@@ -4,35 +4,26 @@
 #include "plugins/host/sandbox/probe.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "programs/mirocup/drill_report.hpp"
-#include "record/json_reader.hpp"
 #include "record/team_parameters_json.hpp"
 #include "system/child_process.hpp"
-#include "system/files.hpp"
 #include "system/locations.hpp"
-#include "system/printable.hpp"
 #include "system/text.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
-#include <iostream>
 #include <list>
-#include <string>
 #include <unistd.h>
 
 namespace mirocup::app {
 
 namespace {
 
-struct DrillOptions {
+struct DrillOptions : DrillTerms {
   std::string drill;                    // "list", "all", a name, or the path of a file or a folder
   std::vector<std::string> teams;       // as --blue
   std::string league;                   // a folder, whose entries are tested as well
   std::optional<int> tries;             // nothing: as each drill says
-  std::uint64_t seed = 1;               // of the first try
-  int jobs = 0;                         // tries at once; 0: one for each processor
   std::vector<std::string> parameters;  // of the teams, KEY=VALUE
-  std::string replay_folder;            // for records and pages of failed tries; "": none
   std::optional<double> at_least;       // the score that is asked for; less: the answer is no
   bool csv = false;
   bool json = false;
@@ -101,7 +92,7 @@ void print_list(const std::vector<drills::Drill>& drills, bool as_json) {
     std::cout << drill.name << std::string(drill.name.size() < 26 ? 26 - drill.name.size() : 1, ' ')
               << 'v' << drill.version << "  " << system::printable(drill.title) << '\n';
   }
-  if (as_json) std::cout << record::json_text({{"drills", list}}) << '\n';
+  if (as_json) print_json({{"drills", list}});
 }
 
 // `text` is a team, or NAME=TEAM: the entries of a league all have the same file name. `what`
@@ -200,14 +191,6 @@ class Progress {
   bool is_shown_;
 };
 
-Result<void> make_folder(const std::string& folder) {
-  if (folder.empty()) return {};
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) return fail(Errc::unavailable, folder + ": " + error.message());
-  return {};
-}
-
 // Tries all drills with one team.
 Result<DrillReport> test_team(const std::string& team, const std::string& name,
                               const std::vector<drills::Drill>& drills, const DrillOptions& options,
@@ -223,11 +206,7 @@ Result<DrillReport> test_team(const std::string& team, const std::string& name,
     tasks.push_back({&drill, &teams.back(), options.tries.value_or(drill.tries)});
     report.drills.push_back(&drill);
   }
-  MIROCUP_TRY(report.tries, play_drills(tasks,
-                                        {.first_seed = options.seed,
-                                         .jobs = options.jobs,
-                                         .replay_folder = options.replay_folder},
-                                        progress));
+  MIROCUP_TRY(report.tries, play_drills(tasks, options, progress));
   return report;
 }
 
@@ -237,11 +216,10 @@ Result<std::vector<std::string>> names_of_teams(const DrillOptions& options) {
   for (const std::string& team : options.teams) {
     MIROCUP_TRY(auto name, name_of(team));
     const bool is_new = std::find(names.begin(), names.end(), name) == names.end();
-    if (!is_new && !options.replay_folder.empty()) {
+    if (!is_new && !options.replay_folder.empty())
       return fail(Errc::input, "TEAM " + team + ": another team is called \"" + name +
                                    "\", too, and its replays would have the same files: NAME=TEAM "
                                    "gives a team another name");
-    }
     names.push_back(std::move(name));
   }
   return names;
@@ -261,7 +239,8 @@ Result<int> run_drill(DrillOptions options, const record::WriteAnswer& answer) {
   MIROCUP_TRY(const auto parameters,
               record::parameters_with_changes({}, options.parameters, "--param"));
   MIROCUP_TRY(const auto names, names_of_teams(options));
-  MIROCUP_TRY_VOID(make_folder(options.replay_folder));
+  system::Disk disk;
+  if (!options.replay_folder.empty()) MIROCUP_TRY_VOID(disk.make_folder(options.replay_folder));
 
   int all_tries = 0;
   for (const drills::Drill& drill : drills) all_tries += options.tries.value_or(drill.tries);
@@ -275,14 +254,13 @@ Result<int> run_drill(DrillOptions options, const record::WriteAnswer& answer) {
   }
   progress.clear();
   if (!options.replay_folder.empty()) {
-    system::Disk disk;
     const std::string list = options.replay_folder + "/index.html";
     MIROCUP_TRY_VOID(disk.write(list, failed_page(reports)));
     std::cerr << list << " lists the failed tries\n";
   }
   MIROCUP_TRY_VOID(answer(json_of(reports)));
   if (options.json) {
-    std::cout << record::json_text(json_of(reports)) << '\n';
+    print_json(json_of(reports));
   } else if (options.csv) {
     std::cout << csv_of(reports);
   } else {
@@ -308,29 +286,28 @@ void add_drill(system::Commands& commands) {
       .option("DRILL", o.drill,
               "list, all, the name of a drill, or the path of a drill or of a folder of drills")
       .required();
+  command.option("TEAM", o.teams,
+                 "Teams to be tested: paths of libraries or names of house teams; NAME=TEAM: the "
+                 "name in the report");
   command
-      .option("TEAM", o.teams,
-              "Teams to be tested: paths of libraries or names of house teams; NAME=TEAM: the "
-              "name in the report")
-      .named("");
+      .option("--league DIR", o.league,
+              "Test the present entry of each team of this league, as well");
   command
-      .option("--league", o.league, "Test the present entry of each team of this league, as well")
-      .named("DIR");
-  command
-      .option("--tries", o.tries,
+      .option("--tries NUMBER", o.tries,
               "Number of tries of each drill (default: the number in the drill's file)")
       .between(1, 10000);
-  command.option("--seed", o.seed, "Seed of the first try; each further try has the next seed")
+  command
+      .option("--seed SEED", o.first_seed,
+              "Seed of the first try; each further try has the next seed")
       .shows_default();
   command.jobs(o.jobs, "tries");
   add_parameters(command, "--param", o.parameters, "the teams");
+  command.option(
+      "--replay DIR", o.replay_folder,
+      "Folder to write files to: a record and a page of each failed try, and index.html, "
+      "which lists the failed tries");
   command
-      .option("--replay", o.replay_folder,
-              "Folder to write files to: a record and a page of each failed try, and index.html, "
-              "which lists the failed tries")
-      .named("DIR");
-  command
-      .option("--at-least", o.at_least,
+      .option("--at-least MARKS", o.at_least,
               "Lowest score that passes: exit code 1 if a team is below it")
       .between(0.0, 100.0);
   const system::Option csv = command.flag("--csv", o.csv, "Print a line of CSV for each drill");

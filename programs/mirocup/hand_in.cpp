@@ -3,9 +3,6 @@
 // mirocup hand-in URL FILE: hands a library in to a league in the network and waits for the answer,
 // or pins a version.
 #include "programs/mirocup/commands.hpp"
-#include "record/json_reader.hpp"
-#include "system/files.hpp"
-#include "system/printable.hpp"
 #include "system/text.hpp"
 #include "web/http/client.hpp"
 
@@ -13,7 +10,6 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <sys/stat.h>
 #include <thread>
 
@@ -242,22 +238,17 @@ void add_hand_in(system::Commands& commands) {
       "FILE", o.path,
       "Library of the team, its source, its file of Python, or an archive of its project");
   command
-      .option("--pin", o.pin,
+      .option("--pin N", o.pin,
               "Send no file, but let this accepted entry play; latest: the latest accepted one")
-      .named("N")
       .excludes(file);
   command
       .flag("--progress", o.progress,
             "Send no file: print goals against each house team, rating and drills of each version")
       .excludes(file);
-  command.option("--token-file", o.token_file, "File with the token of the team")
-      .named("FILE")
-      .required();
-  command
-      .option("--ca", o.authority,
-              "File with the certificate of the authority that signed the server's certificate "
-              "(default: the system's certificates)")
-      .named("FILE");
+  command.option("--token-file FILE", o.token_file, "File with the token of the team").required();
+  command.option("--ca FILE", o.authority,
+                 "File with the certificate of the authority that signed the server's certificate "
+                 "(default: the system's certificates)");
   command.flag("--json", o.json, "Print the answer as one JSON object");
 }
 

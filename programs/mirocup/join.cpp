@@ -16,12 +16,7 @@
 #include "system/interrupt.hpp"
 
 #include <chrono>
-#include <cstdint>
 #include <ctime>
-#include <iostream>
-#include <optional>
-#include <string>
-#include <utility>
 
 namespace mirocup::app {
 
@@ -158,11 +153,10 @@ class RemoteTeam {
                 << ". Its firewall must let in UDP ports 7410 to 7429 (and more for another "
                    "--dds-domain), yours the answers; behind a router the match needs --nat\n";
     }
-    if (!plugin_ && silence > options_.join_within) {
+    if (!plugin_ && silence > options_.join_within)
       return fail(
           Errc::unavailable,
           match_.text() + ", for " + std::to_string(static_cast<int>(options_.join_within)) + " s");
-    }
     if (plugin_ && silence > max_silence) {
       return fail(Errc::unavailable, "nothing has come from the match server for 10 s");
     }
@@ -219,22 +213,20 @@ void add_join(system::Commands& commands) {
       run_join, "join", for_teams, "Let a team play in a match on the network",
       {"mirocup join --match 7 --team blue --name ours mine.so",
        "mirocup join --match 7 --team yellow --name theirs their.so --server 10.0.0.5"});
-  command.option("--match", o.match_id, "ID of the match").required();
+  command.option("--match ID", o.match_id, "ID of the match").required();
   command.option("--team", o.team, "Colour of the team").required().one_of({"blue", "yellow"});
-  command.option("--name", o.name, "Name of the team, as the match expects it (dds:NAME)")
+  command.option("--name NAME", o.name, "Name of the team, as the match expects it (dds:NAME)")
       .required();
-  command.option("--server", o.server, "Host on which the match runs").shows_default();
+  command.option("--server HOST", o.server, "Host on which the match runs").shows_default();
   add_dds_domain(command, o.dds_domain);
-  command.option("--join-within", o.join_within, "Seconds to wait for the match")
+  command.option("--join-within SECONDS", o.join_within, "Seconds to wait for the match")
       .between(0.0, longest_wait_s)
       .shows_default();
   command.option("--patience", o.join_within, "The older name of --join-within")
       .between(0.0, longest_wait_s)
       .hidden();
-  command
-      .option("--credentials", o.credentials,
-              "Folder with the team's credentials, for a match that asks for them")
-      .named("DIR");
+  command.option("--credentials DIR", o.credentials,
+                 "Folder with the team's credentials, for a match that asks for them");
   add_parameters(command, "--param", o.parameters, "the team");
   command.option("FILE", o.library, "Library or file in Python of the team").required();
 }

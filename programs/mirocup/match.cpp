@@ -6,7 +6,6 @@
 #include "programs/mirocup/commands.hpp"
 #include "programs/mirocup/output_folder.hpp"
 #include "record/conditions_json.hpp"
-#include "record/json_reader.hpp"
 #include "record/pitch_json.hpp"
 #include "record/rules_json.hpp"
 #include "record/situation_json.hpp"
@@ -15,13 +14,9 @@
 #include "server/dds/domain.hpp"
 #include "server/session.hpp"
 #include "system/number_of.hpp"
-#include "system/printable.hpp"
 
-#include <cstdint>
 #include <filesystem>
-#include <iostream>
 #include <limits>
-#include <optional>
 
 namespace mirocup::app {
 
@@ -61,10 +56,9 @@ Result<void> read_start(const MatchOptions& options, match::Setup& setup) {
               system::Disk().read_named(options.start_path, system::size_limit::note));
   MIROCUP_TRY(const auto situation, record::parse_situation(text, options.start_path));
   const std::string league(to_string(situation.league));
-  if (!options.league.empty() && options.league != league) {
+  if (!options.league.empty() && options.league != league)
     return fail(Errc::input, options.start_path + ": it is a situation of the " + league +
                                  " league, not of --league " + options.league);
-  }
   setup.league = situation.league;
   setup.start = situation.start;
   return {};
@@ -104,10 +98,9 @@ Result<std::optional<record::MatchRecord>> read_past(const MatchOptions& options
   system::Disk disk;
   MIROCUP_TRY(auto past, record::load(disk, options.from_path));
   const std::size_t ticks = past.recording.ticks.size();
-  if (*options.tick >= ticks) {
+  if (*options.tick >= ticks)
     return fail(Errc::input, options.from_path + ": its leg has " + std::to_string(ticks) +
                                  " ticks, so --tick is at most " + std::to_string(ticks - 1));
-  }
   return past;
 }
 
@@ -248,7 +241,7 @@ void advise(const MatchOptions& options, const server::Session& session,
 
 void report(const MatchOptions& options, const server::Session& session) {
   if (options.json) {
-    std::cout << record::json_text(record::to_json(server::record_of(session))) << '\n';
+    print_json(record::to_json(server::record_of(session)));
     return;
   }
   const match::Outcome& r = session.leg.outcome();
@@ -300,9 +293,7 @@ Result<int> run_match(const MatchOptions& options, const record::WriteAnswer& an
   MIROCUP_TRY_VOID(check_output(options));
 
   server::Session session(session_terms(options), setup, factor);
-  if (past) {
-    MIROCUP_TRY_VOID(server::play_past(session, *past, *options.tick, options.from_path));
-  }
+  if (past) MIROCUP_TRY_VOID(server::play_past(session, *past, *options.tick, options.from_path));
   MIROCUP_TRY(const auto teams, choose_teams(options));
   MIROCUP_TRY_VOID(server::seat_teams(session, teams));
   if (options.watch) {
@@ -326,29 +317,27 @@ Result<int> run_match(const MatchOptions& options, const record::WriteAnswer& an
 
 void add_firasim(const system::Command& command, server::NetworkTerms& o) {
   const char* group = "Teams that speak the protocol of FIRASim and VSSReferee";
-  const auto add = [&](const char* option, std::string& value, const char* type,
-                       const char* description) {
-    command.option(option, value, description).named(type).in_group(group);
+  const auto add = [&](const char* option, std::string& value, const char* description) {
+    command.option(option, value, description).in_group(group);
   };
-  add("--firasim-vision", o.firasim.vision, "ADDR:PORT[,...]",
+  add("--firasim-vision ADDR:PORT[,...]", o.firasim.vision,
       "Where vision is sent to: groups or single addresses (default: 224.0.0.1:10002)");
-  add("--firasim-command", o.firasim.command, "[ADDR:]PORT",
+  add("--firasim-command [ADDR:]PORT", o.firasim.command,
       "Where commands are received (default: 20011)");
-  add("--firasim-referee", o.firasim.referee, "ADDR:PORT[,...]",
+  add("--firasim-referee ADDR:PORT[,...]", o.firasim.referee,
       "Where the referee's calls are sent to (default: 224.5.23.2:10003)");
-  add("--firasim-placement", o.firasim.placement, "ADDR:PORT",
+  add("--firasim-placement ADDR:PORT", o.firasim.placement,
       "Where placements are received (default: 224.5.23.2:10004)");
   command
-      .option("--firasim-instance", o.firasim_instance,
+      .option("--firasim-instance K|auto", o.firasim_instance,
               "Number K of this match on this host; if K is above 0, its ports are 10002+K, "
               "20011+K, 40000+K and 50000+K; auto: the first free number from 1000 on")
       .between_or(0, 9999, "auto")
-      .named("K|auto")
       .in_group(group);
-  add("--blue-program", o.programs[0], "COMMAND",
+  add("--blue-program COMMAND", o.programs[0],
       "Shell command that starts the blue team's program; the environment variables "
       "MIROCUP_COLOUR and others tell it colour and addresses (docs/firasim.md)");
-  add("--yellow-program", o.programs[1], "COMMAND",
+  add("--yellow-program COMMAND", o.programs[1],
       "Shell command that starts the yellow team's program");
   command
       .flag("--lockstep", o.lockstep,
@@ -367,30 +356,23 @@ void add_match(system::Commands& commands) {
                     "mirocup match --blue mine.so --yellow mine.so --blue-param wait=0.5"});
   server::NetworkTerms& network = o.session.network;
   command
-      .option("--blue", o.teams[0],
+      .option("--blue TEAM", o.teams[0],
               "Blue team: a library (.so), a file of Python (.py), the name of a house team, "
               "dds:NAME, or firasim:NAME for a program that speaks FIRASim's protocol")
-      .named("TEAM")
       .required();
-  command.option("--yellow", o.teams[1], "Yellow team, named in the same way")
-      .named("TEAM")
-      .required();
-  command.option("--blue-name", o.names[0], "Name of the blue team in the record").named("NAME");
-  command.option("--yellow-name", o.names[1], "Name of the yellow team in the record")
-      .named("NAME");
+  command.option("--yellow TEAM", o.teams[1], "Yellow team, named in the same way").required();
+  command.option("--blue-name NAME", o.names[0], "Name of the blue team in the record");
+  command.option("--yellow-name NAME", o.names[1], "Name of the yellow team in the record");
   const system::Option start =
-      command
-          .option("--start", o.start_path,
-                  "Start in this situation, a file of schema mirocup/situation/1")
-          .named("SITUATION.json");
+      command.option("--start SITUATION.json", o.start_path,
+                     "Start in this situation, a file of schema mirocup/situation/1");
   const system::Option from = command
-                                  .option("--from", o.from_path,
+                                  .option("--from RECORD", o.from_path,
                                           "Continue this record from --tick on, with its league, "
                                           "rules, stage, seed and conditions")
-                                  .named("RECORD")
                                   .excludes(start);
   const system::Option tick =
-      command.option("--tick", o.tick, "Tick of the record at which to continue")
+      command.option("--tick TICK", o.tick, "Tick of the record at which to continue")
           .between(0, std::numeric_limits<int>::max())
           .needs(from);
   from.needs(tick);
@@ -408,27 +390,23 @@ void add_match(system::Commands& commands) {
       .one_of(system::names_of<referee::Stage>())
       .shows_default()
       .excludes(from);
-  command.option("--seed", o.seed, "Seed of the toss and of the teams' random numbers")
+  command.option("--seed SEED", o.seed, "Seed of the toss and of the teams' random numbers")
       .is_a_seed()
       .shows_default()
       .excludes(from);
-  command
-      .option("--speed", o.speed,
-              "Speed of the match: max, or a factor of real time (default: 1 with --watch or with "
-              "a firasim team without --lockstep, otherwise max)")
-      .named("FACTOR");
-  command
-      .option_or_flag(
-          "--watch", o.watch,
-          "Show the match in browsers at [HOST:]PORT (default: this host only, any free port)")
-      .named("[PORT]");
-  command.option("--half", o.half_s, "Length of a half in seconds")
+  command.option(
+      "--speed FACTOR", o.speed,
+      "Speed of the match: max, or a factor of real time (default: 1 with --watch or with "
+      "a firasim team without --lockstep, otherwise max)");
+  command.option_or_flag(
+      "--watch [PORT]", o.watch,
+      "Show the match in browsers at [HOST:]PORT (default: this host only, any free port)");
+  command.option("--half SECONDS", o.half_s, "Length of a half in seconds")
       .between(record::min_half_s, record::max_half_s)
       .excludes(from);
   command
-      .option("--rule", o.rule_changes,
+      .option("--rule KEY=VALUE", o.rule_changes,
               "Change a parameter of the rules; may be given several times")
-      .named("KEY=VALUE")
       .excludes(from);
   command
       .option("--conditions", o.conditions,
@@ -439,21 +417,19 @@ void add_match(system::Commands& commands) {
       .one_of(system::names_of<match::ConditionsPreset>())
       .excludes(from);
   command
-      .option("--pitch", o.pitch,
+      .option("--pitch NAME|FILE", o.pitch,
               "Robots, ball and floor: mirosot (default), vsss, simurosot, or a file "
               "(mirocup/pitch/1), for example of mirocup identify")
-      .named("NAME|FILE")
       .excludes(from);
   command
-      .option("--condition", o.condition_changes,
+      .option("--condition KEY=VALUE", o.condition_changes,
               "Change a value of the conditions; may be given several times")
-      .named("KEY=VALUE")
       .excludes(from);
   add_parameters(command, "--param", o.parameters, "both teams");
   add_parameters(command, "--blue-param", o.own_parameters[0], "the blue team");
   add_parameters(command, "--yellow-param", o.own_parameters[1], "the yellow team");
   const system::Option record =
-      command.option("--record", o.record_path, "File to write the match record to").named("FILE");
+      command.option("--record FILE", o.record_path, "File to write the match record to");
   command
       .flag("--thoughts", o.session.thoughts,
             "Keep the shapes that the teams draw, beside the record, for mirocup replay")
@@ -468,10 +444,10 @@ void add_match(system::Commands& commands) {
               "it allows)")
       .one_of({"T1", "T2"})
       .excludes(trusted);
-  command.option("--match", network.match_id, "ID of the match, by which DDS teams join it")
+  command.option("--match ID", network.match_id, "ID of the match, by which DDS teams join it")
       .shows_default();
   command
-      .option("--interface", network.interface,
+      .option("--interface NAME", network.interface,
               "Network interface for teams on the network; lo: this host only")
       .shows_default();
   add_dds_domain(command, network.dds_domain);
@@ -483,19 +459,17 @@ void add_match(system::Commands& commands) {
                "Play nothing, and print nftables rules that limit what each address may send to "
                "the ports of --dds-domain");
   command
-      .option("--join-within", network.join_within,
+      .option("--join-within SECONDS", network.join_within,
               "Seconds that a team on the network has to join the match")
       .between(0.0, longest_wait_s)
       .shows_default();
   command
-      .option("--away-limit", network.away_limit,
+      .option("--away-limit SECONDS", network.away_limit,
               "Seconds that a DDS team may be absent in total, or a firasim team may be silent "
               "(default: 10; 30 for a firasim team with --lockstep or --speed max)")
       .between(0.0, longest_wait_s);
-  command
-      .option("--credentials", network.credentials,
-              "Folder with the server's credentials; then only teams of the league can join")
-      .named("DIR");
+  command.option("--credentials DIR", network.credentials,
+                 "Folder with the server's credentials; then only teams of the league can join");
   command.flag("--hash", o.hash, "Also print the state hash of the leg");
   add_firasim(command, network);
   command.flag("--json", o.json, "Print the record as one JSON object");

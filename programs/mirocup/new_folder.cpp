@@ -65,7 +65,7 @@ Result<void> write_filled(system::Disk& disk, const fs::path& file, const std::s
     at += found != words.end() ? found->first.size() : 1;
   }
   const std::string path = (fs::path(folder) / file.filename()).string();
-  if (auto written = disk.write(path, filled); !written) return written;
+  MIROCUP_TRY_VOID(disk.write(path, filled));
   // Scripts can be run.
   std::error_code none;
   if ((fs::status(file).permissions() & fs::perms::owner_exec) != fs::perms::none)

@@ -4,14 +4,10 @@
 // SimuroSot is written by mirocup-labs.
 #include "programs/mirocup/commands.hpp"
 #include "programs/mirocup/new_folder.hpp"
-#include "system/files.hpp"
 #include "system/locations.hpp"
-#include "system/printable.hpp"
 #include "system/text.hpp"
 
 #include <filesystem>
-#include <iostream>
-#include <vector>
 
 namespace mirocup::app {
 
@@ -27,10 +23,9 @@ namespace fs = std::filesystem;
 
 Result<int> run_new(const NewOptions& options) {
   const std::string& folder = options.folder;
-  if (!options.simurosot.empty()) {
+  if (!options.simurosot.empty())
     return tl::unexpected(
         become_labs({"new", "--from-simurosot", options.simurosot, "--", folder}));
-  }
   MIROCUP_TRY_VOID(expect_empty_folder(folder));
   system::Disk disk;
   const system::TeamKit kit = system::team_kit();
@@ -70,11 +65,9 @@ void add_new(system::Commands& commands) {
   command.option("--language", o.language, "Language of the team")
       .one_of({"c++", "c", "python"})
       .shows_default();
-  command
-      .option("--from-simurosot", o.simurosot,
-              "Folder with the sources of a team that was written for SimuroSot or Simuro5v5; "
-              "they are copied")
-      .named("OLD");
+  command.option("--from-simurosot OLD", o.simurosot,
+                 "Folder with the sources of a team that was written for SimuroSot or Simuro5v5; "
+                 "they are copied");
 }
 
 }  // namespace mirocup::app

@@ -4,11 +4,6 @@
 #include "web/playground.hpp"
 
 #include "programs/mirocup/commands.hpp"
-#include "system/files.hpp"
-#include "system/printable.hpp"
-
-#include <iostream>
-#include <string>
 
 namespace mirocup::app {
 
@@ -41,8 +36,8 @@ void add_playground(system::Commands& commands) {
       "Make a page in which anyone can play by hand, against house teams, in a browser",
       {"mirocup playground -o playground"});
   command
-      .option("-o,--output", o.folder, "Folder to write index.html to; this page opens from disk")
-      .named("FOLDER")
+      .option("-o,--output FOLDER", o.folder,
+              "Folder to write index.html to; this page opens from disk")
       .required();
 }
 

@@ -6,15 +6,11 @@
 // mirocup referee --record FILE: judges a played match again, with other parameters.
 #include "core/replay/rejudge.hpp"
 #include "programs/mirocup/commands.hpp"
-#include "record/json_reader.hpp"
-#include "record/match_record.hpp"
+#include "record/json_fields.hpp"
 #include "record/rules_json.hpp"
 #include "record/traces/trace_verdict.hpp"
-#include "system/printable.hpp"
 
-#include <iostream>
 #include <sstream>
-#include <vector>
 
 namespace mirocup::app {
 
@@ -27,17 +23,13 @@ struct RefereeOptions {
   bool json = false;                      // verdicts on traces are JSON in any case
 };
 
-using Json = nlohmann::ordered_json;
+using record::Json;
 
 // The situation's name, for its verdict; "" if it has none.
 std::string id_of(const Json& json) {
   std::optional<record::JsonProblem> ignored;
   const auto id = record::JsonReader(json, "", ignored).find("id");
   return id && id->is_string() ? id->text() : "";
-}
-
-void print(const Json& json) {
-  std::cout << record::json_text(json) << '\n';
 }
 
 Result<int> judge_traces(const std::string& path) {
@@ -52,7 +44,7 @@ Result<int> judge_traces(const std::string& path) {
     const Json& json = parsed.value;
     // A line with the results of a league is not a situation, but it is not an error either.
     if (json.is_object() && json.contains("results")) {
-      print(traces::reject_trace(id_of(json), "a table of results is no situation"));
+      print_json(traces::reject_trace(id_of(json), "a table of results is no situation"));
       continue;
     }
     const auto trace =
@@ -63,10 +55,10 @@ Result<int> judge_traces(const std::string& path) {
       all_judged = false;
       std::cerr << system::printable(path) << ":" << number << ": "
                 << system::printable(trace.error().what) << '\n';
-      print(traces::reject_trace(id_of(json), trace.error().what));
+      print_json(traces::reject_trace(id_of(json), trace.error().what));
       continue;
     }
-    print(traces::judge_trace(*trace));
+    print_json(traces::judge_trace(*trace));
   }
   return all_judged ? exit_yes : exit_no;
 }
@@ -75,7 +67,7 @@ Json decision_json(const std::optional<match::LoggedDecision>& logged) {
   if (!logged) return nullptr;
   return {{"decision", to_string(logged->decision.verdict)},
           {"law", to_string(logged->decision.law)},
-          {"team", logged->team ? Json(to_string(*logged->team)) : Json()},
+          {"team", record::fields_json(logged->team)},
           {"reason", logged->decision.reason}};
 }
 
@@ -92,16 +84,7 @@ Result<int> judge_record(const RefereeOptions& options) {
   MIROCUP_TRY(const auto rules, record::rules_with_changes(record::to_json(setup.rules),
                                                            options.rule_changes, setup.league));
   const auto judged = replay::rejudge(record.recording, rules);
-  if (!judged && record::has_other_behaviour(record)) {
-    return tl::unexpected(
-        record::behaviour_mismatch(options.record_path, record, judged.error().tick));
-  }
-  if (!judged) {
-    std::cerr << "mirocup: " << system::printable(options.record_path)
-              << ": cannot be judged, it differs from tick " << judged.error().tick
-              << " on: " << system::printable(judged.error().what) << '\n';
-    return exit_no;
-  }
+  if (!judged) return not_reproduced(options.record_path, record, judged.error(), "judged");
   const std::vector<replay::Difference>& differences = *judged;
 
   Json list = Json::array();
@@ -118,9 +101,9 @@ Result<int> judge_record(const RefereeOptions& options) {
     }
   }
   if (options.json) {
-    print({{"record", options.record_path},
-           {"rules", record::to_json(rules)},
-           {"differences", list}});
+    print_json({{"record", options.record_path},
+                {"rules", record::to_json(rules)},
+                {"differences", list}});
   } else {
     std::cout
         << system::printable(options.record_path) << ": " << differences.size()
@@ -145,11 +128,11 @@ void add_referee(system::Commands& commands) {
   const system::Option trace =
       command.option("TRACE", o.trace_path, "File of situations, one JSON object on each line");
   const system::Option record =
-      command.option("--record", o.record_path, "Match record to judge again").excludes(trace);
+      command.option("--record RECORD", o.record_path, "Match record to judge again")
+          .excludes(trace);
   command
-      .option("--rule", o.rule_changes,
+      .option("--rule KEY=VALUE", o.rule_changes,
               "Change a parameter of the record's rules; may be given several times")
-      .named("KEY=VALUE")
       .needs(record);
   command.flag("--json", o.json, "Print the answer as one JSON object");
 }

@@ -5,15 +5,12 @@
 #include "programs/mirocup/clip.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "record/statistics/statistics_json.hpp"
-#include "system/printable.hpp"
 #include "web/page.hpp"
 #include "web/picture.hpp"
 
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
-#include <iostream>
-#include <optional>
 #include <spawn.h>
 #include <unistd.h>
 
@@ -143,10 +140,9 @@ void tell_of_proof(const web::ReplayPage& page, std::size_t beside) {
 Result<int> run_replay(const ReplayOptions& options) {
   if (!options.clip.empty()) return run_clip(options);
   MIROCUP_TRY(const auto output, output_of(options));
-  if (options.svg != options.at.has_value()) {
+  if (options.svg != options.at.has_value())
     return fail(Errc::input,
                 "--at T and --svg need each other: they make a still picture of the moment T");
-  }
   if (options.svg && !options.statistics.empty()) {
     return fail(Errc::input, "--statistics belongs to a page, not to a picture of a moment");
   }
@@ -171,15 +167,7 @@ Result<int> run_replay(const ReplayOptions& options) {
                   shown = std::move(page);
                   return shown.html;
                 });
-  if (!made && record::has_other_behaviour(record)) {
-    return tl::unexpected(record::behaviour_mismatch(options.record, record, made.error().tick));
-  }
-  if (!made) {
-    std::cerr << "mirocup: " << system::printable(options.record)
-              << ": cannot be shown, it differs from tick " << made.error().tick
-              << " on: " << system::printable(made.error().what) << '\n';
-    return exit_no;
-  }
+  if (!made) return not_reproduced(options.record, record, made.error(), "shown");
   MIROCUP_TRY_VOID(disk.write(output, *made));
   std::string beside;
   if (proof && !proof->commands_file.empty()) {
@@ -209,18 +197,16 @@ void add_replay(system::Commands& commands) {
       {"mirocup replay leg.json --open", "mirocup replay leg.json --clip 12:18 -o goal.gif",
        "mirocup replay leg.json --at 12.5 --svg -o moment.svg"});
   command.option("RECORD", o.record, "Match record").required();
-  command
-      .option("-o,--output", o.output,
-              "File to write to (default: beside the record, with the ending .html, .svg or "
-              ".webm)")
-      .named("FILE");
-  const system::Option at =
-      command.option("--at", o.at, "Moment of the picture in seconds since the match began");
+  command.option("-o,--output FILE", o.output,
+                 "File to write to (default: beside the record, with the ending .html, .svg or "
+                 ".webm)");
+  const system::Option at = command.option(
+      "--at SECONDS", o.at, "Moment of the picture in seconds since the match began");
   at.between(0.0, 1e6);
   const system::Option svg =
       command.flag("--svg", o.svg, "Draw a still picture of the moment --at");
   command
-      .option("--clip", o.clip,
+      .option("--clip FROM:TO", o.clip,
               "FROM:TO in seconds since the match began: a video (.webm, .mp4 or .gif)")
       .excludes(at)
       .excludes(svg);
@@ -237,15 +223,12 @@ void add_replay(system::Commands& commands) {
   command.flag("--no-proof", o.no_proof,
                "Leave out the module and the commands with which a visitor's browser can simulate "
                "the leg again");
-  command
-      .option("--proof-module", o.proof_module,
-              "Address, relative to the page, of a script file with the browser module of this "
-              "mirocup; the commands of the leg then go into a second script file, beside the "
-              "page, even with --public")
-      .named("ADDRESS");
-  command
-      .option("--statistics", o.statistics, "File to write the statistics of the leg to, as JSON")
-      .named("FILE");
+  command.option("--proof-module ADDRESS", o.proof_module,
+                 "Address, relative to the page, of a script file with the browser module of this "
+                 "mirocup; the commands of the leg then go into a second script file, beside the "
+                 "page, even with --public");
+  command.option("--statistics FILE", o.statistics,
+                 "File to write the statistics of the leg to, as JSON");
 }
 
 }  // namespace mirocup::app

@@ -5,14 +5,11 @@
 #include "core/replay/verification.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "programs/mirocup/commands.hpp"
-#include "record/json_reader.hpp"
 #include "server/seats.hpp"
 #include "system/digest.hpp"
 #include "system/interrupt.hpp"
-#include "system/printable.hpp"
 
 #include <filesystem>
-#include <iostream>
 
 namespace mirocup::app {
 
@@ -56,10 +53,9 @@ std::string library_with(system::Files& files, const fs::path& folder, const std
 Result<server::TeamChoice> choose_again(system::Files& files, const record::TeamInfo& team,
                                         const RerunOptions& options) {
   const std::string entries = entries_folder(options);
-  if (record::is_on_network(team.kind)) {
+  if (record::is_on_network(team.kind))
     return fail(Errc::unavailable,
                 "\"" + team.name + "\" played over the network: only its owner can run it again");
-  }
   const std::string sha256 = team.sha256.value_or("");
   if (team.kind == record::TeamKind::house) {
     auto choice = server::choose_team(team.name);
@@ -189,7 +185,7 @@ void report(const RerunOptions& options, const std::optional<CommandDifference>&
     answer["team"] = difference && difference->team ? record::Json(to_string(*difference->team))
                                                     : record::Json();
     answer["what"] = difference ? record::Json(difference->what) : record::Json();
-    std::cout << record::json_text(answer) << '\n';
+    print_json(answer);
   } else if (difference) {
     const std::string team =
         difference->team ? std::string(to_string(*difference->team)) + ": " : std::string();
@@ -228,7 +224,7 @@ void add_rerun(system::Commands& commands) {
                    "Let the teams of a record play again and compare their commands",
                    {"mirocup rerun leg.json --entries teams"});
   command.option("RECORD", o.record, "Match record").required();
-  command.option("--entries", o.entries,
+  command.option("--entries DIR", o.entries,
                  "Folder with the teams' libraries, which are found by their sha256 (default: "
                  "the entries of the league that the record belongs to)");
   command.flag("--json", o.json, "Print the answer as one JSON object");

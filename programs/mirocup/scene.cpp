@@ -2,11 +2,7 @@
 //
 // mirocup scene FILE: simulates bodies and wheel commands, without teams and laws.
 #include "programs/mirocup/commands.hpp"
-#include "record/json_reader.hpp"
 #include "record/scene_json.hpp"
-#include "system/files.hpp"
-
-#include <iostream>
 
 namespace mirocup::app {
 
@@ -27,19 +23,18 @@ Result<int> run_scene(const SceneOptions& options) {
   const auto accuracy = *from_string<simulator::Accuracy>(options.accuracy);
   const std::clock_t begin = std::clock();
   const auto result = simulator::run_scene(scene, simulator::tolerances_of(accuracy));
-  if (result.stopped_at) {
+  if (result.stopped_at)
     return fail(Errc::input, options.path + ": more than " +
                                  std::to_string(simulator::max_scene_impacts) + " impacts until " +
                                  std::to_string(*result.stopped_at) +
                                  " s: choose a shorter duration");
-  }
   const double cpu_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 
   const std::string json = record::json_text(record::to_json(scene, result, cpu_seconds)) + "\n";
   if (options.out.empty()) {
     std::cout << json;
-  } else if (auto written = disk.write(options.out, json); !written) {
-    return tl::unexpected(written.error());
+  } else {
+    MIROCUP_TRY_VOID(disk.write(options.out, json));
   }
   return exit_yes;
 }
@@ -54,8 +49,8 @@ void add_scene(system::Commands& commands) {
   command.option("FILE", o.path, "Scene, a file of schema mirocup/scene/1").required();
   command.option("--accuracy", o.accuracy, "Accuracy of lasting contacts (default: standard)")
       .one_of({"coarse", "standard", "reference"});
-  command.option("-o,--output", o.out, "File to write the result to (default: standard output)")
-      .named("FILE");
+  command.option("-o,--output FILE", o.out,
+                 "File to write the result to (default: standard output)");
   command.flag("--json", o.json, "Accepted for uniformity: the result is always JSON");
 }
 

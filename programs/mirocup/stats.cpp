@@ -6,10 +6,8 @@
 #include "record/statistics/report.hpp"
 #include "system/child_process.hpp"
 #include "system/locations.hpp"
-#include "system/printable.hpp"
 
 #include <filesystem>
-#include <iostream>
 
 namespace mirocup::app {
 
@@ -67,13 +65,7 @@ void add_stats(system::Commands& commands) {
       "Print the football statistics of legs: shots, passes, possession, fouls, goals by kind",
       {"mirocup stats leg.json --goals", "mirocup stats spring --csv"});
   command.option("RECORD", o.paths, "Match records, or the folder of one league").required();
-  command.flag(
-      "--goals", o.goals,
-      "Print how goals fell, where the ball was lost before each goal, and which laws were broken");
-  command.option("--team", o.team, "Only the legs of this team, named as in the records")
-      .named("NAME");
-  const system::Option csv = command.flag("--csv", o.csv, "Print comma-separated values");
-  command.flag("--json", o.json, "Print everything as one JSON object").excludes(csv);
+  statistics::add_options(command, o, "Only the legs of this team, named as in the records");
 }
 
 }  // namespace mirocup::app

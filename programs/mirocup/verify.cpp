@@ -3,13 +3,7 @@
 // mirocup verify RECORD: simulates the leg again and compares it with the record.
 #include "core/replay/verification.hpp"
 #include "programs/mirocup/commands.hpp"
-#include "record/json_reader.hpp"
 #include "record/kept_module.hpp"
-#include "system/printable.hpp"
-
-#include <iostream>
-#include <string>
-#include <utility>
 
 namespace mirocup::app {
 
@@ -46,7 +40,7 @@ Result<int> run_verify(const VerifyOptions& options, const record::WriteAnswer& 
   answer["what"] = divergence ? record::Json(divergence->what) : record::Json();
   MIROCUP_TRY_VOID(write(answer));
   if (options.json) {
-    std::cout << record::json_text(answer) << '\n';
+    print_json(answer);
   } else if (divergence) {
     std::cout << system::printable(options.path) << ": differs from tick " << divergence->tick
               << " on: " << system::printable(divergence->what) << '\n';

@@ -282,15 +282,24 @@ std::string goals_csv(const std::vector<LegReport>& legs) {
                                "loss_tick", "loss_kind", "loss_third", "loss_x", "loss_y"});
 }
 
+void add_options(const system::Command& command, ReportOptions& options,
+                 const std::string& about_team) {
+  command.flag(
+      "--goals", options.goals,
+      "Print how goals fell, where the ball was lost before each goal, and which laws were broken");
+  command.option("--team NAME", options.team, about_team);
+  const system::Option csv = command.flag("--csv", options.csv, "Print comma-separated values");
+  command.flag("--json", options.json, "Print everything as one JSON object").excludes(csv);
+}
+
 Result<std::string> report(std::vector<LegReport> legs, const ReportOptions& options) {
   const std::string& team = options.team;
   if (!team.empty()) {
     std::erase_if(
         legs, [&](const LegReport& leg) { return leg.names[0] != team && leg.names[1] != team; });
-    if (legs.empty()) {
+    if (legs.empty())
       return fail(Errc::input,
                   "--team " + system::in_quotes(team) + ": this team has played none of the legs");
-    }
   }
   if (options.json) return record::json_text(report_json(legs)) + "\n";
   if (options.goals) return options.csv ? goals_csv(legs) : goals_text(legs, team);

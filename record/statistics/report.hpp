@@ -4,6 +4,7 @@
 #pragma once
 
 #include "record/statistics/leg_report.hpp"
+#include "system/commands.hpp"
 
 #include <string>
 #include <vector>
@@ -17,6 +18,10 @@ struct ReportOptions {
   bool csv = false;    // comma-separated values instead of text for people
   bool json = false;   // true: JSON, one object
 };
+
+// Adds the options of a command that prints a report; `about_team` is the help of --team.
+void add_options(const system::Command& command, ReportOptions& options,
+                 const std::string& about_team);
 
 // Returns the output of `mirocup stats` about legs. The JSON has both goals and numbers.
 // Errors: Errc::input if the team has no leg.

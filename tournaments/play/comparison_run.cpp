@@ -5,6 +5,7 @@
 #include "record/answer.hpp"
 #include "record/json_reader.hpp"
 #include "record/match_record.hpp"
+#include "record/rules_json.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
 #include "system/process_set.hpp"
@@ -73,9 +74,7 @@ class Comparison {
   }
 
   Result<std::vector<PairComparison>> play() {
-    if (run_.keeps_legs) {
-      MIROCUP_TRY_VOID(open_folder());
-    }
+    if (run_.keeps_legs) MIROCUP_TRY_VOID(open_folder());
     const std::vector<int> cpus = system::processors();
     const std::size_t jobs = run_.jobs > 0 ? static_cast<std::size_t>(run_.jobs) : cpus.size();
     int started = 0;
@@ -85,8 +84,8 @@ class Comparison {
         ++next_[leg->pair];
         if (run_.keeps_legs && files_.exists(record_of(*leg))) {
           MIROCUP_TRY_VOID(count(*leg));
-        } else if (auto done = start(*leg, cpus[started++ % cpus.size()]); !done) {
-          return tl::unexpected(done.error());
+        } else {
+          MIROCUP_TRY_VOID(start(*leg, cpus[started++ % cpus.size()]));
         }
         continue;
       }
@@ -178,10 +177,9 @@ class Comparison {
     playing_.erase(exit.tag);
     const Json answer = record::last_answer(files_, answer_of(leg)).value_or(Json());
     MIROCUP_TRY_VOID(files_.remove(answer_of(leg)));
-    if (exit.signal != 0 || exit.code != exit_yes) {
+    if (exit.signal != 0 || exit.code != exit_yes)
       return fail(exit.code == 2 ? Errc::input : Errc::host,
                   "a leg could not be played: " + record::text_in(answer, "error"));
-    }
     repeat_warnings(answer);
     return count(leg);
   }
@@ -197,9 +195,8 @@ class Comparison {
                                      }));
     read_[leg] = read;
     if (!run_.keeps_legs) {
-      for (const std::string& file : {path, record::replay_path_of(path)}) {
-        if (auto removed = files_.remove(file); !removed) return removed;
-      }
+      for (const std::string& file : {path, record::replay_path_of(path)})
+        MIROCUP_TRY_VOID(files_.remove(file));
     }
     PairComparison& pair = pairs_[leg.pair];
     while (!is_over(pair, run_)) {
@@ -328,6 +325,20 @@ Ratings rate(const ComparisonRun& run, const std::vector<PairComparison>& pairs)
     }
   }
   return rate(static_cast<int>(run.teams.size()), results);
+}
+
+void add_terms(const system::Command& command, std::string& league, ComparisonRun& run) {
+  command
+      .option("--league", league,
+              "Field and number of robots: small (3 a side), middle (5), large (11)")
+      .one_of({"small", "middle", "large"})
+      .shows_default();
+  command.option("--half SECONDS", run.half_s, "Length of a half in seconds")
+      .between(record::min_half_s, record::max_half_s);
+  command
+      .option("--conditions", run.conditions,
+              "Conditions: exact, hall or camera (default: as in a match)")
+      .one_of({"exact", "hall", "camera"});
 }
 
 Result<std::vector<PairComparison>> run_comparison(system::Files& files, const ComparisonRun& run,

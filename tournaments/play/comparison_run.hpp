@@ -17,6 +17,7 @@
 #include "core/base/error.hpp"
 #include "core/field/league.hpp"
 #include "core/match/goal_credit.hpp"
+#include "system/commands.hpp"
 #include "system/files.hpp"
 #include "tournaments/play/progress_reporter.hpp"
 #include "tournaments/table/comparison.hpp"
@@ -100,6 +101,9 @@ bool is_over(const PairComparison& pair, const ComparisonRun& run);
 
 // Returns the strengths of all teams, fitted to all fixtures.
 Ratings rate(const ComparisonRun& run, const std::vector<PairComparison>& pairs);
+
+// Adds the options --league, --half and --conditions of a comparison.
+void add_terms(const system::Command& command, std::string& league, ComparisonRun& run);
 
 // Plays all fixtures in child processes, and returns the pairs in the order of their teams. Errors:
 // Errc::input if a library cannot play, or if the folder holds another comparison; Errc::host if a

@@ -3,6 +3,7 @@
 // Shows a person the progress of a league that is being played.
 #pragma once
 
+#include <memory>
 #include <string>
 
 namespace mirocup::league {
@@ -17,5 +18,9 @@ class ProgressReporter {
   // Shows that `decided` of `legs` legs are decided and `playing` legs are being played.
   virtual void update(int decided, int legs, int playing) = 0;
 };
+
+// Returns a reporter that fits standard error: on a terminal one with a bar and the remaining time,
+// which its destructor removes, elsewhere one with plain lines.
+std::unique_ptr<ProgressReporter> make_progress_reporter();
 
 }  // namespace mirocup::league

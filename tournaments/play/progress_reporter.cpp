@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "programs/league/progress_bar.hpp"
+#include "tournaments/play/progress_reporter.hpp"
 
 #include "system/printable.hpp"
 

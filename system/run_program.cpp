@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "system/begin.hpp"
+#include "system/run_program.hpp"
+
+#include "system/printable.hpp"
 
 #include <csignal>
 #include <cstdio>
@@ -18,20 +20,25 @@ bool is_output_wanted() {
   return poll(&output, 1, 0) != 1 || (output.revents & POLLERR) == 0;
 }
 
-}  // namespace
-
-Result<void> begin() {
-  std::signal(SIGXFSZ, SIG_IGN);
-  if (access("/proc/self/exe", F_OK) == 0) return {};
-  return fail(Errc::unavailable, "/proc is not mounted here: mirocup cannot run without it");
-}
-
 int after_standard_output(int code) {
   std::cout.flush();
   const bool is_written = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (is_written || code != 0 || !is_output_wanted()) return code;
   std::cerr << "mirocup: standard output could not be written as a whole\n";
   return exit_code(Errc::unavailable);
+}
+
+}  // namespace
+
+int run_program(const std::function<Result<int>()>& run) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  const bool has_proc = access("/proc/self/exe", F_OK) == 0;
+  const Result<int> done =
+      has_proc
+          ? run()
+          : fail(Errc::unavailable, "/proc is not mounted here: mirocup cannot run without it");
+  if (!done) std::cerr << "mirocup: " << printable(done.error().what) << '\n';
+  return after_standard_output(done ? *done : exit_code(done.error().code));
 }
 
 }  // namespace mirocup::system
