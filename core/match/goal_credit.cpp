@@ -2,6 +2,7 @@
 #include "core/match/goal_credit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mirocup::match {
@@ -12,21 +13,10 @@ namespace {
 constexpr double max_roll_s = 30.0;
 
 GoalKind kind_of(referee::Restart restart) {
-  switch (restart) {
-    case referee::Restart::KICK_OFF:
-      return GoalKind::kick_off;
-    case referee::Restart::GOAL_KICK:
-      return GoalKind::goal_kick;
-    case referee::Restart::PENALTY_KICK:
-      return GoalKind::penalty;
-    case referee::Restart::FREE_KICK:
-      return GoalKind::free_kick;
-    case referee::Restart::FREE_BALL:
-      return GoalKind::free_ball;
-    case referee::Restart::none:
-      return GoalKind::open_play;
-  }
-  return GoalKind::open_play;
+  constexpr std::array kinds{GoalKind::open_play, GoalKind::kick_off,  GoalKind::goal_kick,
+                             GoalKind::penalty,   GoalKind::free_ball, GoalKind::free_kick};
+  static_assert(kinds.size() == enum_names<referee::Restart>.size());
+  return kinds[static_cast<std::size_t>(restart)];
 }
 
 using Contact = BallContacts::Contact;

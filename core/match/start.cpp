@@ -5,24 +5,9 @@ namespace mirocup::match {
 
 namespace {
 
+// A restart has the name of its verdict, but for none.
 referee::Verdict verdict_of(referee::Restart restart) {
-  using referee::Restart;
-  using referee::Verdict;
-  switch (restart) {
-    case Restart::none:
-      return Verdict::NONE;
-    case Restart::KICK_OFF:
-      return Verdict::KICK_OFF;
-    case Restart::GOAL_KICK:
-      return Verdict::GOAL_KICK;
-    case Restart::PENALTY_KICK:
-      return Verdict::PENALTY_KICK;
-    case Restart::FREE_BALL:
-      return Verdict::FREE_BALL;
-    case Restart::FREE_KICK:
-      return Verdict::FREE_KICK;
-  }
-  return Verdict::NONE;
+  return from_string<referee::Verdict>(to_string(restart)).value_or(referee::Verdict::NONE);
 }
 
 End end_of(const Start& start, Team team) {

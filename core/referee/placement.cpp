@@ -191,15 +191,8 @@ constexpr Formations large_formations{
 };
 
 constexpr const Formations& formations_of(League league) {
-  switch (league) {
-    case League::small:
-      return small_formations;
-    case League::middle:
-      return middle_formations;
-    case League::large:
-      return large_formations;
-  }
-  return small_formations;
+  if (league == League::large) return large_formations;
+  return league == League::middle ? middle_formations : small_formations;
 }
 
 constexpr const Formation& formation_of(const Formations& formations, Restart restart) {

@@ -4,6 +4,7 @@
 #include "core/referee/decide.hpp"
 #include "core/referee/placement_rules.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace mirocup::referee {
@@ -33,23 +34,15 @@ std::string point_text(const Vec2& p) {
 }
 
 const char* why_text(Misplaced why) {
-  switch (why) {
-    case Misplaced::no:
-      break;
-    case Misplaced::outside_walls:
-      return "not inside the walls";
-    case Misplaced::not_allowed:
-      return "not allowed at this restart";
-    case Misplaced::special_place_empty:
-      return "not where this restart needs it";
-    case Misplaced::second_in_goal_area:
-      return "the second one in that goal area";
-    case Misplaced::too_near_ball:
-      return "in the ball";
-    case Misplaced::too_near_robot:
-      return "too near to another robot";
-  }
-  return "";
+  constexpr std::array texts{"",
+                             "not inside the walls",
+                             "not allowed at this restart",
+                             "not where this restart needs it",
+                             "the second one in that goal area",
+                             "in the ball",
+                             "too near to another robot"};
+  static_assert(texts.size() == static_cast<std::size_t>(Misplaced::too_near_robot) + 1);
+  return texts[static_cast<std::size_t>(why)];
 }
 
 }  // namespace

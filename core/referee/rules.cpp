@@ -68,16 +68,8 @@ void change_to_vsss(Rules& rules, League league) {
 Rules make_rules(Preset preset, League league) {
   Rules rules;
   rules.preset = preset;
-  switch (preset) {
-    case Preset::mirosot:
-      break;
-    case Preset::simurosot:
-      change_to_simurosot(rules);
-      break;
-    case Preset::vsss:
-      change_to_vsss(rules, league);
-      break;
-  }
+  if (preset == Preset::simurosot) change_to_simurosot(rules);
+  if (preset == Preset::vsss) change_to_vsss(rules, league);
   return rules;
 }
 

@@ -47,14 +47,8 @@ Page* map(int descriptor, int protection) {
 }
 
 LoadState state_of(match::FaultCode code) {
-  switch (code) {
-    case match::FaultCode::no_load:
-      return LoadState::no_load;
-    case match::FaultCode::bad_abi:
-      return LoadState::bad_abi;
-    default:
-      return LoadState::crash;
-  }
+  if (code == match::FaultCode::no_load) return LoadState::no_load;
+  return code == match::FaultCode::bad_abi ? LoadState::bad_abi : LoadState::crash;
 }
 
 // Reports the team's fault on the page and ends the process.

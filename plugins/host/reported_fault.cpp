@@ -4,6 +4,7 @@
 #include "plugins/host/sandbox/filter.hpp"
 #include "system/printable.hpp"
 
+#include <array>
 #include <csignal>
 #include <optional>
 
@@ -39,36 +40,25 @@ std::optional<Fault> claimed_fault(const ExitStatus& status, const LastWords& wo
   return std::nullopt;
 }
 
+// The process may write any number, which has no text.
+template <class E, std::size_t n>
+const char* text_in(const std::array<const char*, n>& texts, E value) {
+  const auto number = static_cast<std::size_t>(value);
+  return number < n ? texts[number] : "";
+}
+
 const char* text_of(TeamCall call) {
-  switch (call) {
-    case TeamCall::none:
-      return "";
-    case TeamCall::create:
-      return "create()";
-    case TeamCall::decide:
-      return "decide()";
-    case TeamCall::place:
-      return "place()";
-  }
-  return "";  // the process may write any number
+  return text_in(std::array{"", "create()", "decide()", "place()"}, call);
 }
 
 const char* text_of(AddressKind address) {
-  switch (address) {
-    case AddressKind::unknown:
-      return "";
-    case AddressKind::null:
-      return " at a null pointer";
-    case AddressKind::end_of_stack:
-      return " at the end of its stack";
-    case AddressKind::other:
-      return " at an address that is not valid";
-    case AddressKind::observation:
-      return " where it wrote to the observation";
-    case AddressKind::lost:
-      return " as it returned from a function to an address that is not valid";
-  }
-  return "";
+  constexpr std::array texts{"",
+                             " at a null pointer",
+                             " at the end of its stack",
+                             " at an address that is not valid",
+                             " where it wrote to the observation",
+                             " as it returned from a function to an address that is not valid"};
+  return text_in(texts, address);
 }
 
 }  // namespace

@@ -75,17 +75,11 @@ std::string verdict_text(const PairComparison& pair, const PairReport& r,
            std::to_string(pair.courses.size()) + " of " + std::to_string(pair.fixtures.size()) +
            " fixtures are different; the others are copies of them";
   }
-  switch (pair.verdict) {
-    case ComparisonVerdict::first:
-      return one + " is better than " + other;
-    case ComparisonVerdict::second:
-      return other + " is better than " + one;
-    case ComparisonVerdict::equal:
-      return one + " and " + other + " are less than " + elo_text(run.test.equal_elo) +
-             " Elo apart";
-    case ComparisonVerdict::undecided:
-      break;
-  }
+  using enum ComparisonVerdict;
+  if (pair.verdict == first) return one + " is better than " + other;
+  if (pair.verdict == second) return other + " is better than " + one;
+  if (pair.verdict == equal)
+    return one + " and " + other + " are less than " + elo_text(run.test.equal_elo) + " Elo apart";
   return one + " and " + other + ": it cannot be said which is better";
 }
 

@@ -54,27 +54,15 @@ void read_area(const JsonReader& json, Event& event) {
 
 // The keys of an event besides "event", "marks" and "by".
 void expect_keys(const JsonReader& json, EventKind kind) {
-  switch (kind) {
-    case EventKind::goal:
-    case EventKind::save:
-    case EventKind::pass:
-      json.expect_object({"event", "marks", "by", "count"});
-      break;
-    case EventKind::no_goal:
-    case EventKind::no_foul:
-      json.expect_object({"event", "marks", "most"});
-      break;
-    case EventKind::touch:
-      json.expect_object({"event", "marks", "by", "count", "robot", "first"});
-      break;
-    case EventKind::pose:
-      json.expect_object(
-          {"event", "marks", "by", "robot", "pose", "of", "within", "within_angle", "for"});
-      break;
-    case EventKind::in_area:
-      json.expect_object({"event", "marks", "by", "robot", "area", "for"});
-      break;
-  }
+  using enum EventKind;
+  if (kind == goal || kind == save || kind == pass)
+    json.expect_object({"event", "marks", "by", "count"});
+  if (kind == no_goal || kind == no_foul) json.expect_object({"event", "marks", "most"});
+  if (kind == touch) json.expect_object({"event", "marks", "by", "count", "robot", "first"});
+  if (kind == pose)
+    json.expect_object(
+        {"event", "marks", "by", "robot", "pose", "of", "within", "within_angle", "for"});
+  if (kind == in_area) json.expect_object({"event", "marks", "by", "robot", "area", "for"});
 }
 
 Event read_event(const JsonReader& json, int robots) {

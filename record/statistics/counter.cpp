@@ -48,24 +48,8 @@ Vec2 seen_by(const PlayTick& tick, Team team, const Vec2& place) {
 
 GoalOrigin origin_of(const match::GoalCredit& credit) {
   if (credit.own_goal) return GoalOrigin::own_goal;
-  switch (credit.kind) {
-    case match::GoalKind::kick_off:
-      return GoalOrigin::kick_off;
-    case match::GoalKind::goal_kick:
-      return GoalOrigin::goal_kick;
-    case match::GoalKind::penalty:
-      return GoalOrigin::penalty;
-    case match::GoalKind::free_kick:
-      return GoalOrigin::free_kick;
-    case match::GoalKind::free_ball:
-      return GoalOrigin::free_ball;
-    case match::GoalKind::rebound:
-      return GoalOrigin::rebound;
-    case match::GoalKind::open_play:
-    case match::GoalKind::shoot_out:
-      return GoalOrigin::open_play;
-  }
-  return GoalOrigin::open_play;
+  // The kinds of goals have the names of origins, but for those of a shoot-out.
+  return from_string<GoalOrigin>(to_string(credit.kind)).value_or(GoalOrigin::open_play);
 }
 
 // Rounded to microseconds, so that a file has the very number that was counted.

@@ -48,16 +48,10 @@ const KeyFrame& TraceSampler::frame_at(double t) const {
 Vec2 TraceSampler::ball_at(double t) const {
   const KeyFrame& frame = frame_at(t);
   const double since = t - frame.ball_since;
-  switch (trace_.motion.type) {
-    case Motion::Type::none:
-      return frame.ball;
-    case Motion::Type::sine:
-      return frame.ball +
-             Vec2{trace_.motion.amplitude * std::sin(2.0 * pi * trace_.motion.frequency * since),
-                  0.0};
-    case Motion::Type::line:
-      return frame.ball + since * trace_.motion.velocity;
-  }
+  const Motion& motion = trace_.motion;
+  if (motion.type == Motion::Type::sine)
+    return frame.ball + Vec2{motion.amplitude * std::sin(2.0 * pi * motion.frequency * since), 0.0};
+  if (motion.type == Motion::Type::line) return frame.ball + since * motion.velocity;
   return frame.ball;
 }
 

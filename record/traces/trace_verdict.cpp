@@ -64,14 +64,8 @@ class TraceJudge {
   }
 
   Json judge() {
-    switch (trace_.state) {
-      case TraceState::PLACE:
-        return place();
-      case TraceState::HALF_TIME:
-        return wait_for_second_half();
-      default:
-        return play();
-    }
+    if (trace_.state == TraceState::PLACE) return place();
+    return trace_.state == TraceState::HALF_TIME ? wait_for_second_half() : play();
   }
 
  private:

@@ -2,6 +2,7 @@
 #include "server/firasim/convert.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mirocup::firasim {
@@ -35,35 +36,16 @@ FieldSizes sizes_of(const field::Field& field) {
 }
 
 Foul foul_of(referee::Restart restart) {
-  switch (restart) {
-    case referee::Restart::KICK_OFF:
-      return Foul::KICKOFF;
-    case referee::Restart::GOAL_KICK:
-      return Foul::GOAL_KICK;
-    case referee::Restart::PENALTY_KICK:
-      return Foul::PENALTY_KICK;
-    case referee::Restart::FREE_BALL:
-      return Foul::FREE_BALL;
-    case referee::Restart::FREE_KICK:
-      return Foul::FREE_KICK;
-    case referee::Restart::none:
-      break;
-  }
-  return Foul::STOP;
+  constexpr std::array fouls{Foul::STOP,         Foul::KICKOFF,   Foul::GOAL_KICK,
+                             Foul::PENALTY_KICK, Foul::FREE_BALL, Foul::FREE_KICK};
+  static_assert(fouls.size() == enum_names<referee::Restart>.size());
+  return fouls[static_cast<std::size_t>(restart)];
 }
 
 int half_of(const referee::LegProgress& progress) {
-  switch (progress.phase) {
-    case referee::Phase::FIRST_HALF:
-      return 1;
-    case referee::Phase::SECOND_HALF:
-      return 2;
-    case referee::Phase::EXTRA:
-      return progress.is_second_extra_half ? 4 : 3;
-    case referee::Phase::SHOOT_OUT:
-      return 5;
-  }
-  return 0;
+  if (progress.phase == referee::Phase::EXTRA) return progress.is_second_extra_half ? 4 : 3;
+  if (progress.phase == referee::Phase::SHOOT_OUT) return 5;
+  return progress.phase == referee::Phase::FIRST_HALF ? 1 : 2;
 }
 
 // Quadrant 1 is at the upper right on the wire; the next ones follow counter-clockwise.
