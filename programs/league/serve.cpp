@@ -158,9 +158,8 @@ void add_serve(system::Commands& commands) {
   command.option("--at [HOST:]PORT", o.at,
                  "Where to listen: [HOST:]PORT, or unix:PATH for a proxy (default: this host only, "
                  "any free port)");
-  command
-      .option("--base PATH", o.base,
-              "Path at which a proxy shows the league, as /spring, if the proxy passes it on");
+  command.option("--base PATH", o.base,
+                 "Path at which a proxy shows the league, as /spring, if the proxy passes it on");
   const system::Option hand_in = command.flag(
       "--hand-in", o.hand_in, "Also take entries from teams that have a token (league token)");
   command.jobs(o.jobs, "checks").needs(hand_in);

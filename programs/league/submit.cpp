@@ -88,8 +88,7 @@ Result<int> run_submit(const SubmitOptions& options) {
   return done.is_accepted ? exit_yes : exit_no;
 }
 
-struct TakeOptions {
-  std::string folder;
+struct TakeOptions : LeagueOptions {
   std::string team;
   int entry = 0;
 };
@@ -111,10 +110,9 @@ Result<int> run_take(const TakeOptions& options) {
 }  // namespace
 
 void add_take(system::Commands& commands) {
-  const auto [command, o] =
-      commands.add(run_take, "take", to_take, "Let an entry play that came after the deadline",
-                   {"mirocup league take spring alpha 7"});
-  add_folder(command, o.folder);
+  const auto [command, o] = add_command(commands, run_take, "take", to_take,
+                                        "Let an entry play that came after the deadline",
+                                        {"mirocup league take spring alpha 7"});
   command.option("TEAM", o.team, "Name of the team").required();
   command.option("ENTRY", o.entry, "Number of the entry, as status --entries shows it").required();
 }

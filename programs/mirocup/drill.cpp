@@ -289,9 +289,8 @@ void add_drill(system::Commands& commands) {
   command.option("TEAM", o.teams,
                  "Teams to be tested: paths of libraries or names of house teams; NAME=TEAM: the "
                  "name in the report");
-  command
-      .option("--league DIR", o.league,
-              "Test the present entry of each team of this league, as well");
+  command.option("--league DIR", o.league,
+                 "Test the present entry of each team of this league, as well");
   command
       .option("--tries NUMBER", o.tries,
               "Number of tries of each drill (default: the number in the drill's file)")

@@ -37,8 +37,8 @@ league::Portal& desk() {
             },
         .neighbours = [](const std::string&) { return std::vector<std::string>(); },
         .house = {"striker"},
-        .replay = [](const std::string&,
-                     const auto&) { return std::optional<std::string>("replay"); }};
+        .replay = [](const std::string&, const auto&,
+                     const std::string&) { return std::optional<std::string>("replay"); }};
     options.now = [] { return std::int64_t{1'795'000'000}; };
     const league::Folder place{folder / "."};
     (void)disk.write(place.config(), league::print_league_file({}));
