@@ -105,14 +105,6 @@ std::string fouls_in_words(const TeamStatistics& own) {
   return text.empty() ? "none" : text;
 }
 
-// The team's colour in a leg; nothing if it did not play in it.
-std::optional<Team> colour_of(const LegReport& leg, const std::string& name) {
-  for (const Team team : both_teams) {
-    if (leg.names[index_of(team)] == name) return team;
-  }
-  return std::nullopt;
-}
-
 std::string loss_in_words(const std::optional<statistics::Loss>& loss, const statistics::Goal& goal,
                           double period) {
   if (!loss) return "";
@@ -234,12 +226,11 @@ std::string team_statistics_html(const Overview& o, int team) {
   Json goals = Json::array();
   for (const std::size_t index : o.decided_legs[team]) {
     const LegView& leg = o.legs[index];
-    const auto colour =
-        leg.report != nullptr ? colour_of(*leg.report, o.state.name(team)) : std::nullopt;
-    if (!colour) continue;
-    all.add(leg.report->statistics, *colour);
-    by_colour[index_of(*colour)].add(leg.report->statistics, *colour);
-    add_goals_against(o.state, leg, *colour, goals);
+    if (leg.report == nullptr) continue;
+    const Team colour = leg.is_blue(team) ? Team::blue : Team::yellow;
+    all.add(leg.report->statistics, colour);
+    by_colour[index_of(colour)].add(leg.report->statistics, colour);
+    add_goals_against(o.state, leg, colour, goals);
   }
   if (all.legs == 0) return "";
   Json numbers = numbers_table("");

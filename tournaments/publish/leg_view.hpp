@@ -39,6 +39,7 @@ struct LegView {
   bool is_by_lot() const;
   bool is_of(int team) const { return home == team || away == team; }
   int other(int team) const { return team == home ? away : home; }
+  bool is_blue(int team) const { return (leg % 2 == 1) == (team == home); }  // blue_team()
   int goals(int team) const;
   int goals_against(int team) const { return goals(other(team)); }
   // Returns 'W', 'D' or 'L' for a team of a decided leg.

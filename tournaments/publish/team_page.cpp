@@ -36,11 +36,6 @@ struct TotalsRow {
   }
 };
 
-// The home team is blue in odd legs.
-bool is_blue(const LegView& leg, int team) {
-  return (leg.leg % 2 == 1) == (leg.home == team);
-}
-
 using PlayedLegs = std::vector<const LegView*>;
 
 PlayedLegs played_legs(const Overview& o, int team) {
@@ -55,7 +50,7 @@ Json totals_values(const Overview& o, int team, const PlayedLegs& legs) {
   TotalsRow yellow;
   for (const LegView* leg : legs) {
     all.add(*leg, team, o.state.name(team));
-    (is_blue(*leg, team) ? blue : yellow).add(*leg, team, o.state.name(team));
+    (leg->is_blue(team) ? blue : yellow).add(*leg, team, o.state.name(team));
   }
   return Json::array({all.values("All"), blue.values("As blue"), yellow.values("As yellow")});
 }

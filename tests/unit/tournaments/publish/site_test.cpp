@@ -97,7 +97,7 @@ std::string page(const std::vector<SiteFile>& site, const std::string& name) {
 // fell against it.
 TEST(Site, ShowsTheStatisticsOfItsLegs) {
   statistics::LegReport leg;
-  leg.leg = "r1-f1 leg 1";
+  leg.leg = "r3-f1 leg 2";  // a plays in blue
   leg.state_hash = 0x0123456789abcdef;
   leg.names = {"a", "b"};
   statistics::TeamStatistics& blue = leg.statistics.teams[0];
@@ -114,7 +114,7 @@ TEST(Site, ShowsTheStatisticsOfItsLegs) {
   goal.loss = statistics::Loss{.tick = 900, .kind = statistics::LossKind::save};
   leg.statistics.goals.push_back(goal);
 
-  const auto site = make_site({state_after({{0, 1}}), {{"records/x.json", {{}, leg}}}});
+  const auto site = make_site({state_after({{2, 2}}), {{"records/x.json", {{}, leg}}}});
   const auto text_of = [&](const std::string& name) {
     const auto found = std::find_if(site.begin(), site.end(),
                                     [&](const SiteFile& file) { return file.name == name; });
@@ -141,7 +141,7 @@ TEST(Site, ShowsTheStatisticsOfItsLegs) {
   EXPECT_EQ(text_of("teams/a.html").find("How goals fell"), std::string::npos);
   EXPECT_EQ(text_of("teams/c.html").find("<h2>Play</h2>"), std::string::npos) << "has not played";
   leg.state_hash ^= 1;
-  const auto other = make_site({state_after({{0, 1}}), {{"records/x.json", {{}, leg}}}});
+  const auto other = make_site({state_after({{2, 2}}), {{"records/x.json", {{}, leg}}}});
   EXPECT_EQ(page(other, "index.html").find("<h2>Statistics</h2>"), std::string::npos)
       << "the journal has another leg";
 }
