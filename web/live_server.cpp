@@ -20,11 +20,9 @@ constexpr std::uint64_t statistics_every = 30;  // states
 constexpr auto close_timeout = 1500ms;          // for the viewers to receive the result
 constexpr auto look_interval = 33ms;            // between two checks whether they have it
 
-Json decisions_json(const std::vector<match::LoggedDecision>& decisions, std::size_t from) {
+Json decisions_json(const std::vector<match::LoggedDecision>& decisions) {
   Json calls = Json::array();
-  for (std::size_t i = from; i < decisions.size(); ++i) {
-    calls.push_back(record::to_json(decisions[i]));
-  }
+  for (const auto& decision : decisions) calls.push_back(record::to_json(decision));
   return calls;
 }
 
@@ -75,9 +73,9 @@ std::string LiveFeed::news(Viewer& viewer) const {
 
   std::string text;
   if (!viewer.has_started) {
-    text += event_text("start", {{"decisions", decisions_json(decisions, 0)}});
+    text += event_text("start", {{"decisions", decisions_json(decisions)}});
   } else {
-    for (const Json& call : decisions_json(decisions, 0)) text += event_text("call", call);
+    for (const Json& call : decisions_json(decisions)) text += event_text("call", call);
   }
   viewer.has_started = true;
   viewer.decisions += decisions.size();

@@ -69,10 +69,6 @@ Json calls_as_text(const Json& decisions, const match::ByTeam<std::string>& name
   return calls;
 }
 
-std::string field_picture(const match::Leg& leg) {
-  return picture(leg.field(), leg.setup().parameters, {leg.snapshot(), {}});
-}
-
 std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
                  const Json& data, const std::string& proof = "",
                  ModulePlace module = ModulePlace::nowhere, const std::string& links = "") {
@@ -87,7 +83,7 @@ std::string page(const match::Leg& first_moment, const match::ByTeam<std::string
               {"has_proof", !proof.empty()},
               {"proof", proof},
               {"style", page_style()},
-              {"picture", field_picture(first_moment)},
+              {"picture", picture(first_moment)},
               {"data", embedded(data)},
               {"script", code},
               {"score", "0 : 0"},
@@ -287,7 +283,7 @@ std::optional<Json> data_of_page(std::string_view html) {
 }
 
 std::string first_picture(const record::MatchRecord& record) {
-  return field_picture(match::Leg(record.recording.setup));
+  return picture(match::Leg(record.recording.setup));
 }
 
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,

@@ -95,4 +95,8 @@ std::string picture(const field::Field& field, const simulator::Parameters& para
   return svg;
 }
 
+std::string picture(const match::Leg& leg) {
+  return picture(leg.field(), leg.setup().parameters, {leg.snapshot(), {}});
+}
+
 }  // namespace mirocup::web

@@ -20,4 +20,7 @@ struct Moment {
 std::string picture(const field::Field& field, const simulator::Parameters& parameters,
                     const Moment& moment);
 
+// The present moment of a leg.
+std::string picture(const match::Leg& leg);
+
 }  // namespace mirocup::web

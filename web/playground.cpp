@@ -50,8 +50,7 @@ Result<std::optional<std::string>> playground_page(system::Files& files) {
     const match::Leg leg(setup);
     data["leagues"][name] = {{"robots", leg.field().robots_per_team},
                              {"zones", zones_json(leg.field())}};
-    pictures.push_back({{"league", name},
-                        {"picture", picture(leg.field(), setup.parameters, {leg.snapshot(), {}})}});
+    pictures.push_back({{"league", name}, {"picture", picture(leg)}});
   }
   const std::string code = page_script(modules);
   return filled(asset, "playground.html",

@@ -6,11 +6,7 @@
 // Returns the address of a path of the API: the league may be below a path of the server.
 const here = (path) => new URL(path.slice(1), import.meta.url);
 
-const form = document.getElementById('hand-in');
-const file = document.getElementById('file');
-const sent = document.getElementById('sent');
-const answer = document.getElementById('answer');
-const log = document.getElementById('log');
+const [form, file, sent, answer, log] = ['hand-in', 'file', 'sent', 'answer', 'log'].map((id) => document.getElementById(id));
 const button = form.querySelector('button');
 
 const pause = 2000;  // ms between two questions, where there are no events

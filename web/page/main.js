@@ -307,20 +307,13 @@ function onKey(event) {
 }
 
 function connectControls() {
-  by('play').addEventListener('click', () => player.toggle());
-  by('back').addEventListener('click', () => player.step(-1));
-  by('forward').addEventListener('click', () => player.step(1));
-  by('previous').addEventListener('click', () => toCall(-1));
-  by('next').addEventListener('click', () => toCall(1));
-  by('link').addEventListener('click', copyLink);
-  by('play-on').addEventListener('click', playOn);
-  by('save').addEventListener('click', saveSituation);
-  by('live').addEventListener('click', () => player.follow());
-  by('reel').addEventListener('click', toggleReel);
-  by('loop').addEventListener('click', toggleLoop);
-  by('full').addEventListener('click', toggleFull);
+  const acts = {
+    play: () => player.toggle(), back: () => player.step(-1), forward: () => player.step(1), live: () => player.follow(),
+    previous: () => toCall(-1), next: () => toCall(1), reel: toggleReel, loop: toggleLoop, full: toggleFull,
+    link: copyLink, 'play-on': playOn, save: saveSituation, clip: saveClip,
+  };
+  for (const [id, act] of Object.entries(acts)) by(id).addEventListener('click', act);
   by('clip').hidden = !canRecord();
-  by('clip').addEventListener('click', saveClip);
   for (const name of Object.keys(layers.isOn)) by(name).addEventListener('change', () => toggleLayer(name));
   by('speed').addEventListener('change', () => { player.speed = Number(by('speed').value); });
   by('scrub').addEventListener('input', () => player.seek(Number(by('scrub').value) * leg.period));

@@ -10,15 +10,8 @@ const asGoodAs = 0.002;  // s: below this gap the follower is up to date
 export class Player {
   // `changed` is called whenever the page must be redrawn.
   constructor(track, reel, changed) {
-    this.track = track;
-    this.reel = reel;
-    this.changed = changed;
-    this.isLooping = false;
-    this.time = 0;
-    this.speed = 1;
-    this.isPlaying = false;
-    this.isFollowing = false;
-    this.before = 0;
+    Object.assign(this, { track, reel, changed, time: 0, speed: 1, before: 0 });
+    this.isLooping = this.isPlaying = this.isFollowing = false;
   }
 
   get begin() { return this.track.firstTick * this.track.period; }

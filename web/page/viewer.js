@@ -10,9 +10,7 @@ export class Viewer {
   // `svg`: the picture of the first moment; `leg`: {period, robots, zones}. `keepersNow()`: the keepers when the track does not
   // know them, or null.
   constructor(svg, { period, robots, zones }, keepersNow = () => null) {
-    this.svg = svg;
-    this.robots = robots;
-    this.track = new Track(period);
+    Object.assign(this, { svg, robots, track: new Track(period) });
     this.moments = [];  // {tick, state, phase, left, score}: from that tick on
     this.keepers = [];  // [tick, blue's, yellow's]: from that tick on
     this.field = new FieldView(svg);
