@@ -24,10 +24,11 @@ std::array<unsigned char, SHA256_DIGEST_LENGTH> digest_of(std::string_view bytes
 
 std::string hexadecimal(const std::array<unsigned char, SHA256_DIGEST_LENGTH>& digest) {
   constexpr char digits[] = "0123456789abcdef";
-  std::string text;
+  std::string text(2 * digest.size(), '0');
+  char* next = text.data();  // books of leagues have a digest in each line
   for (const unsigned char byte : digest) {
-    text += digits[byte >> 4];
-    text += digits[byte & 15];
+    *next++ = digits[byte >> 4];
+    *next++ = digits[byte & 15];
   }
   return text;
 }

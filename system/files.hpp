@@ -188,7 +188,7 @@ class IncomingFile {
 };
 
 // The real disk. The class has no state, so any number of objects may be used from any thread.
-class Disk final : public Files {
+class Disk : public Files {
  public:
   Result<std::string> read(const std::string& path, const ReadOptions& options) override;
   Result<std::string> read_from(const std::string& path, std::size_t offset,

@@ -3,6 +3,7 @@
 
 #include "record/json_fields.hpp"
 #include "system/printable.hpp"
+#include "tournaments/league/submission.hpp"
 
 #include <algorithm>
 
@@ -15,17 +16,6 @@ using record::text_in;
 
 constexpr std::size_t shown_lines = 50;      // of the beginning of a log, and of its end
 constexpr std::size_t shown_bytes = 16'384;  // of each
-
-// The verdict of an entry that is kept; null if it was not checked.
-Result<Json> verdict_of(system::Files& files, const Folder& folder, const HandedIn& handed) {
-  if (!handed.is_kept()) return Json();
-  const std::string path = folder.verdict(handed.team, handed.entry);
-  MIROCUP_TRY(const auto text, files.read_if_there(path, {.max_size = system::size_limit::note}));
-  if (!text) return Json();
-  return record::read_json<Json>(*text, path, Errc::damaged, [](const record::JsonReader& json) {
-    return json.expect_object() ? json.json() : Json();
-  });
-}
 
 // Returns the list at a key of an object; an empty list if the object has no such list.
 const Json& list_in(const Json& object, const char* key) {
@@ -73,7 +63,8 @@ Result<Json> entry_report(system::Files& files, const Folder& folder, const Hand
     report["reason"] = Json();
     report["message"] = Json();
   } else {
-    MIROCUP_TRY(const Json verdict, verdict_of(files, folder, handed));
+    MIROCUP_TRY(const Json verdict,
+                handed.is_kept() ? read_verdict(files, folder, handed.team, handed.entry) : Json());
     const std::string reason = text_in(verdict, "reason");
     const bool has_reason = handed.state != HandInState::accepted;
     report["reason"] = has_reason ? or_null(reason.empty() ? message : reason) : Json();

@@ -5,7 +5,6 @@
 #include "record/json_reader.hpp"
 #include "record/match_record.hpp"
 #include "record/thoughts_file.hpp"
-#include "system/printable.hpp"
 #include "tournaments/handin/replies.hpp"
 
 #include <algorithm>
@@ -179,40 +178,23 @@ Json FriendlyDesk::list(const std::string& team, LegCosts& costs) {
   return list;
 }
 
-web::Reply FriendlyDesk::show(const std::string& visitor, std::string_view rest,
-                              const std::string& root) {
-  const auto nothing = [&] {
-    return problem_reply(404, visitor + " has played no friendly of this name");
-  };
-  if (!rest.starts_with('/')) return nothing();
-  rest.remove_prefix(1);
-  const std::size_t first = std::min(rest.find('/'), rest.size());
-  const std::size_t second = std::min(rest.find('/', first + 1), rest.size());
-  if (second == rest.size()) return nothing();
-  const std::string team(rest.substr(0, first));
-  const auto number = number_of(rest.substr(first + 1, second - first - 1));
-  const std::string_view what = rest.substr(second + 1);
+web::Reply FriendlyDesk::show(const std::string& visitor, const std::string& team,
+                              std::string_view number, std::string_view what, const std::string& root) {
   std::optional<Friendly> known;
   {
     const std::lock_guard lock(state_.mutex);
-    const Friendly* found = number ? state_.book.friendlies().find(team, *number) : nullptr;
+    const Friendly* found = state_.book.friendlies().find(team, number_of(number).value_or(0));
     if (found != nullptr) known = *found;
   }
   const bool may_see =
       known && (known->team == visitor || (known->opponent == visitor && !known->is_burst));
-  if (!may_see || known->state != FriendlyState::played) return nothing();
-  const std::string record = state_.folder.friendly(team, *number);
-  if (!state_.files.exists(record)) return nothing();
-  if (what == "log") {
-    const std::string path = log_path(state_.folder, leg_of(*known, visitor));
-    const auto log = state_.files.read_if_there(path, {.max_size = system::size_limit::log});
-    if (!log) return host_failed(log.error());
-    return {.status = 200, .bytes = system::printable(log->value_or(""), system::LineEnds::kept)};
-  }
-  if (what != "replay") return nothing();
-  auto page = state_.options.friendlies.replay(record, own_side(leg_of(*known, visitor)), root);
-  if (!page) return problem_reply(503, "the replay cannot be made here");
-  return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
+  const std::string record = may_see ? state_.folder.friendly(team, known->number) : "";
+  if (!may_see || known->state != FriendlyState::played || !state_.files.exists(record) ||
+      (what != "log" && what != "replay"))
+    return problem_reply(404, visitor + " has played no friendly of this name");
+  const OwnLeg leg = leg_of(*known, visitor);
+  return what == "log" ? log_reply(state_.files, log_path(state_.folder, leg))
+                       : replay_reply(state_.options.friendlies.replay(record, own_side(leg), root));
 }
 
 std::optional<Friendly> FriendlyDesk::begin_next() {

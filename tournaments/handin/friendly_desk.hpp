@@ -33,9 +33,10 @@ class FriendlyDesk {
   // null if the marks are not known.
   Json drills_of(const std::string& team, int entry) const;
 
-  // GET below the path of friendlies, "/TEAM/NUMBER/log" or "/TEAM/NUMBER/replay".
-  // `root` is web::root_of() the whole path.
-  web::Reply show(const std::string& visitor, std::string_view rest, const std::string& root);
+  // Shows the log or the replay of a leg; `what` is "log" or "replay". `root` is web::root_of() the
+  // path of the request.
+  web::Reply show(const std::string& visitor, const std::string& team, std::string_view number,
+                  std::string_view what, const std::string& root);
 
   // For the runner. When no leg waits, begin_next() returns the drills of an entry. A leg is void
   // after the host has failed in it several times. A leg that was stopped for a check waits again.

@@ -2,7 +2,6 @@
 #include "tournaments/handin/portal.hpp"
 
 #include "record/json_reader.hpp"
-#include "system/printable.hpp"
 #include "system/text.hpp"
 #include "tournaments/handin/progress.hpp"
 #include "tournaments/handin/replies.hpp"
@@ -79,12 +78,12 @@ std::span<const Portal::Route> Portal::routes() {
       Route{"GET", "/api/v1/legs/*/log", known, entries_of_team, &Portal::show_log},
       Route{"GET", "/api/v1/friendlies", team, api, &Portal::list_friendlies},
       Route{"POST", "/api/v1/friendlies", team, api, &Portal::ask_friendly},
-      Route{"GET", "/api/v1/friendlies/**", team, api, &Portal::show_friendly},
+      Route{"GET", "/api/v1/friendlies/*/*/*", team, api, &Portal::show_friendly},
       Route{"GET", "/hand-in", known, page, &Portal::desk},
       Route{"GET", "/hand-in/", everybody, page, &Portal::lead_to_desk},
       Route{"GET", "/hand-in/entries/*", team, page, &Portal::entry_page_of},
       Route{"GET", "/hand-in/entries/*/replay", team, page, &Portal::entry_replay},
-      Route{"GET", "/hand-in/friendlies/**", team, page, &Portal::show_friendly},
+      Route{"GET", "/hand-in/friendlies/*/*/*", team, page, &Portal::show_friendly},
       Route{"GET", "/hand-in/replays/**", known, api, &Portal::own_replay},
       Route{"POST", "/hand-in/log-in", everybody, page, &Portal::log_in},
       Route{"POST", "/hand-in/log-out", everybody, page, &Portal::log_out},
@@ -255,7 +254,7 @@ web::Reply Portal::own_replay(const Call& call) {
     auto page =
         state_.options.replay(name_of_leg(leg), sees_all ? record::of_both : own_side(leg), links);
     if (!page) break;
-    return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
+    return replay_reply(std::move(page));
   }
   return problem_reply(404, "your team has no leg of this name");
 }
@@ -282,11 +281,9 @@ web::Reply Portal::entry_replay(const Call& call) {
   if (auto* refused = std::get_if<web::Reply>(&entry)) return std::move(*refused);
   if (!std::get<Json>(entry).contains("replay"))
     return problem_reply(404, call.team + " has no entry of this number");
-  auto page = state_.options.friendlies.replay(
+  return replay_reply(state_.options.friendlies.replay(
       state_.folder.gate_leg(call.team, *number_of(call.parts.front())), record::of_nobody,
-      web::root_of(call.request.path));
-  if (!page) return problem_reply(503, "the replay cannot be made here");
-  return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
+      web::root_of(call.request.path)));
 }
 
 web::Reply Portal::team_page(const std::string& team, int before) {
@@ -334,7 +331,7 @@ web::Reply Portal::ask_friendly(const Call& call) {
 }
 
 web::Reply Portal::show_friendly(const Call& call) {
-  return friendlies_.show(call.team, "/" + std::string(call.parts.front()),
+  return friendlies_.show(call.team, std::string(call.parts[0]), call.parts[1], call.parts[2],
                           web::root_of(call.request.path));
 }
 
@@ -397,10 +394,7 @@ web::Reply Portal::show_log(const Call& call) {
   // Only a leg of the team has a name that is looked for; no path comes from the request.
   for (const OwnLeg& leg : state_.options.legs(call.visitor.viewer(), call.team)) {
     if (leg.record.empty() || call.parts.front() != name_of_leg(leg)) continue;
-    const std::string path = log_path(state_.folder, leg);
-    const auto log = state_.files.read_if_there(path, {.max_size = system::size_limit::log});
-    if (!log) return host_failed(log.error());
-    return {.status = 200, .bytes = system::printable(log->value_or(""), system::LineEnds::kept)};
+    return log_reply(state_.files, log_path(state_.folder, leg));
   }
   return problem_reply(404, call.team + " has played no leg of this name");
 }
@@ -474,6 +468,7 @@ void Portal::set_step(const std::string& team, int entry, const CheckStep& step)
 
 Result<Submission> Portal::conclude(const std::string& team, int entry) {
   MIROCUP_TRY(auto verdict, read_verdict(state_.files, state_.folder, team, entry));
+  if (verdict.is_null()) return fail(Errc::host, team + ": its check has left no verdict");
   MIROCUP_TRY(auto booking, Booking::begin(state_.files, state_.folder));
   const std::lock_guard lock(state_.mutex);
   MIROCUP_TRY_VOID(state_.book.refresh());

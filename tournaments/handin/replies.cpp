@@ -3,6 +3,9 @@
 
 #include "record/json_reader.hpp"
 #include "system/number_of.hpp"
+#include "system/printable.hpp"
+
+#include <utility>
 
 namespace mirocup::league {
 
@@ -12,6 +15,17 @@ web::Reply json_reply(int status, const nlohmann::ordered_json& json) {
 
 web::Reply problem_reply(int status, const std::string& why) {
   return json_reply(status, {{"error", why}});
+}
+
+web::Reply log_reply(system::Files& files, const std::string& path) {
+  const auto log = files.read_if_there(path, {.max_size = system::size_limit::log});
+  if (!log) return host_failed(log.error());
+  return {.status = 200, .bytes = system::printable(log->value_or(""), system::LineEnds::kept)};
+}
+
+web::Reply replay_reply(std::optional<std::string> page) {
+  if (!page) return problem_reply(503, "the replay cannot be made here");
+  return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
 }
 
 web::Reply host_failed(const Error&) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The replies of the HTTP API: JSON; after a failure, {"error"} with a sentence.
+// The replies of the HTTP API: JSON, logs, replays; after a failure, {"error"} with a sentence.
 #pragma once
 
-#include "core/base/error.hpp"
+#include "system/files.hpp"
 #include "web/http/request.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,6 +16,12 @@ namespace mirocup::league {
 
 web::Reply json_reply(int status, const nlohmann::ordered_json& json);
 web::Reply problem_reply(int status, const std::string& why);
+
+// Shows a log as it may be printed; an empty one if there is none.
+web::Reply log_reply(system::Files& files, const std::string& path);
+
+// Shows the page of a replay, or says that it could not be made.
+web::Reply replay_reply(std::optional<std::string> page);
 
 // Returns a 503 without the reason, which a stranger may not learn.
 web::Reply host_failed(const Error&);

@@ -16,9 +16,10 @@ template <class... Kinds>
 std::optional<std::variant<Kinds...>> read_kind(const record::JsonReader& line,
                                                 std::type_identity<std::variant<Kinds...>>) {
   const record::JsonReader name = line.at("kind");
+  const auto* kind = name.json().get_ptr<const std::string*>();
   std::optional<std::variant<Kinds...>> read;
   const auto read_if_named = [&]<class Kind>(std::type_identity<Kind>) {
-    if (name.json() == Kind::kind) read = record::read_fields<Kind>(line);
+    if (kind != nullptr && *kind == Kind::kind) read = record::read_fields<Kind>(line);
   };
   (read_if_named(std::type_identity<Kinds>()), ...);
   if (!read) name.complain("no kind of journal line is called " + name.quoted());

@@ -421,8 +421,9 @@ Result<Json> check_entry(system::Files& files, const Folder& folder, const Hande
 Result<Json> read_verdict(system::Files& files, const Folder& folder, const std::string& team,
                           int number) {
   const std::string path = folder.verdict(team, number);
-  MIROCUP_TRY(const auto text, files.read(path, {.max_size = system::size_limit::note}));
-  return record::read_json<Json>(text, path, Errc::damaged, verdict_in);
+  MIROCUP_TRY(const auto text, files.read_if_there(path, {.max_size = system::size_limit::note}));
+  if (!text) return Json();
+  return record::read_json<Json>(*text, path, Errc::damaged, verdict_in);
 }
 
 Result<Submission> Booking::conclude(Book& book, const std::string& team, int entry, Json verdict,

@@ -66,7 +66,7 @@ Result<void> follow_book(system::Files& files, LeagueStore& store, const HandIns
 Result<Json> check_entry(system::Files& files, const Folder& folder, const HandedIn& handed,
                          int compile_seconds = 60);
 
-// Returns the verdict of an entry whose check has ended.
+// Returns the verdict that a check has left; null if there is none.
 Result<Json> read_verdict(system::Files& files, const Folder& folder, const std::string& team,
                           int number);
 

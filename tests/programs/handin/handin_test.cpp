@@ -597,6 +597,7 @@ TEST_F(HandIn, LosesAndDoublesNothingByKills) {
   }
   std::mt19937 random(1);
   std::map<std::pair<std::string, int>, std::string> taken;  // bytes of each entry
+  write_file(temporary_ / "bad.so", "no library");
   serve({"--jobs", "2"});
   int number = 0;
   for (int kills = 0; kills < most; ++kills) {
@@ -609,8 +610,13 @@ TEST_F(HandIn, LosesAndDoublesNothingByKills) {
       const int entry = ordered_json::parse(reply.body)["entry"].get<int>();
       EXPECT_TRUE(taken.emplace(std::pair(team, entry), bytes).second) << "numbered twice";
     }
+    // The host hands in, too, and a team takes its pin back.
+    Running host(league("submit", folder_, {"beta", temporary_ / "bad.so"}));
+    ask("PUT", "/api/v1/pin?entry=latest", tokens.begin()->second);
     usleep(static_cast<useconds_t>(random() % 200'000));
+    if (random() % 2 == 0) host.signal(SIGKILL);
     kill_one_below(server_->pid(), random);
+    host.wait();
     usleep(20'000);
     if (kill(server_->pid(), 0) != 0 ||
         read_file("/proc/" + std::to_string(server_->pid()) + "/cmdline").empty()) {

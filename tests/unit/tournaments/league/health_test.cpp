@@ -141,30 +141,5 @@ TEST_F(LeagueHealth, OfRecordsWithoutALine) {
   EXPECT_EQ(found({"r1-f1-1-1", "r1-f1-1-2"}), std::pair(false, Names{}));
 }
 
-// Catches an exception that nobody catches: the chain of hashes is right, and the value is of
-// another type.
-TEST_F(LeagueHealth, OfABookWithValuesOfOtherTypes) {
-  const std::pair<const char*, Json> wrong[] = {
-      {"team", 5},       {"team", Json::array()}, {"entry", "x"},
-      {"entry", Json()}, {"entry", 1e300},        {"at", "x"},
-      {"at", -1},        {"at", 1e300},
-  };
-  for (const auto& [key, value] : wrong) {
-    (void)disk_.remove(folder_.hand_in_book());
-    auto book = Journal::open(disk_, folder_.hand_in_book());
-    ASSERT_TRUE(book);
-    Json line{{"team", "a"},   {"entry", 1}, {"at", noon},     {"file", "a.so"},
-              {"sha256", "x"}, {"bytes", 1}, {"network", true}};
-    line[key] = value;
-    ASSERT_TRUE(test_support::is_ok(book->append("hand_in", line)));
-    const auto found = health(disk_, *LeagueStore::open(disk_, folder_), noon);
-    ASSERT_FALSE(found) << line;
-    EXPECT_EQ(found.error().code, Errc::damaged);
-    EXPECT_NE(found.error().what.find("hand-ins.jsonl: line 1: /" + std::string(key)),
-              std::string::npos)
-        << found.error().what;
-  }
-}
-
 }  // namespace
 }  // namespace mirocup::league
