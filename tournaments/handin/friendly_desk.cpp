@@ -179,7 +179,8 @@ Json FriendlyDesk::list(const std::string& team, LegCosts& costs) {
 }
 
 web::Reply FriendlyDesk::show(const std::string& visitor, const std::string& team,
-                              std::string_view number, std::string_view what, const std::string& root) {
+                              std::string_view number, std::string_view what,
+                              const std::string& root) {
   std::optional<Friendly> known;
   {
     const std::lock_guard lock(state_.mutex);
@@ -193,8 +194,9 @@ web::Reply FriendlyDesk::show(const std::string& visitor, const std::string& tea
       (what != "log" && what != "replay"))
     return problem_reply(404, visitor + " has played no friendly of this name");
   const OwnLeg leg = leg_of(*known, visitor);
-  return what == "log" ? log_reply(state_.files, log_path(state_.folder, leg))
-                       : replay_reply(state_.options.friendlies.replay(record, own_side(leg), root));
+  return what == "log"
+             ? log_reply(state_.files, log_path(state_.folder, leg))
+             : replay_reply(state_.options.friendlies.replay(record, own_side(leg), root));
 }
 
 std::optional<Friendly> FriendlyDesk::begin_next() {
