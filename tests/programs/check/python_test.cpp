@@ -42,10 +42,14 @@ class PythonTeams : public testing::Test {
 };
 
 TEST_F(PythonTeams, PlayTheSameLegInEachSandboxAndWithoutOne) {
+  // A helper that mixes up two numbers would end the leg.
   const std::string path = file(
-      team_that("return [drive_to(self.setup, r, (now.ball_x, now.ball_y + random.random() / 50)) "
+      team_that("assert ball(now) == (now.ball_x, now.ball_y)\n        "
+                "assert ball_velocity(now) == (now.ball_vx, now.ball_vy)\n        "
+                "assert moving_ball(now) == (ball(now), ball_velocity(now))\n        "
+                "return [drive_to(self.setup, r, (now.ball_x, now.ball_y + random.random() / 50)) "
                 "for r in now.own]",
-                "import random\n"));
+                "import random\nfrom mirocup.team import ball, ball_velocity, moving_ball\n"));
   std::string first;
   for (const std::vector<std::string>& how :
        {std::vector<std::string>{}, {"--isolation", "T1"}, {"--trusted"}}) {

@@ -5,6 +5,7 @@
 #include "tournaments/league/health.hpp"
 
 #include "system/clock.hpp"
+#include "system/file_lock.hpp"
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tournaments/league/book.hpp"
