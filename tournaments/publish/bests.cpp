@@ -5,6 +5,8 @@
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/site_file.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
