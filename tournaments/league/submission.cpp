@@ -190,6 +190,7 @@ Result<std::optional<Json>> compile(system::Files& files, const Folder& folder,
   if (!done.is_done() && is_available)
     return tl::unexpected(failure(files, done, folder.check_log(team, number)));
   if (done.is_done() && done.exit.code == exit_yes) return std::nullopt;
+  MIROCUP_TRY_VOID(files.write(folder.library(team, number), "", system::Readers::owner));
   // This computer compiles nothing, or not this source: a sentence for the team.
   std::string reason = done.text(is_available ? "reason" : "error");
   const std::string said = done.text("log");

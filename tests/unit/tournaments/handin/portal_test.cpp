@@ -492,8 +492,8 @@ TEST_F(Desk, PinsAnAcceptedVersionOfItsTeam) {
   EXPECT_EQ(pin(alpha_, "latest"), 429);
 }
 
-// kills_test.cpp has the kills. Catches a team that joins again after the host has taken it out, and
-// files of an entry that was dropped.
+// kills_test.cpp has the kills. Catches a team that joins again after the host has taken it out,
+// and files of an entry that was dropped.
 TEST_F(Desk, DoesWhatAKilledProcessHasLeftUndoneAndNothingTwice) {
   for (const char* library : {"one", "two"}) keep_entry(disk_, folder_, "gamma", library);
   auto book = Book::open(disk_, folder_);
