@@ -4,7 +4,10 @@
 // video of a part.
 #include "programs/mirocup/clip.hpp"
 #include "programs/mirocup/commands.hpp"
+#include "record/clock_words.hpp"
 #include "record/statistics/statistics_json.hpp"
+#include "system/number_of.hpp"
+#include "system/text.hpp"
 #include "web/page.hpp"
 #include "web/picture.hpp"
 
@@ -13,6 +16,7 @@
 #include <filesystem>
 #include <spawn.h>
 #include <unistd.h>
+#include <variant>
 
 namespace mirocup::app {
 
@@ -21,7 +25,7 @@ namespace {
 struct ReplayOptions {
   std::string record;
   std::string output;
-  std::optional<double> at;  // s since the match began
+  std::optional<std::string> at;  // a moment: s since the match began, or "second half 0:10"
   bool svg = false;
   std::string clip;  // "12:18", seconds since the match began; "": none
   bool no_times = false;
@@ -36,12 +40,31 @@ struct ReplayOptions {
 
 constexpr double trail_seconds = 1.0;
 
+// A moment of a leg: seconds since it began, or its clock.
+using LegMoment = std::variant<double, record::ClockTime>;
+
+Result<LegMoment> moment_of(const std::string& text) {
+  const auto seconds = system::number_of<double>(text);
+  if (seconds && *seconds >= 0.0 && *seconds <= 1e6) return *seconds;
+  if (const auto clock = record::clock_time_of(text)) return *clock;
+  return fail(Errc::input, "--at " + system::in_quotes(text) +
+                               ": seconds since the match began (0 to 1e6) are expected, or the "
+                               "clock, as in \"second half 0:10\"");
+}
+
+bool is_before(const match::Leg& leg, const LegMoment& moment) {
+  if (const double* seconds = std::get_if<double>(&moment))
+    return leg.tick() * leg.setup().control_period < *seconds;
+  const match::Snapshot now = leg.view();
+  return record::ClockTime{now.phase, now.clock} < std::get<record::ClockTime>(moment);
+}
+
 tl::expected<std::string, replay::Divergence> picture_at(const replay::Recording& recording,
-                                                         double time) {
+                                                         const LegMoment& asked) {
   replay::Playback playback(recording);
   const double period = recording.setup.control_period;
   std::vector<Vec2> balls;
-  while (playback.leg().tick() * period < time) {
+  while (is_before(playback.leg(), asked)) {
     if (playback.leg().is_over()) {
       std::cerr << "mirocup: the leg is over after " << playback.leg().tick() * period
                 << " s; the picture shows the last moment of the leg\n";
@@ -146,6 +169,7 @@ Result<int> run_replay(const ReplayOptions& options) {
   if (options.svg && !options.statistics.empty()) {
     return fail(Errc::input, "--statistics belongs to a page, not to a picture of a moment");
   }
+  MIROCUP_TRY(const auto moment, moment_of(options.at.value_or("0")));
   system::Disk disk;
   MIROCUP_TRY(const auto record, record::load(disk, options.record));
   const bool shows_own = !options.svg && !options.public_page;
@@ -160,7 +184,7 @@ Result<int> run_replay(const ReplayOptions& options) {
   web::ReplayPage shown;
   const auto made =
       options.svg
-          ? picture_at(record.recording, *options.at)
+          ? picture_at(record.recording, moment)
           : web::replay_page(named, times, own, proof,
                              shows_own ? web::Wheels::shown : web::Wheels::left_out, options.links)
                 .map([&shown](web::ReplayPage page) {
@@ -200,9 +224,10 @@ void add_replay(system::Commands& commands) {
   command.option("-o,--output FILE", o.output,
                  "File to write to (default: beside the record, with the ending .html, .svg or "
                  ".webm)");
-  const system::Option at = command.option(
-      "--at SECONDS", o.at, "Moment of the picture in seconds since the match began");
-  at.between(0.0, 1e6);
+  const system::Option at =
+      command.option("--at MOMENT", o.at,
+                     "Moment of the picture: seconds since the match began, or the clock that "
+                     "pages and digests show, as in \"second half 0:10\"");
   const system::Option svg =
       command.flag("--svg", o.svg, "Draw a still picture of the moment --at");
   command

@@ -17,8 +17,10 @@ const Json& member(const Json& object, const char* key) {
   return found == object.end() ? none : *found;
 }
 
-GoalFact goal(const Json& decision, double period, const std::string& home) {
+// `half` is the number of halves, and of parts of the extra time, that are over.
+GoalFact goal(const Json& decision, double period, const std::string& home, int half) {
   GoalFact fact;
+  fact.when = {static_cast<referee::Phase>(std::min(half, 2)), value_in(decision, "clock", 0.0)};
   fact.at = value_in(decision, "tick", 0.0) * period;
   fact.is_home = record::text_in(decision, "gainer") == home;
   fact.is_own_goal = value_in(decision, "own_goal", false);
@@ -43,9 +45,12 @@ std::optional<LegFacts> facts_of(const std::string& bytes, bool is_home_blue) {
   const std::string home = is_home_blue ? "blue" : "yellow";
   LegFacts facts;
   facts.length = *ticks * *period;
+  int half = 0;
   for (const Json& decision : decisions) {
-    if (record::text_in(decision, "decision") == "GOAL") {
-      facts.goals.push_back(goal(decision, *period, home));
+    const std::string verdict = record::text_in(decision, "decision");
+    if (verdict == "HALF_END" || verdict == "PHASE") ++half;
+    if (verdict == "GOAL") {
+      facts.goals.push_back(goal(decision, *period, home, half));
     } else if (const std::string by = record::text_in(decision, "offender"); !by.empty()) {
       ++(by == home ? facts.fouls.home : facts.fouls.away);
     }

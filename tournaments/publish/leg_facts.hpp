@@ -5,6 +5,7 @@
 // result.
 #pragma once
 
+#include "record/clock_words.hpp"
 #include "record/statistics/leg_report.hpp"
 #include "tournaments/league/folder.hpp"
 
@@ -23,7 +24,8 @@ using LegName = std::pair<std::string, int>;
 std::string name_in_words(const LegName& leg);
 
 struct GoalFact {
-  double at = 0.0;       // s since the leg began
+  double at = 0.0;  // s since the leg began
+  record::ClockTime when = {};
   bool is_home = false;  // true: the goal counts for the home team
   int scorer = -1;       // the robot that scored; -1: not known, or an own goal
   bool is_own_goal = false;

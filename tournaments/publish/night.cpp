@@ -59,6 +59,7 @@ void add_moments(const Overview& o, const LegView& leg, int team,
                                                 : "goal, " + score,
                        .leg = &leg,
                        .at = goal.at,
+                       .when = in_words(goal.when),
                        .weight = goal.is_own_goal ? own_goal_weight
                                  : i == decisive  ? decisive_weight
                                                   : goal_weight});

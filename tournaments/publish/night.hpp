@@ -32,8 +32,9 @@ Result<std::optional<Night>> last_night(const LeagueState& shown, const Journal&
 struct WorstMoment {
   std::string what;  // "own goal of robot 0, 1:2 against tiger"
   const LegView* leg = nullptr;
-  double at = -1.0;  // s since the leg began; negative: not known
-  int weight = 0;    // the worst moment has the greatest weight
+  double at = -1.0;       // s since the leg began; negative: not known
+  std::string when = {};  // "second half 0:10"; "": the end of the leg
+  int weight = 0;         // the worst moment has the greatest weight
 };
 
 struct TeamDigest {

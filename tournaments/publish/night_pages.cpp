@@ -16,11 +16,6 @@ namespace {
 constexpr const char* closing_words = "A closing round of the last entries decides the season";
 
 // "1:23 ", or "" for a time that is not known.
-std::string time_text(double at) {
-  const int s = static_cast<int>(at);
-  return at < 0.0 ? "" : system::formatted("%d:%02d ", s / 60, s % 60);
-}
-
 // "3 (yesterday 5)", or "3 (new)".
 std::string rank_in_words(const TeamDigest& d) {
   if (d.rank == 0) return "has not played";
@@ -103,7 +98,7 @@ static Json digest_values(const Overview& o, const Night& night, const TeamDiges
   Json moments = Json::array();
   for (const WorstMoment& moment : d.moments)
     moments.push_back({{"page", moment.leg->page(root, moment.at)},
-                       {"what", time_text(moment.at) + moment.what}});
+                       {"what", (moment.when.empty() ? "" : moment.when + ": ") + moment.what}});
   return {{"title", title_of(night)},
           {"rank", rank_in_words(d)},
           {"strength", strength_in_words(d)},
@@ -142,6 +137,7 @@ Json digest_json(const Overview& o, const TeamDigest& d) {
   for (const WorstMoment& moment : d.moments) {
     moments.push_back({{"what", moment.what},
                        {"at", moment.at >= 0.0 ? Json(moment.at) : Json()},
+                       {"when", record::or_null(moment.when)},
                        {"replay", moment.leg->page("", moment.at)}});
   }
   return {

@@ -41,6 +41,12 @@ TEST_F(ReplayCommand, MakesTheSamePageEveryTime) {
 TEST_F(ReplayCommand, DrawsAMoment) {
   EXPECT_EQ(replay({record_, "--at", "5", "--svg", "-o", folder_ / "a.svg"}).exit_code, 0);
   EXPECT_EQ(replay({record_, "--at", "5.5", "--svg", "-o", folder_ / "b.svg"}).exit_code, 0);
+  // The clock that pages and digests show.
+  EXPECT_EQ(
+      replay({record_, "--at", "second half 0:01", "--svg", "-o", folder_ / "c.svg"}).exit_code, 0);
+  EXPECT_NE(read_file(folder_ / "c.svg"), read_file(folder_ / "b.svg"));
+  for (const char* wrong : {"1:12", "second half", "third half 0:10", "first half 0:60", "nan"})
+    EXPECT_EQ(replay({record_, "--at", wrong, "--svg"}).exit_code, 2) << wrong;
   const std::string picture = read_file(folder_ / "a.svg");
   EXPECT_EQ(picture.rfind("<svg ", 0), 0u);
   EXPECT_NE(picture, read_file(folder_ / "b.svg"));

@@ -67,7 +67,7 @@ test('a student hands in and reads the answer', async () => {
   writeFileSync(bad, 'no library');
 
   const page = await openPage(place);
-  await page.click('a[href="/hand-in"]');
+  await page.click('a[href="hand-in"]');
   await page.waitForSelector('#token');
   assert.deepEqual(await complaints(page), []);
   await logIn(page, 'WRONG');
@@ -135,9 +135,9 @@ test('the staff sees what both teams drew, a team only what it drew itself', asy
 
   const page = await openPage(`${server}hand-in`);
   await logIn(page, staff);
-  await page.waitForSelector('a[href="/hand-in?team=beta"]');
+  await page.waitForSelector('a[href="hand-in?team=beta"]');
   assert.deepEqual(await complaints(page), []);
-  await page.click('a[href="/hand-in?team=beta"]');
+  await page.click('a[href="hand-in?team=beta"]');
   await page.waitForSelector('a[href$=".html?team=beta"]');
   assert.deepEqual(await complaints(page), []);
   const replay = await page.getAttribute('a[href$=".html?team=beta"]', 'href');
