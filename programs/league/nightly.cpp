@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <sstream>
 
 namespace mirocup::league {
@@ -102,13 +103,18 @@ Result<void> begin_night(system::Files& files, LeagueStore& store, const Nightly
 }
 
 // Writes what each team is told to nights/N, which only the host can read.
-Result<void> write_digests(system::Files& files, const Folder& folder, const Overview& o,
+Result<void> write_digests(system::Files& files, const LeagueStore& store, const Overview& o,
                            const Night& night, const std::string& address) {
+  const Folder& folder = store.folder();
+  MIROCUP_TRY(const auto rows, roster(files, store));
+  std::map<std::string, std::vector<std::string>> told;
+  for (const RosterRow& row : rows) told[row.team] = row.told();
   const std::string home = folder.nights() + "/" + std::to_string(night.number);
   MIROCUP_TRY_VOID(files.make_folder(folder.nights(), system::Readers::owner).and_then([&] {
     return files.make_folder(home, system::Readers::owner);
   }));
-  for (const TeamDigest& digest : digests(night, o)) {
+  for (TeamDigest digest : digests(night, o)) {
+    digest.hand_ins = told[o.state.name(digest.team)];
     const std::string path = home + "/" + o.state.name(digest.team);
     MIROCUP_TRY_VOID(
         files.write(path + ".txt", digest_text(o, night, digest, address), system::Readers::owner)
@@ -209,7 +215,7 @@ Result<int> run_nightly(const NightlyOptions& options) {
   KnownLegs legs;
   read_legs(disk, after.folder(), after.state(), legs);
   const Overview o = overview(after.state(), legs);
-  MIROCUP_TRY_VOID(write_digests(disk, folder, o, *night, options.address));
+  MIROCUP_TRY_VOID(write_digests(disk, after, o, *night, options.address));
   MIROCUP_TRY(const auto text, report(disk, after, *night));
   const std::string home = folder.nights() + "/" + std::to_string(night->number);
   MIROCUP_TRY_VOID(disk.write(home + "/report.txt", text, system::Readers::owner));

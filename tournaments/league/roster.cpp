@@ -15,6 +15,14 @@ std::string RosterRow::state() const {
   return was_accepted ? "accepted" : "refused";
 }
 
+std::vector<std::string> RosterRow::told() const {
+  std::vector<std::string> told;
+  if (last_entry == 0 && handed_in.empty()) told.push_back("nothing was handed in");
+  if (!handed_in.empty() && !was_accepted && has_ended) told.push_back(message);
+  told.insert(told.end(), notes.begin(), notes.end());
+  return told;
+}
+
 namespace {
 
 constexpr int told_losses = 6;  // a team that has lost all of so many legs needs help

@@ -36,6 +36,10 @@ struct RosterRow {
   // Returns "nothing handed in", "accepted", "refused", "waits for its check" or "given by the
   // host".
   std::string state() const;
+
+  // Returns what the team and the host should know: that nothing was handed in, the last refusal,
+  // and `notes`.
+  std::vector<std::string> told() const;
 };
 
 // Returns the teams of the class list, all other teams of the league, and all other names that have

@@ -48,6 +48,9 @@ struct TeamDigest {
   LegTotals legs;                           // of the night
   std::vector<const LegView*> losses;
   std::vector<WorstMoment> moments;  // at most three, the worst first
+  // What the team should know of its hand-ins, sentences; only for the team: texts and JSON have
+  // them, pages do not.
+  std::vector<std::string> hand_ins = {};
 };
 
 // Returns the digests of all teams, in the order of the table. `now` has the facts of the legs, and

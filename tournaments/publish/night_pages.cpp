@@ -120,6 +120,7 @@ std::string digest_text(const Overview& o, const Night& night, const TeamDigest&
   values.update({{"league", o.state.file.title},
                  {"at", shown_time(o.state.file, night.at)},
                  {"team", o.state.shown_name(d.team)},
+                 {"hand_ins", d.hand_ins},
                  {"has_links", !address.empty()}});
   return filled_page("digest.txt", values);
 }
@@ -152,7 +153,8 @@ Json digest_json(const Overview& o, const TeamDigest& d) {
       {"drawn", d.legs.drawn},
       {"lost", d.legs.lost},
       {"losses", losses},
-      {"moments", moments}};
+      {"moments", moments},
+      {"hand_ins", d.hand_ins}};
 }
 
 FileMakers night_pages(const Overview& o, const Night& night) {

@@ -618,6 +618,24 @@ TEST(Teams, MayBeAddedAfterInit) {
   EXPECT_EQ(count_kind(folder, "entry"), 4);
 }
 
+// The mail of a team that was refused, or has not handed in, has to say so.
+TEST(Nights, TellTeamsWhatBecameOfTheirHandIns) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "l";
+  init_league(folder, {"a=house:chaser", "b=house:chaser", "c=submitted", "d=submitted"}, "1",
+              "nightly");
+  write_file(temporary / "bad.so", "MZ");
+  EXPECT_EQ(run(league("submit", folder, {"c", temporary / "bad.so"})).exit_code, 1);
+  ASSERT_EQ(run(league("nightly", folder)).exit_code, 0);
+  const auto digest = [&](const std::string& team) {
+    return read_file(folder + "/nights/1/" + team + ".txt");
+  };
+  EXPECT_NE(digest("c").find("Hand-in:  c: entry 1 was not accepted: "), std::string::npos)
+      << digest("c");
+  EXPECT_NE(digest("d").find("Hand-in:  nothing was handed in"), std::string::npos) << digest("d");
+  EXPECT_EQ(digest("a").find("Hand-in"), std::string::npos) << digest("a");
+}
+
 // One team hands in after the deadline. Why is its business: neither journal nor pages have it.
 TEST(Teams, MayHaveAnExtension) {
   const TemporaryFolder temporary;
