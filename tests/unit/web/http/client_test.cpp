@@ -134,14 +134,15 @@ TEST(HttpClient, GivesPartsUntilTheyAreEnough) {
 }
 
 TEST(HttpClient, NamesAWrongAddress) {
-  for (const std::string one : {"", "https://", "127.0.0.1:80", "ftp://x", "http://a/b",
-                                "http://a b", "http://me@host", "http://a?b", "http://a\r\nX: y"})
+  for (const std::string one : {"", "https://", "127.0.0.1:80", "ftp://x", "http://a b",
+                                "http://a/b c", "http://me@host", "http://a?b", "http://a\r\nX: y"})
     EXPECT_NE(HttpClient::open(one).error().what.find("https://league.example:8443 is expected"),
               std::string::npos)
         << one;
   for (const std::string one : {"http://a:b", "http://a:70000", "http://:80"})
     EXPECT_EQ(HttpClient::open(one).error().what, one + " is no address of a server");
-  for (const std::string one : {"http://a", "http://a/", "https://[::1]", "https://[::1]:80//"})
+  for (const std::string one :
+       {"http://a", "http://a/", "http://a/b/", "https://[::1]", "https://[::1]:80//"})
     EXPECT_TRUE(HttpClient::open(one)) << one;
   EXPECT_EQ(HttpClient::open("http://127.0.0.1:1").value().ask("GET", "/").error,
             "the server does not answer: the connection was refused, or there is no such computer");
