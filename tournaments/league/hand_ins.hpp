@@ -66,10 +66,10 @@ enum class NoAnswer { host_failed, gave_way, spent };
 struct HandedIn {
   static constexpr std::string_view kind = "hand_in";
 
-  std::string team;
-  int entry = 0;       // number in the team's folder of entries
-  std::string file;    // name of the file, as it was handed in; "": the host gave the library
-  std::string sha256;  // of the file's bytes
+  std::string team = {};
+  int entry = 0;            // number in the team's folder of entries
+  std::string file = {};    // name of the file, as it was handed in; "": the host gave the library
+  std::string sha256 = {};  // of the file's bytes
   std::uint64_t bytes = 0;
   std::int64_t at = 0;      // s since 1970
   bool is_network = false;  // it came over the network, and waits for a check by the server
