@@ -18,11 +18,11 @@ namespace mirocup::statistics {
 struct LegReport {
   std::string record;  // path of the record
   std::string leg;     // "r3-f1 leg 2" in a league; "" otherwise
-  ByTeam<std::string> names;
+  ByTeam<std::string> names{};
   ByTeam<int> played{};  // goals scored on the field, not changed by a forfeit or a ruling
   double control_period = 0.033;
   std::uint64_t state_hash = 0;
-  LegStatistics statistics;
+  LegStatistics statistics{};
   // The first difference of the record's decisions and outcome from the leg that was counted.
   std::optional<replay::Divergence> differs = {};
 };

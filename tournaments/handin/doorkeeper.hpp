@@ -21,7 +21,7 @@ namespace mirocup::league {
 
 // The sender of a request.
 struct Visitor {
-  std::string team;  // "" for another role
+  std::string team = {};  // "" for another role
   Role role = Role::team;
   std::string person = {};        // the name of a member of the staff; "": not known
   std::string token_sha256 = {};  // of the sender's token; "": a proxy named the sender

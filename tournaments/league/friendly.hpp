@@ -61,7 +61,7 @@ struct Burst {
 
   std::string team;
   int entry = 0;
-  std::vector<Leg> legs;
+  std::vector<Leg> legs = {};
   std::int64_t at = 0;  // s since 1970
 };
 
