@@ -43,7 +43,8 @@ struct Start {
   ByTeam<int> score{};
 };
 
-// Returns the decision that gives the restart; for a start without one, a decision without effect.
+// Returns the decision that gives the restart. If play is on at the start, the decision has no
+// effect.
 referee::Decision restart_of(const Start& start);
 
 // Returns where all bodies stand at the start. Those that the start does not give stand in the

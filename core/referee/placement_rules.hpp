@@ -37,8 +37,8 @@ bool may_stand(const PlacementRules& rules, End team, const Pose& robot);
 // area), a contender at its mark.
 bool has_special_place(const PlacementRules& rules, End team, const Pose& robot);
 
-// Returns the robot that must take the special place if no robot of the team stands there; -1 if
-// the place may stay empty.
+// Returns the robot that the referee puts into the special place when the team leaves it empty; -1
+// if the place may stay empty.
 int holder_of_special_place(const PlacementRules& rules, End team);
 
 }  // namespace mirocup::referee

@@ -9,8 +9,8 @@
 //   peer      another engine with the same motors, if one is given
 //   paper     the simulator with the paper's equations alone: wheels that never slide, motors with
 //             one lag, friction of the ball in x and y separately, contacts without friction
-// An error is the distance to the place where the body was seen. The mean contribution of the
-// camera's noise is subtracted: its noise in the picture ahead, and its effect on the start.
+// An error is the distance to the place where the body was seen. The camera's noise adds to it
+// twice, in the start of the prediction and in the picture ahead; both means are subtracted.
 #pragma once
 
 #include "labs/pitch/recording.hpp"

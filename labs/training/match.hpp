@@ -53,7 +53,8 @@ inline constexpr std::array<std::string_view, 5> first_statistics{"return", "ste
                                                                   "score", "opponent_score"};
 inline constexpr int statistics = static_cast<int>(first_statistics.size()) + terms;
 
-// The rows of one match in the caller's buffers. A pointer is null if the caller lacks its buffer.
+// The rows of one match in the caller's buffers. A pointer is null if the caller gave no buffer for
+// it.
 struct Rows {
   const float* actions = nullptr;
   float* observations = nullptr;

@@ -96,8 +96,8 @@ class Seat final : public match::Controller {
 
   // The server calls these functions while it settles a tick.
   bool has_answered() const { return answer_.has_value(); }
-  // Returns the seconds that are left for an answer in time; in lockstep 1 s, which is longer than
-  // any wait.
+  // Returns the seconds until an answer is late; in lockstep always 1 s, which is longer than any
+  // wait.
   double time_left() const { return terms_.tick ? posted_at_ + *terms_.tick - now() : 1.0; }
   bool is_overdue() const { return time_left() <= 0.0; }
   Standing look();  // like standing(), but first notes whether the team is away

@@ -76,8 +76,8 @@ void for_each_candidate_pair(const StaticWorld& world, std::span<const trajector
   }
 }
 
-// Appends the contacts, with a gap of at most `margin`, m, that the bodies in `some` have with each
-// other and with obstacles. `boxes` is scratch space for one box of each body.
+// Appends the contacts that the bodies in `some` have with each other and with obstacles, if their
+// gap is at most `margin`, m. `boxes` is scratch space for one box of each body.
 inline void add_contacts_among(const StaticWorld& world, const BodySet& some,
                                std::span<const BodyState> bodies, double margin,
                                std::span<trajectory::Box> boxes, ContactList& list) {

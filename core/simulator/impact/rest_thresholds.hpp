@@ -48,8 +48,8 @@ class RestThresholds {
   // tick.
   void end_tick(double duration);
   // To be called at a tick's end with the bodies that are then in a step. With an event budget of 0
-  // all bodies are over budget in every tick, but were_over_budget() of the next tick has only
-  // `bodies`.
+  // every body is over budget in every tick. Then were_over_budget() names in the next tick only
+  // these bodies.
   void note_steps(const BodySet& bodies) {
     if (budget_ == 0) memory_.over_budget = bodies;
   }

@@ -25,7 +25,7 @@
 
 namespace mirocup::simulator::resting_contact {
 
-// Two series that are multiplied by the same series, such as the cosine and sine of a heading.
+// Two series that a third one multiplies, such as the cosine and the sine of a heading.
 struct TwoSeries {
   std::array<std::array<double, 2>, trajectory::max_terms> c;
 };
@@ -92,8 +92,8 @@ double time_on_edge(const collision::Contact& contact, const ContactSeries& rows
                     double length);
 
 // Returns when the point, which slides against its friction, comes to rest on the edge: s after the
-// start, at most `length`. A slide that is slower than `slow` (m/s) at the start is just beginning:
-// its rest at the start is not reported.
+// start, at most `length`. A slide that is slower than `slow` (m/s) at the start has just begun, so
+// its zero speed there does not count.
 double time_of_rest(const collision::Contact& contact, const ContactSeries& rows, double slow,
                     double length);
 

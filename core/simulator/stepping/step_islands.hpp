@@ -27,7 +27,8 @@ class StepIslands {
       start_[i] = start;
     });
   }
-  // Ends the steps of these bodies, early or not. Returns the bodies that were in a step.
+  // Ends the steps of these bodies, also before a step's planned end. Returns the bodies that were
+  // in a step.
   BodySet end_step(const BodySet& bodies) {
     const BodySet left = stepping_ & bodies;
     stepping_ &= ~bodies;
