@@ -15,14 +15,11 @@
 #include <utility>
 
 extern "C" {
-// The compiler renames the entry of each team (browser/CMakeLists.txt); the sources are unchanged.
-const mirocup_strategy* mirocup_entry_idle(void);
-const mirocup_strategy* mirocup_entry_chaser(void);
-const mirocup_strategy* mirocup_entry_keeper(void);
-const mirocup_strategy* mirocup_entry_striker(void);
-const mirocup_strategy* mirocup_entry_navigator(void);
-const mirocup_strategy* mirocup_entry_tactician(void);
-const mirocup_strategy* mirocup_entry_planner(void);
+// The compiler renames the entry of each team (browser/CMakeLists.txt, which also writes the list
+// of the house teams); the sources are unchanged.
+#define HOUSE_TEAM(name) const mirocup_strategy* mirocup_entry_##name(void);
+#include "house_teams.inc"
+#undef HOUSE_TEAM
 const mirocup_strategy* mirocup_entry_drill_attacker(void);
 const mirocup_strategy* mirocup_entry_drill_crowd(void);
 const mirocup_strategy* mirocup_entry_drill_keeper(void);
@@ -64,13 +61,9 @@ Result<match::Setup> setup_of(const Json& options) {
 
 using Entry = const mirocup_strategy* (*)();
 constexpr std::pair<std::string_view, Entry> entries[]{
-    {"idle", mirocup_entry_idle},
-    {"chaser", mirocup_entry_chaser},
-    {"keeper", mirocup_entry_keeper},
-    {"striker", mirocup_entry_striker},
-    {"navigator", mirocup_entry_navigator},
-    {"tactician", mirocup_entry_tactician},
-    {"planner", mirocup_entry_planner},
+#define HOUSE_TEAM(name) {#name, mirocup_entry_##name},
+#include "house_teams.inc"
+#undef HOUSE_TEAM
     {"drill:attacker", mirocup_entry_drill_attacker},
     {"drill:crowd", mirocup_entry_drill_crowd},
     {"drill:keeper", mirocup_entry_drill_keeper}};

@@ -28,8 +28,8 @@ class FileLock {
   static Result<std::optional<FileLock>> try_acquire(const std::string& path);
 
   // Sends the signals to the process that holds the lock. Returns false if no process holds the
-  // lock. If the holder is uncertain, for example because it runs on another computer, no process is
-  // signalled, and the error is Errc::unavailable.
+  // lock. If the holder is uncertain, for example because it runs on another computer, no process
+  // is signalled, and the error is Errc::unavailable.
   static Result<bool> signal_holder(const std::string& path, std::span<const int> signals);
 
  private:

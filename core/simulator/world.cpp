@@ -574,7 +574,7 @@ void World::collide(std::span<collision::Contact> contacts, double t) {
   impact::arrest_slow_slip(static_world_, drives_, contacts, mass_, bodies_, *qp_);
   for (collision::Contact& c : contacts) {
     thresholds_.note_contact(c, mass_, t);
-    // From here on it is the speed at which the contact opens.
+    // After the impact the same number is the speed from which a contact counts as opening.
     c.impact.restitution_threshold =
         std::min(c.impact.restitution_threshold, static_world_.tolerances.restitution_threshold);
   }

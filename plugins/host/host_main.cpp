@@ -114,9 +114,9 @@ struct Limit {
   rlim_t value;
 };
 
-// There is none of processor time: with RLIMIT_CPU the kernel lets the clock of the process's time
-// step in 4 ms, and a long leg may take hours. The server's budgets end a team, and the death of
-// the server does.
+// The processor time has no limit here: with RLIMIT_CPU the kernel lets the clock of the process's
+// time step in 4 ms, and a long leg may take hours. The server's budgets end a team, and so does
+// the death of the server.
 constexpr Limit limits[] = {
     {RLIMIT_AS, system::memory_of_a_team},
     {RLIMIT_STACK, 8u << 20},

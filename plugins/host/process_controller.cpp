@@ -278,7 +278,7 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
     }
     cpu_ = child_.cpu_seconds();
     const double used = cpu_ - cpu_at_post_;
-    // Both limits may have been crossed since the last look: the first one counts.
+    // If the team has crossed both limits since the last look, the limit that it met first counts.
     const bool is_bank_larger =
         !is_ready_ || bank_seconds() - (playing_seconds() - used) >= limit.cpu;
     const bool is_busy = used > limit.cpu && is_bank_larger;
@@ -305,7 +305,7 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
 }
 
 tl::expected<void, Answer> ProcessController::wait_until_ready() {
-  // Another team that was slow to load has not taken this one's time.
+  // The clock starts now, so the time in which the other team loaded does not count.
   asked_at_ = WallClock::now();
   delay_at_slice_.reset();
   if (auto failure = wait_for_sandbox()) return tl::unexpected<Answer>(*failure);

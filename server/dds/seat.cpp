@@ -197,8 +197,8 @@ void Seat::take_commands() {
   }
 }
 
-// In real time a late command shows that the team is there. In lockstep the match waits for the
-// answer to the present tick, and nothing else can make it go on.
+// In real time a late command shows that the team is there. In lockstep it has no effect: the match
+// waits for the answer to the present tick.
 void Seat::take_late(const mirocup_v1_TeamCommand& command) {
   late_ = to_command(command);
   late_tick_ = command.tick;

@@ -117,9 +117,9 @@ void put_byes_last(std::vector<SwissStanding>& standings, const std::vector<Fixt
       [&key](const SwissStanding& x, const SwissStanding& y) { return key(x) < key(y); });
 }
 
-// The ranks of all teams in the order in which they are asked to have the bye. The last of several
-// teams with equal points has had the weakest opponents. A bye, which brings no stronger opponent,
-// would put it below its equals for good.
+// The ranks of all teams in the order in which they are asked to have the bye: the fewest points
+// first, and of teams with equal points the best ranked first. For the last of equals has had the
+// weakest opponents; a bye, which brings no opponent, would put it below its equals for good.
 std::vector<int> bye_candidates(const std::vector<SwissStanding>& standings, bool last_first) {
   std::vector<int> ranks(standings.size());
   std::iota(ranks.begin(), ranks.end(), 0);

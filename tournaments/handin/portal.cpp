@@ -236,8 +236,8 @@ web::Reply Portal::grades(const Call&) {
   return staff_.grades();
 }
 
-// A leg of a team may be shown to it before the public sees it, with its own thoughts. The staff
-// names the team, as for the API, and sees those of both.
+// A team may see its leg before the public does, with its own thoughts. The staff names the team,
+// as for the API, and sees the thoughts of both teams.
 web::Reply Portal::own_replay(const Call& call) {
   const bool sees_all = call.visitor.sees_all();
   for (const OwnLeg& leg : state_.options.legs(

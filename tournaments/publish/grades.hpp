@@ -42,8 +42,8 @@ enum class GradesLayout {
 // of the points that it would have if it had won all its legs. Students are named by their mail and
 // number, further columns of the class list. A team for which the list has no members, mails and
 // numbers has no row. Errc::input if `drills_csv` is not such an output or names no team of the
-// league, if the class list has columns neither of mails nor of numbers, or if it gives a member
-// neither.
+// league, if the class list lacks both columns, mails and numbers, or if it gives a member neither
+// a mail nor a number.
 //
 // `marks`, by team, adds the columns mark, mark_low, mark_high and mark_decided at the end; for
 // Moodle the mark is the score. Empty: the staff has no scale.

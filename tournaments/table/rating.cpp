@@ -83,9 +83,9 @@ double logistic(double x) {
   return 1.0 / (1.0 + exp(-x));
 }
 
-// The players of a fit, in the order in which their strengths are eliminated: players who do not
-// play any more come first. So the matrix of second derivatives fills only between players who
-// played at the same time.
+// The players of a fit are teams or, in rate_entries(), entries. They are in the order in which
+// their strengths are eliminated: players who do not play any more come first. So the matrix of
+// second derivatives fills only between players who played at the same time.
 struct Players {
   std::vector<int> former;  // by player: the player on whom this one leans; no_player: none
   int present = 0;          // the last players, whose strengths are asked for
@@ -369,7 +369,8 @@ Ratings rate_entries(const std::vector<int>& present, std::vector<FixtureResults
   players.former.assign(order.size(), no_player);
   Entry before{no_player, 0};
   for (const auto& [entry, number] : player) {
-    // An entry that came back plays after its followers.
+    // If the former entry came back later, it is eliminated after this one, which then leans on
+    // none.
     if (leans && entry.first == before.first && player[before] < number)
       players.former[number] = player[before];
     before = entry;

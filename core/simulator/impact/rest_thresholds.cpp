@@ -11,7 +11,8 @@ namespace mirocup::simulator::impact {
 
 namespace {
 
-// A corner keeps its contact from edge to edge, the ball has one with each body.
+// Two contacts are the same if this is equal. A corner that slides from one edge to the next keeps
+// its contact; the ball has one contact with each body.
 RestThresholds::Touched touched_of(const collision::Contact& c) {
   const bool is_corner = c.point.kind == collision::Touching::corner_on_edge;
   return {.a = static_cast<std::uint8_t>(c.pair.a),

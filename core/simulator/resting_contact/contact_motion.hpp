@@ -87,8 +87,8 @@ class ContactMotion {
   bool is_at_rest(std::span<const trajectory::Segment> segments) const;
   void set_terms_of_all(int terms, std::span<trajectory::Segment> segments);
   double converged_length_of_all(std::span<const trajectory::Segment> segments) const;
-  // `time`, s after the segment's begin, is when a body's motion ends the segment. `settles` is true
-  // if the body then comes to rest exactly.
+  // `time`, s after the segment's begin, is when a body's motion ends the segment. `settles` is
+  // true if the body then comes to rest exactly.
   struct OwnEnd {
     double time;
     bool settles;

@@ -90,8 +90,8 @@ int32_t mirocup_team_send(mirocup_connection* connection, const mirocup_command*
 uint32_t mirocup_team_version(void);
 
 /* Returns a sentence for the person who runs the team. Until the team has a seat, it says why there
- * is none yet; while the team has a seat, it is ""; afterwards, it says how the leg ended or why the
- * team was refused. */
+ * is none yet; while the team has a seat, it is ""; afterwards, it says how the leg ended or why
+ * the team was refused. */
 const char* mirocup_team_text(const mirocup_connection* connection);
 
 /* Returns the official score when the leg is over: [0] blue, [1] yellow. */
