@@ -217,58 +217,6 @@ std::string footer_of(const CLI::App& command) {
          roff(line == std::string::npos ? footer : footer.substr(line + 1)) + "\n.fi\n";
 }
 
-constexpr const char* bash_script = R"(# bash completion of @P@: made by @P@ completion bash
-_@P@() {
-  local line words
-  COMPREPLY=()
-  words=("${COMP_WORDS[@]:1:COMP_CWORD}")
-  while IFS= read -r line; do
-    if [ "$line" = :files ]; then
-      compopt -o filenames 2>/dev/null
-      while IFS= read -r line; do
-        COMPREPLY+=("$line")
-      done < <(compgen -f -- "${COMP_WORDS[COMP_CWORD]}")
-    else
-      COMPREPLY+=("${line%%$'\t'*}")
-    fi
-  done < <(@P@ complete "${words[@]}" 2>/dev/null)
-}
-complete -F _@P@ @P@
-)";
-
-constexpr const char* zsh_script = R"(#compdef @P@
-# zsh completion of @P@: made by @P@ completion zsh
-_@P@() {
-  local line files=0
-  local -a found
-  while IFS= read -r line; do
-    if [[ $line == :files ]]; then
-      files=1
-    else
-      found+=("${${line%%$'\t'*}//:/\\:}:${line#*$'\t'}")
-    fi
-  done < <(@P@ complete "${(@)words[2,CURRENT]}" 2>/dev/null)
-  (( ${#found} )) && _describe '@P@' found
-  (( files )) && _files
-  return 0
-}
-if [[ ${funcstack[1]} == _@P@ ]]; then _@P@ "$@"; else compdef _@P@ @P@; fi
-)";
-
-constexpr const char* fish_script = R"(# fish completion of @P@: made by @P@ completion fish
-function __@P@_complete
-    set -l words (commandline -opc) (commandline -ct)
-    for line in (@P@ complete $words[2..-1] 2>/dev/null)
-        if test "$line" = :files
-            __fish_complete_path (commandline -ct)
-        else
-            echo $line
-        end
-    end
-end
-complete -c @P@ -f -a '(__@P@_complete)'
-)";
-
 }  // namespace
 
 void finish_help(CLI::App& app, std::span<const CommandHelp> commands) {
@@ -321,14 +269,6 @@ std::string completions(const CLI::App& app, std::span<const std::string> words,
     }
   }
   return found.text();
-}
-
-std::string completion_script(const std::string& shell, const std::string& program) {
-  const char* script = shell == "bash"   ? bash_script
-                       : shell == "zsh"  ? zsh_script
-                       : shell == "fish" ? fish_script
-                                         : "";
-  return replaced(script, "@P@", program);
 }
 
 std::map<std::string, std::string> manual_pages(const CLI::App& app, const std::string& version) {

@@ -33,11 +33,6 @@ void finish_help(CLI::App& app, std::span<const CommandHelp> commands);
 std::string completions(const CLI::App& app, std::span<const std::string> words,
                         std::span<const std::string> teams);
 
-// Returns the script that a shell reads to complete the words after `program`: "bash", "zsh" or
-// "fish"; "" for another shell. The script runs `program complete WORD…`, so it is never out of
-// date.
-std::string completion_script(const std::string& shell, const std::string& program);
-
 // Returns the pages of the manual, by the names of their files: mirocup.1, mirocup-match.1.
 std::map<std::string, std::string> manual_pages(const CLI::App& app, const std::string& version);
 

@@ -14,6 +14,7 @@
 
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mirocup::app {
@@ -29,6 +30,11 @@ inline constexpr const char* for_shells = "Shells";
 using Add = void(system::Commands& commands);
 Add add_match, add_drill, add_check, add_compile, add_hand_in, add_join, add_new, add_verify,
     add_rerun, add_replay, add_stats, add_playground, add_scene, add_referee, add_completion;
+
+// Returns the script that a shell reads to complete the words after `mirocup`: "bash", "zsh" or
+// "fish"; it is the file of that name in completion/. The script runs `mirocup complete WORD…`, so
+// it is never out of date.
+std::string_view completion_script(std::string_view shell);
 
 // Options of several subcommands.
 inline constexpr double longest_wait_s = 1e6;  // for a team or a match

@@ -2,7 +2,6 @@
 //
 // mirocup completion SHELL: prints the script by which a shell completes commands.
 #include "programs/mirocup/commands.hpp"
-#include "system/command_help.hpp"
 
 namespace mirocup::app {
 
@@ -13,7 +12,7 @@ struct CompletionOptions {
 };
 
 Result<int> run_completion(const CompletionOptions& options) {
-  std::cout << system::completion_script(options.shell, "mirocup");
+  std::cout << completion_script(options.shell);
   return exit_yes;
 }
 
