@@ -29,6 +29,7 @@ struct JoinOptions {
   std::string library;
   std::string server = "127.0.0.1";
   int dds_domain = 0;
+  std::string interface;
   std::string credentials;
   double join_within = 60.0;            // s to wait for the match
   std::vector<std::string> parameters;  // KEY=VALUE
@@ -199,7 +200,8 @@ Result<int> run_join(const JoinOptions& options) {
                           .name = options.name,
                           .server = server,
                           .domain = options.dds_domain,
-                          .credentials = options.credentials});
+                          .credentials = options.credentials,
+                          .interface = options.interface});
   if (!match.is_open()) {
     return fail(match.is_wrong() ? Errc::input : Errc::unavailable, match.why());
   }
@@ -218,6 +220,8 @@ void add_join(system::Commands& commands) {
   command.option("--name NAME", o.name, "Name of the team, as the match expects it (dds:NAME)")
       .required();
   command.option("--server HOST", o.server, "Host on which the match runs").shows_default();
+  command.option("--interface NAME", o.interface,
+                 "Network interface that leads to the server (default: as the routing table says)");
   add_dds_domain(command, o.dds_domain);
   command.option("--join-within SECONDS", o.join_within, "Seconds to wait for the match")
       .between(0.0, longest_wait_s)

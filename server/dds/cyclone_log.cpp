@@ -25,6 +25,11 @@ constexpr std::string_view by_strangers[] = {malformed, "not allowed",
 constexpr std::string_view without_credentials = "Non secure remote";
 constexpr const char* meaning = "a process without credentials was seen, and is not allowed";
 
+// How lines of the trace begin that tell of a participant and of one of its readers and writers. A
+// GUID follows: numbers between colons, of which the first three are the participant's.
+constexpr std::string_view of_participant = "SPDP ST0 ", of_endpoint = "SEDP ST0 ";
+constexpr const char* one_sided = "a participant was seen, but no connection to it came about";
+
 bool has(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
@@ -65,8 +70,7 @@ CycloneLog::CycloneLog() {
       this);
   dds_set_trace_sink(
       [](void* log, const dds_log_data_t* data) {
-        if (!has({data->message, data->size}, without_credentials)) return;
-        static_cast<CycloneLog*>(log)->keep(meaning);
+        static_cast<CycloneLog*>(log)->follow({data->message, data->size});
       },
       this);
 }
@@ -75,6 +79,19 @@ CycloneLog::~CycloneLog() {
   // The default sink is the standard error, where the user should not see messages of the shutdown.
   dds_set_log_sink([](void*, const dds_log_data_t*) {}, nullptr);
   dds_set_trace_sink([](void*, const dds_log_data_t*) {}, nullptr);
+}
+
+void CycloneLog::follow(std::string_view line) {
+  if (has(line, without_credentials)) keep(meaning);
+  const bool is_endpoint = has(line, of_endpoint);
+  const std::size_t begin = line.find(is_endpoint ? of_endpoint : of_participant);
+  if (begin == std::string_view::npos || !(is_endpoint || has(line, " NEW"))) return;
+  const std::string_view guid = line.substr(begin + of_participant.size());
+  const std::size_t second = guid.find(':', guid.find(':') + 1);
+  const std::string participant(guid.substr(0, guid.find(':', second + 1)));
+  const std::lock_guard lock(mutex_);
+  std::erase(unanswered_, participant);
+  if (!is_endpoint && unanswered_.size() < max_messages) unanswered_.push_back(participant);
 }
 
 void CycloneLog::keep(std::string text) {
@@ -98,7 +115,7 @@ std::string CycloneLog::last_error() const {
     if (has(text, malformed) && last_.size() > 1) continue;
     all += (all.empty() ? "" : "; ") + text;
   }
-  return all;
+  return all.empty() && !unanswered_.empty() ? one_sided : all;
 }
 
 std::string CycloneLog::last_error_suffix() const {

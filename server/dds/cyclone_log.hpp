@@ -12,6 +12,7 @@
 
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mirocup::dds {
@@ -26,7 +27,8 @@ class CycloneLog {
   ~CycloneLog();
 
   // Returns the kept messages, oldest first, separated by "; ", in printable ASCII; "" if no
-  // message came. Malformed packets are mentioned only if there is no other message.
+  // message came. Malformed packets are mentioned only if there is no other message. Without any,
+  // participants are mentioned that have announced themselves and then told nothing else.
   std::string last_error() const;
 
   // Returns last_error() as the end of a sentence, " (DDS: ...)"; "" if there was no message.
@@ -34,9 +36,11 @@ class CycloneLog {
 
  private:
   void keep(std::string text);
+  void follow(std::string_view line);  // of the trace of Cyclone's discovery
 
   mutable std::mutex mutex_;  // because Cyclone writes from its own threads
   std::vector<std::string> last_;
+  std::vector<std::string> unanswered_;  // announced participants that have told nothing else
 };
 
 }  // namespace mirocup::dds

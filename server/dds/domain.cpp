@@ -115,7 +115,7 @@ std::string firewall_rules(int domain) {
          "  set senders { type ipv4_addr; flags dynamic, timeout; timeout 1m; size 65535; }\n"
          "  chain input {\n"
          "    type filter hook input priority filter;\n"
-         "    udp dport " +
+         "    iifname != \"lo\" udp dport " +
          ports + " add @senders { ip saddr limit rate over " + std::to_string(packets_per_s) +
          "/second burst " + std::to_string(2 * packets_per_s) +
          " packets } drop\n"
@@ -148,7 +148,7 @@ Result<Domain> open_server_domain(const std::string& interface, const std::strin
 }
 
 Result<Domain> open_team_domain(const std::string& server, const std::string& credentials,
-                                int number) {
+                                int number, const std::string& interface) {
   const bool is_local = server == "localhost" || server.rfind("127.", 0) == 0;
   // By its address, because Cyclone would ask for a name's once for each peer.
   MIROCUP_TRY(const auto address, system::address_of(server, name_limit));
@@ -157,13 +157,22 @@ Result<Domain> open_team_domain(const std::string& server, const std::string& cr
     peers += "<Peer Address=\"" + address + ":" + std::to_string(port_of(number, index)) + "\"/>";
   }
   // Cyclone would take the first interface that can multicast, which is not that of a VPN.
-  const std::string interface = is_local ? "lo" : own_address_towards(address);
-  return open_domain(interface,
-                     configuration({.interface = interface.empty() ? "" : interface_xml(interface),
-                                    .index = "none",
-                                    .discovery = "<Peers>" + peers + "</Peers>",
-                                    .further = ""}),
-                     credentials, number);
+  const std::string own = own_address_towards(address, interface);
+  if (!interface.empty() && !interface_is_up(own)) {
+    return fail(Errc::unavailable, "network interface \"" + interface +
+                                       "\": this host has none of this name or address that is up");
+  }
+  const std::string from = is_local && interface.empty() ? "lo" : own;
+  MIROCUP_TRY(Domain opened,
+              open_domain(from,
+                          configuration({.interface = from.empty() ? "" : interface_xml(from),
+                                         .index = "none",
+                                         .discovery = "<Peers>" + peers + "</Peers>",
+                                         .further = ""}),
+                          credentials, number));
+  opened.server = address;
+  opened.own_address = own;
+  return opened;
 }
 
 Result<Entity> make_participant(const Domain& domain) {

@@ -43,7 +43,9 @@ struct Domain {
   int number = default_domain;
   std::string credentials;  // the folder of this process's credentials; "": open mode
   Reply reply = Reply::to_listed;
-  system::Descriptor port{};  // the claim of the discovery port, with Reply::to_source
+  system::Descriptor port{};     // the claim of the discovery port, with Reply::to_source
+  std::string server = {};       // a team's: the address of the match server
+  std::string own_address = {};  // a team's: the address of this host towards the match server
 };
 
 // `interface` is the name or the address of the network interface at which the server is reached;
@@ -51,9 +53,10 @@ struct Domain {
 Result<Domain> open_server_domain(const std::string& interface, const std::string& credentials,
                                   int number = default_domain, Reply reply = Reply::to_listed);
 
-// `server` is the host of the match server.
+// `server` is the host of the match server. `interface`, a name or an IPv4 address, leads to it; if
+// it is empty, the routing table says which does. Errc::unavailable if it is not up.
 Result<Domain> open_team_domain(const std::string& server, const std::string& credentials,
-                                int number = default_domain);
+                                int number = default_domain, const std::string& interface = "");
 
 // Makes the DDS participant, which is the parent of all topics, readers and writers.
 Result<Entity> make_participant(const Domain& domain);

@@ -254,7 +254,8 @@ std::string MatchServer::reach() const {
   const int last = port_of(domain_.number, server_ports - 1) + 1;
   const std::string here = "; this host's firewalls must let in UDP to ports " +
                            std::to_string(first) + "-" + std::to_string(last) + " of " + interface_;
-  if (domain_.reply == Reply::to_source) return here;
+  if (domain_.reply == Reply::to_source)
+    return here + ", and a participant must receive at the port from which it sends";
   return here +
          ", and the team's firewalls must let in UDP from this host; no NAT may be between them "
          "without --nat";

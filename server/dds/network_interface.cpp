@@ -52,6 +52,12 @@ std::vector<sock_filter> filter_for(const std::vector<std::uint32_t>& addresses)
   return program;
 }
 
+std::string text_of(in_addr address) {
+  char text[INET_ADDRSTRLEN] = "";
+  inet_ntop(AF_INET, &address, text, sizeof text);
+  return text;
+}
+
 bool is_datagram_socket(int descriptor) {
   int type = 0;
   int family = 0;
@@ -92,7 +98,11 @@ void bind_to_interface(const std::vector<int>& before, const std::string& interf
   }
 }
 
-std::string own_address_towards(const std::string& address) {
+std::string own_address_towards(const std::string& address, const std::string& interface) {
+  if (!interface.empty()) {
+    const auto own = addresses_of(interface);
+    return own.empty() ? "" : text_of({htonl(own.front())});
+  }
   sockaddr_in there{};
   there.sin_family = AF_INET;
   there.sin_port = htons(1);  // any: nothing is sent
@@ -104,9 +114,7 @@ std::string own_address_towards(const std::string& address) {
       getsockname(probe.get(), reinterpret_cast<sockaddr*>(&own), &size) != 0) {
     return "";
   }
-  char text[INET_ADDRSTRLEN] = "";
-  inet_ntop(AF_INET, &own.sin_addr, text, sizeof text);
-  return text;
+  return text_of(own.sin_addr);
 }
 
 bool interface_is_up(const std::string& interface) {

@@ -17,9 +17,9 @@ std::vector<int> open_descriptors();
 // nothing if the interface has no IPv4 address.
 void bind_to_interface(const std::vector<int>& before, const std::string& interface);
 
-// Returns the address of this host from which packets to `address` leave, according to the routing
-// table; "" if there is no route.
-std::string own_address_towards(const std::string& address);
+// Returns the address of this host from which packets to `address` leave: that of `interface` or,
+// if it is empty, the one that the routing table names. "" if there is no such interface or route.
+std::string own_address_towards(const std::string& address, const std::string& interface = "");
 
 // True if the interface (a name or an IPv4 address) is up and has a carrier and an IPv4 address.
 bool interface_is_up(const std::string& interface);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/team_client.hpp"
 
+#include "server/dds/network_interface.hpp"
 #include "server/dds/nonce.hpp"
 
 #include <algorithm>
@@ -16,6 +17,9 @@ constexpr double max_poll_interval = 0.05;
 // A server sends states many times a second. After this many seconds without a state the connection
 // is broken.
 constexpr double max_silence = 3.0;
+
+// After this many seconds the client looks whether this host's address has changed, too.
+constexpr double settled_silence = 0.5;
 
 // The client keeps to the leg in which it has its seat. Only after this many seconds without a
 // state of that leg it believes that the server was started again.
@@ -49,13 +53,17 @@ constexpr const char* not_understood = "the match server cannot be understood: "
 }  // namespace
 
 Result<std::unique_ptr<TeamClient>> TeamClient::open(const JoinRequest& request) {
-  MIROCUP_TRY(auto domain, open_team_domain(request.server, request.credentials, request.domain));
-  std::unique_ptr<TeamClient> client(new TeamClient(request, std::move(domain)));
+  std::unique_ptr<TeamClient> client(new TeamClient(request));
   MIROCUP_TRY_VOID(client->connect());
   return client;
 }
 
 Result<void> TeamClient::connect() {
+  if (has_moved()) {
+    domain_ = {};  // a process has one at a time
+    MIROCUP_TRY(domain_, open_team_domain(request_.server, request_.credentials, request_.domain,
+                                          request_.interface));
+  }
   Link link;
   link.nonce = connection_nonce();
   connected_at_ = last_heard_at_ = acknowledged_at_ = WallClock::now();
@@ -129,8 +137,12 @@ std::optional<News> TeamClient::take_welcome() {
     if (!from_sample(welcome, briefing_)) return Refused{"the server's welcome makes no sense"};
     link_.is_seated = true;
     last_heard_at_ = WallClock::now();
-    answer_.reset();  // it has the nonce of the former participant
-    if (std::exchange(seated_leg_, welcome.leg) != welcome.leg) return Seated{};
+    if (std::exchange(seated_leg_, welcome.leg) != welcome.leg) {
+      answer_.reset();
+      return Seated{};
+    }
+    // The server may have missed the answer. Its tick must not come a second time.
+    if (answer_) answer_->nonce = link_.nonce;
   }
   return std::nullopt;
 }
@@ -182,7 +194,15 @@ bool TeamClient::is_cut_off() const {
   if (unacknowledged_ > max_unacknowledged &&
       seconds_since(acknowledged_at_) > max_unacknowledged_time)
     return true;
-  return seconds_since(last_heard_at_) > max_silence && seconds_since(connected_at_) > max_silence;
+  const double silence = seconds_since(std::max(last_heard_at_, connected_at_));
+  return silence > max_silence || (silence > settled_silence && has_moved());
+}
+
+// The sockets of a domain keep the address that this host had when they were opened.
+bool TeamClient::has_moved() const {
+  if (domain_.domain.get() == 0) return true;
+  const std::string own = own_address_towards(domain_.server, request_.interface);
+  return !own.empty() && own != domain_.own_address;
 }
 
 void TeamClient::look_after_connection() {
@@ -251,7 +271,8 @@ std::string TeamClient::last_error() const {
   if (const std::string type = type_of_server(); !type.empty())
     return "the match is there, but its server sends " + type + ", and this program needs " +
            mirocup_v1_WorldState_desc.m_typename + ": both need the same version of mirocup";
-  return "no match server answered (" + reasons + ")" + domain_.log->last_error_suffix();
+  return "no match server answered (" + reasons + ")" +
+         (domain_.log ? domain_.log->last_error_suffix() : "");
 }
 
 }  // namespace mirocup::dds

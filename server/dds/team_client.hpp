@@ -28,6 +28,7 @@ struct JoinRequest {
   std::string name;
   std::string credentials;  // folder of the credentials; "": open mode
   int domain = default_domain;
+  std::string interface;  // as in open_team_domain()
 };
 
 // The possible results of TeamClient::wait().
@@ -78,8 +79,7 @@ class TeamClient {
     bool is_seated = false;
   };
 
-  TeamClient(JoinRequest request, Domain domain)
-      : request_(std::move(request)), domain_(std::move(domain)) {}
+  explicit TeamClient(JoinRequest request) : request_(std::move(request)) {}
   Result<void> connect();
   Result<void> open_readers_and_writers(Link& link) const;
   std::optional<News> poll();
@@ -88,6 +88,7 @@ class TeamClient {
   std::optional<News> take_state();
   bool is_of_another_leg(std::uint64_t leg) const;
   bool is_cut_off() const;
+  bool has_moved() const;
   std::string type_of_server() const;
   void look_after_connection();
   void send_hello();

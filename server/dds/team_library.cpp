@@ -70,6 +70,9 @@ struct Receive {
   }
 };
 
+// The size of a call before it had an interface.
+constexpr std::size_t first_call_size = offsetof(mirocup_team_call, interface);
+
 void put_why(char* why, std::size_t size, const std::string& text) {
   if (why != nullptr && size > 0) std::snprintf(why, size, "%s", text.c_str());
 }
@@ -81,8 +84,9 @@ void put_why(char* why, std::size_t size, const std::string& text) {
 namespace dds = mirocup::dds;
 
 mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, std::size_t size) {
-  if (call == nullptr || call->size != sizeof *call || call->match == nullptr ||
-      call->name == nullptr || (call->team != MIROCUP_BLUE && call->team != MIROCUP_YELLOW)) {
+  if (call == nullptr || (call->size != sizeof *call && call->size != dds::first_call_size) ||
+      call->match == nullptr || call->name == nullptr ||
+      (call->team != MIROCUP_BLUE && call->team != MIROCUP_YELLOW)) {
     dds::put_why(why, size, "the call lacks a match, a team or a colour, or is of another version");
     errno = EINVAL;
     return nullptr;
@@ -101,6 +105,8 @@ mirocup_connection* mirocup_team_open(const mirocup_team_call* call, char* why, 
   c.name = call->name;
   if (call->credentials != nullptr) c.credentials = call->credentials;
   c.domain = call->domain;
+  if (call->size > dds::first_call_size && call->interface != nullptr)
+    c.interface = call->interface;
   if (c.domain < dds::default_domain || c.domain > dds::last_domain) {
     dds::put_why(why, size, "DDS domain " + std::to_string(c.domain) + " does not exist: 0 to 230");
     errno = EINVAL;

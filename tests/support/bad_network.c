@@ -9,7 +9,9 @@
  *   BAD_NETWORK_LIMIT=N   sends at most N changed copies, and writes to standard error when it has
  *   BAD_NETWORK_NAT=N     the process is behind a router that translates addresses: its packets
  *                         come from another address, and it receives only replies, from where it
- *                         has sent to. After N packets the router takes another port (0: never)
+ *                         has sent to. After N packets the router takes another address and port
+ *                         (0: never)
+ *   BAD_NETWORK_CUT=N     from the packet N of the process, nothing comes or goes for 4 s
  *   BAD_NETWORK_JUMP=N    sends a copy with a far higher sequence number before its packet N with a
  *                         sample: a receiver that believes it takes all true samples for old
  * The random numbers are the same in each run. */
@@ -213,7 +215,7 @@ static struct {
   struct sockaddr_in peers[most_peers];
   unsigned count;
 } router = {PTHREAD_MUTEX_INITIALIZER, -1, -1, 0, {0}, {{0}}, 0};
-static const char* const outside_address = "127.0.0.77";
+static const char* const outside_address[] = {"127.0.0.77", "127.0.0.79"}; /* before and after */
 static const char* const inside_address = "127.0.0.78";
 
 static int socket_at(const char* address) {
@@ -267,7 +269,7 @@ static int translate(send_function* real, int socket, const struct msghdr* messa
     int* const next_port = &outside[router.sent > 0];
     pthread_t thread;
     if (router.inside < 0) router.inside = socket_at(inside_address);
-    router.outside = *next_port = socket_at(outside_address);
+    router.outside = *next_port = socket_at(outside_address[router.sent > 0]);
     router.count = 0;
     pthread_create(&thread, NULL, let_replies_in, next_port);
     pthread_detach(thread);
@@ -287,6 +289,17 @@ static void send_out(send_function* real, int socket, const struct msghdr* messa
     real(socket, message, flags);
 }
 
+/* Counts a packet of the process. True while the wire is cut. */
+static int is_cut(int packets) {
+  static long sent, end;
+  struct timespec now;
+  if (getenv("BAD_NETWORK_CUT") == NULL) return 0;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  sent += packets;
+  if (end == 0 && sent >= (long)number("BAD_NETWORK_CUT")) end = now.tv_sec + 4;
+  return now.tv_sec < end;
+}
+
 /* What does not come through the router, does not come. */
 ssize_t recvmsg(int socket, struct msghdr* message, int flags) {
   ssize_t (*real)(int, struct msghdr*, int) = NULL;
@@ -295,10 +308,11 @@ ssize_t recvmsg(int socket, struct msghdr* message, int flags) {
     const socklen_t space = message->msg_namelen;
     const ssize_t length = real(socket, message, flags);
     struct sockaddr_in from;
-    if (length < 0 || getenv("BAD_NETWORK_NAT") == NULL || message->msg_name == NULL) return length;
+    if (length < 0 || message->msg_name == NULL) return length;
     memcpy(&from, message->msg_name, sizeof from);
-    if (from.sin_family != AF_INET || from.sin_addr.s_addr == inet_addr(inside_address) ||
-        is_same(&from, &router.process))
+    if (!is_cut(0) &&
+        (getenv("BAD_NETWORK_NAT") == NULL || from.sin_family != AF_INET ||
+         from.sin_addr.s_addr == inet_addr(inside_address) || is_same(&from, &router.process)))
       return length;
     message->msg_namelen = space;
   }
@@ -311,7 +325,8 @@ ssize_t sendmsg(int socket, const struct msghdr* message, int flags) {
   if (getenv("BAD_NETWORK_GARBAGE") != NULL) send_garbage(real, socket, message, flags);
   if (getenv("BAD_NETWORK_JUMP") != NULL) jump(real, socket, message, flags);
   for (i = 0; i < message->msg_iovlen; ++i) size += message->msg_iov[i].iov_len;
-  if ((double)(next() % 1000000) < 1e6 * number("BAD_NETWORK_LOSS")) return (ssize_t)size;
+  if (is_cut(1) || (double)(next() % 1000000) < 1e6 * number("BAD_NETWORK_LOSS"))
+    return (ssize_t)size;
   if (getenv("BAD_NETWORK_DELAY") != NULL &&
       delay(real, socket, message, number("BAD_NETWORK_DELAY"))) {
     return (ssize_t)size;

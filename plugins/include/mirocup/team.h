@@ -45,6 +45,8 @@ typedef struct mirocup_team_call {
   const char* name;        /* of the team, as the match knows it: 1 to 64 bytes of UTF-8 */
   const char* credentials; /* folder with the team's credentials; null: open mode */
   int32_t domain;          /* DDS domain, 0 to 230 */
+  const char* interface;   /* network interface, by name or IPv4 address, that leads to the server;
+                            * null: as the routing table says */
 } mirocup_team_call;
 
 typedef struct mirocup_connection mirocup_connection;

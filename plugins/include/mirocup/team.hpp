@@ -36,6 +36,7 @@ struct Call {
   std::string server = {};       // "": this host
   int domain = 0;                // DDS domain
   std::string credentials = {};  // "": open mode
+  std::string interface = {};    // "": as the routing table says
 };
 
 class Connection {
@@ -49,6 +50,7 @@ class Connection {
     c.name = call.name.c_str();
     c.domain = call.domain;
     c.credentials = call.credentials.empty() ? nullptr : call.credentials.c_str();
+    c.interface = call.interface.empty() ? nullptr : call.interface.c_str();
     char why[512] = "";
     connection_.reset(mirocup_team_open(&c, why, sizeof why));
     why_ = why;

@@ -167,8 +167,9 @@ AT(match, 16);
 AT(name, 24);
 AT(credentials, 32);
 AT(domain, 40);
+AT(interface, 48);
 #undef AT
-_Static_assert(sizeof(mirocup_team_call) == 48, "its end");
+_Static_assert(sizeof(mirocup_team_call) == 56, "its end");
 
 const mirocup_strategy* mirocup_entry(void) {
   return 0;

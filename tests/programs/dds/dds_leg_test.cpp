@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <csignal>
+#include <cstdlib>
+#include <iostream>
 
 namespace mirocup {
 namespace {
@@ -34,48 +37,29 @@ TEST(DdsTeam, PlaysTheSameLegAsItsLibrary) {
   EXPECT_EQ(run_mirocup({"verify", folder / "dds.json"}).exit_code, 0);
 }
 
-// Catches a state or an answer that is lost and not sent again, and one that is driven twice.
-TEST(DdsTeam, PlaysTheSameLegWhereEveryFifthPacketIsLost) {
-  const TemporaryFolder folder;
-  const std::string id = match_id("lossy");
-  const std::vector<std::string> lossy{"BAD_NETWORK_LOSS=0.2"};
-  Running remote(on_bad_network(join(id, "blue", "remote", "striker"), lossy));
-  std::vector<std::string> words{program("mirocup"), "match", "--yellow", "chaser", "--half", "5"};
-  std::vector<std::string> over_dds = words;
-  over_dds.insert(over_dds.end(), {"--blue", "dds:remote", "--match", id, "--join-within", "120",
-                                   "--away-limit", "60", "--record", folder / "dds.json"});
-  const Outcome played = run(on_bad_network(over_dds, lossy));
-  ASSERT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_EQ(remote.wait().exit_code, 0);
-  words.insert(words.end(), {"--blue", "striker", "--record", folder / "so.json"});
-  ASSERT_EQ(run(words).exit_code, 0);
-  EXPECT_EQ(read_json(folder / "dds.json")["state_hash"],
-            read_json(folder / "so.json")["state_hash"]);
-}
-
 // A team at home, whose router drops what is no reply. Catches packets to the address that the team
-// lists, packets from another port than that to which the team sends, and a server that forgets a
-// team whose router has taken another port.
+// lists, packets from another port than that to which the team sends, and a team that does not come
+// back after its router has taken another address, or after its wire was cut.
 TEST(DdsTeam, PlaysFromBehindARouterThatTranslatesAddresses) {
   const TemporaryFolder folder;
-  for (const char* forgets_after : {"0", "400"}) {
-    const std::string id = match_id("nat") + forgets_after;
-    Running remote(on_bad_network(join(id, "blue", "remote", "striker"),
-                                  {std::string("BAD_NETWORK_NAT=") + forgets_after}));
-    const std::vector<std::string> words{"match", "--yellow", "chaser",           "--half",
-                                         "10",    "--blue",   "dds:remote",       "--match",
-                                         id,      "--record", folder / "dds.json"};
+  const std::vector<std::string> words{"match", "--yellow", "chaser", "--half", "10"};
+  std::vector<std::string> by_library = words;
+  by_library.insert(by_library.end(), {"--blue", "striker", "--record", folder / "so.json"});
+  ASSERT_EQ(run_mirocup(by_library).exit_code, 0);
+  const std::vector<std::vector<std::string>> wires{
+      {"BAD_NETWORK_NAT=0"}, {"BAD_NETWORK_NAT=400"}, {"BAD_NETWORK_NAT=0", "BAD_NETWORK_CUT=400"}};
+  for (std::size_t i = 0; i < wires.size(); ++i) {
+    const std::string id = match_id("nat") + std::to_string(i);
+    Running remote(on_bad_network(join(id, "blue", "remote", "striker"), wires[i]));
     std::vector<std::string> through = words;
-    through.insert(through.end(), {"--nat", "--open"});
+    through.insert(through.end(), {"--nat", "--open", "--blue", "dds:remote", "--match", id,
+                                   "--away-limit", "60", "--record", folder / "dds.json"});
     const Outcome played = run_mirocup(through);
     ASSERT_EQ(played.exit_code, 0) << played.err;
     EXPECT_EQ(remote.wait().exit_code, 0);
-    ASSERT_EQ(run_mirocup({"match", "--yellow", "chaser", "--half", "10", "--blue", "striker",
-                           "--record", folder / "so.json"})
-                  .exit_code,
-              0);
-    EXPECT_EQ(read_json(folder / "dds.json")["state_hash"],
-              read_json(folder / "so.json")["state_hash"]);
+    const auto record = read_json(folder / "dds.json");
+    EXPECT_EQ(record["state_hash"], read_json(folder / "so.json")["state_hash"]) << i;
+    EXPECT_EQ(record["network"]["blue"]["absences"].empty(), i == 0) << record["network"];
   }
   EXPECT_EQ(run_mirocup({"match", "--yellow", "chaser", "--blue", "dds:x", "--nat"}).exit_code, 2)
       << "neither credentials nor --open";
@@ -83,8 +67,81 @@ TEST(DdsTeam, PlaysFromBehindARouterThatTranslatesAddresses) {
   Running remote(on_bad_network(join(id, "blue", "remote", "striker"), {"BAD_NETWORK_NAT=0"}));
   const Outcome without = run_mirocup({"match", "--yellow", "chaser", "--half", "1", "--blue",
                                        "dds:remote", "--match", id, "--join-within", "6"});
-  EXPECT_NE(without.out.find("forfeit"), std::string::npos) << without.out;
+  EXPECT_NE(without.out.find("a participant was seen, but no connection to it came about"),
+            std::string::npos)
+      << without.out << without.err;
   EXPECT_TRUE(has_said(remote, "behind a router the match needs --nat")) << remote.err();
+}
+
+// Two teams behind one router play over wires with delay and loss. Catches states and answers that
+// are lost and not sent again, or driven twice; late answers that are thrown away, or not told. In
+// real time no more is expected, because a busy machine is late, too. MIROCUP_HALF=15
+// build/dds_tests --gtest_filter='*LongWires*' prints the table of server/dds/README.md.
+void expect_long_wires_play(bool is_secure) {
+  const char* asked = std::getenv("MIROCUP_HALF");
+  const TemporaryFolder folder;
+  run_mirocup({"league", "credentials", folder / "league", "--team", "one", "--team", "two"});
+  const auto credentials = [&](const std::string& whose) -> std::vector<std::string> {
+    if (is_secure) return {"--credentials", folder / "league/credentials/" + whose};
+    return {};
+  };
+  const auto play = [&](const std::string& blue, const std::string& yellow, const char* record) {
+    return std::vector<std::string>{
+        program("mirocup"),  "match",    "--blue",       blue, "--yellow", yellow, "--half",
+        asked ? asked : "1", "--record", folder / record};
+  };
+  run(play("striker", "striker", "so.json"));
+  using Row = std::array<std::string, 3>;  // ms one way, share of lost packets, speed
+  for (const auto& [ms, loss, speed] :
+       {Row{"5", "0", "1"}, Row{"5", "0.01", "1"}, Row{"10", "0.01", "1"}, Row{"20", "0.01", "1"},
+        Row{"20", "0.01", "max"}, Row{"0", "0.2", "max"}}) {
+    const std::string id = match_id("wire") + ms + loss + speed;
+    std::vector<std::string> wire{"BAD_NETWORK_DELAY=" + ms, "BAD_NETWORK_LOSS=" + loss};
+    auto server = play("dds:one", "dds:two", "dds.json");
+    for (const auto& more : {std::vector<std::string>{"--match", id, "--speed", speed, "--nat",
+                                                      "--open", "--away-limit", "60"},
+                             credentials("server")}) {
+      server.insert(server.end(), more.begin(), more.end());
+    }
+    Running leg(on_bad_network(server, wire));
+    wire.emplace_back("BAD_NETWORK_NAT=0");
+    const auto team = [&](const char* colour, const std::string& name) {
+      auto words = join(id, colour, name, "striker");
+      const auto own = credentials("teams/" + name);
+      words.insert(words.end(), own.begin(), own.end());
+      return on_bad_network(words, wire);
+    };
+    Running blue(team("blue", "one"));
+    Running yellow(team("yellow", "two"));
+    const Outcome played = leg.wait();
+    ASSERT_EQ(played.exit_code, 0) << played.err;
+    const auto record = read_json(folder / "dds.json");
+    EXPECT_EQ(record["result"]["end"], "full_time") << record["result"];
+    std::cout << ms << " ms, loss " << loss << ", speed " << speed << ": " << record["ticks"]
+              << " ticks";
+    for (const char* colour : {"blue", "yellow"}) {
+      const auto& network = record["network"][colour];
+      std::cout << "; in step " << network["in_step"] << ", late driven " << network["late_driven"]
+                << ", median " << network["answers"]["p50"];
+      if (ms != "20" || speed == "max") continue;
+      EXPECT_GT(network["late_driven"], 0) << network;
+      EXPECT_LE(network["late_driven"], record["budget"][colour]["late_ticks"]);
+      EXPECT_NE(played.err.find("too late; the robots drive the last command that came"),
+                std::string::npos)
+          << played.err;
+    }
+    std::cout << '\n';
+    if (speed != "max") continue;
+    EXPECT_EQ(record["state_hash"], read_json(folder / "so.json")["state_hash"]);
+  }
+}
+
+TEST(DdsTeam, PlaysOverLongWires) {
+  expect_long_wires_play(false);
+}
+
+TEST(DdsTeam, PlaysOverLongWiresWithCredentials) {
+  expect_long_wires_play(true);
 }
 
 // Catches a program on the network that loads its library without the parameters.
@@ -142,35 +199,26 @@ TEST(DdsTeam, PlaysOnFromATickOfARecord) {
   EXPECT_EQ(run_mirocup({"verify", folder / "on.json"}).exit_code, 0);
 }
 
-TEST(DdsTeam, MayMeetAnother) {
-  const TemporaryFolder folder;
-  const std::string id = match_id("both");
-  Running blue(join(id, "blue", "one", "striker"));
-  Running yellow(join(id, "yellow", "two", "keeper"));
-  const Outcome played = run_mirocup({"match", "--blue", "dds:one", "--yellow", "dds:two", "--half",
-                                      "5", "--match", id, "--record", folder / "leg.json"});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_EQ(blue.wait().exit_code, 0);
-  EXPECT_EQ(yellow.wait().exit_code, 0);
-  EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
-}
-
-// Catches a forfeit that does not tell the network's owner where to look.
+// Catches a forfeit that does not tell the network's owner where to look, and a match that waits
+// for two absent teams one after the other: the first would lose alone.
 TEST(DdsTeam, LosesWhenItDoesNotCome) {
   const TemporaryFolder folder;
   for (const std::string interface : {"lo", "127.0.0.1"}) {
     const Outcome played =
-        run_mirocup({"match", "--blue", "dds:nobody", "--yellow", "idle", "--half", "5", "--match",
-                     match_id("empty"), "--interface", interface, "--join-within", "1", "--record",
-                     folder / "leg.json"});
+        run_mirocup({"match", "--blue", "dds:nobody", "--yellow", "dds:noone", "--half", "5",
+                     "--match", match_id("empty"), "--interface", interface, "--join-within", "1",
+                     "--record", folder / "leg.json"});
     EXPECT_EQ(played.exit_code, 0) << played.err;
-    const auto fault = read_json(folder / "leg.json")["result"]["fault"];
-    EXPECT_EQ(fault["code"], "start_timeout");
+    const auto result = read_json(folder / "leg.json")["result"];
+    EXPECT_EQ(result["end"], "double_forfeit");
     const bool is_lo = interface == "lo";
     const std::string told =
         is_lo ? "with --interface lo, the team must run on this computer"
               : "this host's firewalls must let in UDP to ports 7410-7429 of 127.0.0.1";
-    EXPECT_NE(fault["text"].get<std::string>().find(told), std::string::npos) << fault;
+    for (const auto& fault : result["faults"]) {
+      EXPECT_EQ(fault["code"], "start_timeout");
+      EXPECT_NE(fault["text"].get<std::string>().find(told), std::string::npos) << fault;
+    }
     EXPECT_EQ(played.err.find("can be joined from this computer only") != std::string::npos, is_lo);
   }
 }
@@ -188,18 +236,6 @@ TEST(DdsTeam, EndsWhereAllPacketsAreLost) {
   EXPECT_EQ(exit_code_of({program("mirocup"), "match", "--blue", "dds:nobody", "--yellow", "idle",
                           "--half", "5", "--match", id}),
             0);
-}
-
-// The match waits for two absent teams at the same time, not one after the other.
-TEST(DdsTeam, IsWaitedForTogetherWithTheOther) {
-  const TemporaryFolder folder;
-  const Outcome played =
-      run_mirocup({"match", "--blue", "dds:nobody", "--yellow", "dds:noone", "--match",
-                   match_id("none"), "--join-within", "1", "--record", folder / "leg.json"});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  const auto record = read_json(folder / "leg.json");
-  EXPECT_EQ(record["result"]["end"], "double_forfeit");
-  for (const auto& fault : record["result"]["faults"]) EXPECT_EQ(fault["code"], "start_timeout");
 }
 
 TEST(DdsTeam, IsToldThatItsNameIsNotExpected) {

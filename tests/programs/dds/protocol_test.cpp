@@ -2,6 +2,7 @@
 //
 // What is on the network: versions that cannot play together and say so, what spectators are told,
 // and DDS domains.
+#include "system/descriptor.hpp"
 #include "tests/programs/dds/network.hpp"
 #include "tests/programs/dds/own_host.hpp"
 
@@ -9,7 +10,6 @@
 
 #include <arpa/inet.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 namespace mirocup {
 namespace {
@@ -102,36 +102,26 @@ TEST(Protocol, AMatchMayHaveADomainOfItsOwn) {
   EXPECT_EQ(run(match(id, {"--dds-domain", "231"})).exit_code, 2);
 }
 
-// Takes the ports that match servers have in domain 0, as processes of ROS 2 do.
-class TakenPorts {
- public:
-  TakenPorts() {
-    for (std::uint16_t port = 7410; port < 7430; ++port) {
-      sockets_.push_back(socket(AF_INET, SOCK_DGRAM, 0));
-      sockaddr_in address{};
-      address.sin_family = AF_INET;
-      address.sin_port = htons(port);
-      if (bind(sockets_.back(), reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) return;
-    }
-    has_all_ = true;
+// Takes the ports that match servers have in domain 0, as processes of ROS 2 do. Returns none if
+// something else has one of them.
+std::vector<system::Descriptor> take_ports() {
+  std::vector<system::Descriptor> sockets;
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  for (std::uint16_t port = 7410; port < 7430; ++port) {
+    sockets.emplace_back(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+    address.sin_port = htons(port);
+    if (bind(sockets.back().get(), reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
+      return {};
   }
-  TakenPorts(const TakenPorts&) = delete;
-  TakenPorts& operator=(const TakenPorts&) = delete;
-  ~TakenPorts() {
-    for (const int one : sockets_) close(one);
-  }
-  bool has_all() const { return has_all_; }
-
- private:
-  std::vector<int> sockets_;
-  bool has_all_ = false;
-};
+  return sockets;
+}
 
 // Catches a league whose legs stay in domain 0, or of which only the servers move.
 TEST(Protocol, ALeagueCanBePlayedBesideRos) {
   if (!is_on_own_host()) GTEST_SKIP() << "other tests need the ports of this computer";
-  const TakenPorts taken;
-  if (!taken.has_all()) GTEST_SKIP() << "something else has these ports";
+  const auto taken = take_ports();
+  if (taken.empty()) GTEST_SKIP() << "something else has these ports";
   const Outcome in_domain_0 = run(match(match_id("no-port")));
   EXPECT_EQ(in_domain_0.exit_code, 3);
   EXPECT_NE(in_domain_0.err.find("in DDS domain 0"), std::string::npos) << in_domain_0.err;

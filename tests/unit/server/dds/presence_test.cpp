@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/liveliness.hpp"
+#include "server/dds/seat.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +33,17 @@ std::string losers(const Verdict& verdict) {
 }
 
 const Standing gone{Away{20.0, 600}, 30.0};  // over its limit since 30 s
+
+// A process that joins and leaves again and again. Catches a log without end.
+TEST(FewWords, SayThatNoMoreFollow) {
+  std::vector<std::string> said;
+  FewWords words;
+  for (int i = 0; i < 14; ++i) {
+    words.say([&said](const std::string& text) { said.push_back(text); }, "left");
+  }
+  ASSERT_EQ(said.size(), 10U);
+  EXPECT_EQ(said.back(), "left; further messages of this kind are counted, but not printed");
+}
 
 TEST(Presence, LetsATeamBeAwayWithinItsLimit) {
   for (const Presence& other : std::vector<Presence>{Elsewhere{}, Present{29.0}, Late{29.0},
