@@ -4,7 +4,7 @@
 // that are never drawn, and a count that outlives its restart.
 #include "core/referee/referee.hpp"
 
-#include "tests/support/pitch.hpp"
+#include "tests/support/law_test.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,8 +41,7 @@ class ShootOutCourse : public testing::TestWithParam<End> {
   Referee referee_;
   End next_ = GetParam();
 };
-INSTANTIATE_TEST_SUITE_P(BegunBy, ShootOutCourse, testing::Values(End::left, End::right),
-                         [](const auto& end) { return std::string(to_string(end.param)); });
+INSTANTIATE_TEST_SUITE_P(BegunBy, ShootOutCourse, testing::ValuesIn(both_ends), end_name);
 
 TEST_P(ShootOutCourse, EndsAfterThreeAttemptsEachIfOneTeamLeads) {
   for (int round = 0; round < 2; ++round) {

@@ -12,15 +12,13 @@
 namespace mirocup::referee {
 namespace {
 
-using test_support::empty_situation;
-
 class Collision : public test_support::LawTest {
  protected:
   Collision() { pitch_.rules.collision_mps = 1.0; }
 
   // The left robot 0 meets the right robot 0 at this speed, the ball in the left half.
   std::optional<Decision> meet(double speed) {
-    Situation s = empty_situation(pitch_.field, {-0.3, 0.3});
+    Situation s = with_ball({-0.3, 0.3});
     s.robots[index_of(End::left)][0] = {{0.0, 0.0}, Heading{}};
     s.robots[index_of(End::right)][0] = {{0.08, 0.0}, Heading{}};
     s.velocity[index_of(End::left)][0] = {speed, 0.0};
@@ -34,27 +32,20 @@ INSTANTIATE_TEST_SUITE_P(BothEnds, Collision, testing::ValuesIn(both_ends), test
 
 TEST_P(Collision, IsNotedOnceAndNamesBothRobots) {
   const auto note = meet(1.01);
-  ASSERT_TRUE(note);
-  EXPECT_EQ(note->verdict, Verdict::NONE);
-  EXPECT_EQ(note->team, at(End::left)) << "the faster one";
+  expect_call(note, Verdict::NONE, End::left);  // the faster one
   for (const RobotSet& robots : note->robots) EXPECT_EQ(robots.to_ulong(), 0b001u);
   EXPECT_FALSE(meet(1.01)) << "they still touch";
-}
-
-TEST_P(Collision, BelowTheLimitIsNone) {
-  EXPECT_FALSE(meet(0.99));
 }
 
 TEST_P(Collision, IsCalledLikeAPushWhereTheRulesSaySo) {
   pitch_.rules.collision_foul = true;
   const auto foul = meet(1.01);
-  ASSERT_TRUE(foul);
-  EXPECT_EQ(foul->verdict, Verdict::FREE_KICK) << "the ball is in the offender's half";
+  expect_call(foul, Verdict::FREE_KICK, End::left);  // the ball is in the offender's half
   EXPECT_EQ(foul->law, Law::collision);
-  EXPECT_EQ(foul->team, at(End::left));
 }
 
-TEST_P(Collision, IsIgnoredByDefault) {
+TEST_P(Collision, IsIgnoredBelowTheLimitAndByDefault) {
+  EXPECT_FALSE(meet(0.99));
   pitch_.rules = make_rules(Preset::mirosot);
   EXPECT_FALSE(meet(5.0));
 }

@@ -10,12 +10,10 @@
 namespace mirocup::referee {
 namespace {
 
-using test_support::empty_situation;
-
 class FallenRobot : public test_support::LawTest {
  protected:
   std::optional<Decision> judge(const Vec2& where, bool is_fallen) {
-    Situation s = empty_situation(pitch_.field, {0.0, 0.0});
+    Situation s = with_ball({0.0, 0.0});
     s.robots[index_of(End::right)][1] = {where, Heading{}};
     s.fallen[index_of(End::right)][1] = is_fallen;
     return judge_fallen(pitch_.pitch(), seen(s));
@@ -26,18 +24,10 @@ INSTANTIATE_TEST_SUITE_P(BothEnds, FallenRobot, testing::ValuesIn(both_ends),
 
 TEST_P(FallenRobot, OnTheGoalLineStopsPlay) {
   const auto stop = judge({0.73, 0.1}, true);
-  ASSERT_TRUE(stop);
-  EXPECT_EQ(stop->verdict, Verdict::RESTART);
-  EXPECT_EQ(stop->team, at(End::right));
+  expect_call(stop, Verdict::RESTART, End::right);
   EXPECT_EQ(stop->robots[index_of(at(End::right))].to_ulong(), 0b010u);
-}
-
-TEST_P(FallenRobot, AwayFromTheGoalsIsLeftAlone) {
-  EXPECT_FALSE(judge({0.5, 0.1}, true));
-}
-
-TEST_P(FallenRobot, IsNotARobotThatStandsOnTheGoalLine) {
-  EXPECT_FALSE(judge({0.73, 0.1}, false));
+  EXPECT_FALSE(judge({0.5, 0.1}, true)) << "away from the goals";
+  EXPECT_FALSE(judge({0.73, 0.1}, false)) << "it stands";
 }
 
 }  // namespace

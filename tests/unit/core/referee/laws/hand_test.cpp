@@ -11,12 +11,10 @@
 namespace mirocup::referee {
 namespace {
 
-using test_support::empty_situation;
-
 class HandOnTheField : public test_support::LawTest {
  protected:
   std::optional<Decision> judge(bool left, bool right) {
-    Situation s = empty_situation(pitch_.field, {-0.3, 0.0});
+    Situation s = with_ball({-0.3, 0.0});
     s.hand = {left, right};
     return judge_hand(pitch_.pitch(), seen(s));
   }
@@ -28,11 +26,7 @@ TEST_P(HandOnTheField, CostsAPenaltyWhereTheRulesSaySo) {
   EXPECT_FALSE(judge(true, false)) << "off by default";
   pitch_.rules.hand_penalty = true;
   EXPECT_FALSE(judge(false, false));
-  const auto called = judge(true, false);
-  ASSERT_TRUE(called);
-  EXPECT_EQ(called->verdict, Verdict::PENALTY_KICK);
-  EXPECT_EQ(called->team, at(End::left));
-  EXPECT_EQ(called->taker, at(End::right));
+  expect_call(judge(true, false), Verdict::PENALTY_KICK, End::left, End::right);
 }
 
 TEST_P(HandOnTheField, ByBothTeamsIsCalledAgainstTheOneNearerToTheBall) {

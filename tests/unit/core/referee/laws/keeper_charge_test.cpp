@@ -11,46 +11,37 @@
 namespace mirocup::referee {
 namespace {
 
-using test_support::empty_situation;
-
 class KeeperCharge : public test_support::LawTest {
  protected:
   // The left robot 0 touches the right keeper, driving at it and coming at these speeds.
   int charge(double commanded, double speed, const Vec2& ball, bool touches_ball = false) {
-    Situation s = empty_situation(pitch_.field, ball);
+    Situation s = with_ball(ball);
     s.robots[index_of(End::right)][0] = {{0.68, 0.0}, Heading{}};
     s.robots[index_of(End::left)][0] = {{0.60, 0.0}, Heading{}};
     s.commanded[index_of(End::left)][0] = {commanded, 0.0};
     s.velocity[index_of(End::left)][0] = {speed, 0.0};
     s.touched_ball[index_of(End::left)][0] = touches_ball;
     set_touch(s, {End::left, 0}, {End::right, 0});
-    occupancy_.keeper[index_of(at(End::right))] = RobotId{at(End::right), 0};
-    const auto judge = [&](const Situation& turned) {
+    set_right_keeper();
+    return ticks_until_called(s, [&](const Situation& turned) {
       return judge_keeper_charge(pitch_.pitch(), turned, occupancy_, memory_);
-    };
-    return ticks_until_called(s, judge, &called_);
+    });
   }
 
-  Occupancy occupancy_;
   KeeperChargeMemory memory_;
-  std::optional<Decision> called_;
 };
 INSTANTIATE_TEST_SUITE_P(BothEnds, KeeperCharge, testing::ValuesIn(both_ends),
                          test_support::end_name);
 
 TEST_P(KeeperCharge, ByDrivingIntoTheKeeperCostsAGoalKick) {
   EXPECT_EQ(charge(0.3, 0.1, {0.5, 0.3}), 4) << "0.099 s after the first";
-  EXPECT_EQ(called_->verdict, Verdict::GOAL_KICK);
-  EXPECT_EQ(called_->team, at(End::left));
-  EXPECT_EQ(called_->taker, at(End::right));
+  expect_call(called_, Verdict::GOAL_KICK, End::left, End::right);
 }
 
 TEST_P(KeeperCharge, ByAHardImpactIsCalledAtOnce) {
+  EXPECT_EQ(charge(0.0, 0.49, {0.5, 0.3}), 0) << "a brush";
+  memory_ = {};
   EXPECT_EQ(charge(0.0, 0.51, {0.5, 0.3}), 1);
-}
-
-TEST_P(KeeperCharge, IsNotABrush) {
-  EXPECT_EQ(charge(0.0, 0.49, {0.5, 0.3}), 0);
 }
 
 TEST_P(KeeperCharge, ThroughTheBallIsAllowed) {

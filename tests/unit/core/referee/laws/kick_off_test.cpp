@@ -4,36 +4,30 @@
 // run.
 #include "core/referee/laws/kick_off.hpp"
 
-#include "tests/support/pitch.hpp"
+#include "tests/support/law_test.hpp"
 
 #include <gtest/gtest.h>
 
 namespace mirocup::referee {
 namespace {
 
-using namespace test_support;
-
-class KickOff : public testing::TestWithParam<End> {
+class KickOff : public test_support::LawTest {
  protected:
   KickOff() {
     memory_.is_pending = true;
-    memory_.taker = GetParam();
+    memory_.taker = at(End::left);
   }
 
-  // Positions in the taker's frame.
   std::optional<Decision> roll(const Vec2& from, const Vec2& to, bool touch = true) {
-    Situation s = empty_situation(pitch_.field, to);
+    Situation s = with_ball(to);
     s.ball_before = from;
     s.touched_ball[index_of(End::left)][1] = touch;
-    if (GetParam() == End::right) s = test_support::half_turned(s);
-    return judge_kick_off(pitch_.pitch(), s, memory_);
+    return judge_kick_off(pitch_.pitch(), seen(s), memory_);
   }
 
-  TestPitch pitch_;
   KickOffMemory memory_;
 };
-INSTANTIATE_TEST_SUITE_P(By, KickOff, testing::Values(End::left, End::right),
-                         [](const auto& end) { return std::string(to_string(end.param)); });
+INSTANTIATE_TEST_SUITE_P(BothEnds, KickOff, testing::ValuesIn(both_ends), test_support::end_name);
 
 TEST_P(KickOff, BackwardsIsFine) {
   EXPECT_FALSE(roll({0.0, 0.0}, {-0.049, 0.01}));
@@ -44,11 +38,8 @@ TEST_P(KickOff, BackwardsIsFine) {
 TEST_P(KickOff, ForwardsPassesItToTheOpponents) {
   EXPECT_FALSE(roll({0.0, 0.0}, {0.049, 0.0}));
   const auto violation = roll({0.049, 0.0}, {0.052, 0.0});
-  ASSERT_TRUE(violation);
-  EXPECT_EQ(violation->verdict, Verdict::KICK_OFF_VIOLATION);
-  EXPECT_EQ(violation->team, GetParam());
+  expect_call(violation, Verdict::KICK_OFF_VIOLATION, End::left, End::right);
   EXPECT_EQ(violation->restart, Restart::KICK_OFF);
-  EXPECT_EQ(violation->taker, opposite(GetParam()));
 }
 
 TEST_P(KickOff, IsJudgedWhereTheBallLeavesTheCircleNotWhereItEnds) {

@@ -10,24 +10,21 @@
 namespace mirocup::referee {
 namespace {
 
-using test_support::empty_situation;
-
 class PenaltyAttempt : public test_support::LawTest {
  protected:
   PenaltyAttempt() {
     memory_.is_on = true;
     memory_.taker = at(End::left);
-    occupancy_.keeper[index_of(at(End::right))] = RobotId{at(End::right), 0};
+    set_right_keeper();
   }
 
   // One tick with the ball there; the reason if the attempt is over.
   std::optional<std::string> tick(const Vec2& ball, bool keeper_touches = false) {
-    Situation s = empty_situation(pitch_.field, ball);
+    Situation s = with_ball(ball);
     s.touched_ball[index_of(End::right)][0] = keeper_touches;
     return judge_penalty_attempt(pitch_.pitch(), seen(s), occupancy_, false, memory_);
   }
 
-  Occupancy occupancy_;
   PenaltyAttemptMemory memory_;
 };
 INSTANTIATE_TEST_SUITE_P(BothEnds, PenaltyAttempt, testing::ValuesIn(both_ends),

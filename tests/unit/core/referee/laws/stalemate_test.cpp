@@ -4,8 +4,7 @@
 // quarter, and the wrong law inside a goal area.
 #include "core/referee/laws/stalemate.hpp"
 
-#include "core/referee/laws/keeper_hold.hpp"
-#include "tests/support/pitch.hpp"
+#include "tests/support/law_test.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,88 +13,53 @@
 namespace mirocup::referee {
 namespace {
 
-using namespace test_support;
-
-// A decision and how long the ball had lain until then, s.
-struct TimedDecision {
-  std::optional<Decision> decision;
-  double after = 0.0;
-};
-
-class RestingBall : public testing::TestWithParam<End> {
+class RestingBall : public test_support::LawTest {
  protected:
-  // Judges a ball that lies, or shakes, at a place until a law calls it; nothing after 33 s.
-  TimedDecision wait(const Vec2& ball, double shake = 0.0,
-                     std::optional<Vec2> opponent = std::nullopt) {
-    StalemateMemory stalemate;
-    KeeperHoldMemory hold;
-    for (int tick = 0; tick < 1000; ++tick) {
-      Situation s = empty_situation(pitch_.field, ball + Vec2{shake * std::sin(0.9 * tick), 0.0});
-      if (opponent) s.robots[index_of(End::right)][2].position = *opponent;
-      if (GetParam() == End::right) s = half_turned(s);
-      auto decision = judge_keeper_hold(pitch_.pitch(), s, hold);
-      if (!decision) decision = judge_stalemate(pitch_.pitch(), s, stalemate);
-      if (decision) return {decision, 0.033 * (tick + 1)};
-    }
-    return {};
+  // Judges a ball that lies, or shakes, at a place until it is called.
+  int wait(const Vec2& ball, double shake = 0.0, std::optional<Vec2> opponent = std::nullopt) {
+    Situation s = with_ball(ball);
+    if (opponent) s.robots[index_of(End::right)][2].position = *opponent;
+    StalemateMemory memory;
+    return ticks_until_called(s, [&, tick = 0](Situation turned) mutable {
+      turned.ball.x() += shake * std::sin(0.9 * tick++);
+      return judge_stalemate(pitch_.pitch(), turned, memory);
+    });
   }
-
-  End me() const { return GetParam(); }
-
-  TestPitch pitch_;
 };
-INSTANTIATE_TEST_SUITE_P(SeenBy, RestingBall, testing::Values(End::left, End::right),
-                         [](const auto& end) { return std::string(to_string(end.param)); });
+INSTANTIATE_TEST_SUITE_P(BothEnds, RestingBall, testing::ValuesIn(both_ends),
+                         test_support::end_name);
 
 TEST_P(RestingBall, GivesAFreeBallInItsQuarter) {
-  const TimedDecision v = wait({0.30, 0.50});
-  ASSERT_TRUE(v.decision);
-  EXPECT_EQ(v.decision->verdict, Verdict::FREE_BALL);
-  EXPECT_NEAR(v.after, 10.0, 0.04);
-  const Vec2 mark = attack_sign(me()) * Vec2{0.375, 0.40};
-  EXPECT_EQ(v.decision->spot, mark);
-  EXPECT_EQ(v.decision->taker, opposite(me())) << "the defender of that half places first";
+  EXPECT_EQ(wait({0.30, 0.50}), 303) << "9.999 s";
+  EXPECT_EQ(called_->verdict, Verdict::FREE_BALL);
+  EXPECT_EQ(called_->spot, (attack_sign(GetParam()) * Vec2{0.375, 0.40}));
+  EXPECT_EQ(called_->taker, at(End::right)) << "the defender of that half places first";
 }
 
 TEST_P(RestingBall, MayShakeWithinOneRobotSide) {
-  EXPECT_NEAR(wait({0.30, 0.50}, 0.03).after, 10.0, 0.04);
-  EXPECT_FALSE(wait({0.30, 0.50}, 0.10).decision);
+  EXPECT_EQ(wait({0.30, 0.50}, 0.03), 303);
+  EXPECT_EQ(wait({0.30, 0.50}, 0.10), 0);
 }
 
-TEST_P(RestingBall, UncontestedInTheOwnGoalAreaCostsAPenalty) {
-  const TimedDecision v = wait({-0.67, 0.0});
-  ASSERT_TRUE(v.decision);
-  EXPECT_EQ(v.decision->verdict, Verdict::PENALTY_KICK);
-  EXPECT_EQ(v.decision->team, me());
-  EXPECT_EQ(v.decision->taker, opposite(me()));
-  EXPECT_NEAR(v.after, 10.0, 0.04);
-}
-
-TEST_P(RestingBall, ContestedInAGoalAreaGivesAGoalKick) {
-  const TimedDecision v = wait({-0.67, 0.0}, 0.0, Vec2{-0.60, 0.0});
-  ASSERT_TRUE(v.decision);
-  EXPECT_EQ(v.decision->verdict, Verdict::GOAL_KICK);
-  EXPECT_EQ(v.decision->taker, me());
-}
-
-TEST_P(RestingBall, IsContestedByOpponentsWithinOneAndAHalfSides) {
-  EXPECT_EQ(wait({-0.67, 0.0}, 0.0, Vec2{-0.67 + 0.1124, 0.0}).decision->verdict,
-            Verdict::GOAL_KICK);
-  EXPECT_EQ(wait({-0.67, 0.0}, 0.0, Vec2{-0.67 + 0.1126, 0.0}).decision->verdict,
-            Verdict::PENALTY_KICK);
-}
-
-TEST_P(RestingBall, UncontestedWithoutThatLawGivesAGoalKick) {
+// An uncontested ball is judged by the law keeper_hold, where that is on.
+TEST_P(RestingBall, InAGoalAreaGivesAGoalKickIfItIsContestedOrNoOtherLawCallsIt) {
+  const Vec2 in_area{-0.67, 0.0};
+  EXPECT_EQ(wait(in_area), 0);
+  EXPECT_EQ(wait(in_area, 0.0, Vec2{-0.60, 0.0}), 303);
+  EXPECT_EQ(called_->verdict, Verdict::GOAL_KICK);
+  EXPECT_EQ(called_->taker, at(End::left));
   pitch_.rules = make_rules(Preset::simurosot);
-  EXPECT_EQ(wait({-0.67, 0.0}).decision->verdict, Verdict::GOAL_KICK);
+  EXPECT_GT(wait(in_area), 0);
+  EXPECT_EQ(called_->verdict, Verdict::GOAL_KICK);
 }
 
 TEST(Stalemate, StartsAgainWhenTheBallHasMovedOn) {
-  const TestPitch pitch;
+  const test_support::TestPitch pitch;
   StalemateMemory memory;
   for (int tick = 0; tick < 363; ++tick) {  // 12 s
     const Vec2 ball{tick < 300 ? 0.20 : 0.28, -0.30};
-    EXPECT_FALSE(judge_stalemate(pitch.pitch(), empty_situation(pitch.field, ball), memory));
+    const Situation s = test_support::empty_situation(pitch.field, ball);
+    EXPECT_FALSE(judge_stalemate(pitch.pitch(), s, memory));
   }
 }
 
