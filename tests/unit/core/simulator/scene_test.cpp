@@ -61,19 +61,21 @@ TEST(Scene, BallIsPushedThroughTheSlowSpeedOfOneAxis) {
 }
 
 // A ball at 45 degrees against the side: the normal part turns by restitution, the other loses the
-// coefficient times the normal impulse.
+// coefficient times the normal impulse. Catches a bound without the restitution's share, and
+// friction that pushes the ball along or back.
 TEST(Scene, WallFrictionFollowsCoulombsLaw) {
-  Scene scene = ball_scene({0.5, 0.0}, {1.0, 1.0}, 0.4);
-  scene.parameters.contact_friction.ball_wall = 0.2;
-  scene.parameters.rolling_resistance = 0.0;
-  scene.parameters.viscous_friction = 0.0;
-  const SceneResult result = run_scene(scene, standard);
-  const double e = scene.parameters.restitution.ball_wall;
-  EXPECT_NEAR(result.samples.back().ball->velocity.x(), -e, 1e-14);
-  EXPECT_NEAR(result.samples.back().ball->velocity.y(), 1.0 - 0.2 * (1.0 + e), 1e-14);
-
-  scene.parameters.contact_friction.ball_wall = 10.0;  // more than enough to stop the sliding
-  EXPECT_NEAR(run_scene(scene, standard).samples.back().ball->velocity.y(), 0.0, 1e-14);
+  for (const double side : {1.0, -1.0}) {
+    Scene scene = ball_scene({0.5, 0.0}, {1.0, side}, 0.4);
+    scene.parameters.rolling_resistance = scene.parameters.viscous_friction = 0.0;
+    const double e = scene.parameters.restitution.ball_wall;
+    const auto velocity_after = [&](double friction) {
+      scene.parameters.contact_friction.ball_wall = friction;
+      return run_scene(scene, standard).samples.back().ball->velocity;
+    };
+    EXPECT_NEAR(velocity_after(0.2).x(), -e, 1e-14);
+    EXPECT_NEAR(velocity_after(0.2).y(), side * (1.0 - 0.2 * (1.0 + e)), 1e-14);
+    EXPECT_NEAR(velocity_after(10.0).y(), 0.0, 1e-14) << "more than enough to stop the sliding";
+  }
 }
 
 // Two robots side by side, one pushes along the other's flank: with friction it drags it along.

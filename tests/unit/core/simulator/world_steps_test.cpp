@@ -19,9 +19,12 @@ Tolerances without_event_budget() {
   return tolerances;
 }
 
-BodyState body_of(const World& world, int robot) {
-  const BodyState& r = world.robot(robot);
-  return {r.position, r.heading, r.twist};
+// Expects no two robots to overlap by more than this, m.
+void expect_apart(const World& world, double most) {
+  for (int i = 0; i < world.robots(); ++i) {
+    for (int j = 0; j < i; ++j)
+      EXPECT_GT(gap(world.static_world(), pair_of(i, j), world.robot(i), world.robot(j)), -most);
+  }
 }
 
 // Six robots around the ball, each turned by that angle (rad) against the direction to it.
@@ -53,12 +56,7 @@ TEST(World, TimeSteppedCrowdHasNoOverlaps) {
   int stepped = 0;
   for (int tick = 0; tick < 60; ++tick) {
     stepped += world.advance(whirl(tick), 0.033).stepped;
-    for (int i = 0; i < 6; ++i) {
-      for (int j = 0; j < i; ++j) {
-        const geometry::Outline& shape = world.static_world().robot_outline;
-        EXPECT_GT(gap(shape, body_of(world, i), shape, body_of(world, j)), -1e-9) << tick;
-      }
-    }
+    expect_apart(world, 1e-9);
   }
   EXPECT_GT(stepped, 50);
 }
@@ -80,12 +78,7 @@ TEST(World, TimeSteppedCrowdOfAllRobotsHasNoOverlaps) {
       commands[i] = WheelSpeeds{forward - turn, forward + turn};
     }
     world.advance(commands, 0.033);
-    for (int i = 0; i < max_robots; ++i) {
-      for (int j = 0; j < i; ++j) {
-        const BodyState body = body_of(world, i);
-        EXPECT_GT(gap(world.static_world(), pair_of(i, j), body, body_of(world, j)), -1e-6) << tick;
-      }
-    }
+    expect_apart(world, 1e-6);
   }
 }
 
@@ -96,10 +89,10 @@ TEST(World, TickOfDurationZeroMovesNoSteppedBody) {
   set_around_ball(world, 0.09, 0.3);
   for (int tick = 0; tick < 20; ++tick) {
     world.advance(whirl(tick), 0.033);
-    const BodyState before = body_of(world, 0);
+    const BodyState before = world.robot(0);
     EXPECT_FALSE(world.advance(whirl(tick), 0.0).stepped);
-    EXPECT_NEAR((body_of(world, 0).position - before.position).norm(), 0.0, 1e-9);
-    EXPECT_TRUE(std::isfinite(body_of(world, 0).twist.omega));
+    EXPECT_NEAR((world.robot(0).position - before.position).norm(), 0.0, 1e-9);
+    EXPECT_TRUE(std::isfinite(world.robot(0).twist.omega));
   }
 }
 
@@ -144,7 +137,7 @@ TEST(World, RobotThatLeavesItsStepIslandStaysInsideTheWalls) {
     }
     world.advance(commands, 0.033);
     for (int i = 0; i < 3; ++i) {
-      const BodyState body = body_of(world, i);
+      const BodyState body = world.robot(i);
       for (int k = 0; k < plane_walls + end_walls; ++k) {
         EXPECT_GT(gap(world.static_world(), pair_with_obstacle(i, k), body, BodyState{}), -1e-9)
             << tick;

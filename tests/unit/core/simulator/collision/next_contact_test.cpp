@@ -104,30 +104,31 @@ TEST(NextContact, OnlyPersistentContactsSeparate) {
 }
 
 // The rows of such a contact: the gap stays, the lever on the edge's side grows as the corner
-// slides, the edge's normal turns in the robot's frame.
+// slides, the edge's normal turns in the robot's frame. Catches an edge whose ends are mixed up.
 TEST(ContactSeries, FollowACornerAlongAnEdge) {
   constexpr double tilt = 0.02;
   constexpr double rate = -4.0;
-  constexpr double slide = 0.3;
-  const Tilted t(tilt, rate, slide, 0.02);
-  resting_contact::ContactSeries rows;
-  start_rows(t.world, t.contact, t.segments, rows);
-  EXPECT_NEAR(rows.first_a[2], t.contact.row.on_a[2], 1e-15);
-  EXPECT_NEAR(rows.first_b[2], -t.contact.row.on_b[2], 1e-15);
-  double factor = 1.0;  // of term k of a function of the angle: its derivative times this
-  for (int k = 0; k + 1 < trajectory::max_terms; ++k) {
-    EXPECT_NEAR(rows.heading.c[k][0], factor * std::cos(tilt + k * pi / 2.0), 1e-12) << k;
-    EXPECT_NEAR(rows.heading.c[k][1], factor * std::sin(tilt + k * pi / 2.0), 1e-12) << k;
-    extend_rows(t.world, t.contact, k, rows);
-    EXPECT_NEAR(rows.lever_b[k + 1], k == 0 ? -slide : 0.0, 1e-12) << k;
-    EXPECT_NEAR(gap_rate_term(t.contact, k + 1, rows), 0.0, 1e-12) << k;
-    factor *= rate / (k + 1);
+  for (const double slide : {0.3, -0.3}) {
+    const Tilted t(tilt, rate, slide, 0.02);
+    resting_contact::ContactSeries rows;
+    start_rows(t.world, t.contact, t.segments, rows);
+    EXPECT_NEAR(rows.first_a[2], t.contact.row.on_a[2], 1e-15);
+    EXPECT_NEAR(rows.first_b[2], -t.contact.row.on_b[2], 1e-15);
+    double factor = 1.0;  // of term k of a function of the angle: its derivative times this
+    for (int k = 0; k + 1 < trajectory::max_terms; ++k) {
+      EXPECT_NEAR(rows.heading.c[k][0], factor * std::cos(tilt + k * pi / 2.0), 1e-12) << k;
+      EXPECT_NEAR(rows.heading.c[k][1], factor * std::sin(tilt + k * pi / 2.0), 1e-12) << k;
+      extend_rows(t.world, t.contact, k, rows);
+      EXPECT_NEAR(rows.lever_b[k + 1], k == 0 ? -slide : 0.0, 1e-12) << k;
+      EXPECT_NEAR(gap_rate_term(t.contact, k + 1, rows), 0.0, 1e-12) << k;
+      factor *= rate / (k + 1);
+    }
+    set_terms(rows, trajectory::max_terms);
+    // From y = -0.01 at 0.3 m/s to the end of the edge, upwards or downwards.
+    EXPECT_EQ(time_on_edge(t.contact, rows, 0.0, 0.02), 0.02);
+    const double path = t.world.parameters.robot_side / 2.0 + (slide > 0.0 ? 0.01 : -0.01);
+    EXPECT_NEAR(time_on_edge(t.contact, rows, 0.0, 1.0), path / 0.3, 1e-12);
   }
-  set_terms(rows, trajectory::max_terms);
-  // From y = -0.01 at 0.3 m/s to the end of the edge.
-  EXPECT_EQ(time_on_edge(t.contact, rows, 0.0, 0.02), 0.02);
-  const double path = 0.01 + t.world.parameters.robot_side / 2.0;
-  EXPECT_NEAR(time_on_edge(t.contact, rows, 0.0, 1.0), path / slide, 1e-12);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace mirocup::simulator::collision {
 namespace {
@@ -58,45 +57,6 @@ TEST(TimeOfImpact, OfTouchingBodiesIsWhenTheyPenetrate) {
         time_of_impact_or_penetration({cube, segment}, {cube, still}, penetration, 0.0, whole_tick),
         from + penetration, 1e-12)
         << gap;
-  }
-}
-
-// A square that spins in place beside a wall: its corner comes down at a known angle. Catches a
-// corner that is taken to move on a straight line.
-TEST(TimeOfImpact, OfASpinningSquareIsAClosedForm) {
-  constexpr double side = 0.08;
-  constexpr double omega = 10.0;  // rad/s
-  const geometry::Outline square = geometry::square(side);
-  for (const double angle : {0.05, 0.1, 0.25}) {
-    // A corner is in the direction pi/4 and comes to height radius sin(pi/4 + angle).
-    const double height = square.radius * std::sin(0.25 * pi + angle);
-    const field::Wall below{{0.0, 1.0}, -height};
-    const BodyState body{{0.0, 0.0}, Heading{}, {0.0, 0.0, omega}};
-    const trajectory::Segment segment = trajectory::steady_segment(body, 0.0, whole_tick);
-    EXPECT_NEAR(time_of_impact({square, segment}, below, 0.0, 0.0, whole_tick), angle / omega,
-                1e-11)
-        << angle;
-  }
-}
-
-// Body and pose on an arc of known radius. Catches a pose that leaves out the sideways velocity.
-TEST(Segment, PoseAndBodyFollowAnArc) {
-  constexpr double begin = 0.001;
-  const BodyState body{{0.3, -0.2}, Heading::from_angle(0.7), {0.9, -0.1, 5.0}};
-  const trajectory::Segment segment = trajectory::steady_segment(body, begin, whole_tick);
-  for (const double t : {begin, 0.01, whole_tick}) {
-    const double turned = 5.0 * (t - begin);
-    // The integral of the velocity, which turns with the body.
-    const Vec2 path{(0.9 * std::sin(turned) + 0.1 * (1.0 - std::cos(turned))) / 5.0,
-                    (0.9 * (1.0 - std::cos(turned)) - 0.1 * std::sin(turned)) / 5.0};
-    const Vec2 place = body.position + body.heading.to_world(path);
-    const Heading heading = Heading::from_angle(0.7 + turned);
-    const Pose pose = pose_at(segment, t);
-    EXPECT_NEAR((pose.position - place).norm(), 0.0, 1e-13);
-    EXPECT_NEAR(pose.heading.cos, heading.cos, 1e-13);
-    EXPECT_NEAR(pose.heading.sin, heading.sin, 1e-13);
-    EXPECT_NEAR((body_at(segment, t).position - place).norm(), 0.0, 1e-13);
-    EXPECT_NEAR(body_at(segment, t).twist.left, -0.1, 1e-13);
   }
 }
 

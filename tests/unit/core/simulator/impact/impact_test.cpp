@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -54,30 +53,6 @@ struct Row {
     return sum;
   }
 };
-
-// Newton's cradle. Catches a solver that stops all bodies at once and shares the momentum.
-TEST(Impact, ARowOfEqualBodiesPassesTheImpulseOn) {
-  for (const int robots : {2, 3, 5}) {
-    Row row(robots, 1.0);
-    row.bodies[0].twist.forward = 1.0;
-    row.resolve();
-    for (int i = 0; i < robots; ++i) {
-      EXPECT_NEAR(row.bodies[i].twist.forward, i == robots - 1 ? 1.0 : 0.0, 1e-9) << robots;
-    }
-  }
-}
-
-// Equation (21). Catches an impulse without the factor 1 + e.
-TEST(Impact, TwoBodiesSeparateWithRestitutionTimesTheirApproach) {
-  for (const double e : {0.0, 0.3, 1.0}) {
-    Row row(2, e);
-    row.bodies[0].twist.forward = 0.7;
-    row.bodies[1].twist.forward = -0.2;
-    row.resolve();
-    EXPECT_NEAR(row.bodies[1].twist.forward - row.bodies[0].twist.forward, 0.9 * e, 1e-12);
-    EXPECT_NEAR(row.bodies[0].twist.forward + row.bodies[1].twist.forward, 0.5, 1e-12);
-  }
-}
 
 // A row of which the first is hit while the others press: the rate of a contact that presses is
 // zero up to rounding. Catches an impact whose impulses depend on the sign of that rounding.

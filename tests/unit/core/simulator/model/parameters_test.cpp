@@ -22,25 +22,14 @@ Parameters with_corners(std::initializer_list<Vec2> corners) {
   return p;
 }
 
-TEST(Parameters, InertiaOfARectangleIsThatOfItsSides) {
-  const double a = 0.08;
-  const double b = 0.05;
-  const Parameters p = with_corners(
+TEST(Parameters, InertiaIsThatOfTheShape) {
+  const double a = 0.08, b = 0.05;
+  const Parameters rectangle = with_corners(
       {{a / 2.0, -b / 2.0}, {a / 2.0, b / 2.0}, {-a / 2.0, b / 2.0}, {-a / 2.0, -b / 2.0}});
-  EXPECT_NEAR(p.robot_inertia(), p.robot_mass * (a * a + b * b) / 12.0, 1e-18);
-}
-
-TEST(Parameters, InertiaOfASquareIsTheSameByItsSideAndByItsCorners) {
-  const double h = Parameters{}.robot_side / 2.0;
-  const Parameters p = with_corners({{h, -h}, {h, h}, {-h, h}, {-h, -h}});
-  EXPECT_NEAR(p.robot_inertia(), Parameters{}.robot_inertia(), 1e-18);
-}
-
-TEST(Parameters, InertiaOfARegularTriangleIsMassTimesSideSquaredByTwelve) {
-  const double side = 0.09;
-  const double r = side / std::sqrt(3.0);
-  const Parameters p = with_corners({{r, 0.0}, {-r / 2.0, side / 2.0}, {-r / 2.0, -side / 2.0}});
-  EXPECT_NEAR(p.robot_inertia(), p.robot_mass * side * side / 12.0, 1e-18);
+  EXPECT_NEAR(rectangle.robot_inertia(), rectangle.robot_mass * (a * a + b * b) / 12.0, 1e-18);
+  const double r = a / std::sqrt(3.0);
+  const Parameters triangle = with_corners({{r, 0.0}, {-r / 2.0, a / 2.0}, {-r / 2.0, -a / 2.0}});
+  EXPECT_NEAR(triangle.robot_inertia(), triangle.robot_mass * a * a / 12.0, 1e-18);
 }
 
 }  // namespace

@@ -65,36 +65,5 @@ TEST(ContactSeries, RateOfTheBallOnACornerIsThatOfTheGap) {
                                   BodyState{place, Heading{}, {velocity.x(), velocity.y(), 0.0}}});
 }
 
-// A point at speed v along an edge of half length l leaves it after (l - place) / v. Catches an
-// edge whose ends are mixed up.
-TEST(ContactSeries, CornerLeavesItsEdgeWhereTheEdgeEnds) {
-  const collision::StaticWorld world =
-      collision::make_static_world(nullptr, Parameters{}, Tolerances{}, 2, false);
-  const double half = 0.5 * world.parameters.robot_side;
-  const double reach = half + world.robot_outline.radius;
-  const Heading corner_on = Heading::from_angle(0.25 * 3.14159265358979323846);
-  for (const double speed : {1.0, -1.0}) {
-    const std::array<BodyState, 2> bodies{BodyState{{0.0, 0.0}, Heading{}, {}},
-                                          BodyState{{reach, 0.0}, corner_on, {}}};
-    collision::ContactList list;
-    add_contacts(world, pair_of(1, 0), bodies, 1e-3, list);
-    ASSERT_EQ(list.count, 1);
-    std::array<trajectory::Segment, 2> segments{
-        trajectory::steady_segment(bodies[0], 0.0, 0.1),
-        trajectory::steady_segment(
-            {bodies[1].position, corner_on, {speed * corner_on.sin, speed * corner_on.cos, 0.0}},
-            0.0, 0.1)};
-    ContactSeries rows;
-    start_rows(world, list.list[0], segments, rows);
-    for (int k = 0; k < trajectory::min_terms - 1; ++k) {
-      gap_rate_term(list.list[0], k, rows);
-      extend_rows(world, list.list[0], k, rows);
-    }
-    set_terms(rows, trajectory::min_terms);
-    EXPECT_NEAR(time_on_edge(list.list[0], rows, 0.0, 0.1), half, 1e-9) << speed;
-    EXPECT_EQ(time_on_edge(list.list[0], rows, 0.0, 0.01), 0.01) << speed;
-  }
-}
-
 }  // namespace
 }  // namespace mirocup::simulator::resting_contact

@@ -29,7 +29,9 @@ TEST(Segment, OfASteadyTwistIsACircle) {
     const BodyState now = body_at(s, s.begin + u);
     EXPECT_NEAR((now.position - position_on_circle(u)).norm(), 0.0, 1e-12);
     EXPECT_NEAR(now.heading.cos, std::cos(0.7 + 9.0 * u), 1e-12);
-    EXPECT_NEAR((pose_at(s, s.begin + u).position - now.position).norm(), 0.0, 0.0);
+    EXPECT_EQ(pose_at(s, s.begin + u).position, now.position);
+    EXPECT_EQ(pose_at(s, s.begin + u).heading.sin, now.heading.sin);
+    EXPECT_EQ(now.twist.left, body.twist.left);
   }
 }
 
