@@ -5,6 +5,7 @@
 
 #include "core/base/random.hpp"
 #include "core/match/leg.hpp"
+#include "core/replay/recording.hpp"
 
 #include <functional>
 #include <utility>
@@ -75,6 +76,17 @@ inline match::Setup short_setup(std::uint64_t seed, double half_s = 3.0,
 
 inline void play(match::Leg& leg, match::Controller& blue, match::Controller& yellow) {
   while (!leg.is_over()) leg.advance(blue, yellow);
+}
+
+// Plays a leg and returns its recording with the states of all ticks.
+inline replay::Recording played_and_traced(match::Leg& leg, match::Controller& blue,
+                                           match::Controller& yellow) {
+  replay::StateTrace trace;
+  while (!leg.is_over()) {
+    leg.advance(blue, yellow);
+    trace.add(leg);
+  }
+  return replay::record(leg, trace);
 }
 
 }  // namespace mirocup::test_support

@@ -25,13 +25,8 @@ class Damage : public testing::Test {
     match::Leg match(test_support::short_setup(7, 4.0));
     auto blue = test_support::ball_hunter();
     auto yellow = test_support::random_team(7);
-    replay::StateTrace trace;
-    while (!match.is_over()) {
-      match.advance(blue, yellow);
-      trace.add(match);
-    }
     MatchRecord record;
-    record.recording = replay::record(match, trace);
+    record.recording = test_support::played_and_traced(match, blue, yellow);
     ASSERT_TRUE(save(files_, "leg.json", record));
     ASSERT_TRUE(load(files_, "leg.json"));
   }

@@ -4,9 +4,6 @@
 // does not count, and the jump of a restart that is taken for a velocity.
 #include "core/match/camera.hpp"
 
-#include "core/match/leg.hpp"
-#include "tests/support/controllers.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -87,21 +84,6 @@ TEST(Camera, TakesNoPlacingForAMotion) {
   camera.look(s, false);
   EXPECT_EQ(camera.view().ball.position.x(), -1.0);
   EXPECT_EQ(camera.view().ball.velocity, Vec2(0.0, 0.0));
-}
-
-// Under `camera` a team that leaves everything where it sees it asks for no other place.
-TEST(Camera, PlacesThatAreLeftAsTheyAreSeenMoveNothing) {
-  auto setup = test_support::short_setup(3, 5.0);
-  setup.conditions = conditions_of(ConditionsPreset::camera);
-  Leg leg(setup);
-  test_support::Scripted leaves([](const Observation& o) -> Answer {
-    Command command;
-    if (o.placing) command.placement = unchanged_request(o);
-    return command;
-  });
-  test_support::Scripted also = leaves;
-  test_support::play(leg, leaves, also);
-  EXPECT_TRUE(leg.placement_requests().empty());
 }
 
 }  // namespace

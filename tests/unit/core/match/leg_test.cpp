@@ -8,8 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 namespace mirocup::match {
 namespace {
 
@@ -188,25 +186,6 @@ TEST(Leg, ALateTeamDrivesItsOlderCommandsAndIsCountedAsLate) {
     EXPECT_EQ(leg.log()[t].commands[0].speeds(0).left, expected) << t;
   }
   EXPECT_EQ(leg.late_ticks()[0], 27);
-}
-
-TEST(Leg, BadNumbersAreZeroedOrClampedAndCounted) {
-  Leg leg(short_setup(1));
-  Scripted yellow = idle_team();
-  Scripted blue([](const Observation&) -> Answer {
-    Command c;
-    c.wheels[0] = {std::numeric_limits<double>::quiet_NaN(), 1e300};
-    c.wheels[1] = {-std::numeric_limits<double>::infinity(), 20.0};
-    return c;
-  });
-  leg.advance(blue, yellow);
-  const DrivenCommand& driven = leg.log()[0].commands[0];
-  EXPECT_EQ(driven.speeds(0).left, 0.0);
-  EXPECT_EQ(driven.speeds(0).right, 80.0);
-  EXPECT_EQ(driven.speeds(1).left, 0.0);
-  EXPECT_EQ(driven.speeds(1).right, 20.0);
-  EXPECT_EQ(leg.bad_values()[0], 1) << "one command with bad values";
-  EXPECT_EQ(leg.bad_values()[1], 0);
 }
 
 // Catches a leg that takes memory for all the ticks that a record claims: 7.6 GB for two halves of

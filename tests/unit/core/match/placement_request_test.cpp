@@ -77,16 +77,20 @@ TEST(PlacementRequests, TheTakerOfAKickOffPlacesFirstAndTheOpponentsSeeIt) {
   }
 }
 
+// Under `camera` a team leaves everything where it sees it, which is elsewhere.
 TEST(PlacementRequests, ARequestThatChangesNothingLeavesNoTrace) {
-  Leg plain(short_setup(4));
-  Leg asked(short_setup(4));
-  Scripted a = idle_team(), b = idle_team();
-  Scripted c = placer([](const Observation&, PlacementRequest&) {});
-  Scripted d = placer([](const Observation&, PlacementRequest&) {});
-  play(plain, a, b);
-  play(asked, c, d);
-  EXPECT_EQ(plain.state_hash(), asked.state_hash());
-  EXPECT_TRUE(asked.placement_requests().empty());
+  for (const auto preset : {ConditionsPreset::exact, ConditionsPreset::camera}) {
+    match::Setup setup = short_setup(4);
+    setup.conditions = conditions_of(preset);
+    Leg plain(setup), asked(setup);
+    Scripted a = idle_team(), b = idle_team();
+    Scripted c = placer([](const Observation&, PlacementRequest&) {});
+    Scripted d = c;
+    play(plain, a, b);
+    play(asked, c, d);
+    EXPECT_EQ(plain.state_hash(), asked.state_hash()) << to_string(preset);
+    EXPECT_TRUE(asked.placement_requests().empty()) << to_string(preset);
+  }
 }
 
 // Catches a request whose last bits, which differ between C libraries, reach the state.

@@ -28,10 +28,10 @@ std::string drill_text(const std::string& success, const std::string& more = "")
          success + more + "}";
 }
 
-TryResult try_with(const std::string& text, Scripted& tested_team,
-                   Scripted opponent = idle_team()) {
+TryResult try_with(const std::string& text, Scripted tested_team) {
   const auto drill = parse_drill(text, "d.json");
   EXPECT_TRUE(test_support::is_ok(drill));
+  Scripted opponent = idle_team();
   match::Leg leg(*setup_of(*drill, 1));
   Judge judge(*drill, leg);
   do {
@@ -50,48 +50,40 @@ Scripted shooter(double speed = 40.0) {
 }
 
 TEST(Judge, SeesAGoalAndWhenItFell) {
-  Scripted team = shooter();
-  const TryResult result = try_with(drill_text(R"([{"event": "goal"}])"), team);
+  const TryResult result = try_with(drill_text(R"([{"event": "goal"}])"), shooter());
   EXPECT_TRUE(result.passed);
   EXPECT_EQ(result.marks, 1.0);
   EXPECT_GT(result.seconds, 0.5);
   EXPECT_LT(result.seconds, 1.5) << "the try is over with the goal";
-  Scripted again = shooter();
   const TryResult timed =
-      try_with(drill_text(R"([{"event": "goal"}])", R"(, "score": {"time": 0.6})"), again);
+      try_with(drill_text(R"([{"event": "goal"}])", R"(, "score": {"time": 0.6})"), shooter());
   EXPECT_NEAR(timed.marks, 1.0 - 0.6 * timed.seconds / 3.0, 1e-9);
-  Scripted late = shooter();
-  const TryResult missed = try_with(drill_text(R"([{"event": "goal", "by": 0.4}])"), late);
+  const TryResult missed = try_with(drill_text(R"([{"event": "goal", "by": 0.4}])"), shooter());
   EXPECT_FALSE(missed.passed);
   EXPECT_EQ(missed.why, "goal");
   EXPECT_LT(missed.seconds, 0.5) << "nothing more can come";
 }
 
 TEST(Judge, TeamsThatDoNothingGetNothing) {
-  Scripted idle = idle_team();
-  const TryResult result = try_with(
-      drill_text(R"([{"event": "touch"}, {"event": "no_goal"}, {"event": "no_foul"}])"), idle);
-  EXPECT_EQ(result.marks, 0.0) << "what shall not happen has no marks beside what has to";
-  Scripted again = idle_team();
-  EXPECT_EQ(try_with(drill_text(R"([{"event": "no_goal"}])"), again).marks, 1.0);
+  const std::string wanted = R"([{"event": "touch"}, {"event": "no_goal"}, {"event": "no_foul"}])";
+  EXPECT_EQ(try_with(drill_text(wanted), idle_team()).marks, 0.0)
+      << "what shall not happen has no marks beside what has to";
+  EXPECT_EQ(try_with(drill_text(R"([{"event": "no_goal"}])"), idle_team()).marks, 1.0);
 }
 
 TEST(Judge, GivesMarksForEachEvent) {
-  Scripted team = shooter();
   const TryResult result = try_with(
       drill_text(R"([{"event": "touch", "robot": 1, "marks": 1}, {"event": "pass", "marks": 3}])"),
-      team);
+      shooter());
   EXPECT_FALSE(result.passed);
   EXPECT_EQ(result.marks, 0.25);
   EXPECT_EQ(result.why, "pass");
-  Scripted again = shooter();
-  EXPECT_EQ(try_with(drill_text(R"([{"event": "touch", "robot": 2}])"), again).marks, 0.0);
+  EXPECT_EQ(try_with(drill_text(R"([{"event": "touch", "robot": 2}])"), shooter()).marks, 0.0);
 }
 
 TEST(Judge, SeesPlacesOfRobotsAndBall) {
   const auto marks = [](const std::string& event) {
-    Scripted team = shooter(20.0);
-    return try_with(drill_text("[" + event + "]"), team).marks;
+    return try_with(drill_text("[" + event + "]"), shooter(20.0)).marks;
   };
   EXPECT_EQ(marks(R"({"event": "in_area", "area": [0.3, -0.1, 0.5, 0.1]})"), 1.0);
   EXPECT_EQ(marks(R"({"event": "in_area", "area": [0.3, 0.1, 0.5, 0.2]})"), 0.0);
@@ -136,10 +128,8 @@ TEST(Judge, SeesAPassAndASave) {
     while (text.find('Y') != std::string::npos) text.replace(text.find('Y'), 1, y);
     return text;
   };
-  Scripted keeper = idle_team();
-  EXPECT_TRUE(try_with(with_y("0.05"), keeper).passed);
-  Scripted again = idle_team();
-  EXPECT_FALSE(try_with(with_y("0.3"), again).passed) << "that ball would have missed the goal";
+  EXPECT_TRUE(try_with(with_y("0.05"), idle_team()).passed);
+  EXPECT_FALSE(try_with(with_y("0.3"), idle_team()).passed) << "it would have missed the goal";
 }
 
 }  // namespace
