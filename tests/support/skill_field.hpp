@@ -13,6 +13,7 @@
 #include "plugins/abi/convert.hpp"
 
 #include <array>
+#include <utility>
 
 namespace mirocup::test_support {
 
@@ -33,7 +34,9 @@ class SkillField {
 
   const strategy::Setup& setup() const { return setup_; }
 
+  // At rest, and nothing is asked of it.
   void put_robot(strategy::Point at, double heading) {
+    asked_ = {};
     world_.set_robot(0, {{at.x, at.y}, Heading::from_angle(heading), {}});
   }
   void put_ball(strategy::Point at, strategy::Point velocity = {}) {
@@ -76,11 +79,16 @@ class SkillField {
     world_.advance(command, setup_.control_period);
   }
 
+  // With the delay of a match: drives what was asked for in the tick before, and asks for this.
+  void tick_later(strategy::Wheels wheels) { tick(std::exchange(asked_, wheels)); }
+  strategy::Wheels asked() const { return asked_; }
+
  private:
   field::Field field_;
   simulator::Parameters parameters_;
   simulator::World world_;
   strategy::Setup setup_{};
+  strategy::Wheels asked_{};
 };
 
 }  // namespace mirocup::test_support

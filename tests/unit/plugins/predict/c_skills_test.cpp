@@ -11,37 +11,15 @@
 #include "mirocup/skills/penalty.hpp"
 #include "mirocup/skills/roles.hpp"
 #include "mirocup/skills/worth.hpp"
+#include "tests/support/skill_field.hpp"
 
 #include <gtest/gtest.h>
 
-#include <vector>
+#include <array>
+#include <bit>
 
 namespace mirocup::strategy {
 namespace {
-
-Setup facts_for_c() {
-  Setup s{};
-  s.size = sizeof s;
-  s.robots = 3;
-  s.control_period = 0.033;
-  s.half_length = 0.75;
-  s.half_width = 0.65;
-  s.goal_half_width = 0.2;
-  s.goal_area_depth = 0.15;
-  s.goal_area_half_width = 0.25;
-  s.robot_side = 0.075;
-  s.robot_mass = 0.5;
-  s.wheel_distance = 0.068;
-  s.wheel_radius = 0.0225;
-  s.wheel_speed_limit = 80.0;
-  s.motor_time_constant = 0.06;
-  s.grip = 0.8;
-  s.ball_radius = 0.02135;
-  s.ball_mass = 0.046;
-  s.rolling_resistance = 0.01;
-  s.ball_wall_restitution = 0.8;
-  return s;
-}
 
 Observation drawn_for_c(Random& random) {
   Observation now{};
@@ -60,33 +38,17 @@ Observation drawn_for_c(Random& random) {
   return now;
 }
 
-std::vector<double> numbers(double x) {
-  return {x};
-}
-std::vector<double> numbers(mirocup_point p) {
-  return {p.x, p.y};
-}
-std::vector<double> numbers(Point p) {
-  return {p.x, p.y};
-}
-std::vector<double> numbers(Wheels w) {
-  return {w.left, w.right};
-}
-std::vector<double> numbers(mirocup_pose p) {
-  return {p.x, p.y, p.heading};
-}
-std::vector<double> numbers(const Target& t) {
-  return {t.at.x, t.at.y, t.heading};
-}
-std::vector<double> numbers(const Robot& r) {
-  return {r.x, r.y, r.heading, r.vx, r.vy, r.turn};
+// All of them are plain numbers.
+template <class Plain>
+auto numbers(const Plain& value) {
+  return std::bit_cast<std::array<double, sizeof value / sizeof(double)>>(value);
 }
 
 #define SAME(in_c, in_cpp) EXPECT_EQ(numbers(in_c), numbers(in_cpp))
 
 // The arguments at the end are those that the comments of the header give.
 TEST(SkillsInC, GiveWhatTheyGiveInCpp) {
-  const mirocup_setup s = facts_for_c();
+  const mirocup_setup s = test_support::SkillField().setup();
   Random random(3);
   for (int round = 0; round < 200; ++round) {
     const Observation now = drawn_for_c(random);
@@ -160,7 +122,7 @@ TEST(SkillsInC, GiveWhatTheyGiveInCpp) {
 }
 
 TEST(SkillsInC, ChangeCommandsAsInCpp) {
-  const mirocup_setup s = facts_for_c();
+  const mirocup_setup s = test_support::SkillField().setup();
   Random random(4);
   for (int round = 0; round < 100; ++round) {
     const Observation now = drawn_for_c(random);
@@ -177,7 +139,7 @@ TEST(SkillsInC, ChangeCommandsAsInCpp) {
 }
 
 TEST(SkillsInC, RememberAsInCpp) {
-  const mirocup_setup s = facts_for_c();
+  const mirocup_setup s = test_support::SkillField().setup();
   Random random(5);
   mirocup_filter* filter = mirocup_filter_new(&s);
   mirocup_penalty* taker = mirocup_penalty_new();
@@ -204,7 +166,7 @@ TEST(SkillsInC, RememberAsInCpp) {
 }
 
 TEST(SkillsInC, PredictAsInCpp) {
-  const mirocup_setup s = facts_for_c();
+  const mirocup_setup s = test_support::SkillField().setup();
   Random random(6);
   const Observation now = drawn_for_c(random);
   mirocup_simulator* simulator = mirocup_simulator_new(&s, 0);

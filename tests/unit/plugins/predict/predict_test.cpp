@@ -263,31 +263,6 @@ TEST(Prediction, ARobotAloneDrivesAsInTheSimulator) {
   EXPECT_TRUE(slid);
 }
 
-// The closed form of skills/ball_path.hpp and the simulator are about the same ball. Catches
-// constants of the floor or the walls that differ.
-TEST(Prediction, TheBallAloneRollsAsInTheSimulator) {
-  const mirocup_setup setup = small_league();
-  Simulator simulator(setup);
-  for (const double angle : {0.3, 1.4, 2.5, 3.9, 5.5}) {
-    Scene scene;
-    scene.robots = 3;
-    for (int i = 0; i < 3; ++i) {  // in a row at the end, out of the way
-      scene.own[i].at = {-0.6 + 0.1 * i, -0.55};
-      scene.opponent[i].at = {-0.3 + 0.1 * i, -0.55};
-    }
-    scene.ball = {{0.1, 0.2}, {1.1 * std::cos(angle), 1.1 * std::sin(angle)}};
-    const MovingBall start = scene.ball;
-    bool was_touched = false;
-    for (int t = 1; t <= 30; ++t) {
-      const PredictedTick tick = simulator.advance(scene, {}, {});
-      was_touched |= tick.last_touch != 0;
-      if (was_touched) break;
-      const MovingBall rolls = rolled(setup, start, t * setup.control_period);
-      ASSERT_LT(length(rolls.at - scene.ball.at), 1e-6) << angle << ", tick " << t;
-    }
-  }
-}
-
 // Catches a sign or a side that is exchanged.
 TEST(Prediction, TheWheelsOfATickAreFoundFromWhatIsSeenBeforeAndAfter) {
   const mirocup_setup setup = small_league();

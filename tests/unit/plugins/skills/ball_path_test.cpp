@@ -14,7 +14,7 @@ namespace {
 using test_support::SkillField;
 
 // Catches a wrong braking constant, a wall at the wrong distance, a rebound of the wrong speed
-// and a corner that is missing: each is centimetres off after three seconds of the simulator.
+// and a corner that is missing.
 TEST(BallPath, IsThatOfTheSimulator) {
   const std::vector<MovingBall> starts{
       {{0.0, 0.0}, {0.8, 0.1}},   {{0.1, 0.2}, {0.5, 1.5}},   {{-0.5, 0.5}, {-0.9, 0.8}},
@@ -28,8 +28,8 @@ TEST(BallPath, IsThatOfTheSimulator) {
       field.put_ball(start.at, start.velocity);
       for (int tick = 0; tick < 90; ++tick) field.tick({});
       const MovingBall there = rolled(field.setup(), start, 90 * field.setup().control_period);
-      EXPECT_NEAR(there.at.x, field.ball().x, 1e-3) << start.at.x << " " << start.at.y;
-      EXPECT_NEAR(there.at.y, field.ball().y, 1e-3) << start.at.x << " " << start.at.y;
+      EXPECT_NEAR(there.at.x, field.ball().x, 1e-6) << start.at.x << " " << start.at.y;
+      EXPECT_NEAR(there.at.y, field.ball().y, 1e-6) << start.at.x << " " << start.at.y;
       EXPECT_NEAR(there.velocity.x, field.ball_velocity().x, 2e-3);
       EXPECT_NEAR(there.velocity.y, field.ball_velocity().y, 2e-3);
     }

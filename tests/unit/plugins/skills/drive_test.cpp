@@ -12,16 +12,12 @@ namespace {
 
 using test_support::SkillField;
 
-// Plays a skill with the delay of a match: what is asked for is driven one tick later. Returns the
-// ticks until `is_done(robot)`, or `most`.
+// Plays a skill with the delay of a match. Returns the ticks until `is_done(robot)`, or `most`.
 template <class Skill, class Done>
 int ticks_until(SkillField& field, int most, const Skill& skill, const Done& is_done) {
-  Wheels asked{};
   for (int tick = 0; tick < most; ++tick) {
     if (is_done(field.robot())) return tick;
-    const Wheels next = skill(when_commanded(field.setup(), field.robot(), asked));
-    field.tick(asked);
-    asked = next;
+    field.tick_later(skill(when_commanded(field.setup(), field.robot(), field.asked())));
   }
   return most;
 }

@@ -21,15 +21,12 @@ double penalty_crossing(double keeper_y) {
   PenaltyTaker taker;
   const mirocup_pose start = taker.stand(field.setup(), field.observation(), -0.01);
   field.put_robot({start.x, start.y}, start.heading);
-  Wheels asked{};  // driven a tick later, as in a match
   for (int tick = 0; tick < 60; ++tick) {
     Observation now = field.observation();
     now.opponent[0].y = keeper_y;
     const bool is_taken = length(field.ball() - spot) > 0.01;
-    const Robot soon = when_commanded(field.setup(), now.own[0], asked);
-    const Wheels next = is_taken ? Wheels{} : taker.drive(field.setup(), now, soon);
-    field.tick(asked);
-    asked = next;
+    const Robot soon = when_commanded(field.setup(), now.own[0], field.asked());
+    field.tick_later(is_taken ? Wheels{} : taker.drive(field.setup(), now, soon));
     if (field.ball().x >= field.setup().half_length) return field.ball().y;
   }
   return std::nan("");
