@@ -31,15 +31,13 @@ TEST(ChildProcess, ReportsHowItEnded) {
 }
 
 TEST(ChildProcess, WritesOutputAndErrorsToItsLogAndHasNoInput) {
-  std::string folder = (std::filesystem::temp_directory_path() / "mirocup-child-XXXXXX").string();
-  ASSERT_NE(mkdtemp(folder.data()), nullptr);
-  const std::string log = folder + "/log";
+  const test_support::TemporaryFolder folder;
+  const std::string log = folder / "log";
   EXPECT_EQ(*run_child({.arguments = {"sh", "-c", "cat; echo out; echo error >&2"},
                         .cpu = processors().front(),
                         .log = log}),
             0);
   EXPECT_EQ(*Disk().read(log, {.max_size = size_limit::log}), "out\nerror\n");
-  std::filesystem::remove_all(folder);
 }
 
 // A name that another user has put where the log goes.

@@ -6,6 +6,8 @@
 // name.
 #include "system/files.hpp"
 
+#include "tests/support/temporary_folder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -24,13 +26,7 @@ namespace {
 
 class DiskTest : public testing::Test {
  protected:
-  DiskTest() {
-    folder_ = (std::filesystem::temp_directory_path() / "mirocup-disk-XXXXXX").string();
-    EXPECT_NE(mkdtemp(folder_.data()), nullptr);
-  }
-  ~DiskTest() override { std::filesystem::remove_all(folder_); }
-
-  std::string at(const std::string& name) const { return folder_ + "/" + name; }
+  std::string at(const std::string& name) const { return folder_ / name; }
 
   // As the host reads what it names.
   Result<std::string> read(const std::string& name) {
@@ -49,9 +45,7 @@ class DiskTest : public testing::Test {
     EXPECT_EQ(got.error().what, at(name) + ": " + why);
   }
 
-  std::vector<std::string> names() { return *disk_.names_in(folder_); }
-
-  std::string folder_;
+  const test_support::TemporaryFolder folder_;
   Disk disk_;
 };
 
@@ -59,9 +53,7 @@ TEST_F(DiskTest, ReplacesAWholeFileAndLeavesNothingElse) {
   ASSERT_TRUE(disk_.write(at("a"), "first, and longer"));
   ASSERT_TRUE(disk_.write(at("a"), "second"));
   EXPECT_EQ(*read("a"), "second");
-  int files = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_)) ++files;
-  EXPECT_EQ(files, 1);
+  EXPECT_EQ(*disk_.names_in(at(".")), std::vector<std::string>{"a"});
 }
 
 TEST_F(DiskTest, RemovesWhatKilledWritersLeftAndNothingElse) {
@@ -74,12 +66,12 @@ TEST_F(DiskTest, RemovesWhatKilledWritersLeftAndNothingElse) {
   }
   const int writer = open(being_written.c_str(), O_WRONLY | O_CLOEXEC);
   ASSERT_EQ(flock(writer, LOCK_EX), 0);
-  ASSERT_TRUE(disk_.remove_unfinished(folder_));
+  ASSERT_TRUE(disk_.remove_unfinished(at(".")));
   EXPECT_FALSE(disk_.exists(left));
   EXPECT_TRUE(disk_.exists(being_written));
   EXPECT_TRUE(disk_.exists(not_ours));
   close(writer);
-  ASSERT_TRUE(disk_.remove_unfinished(folder_));
+  ASSERT_TRUE(disk_.remove_unfinished(at(".")));
   EXPECT_FALSE(disk_.exists(being_written));
 }
 
@@ -227,7 +219,7 @@ TEST_F(DiskTest, RemovesNoFileThroughALink) {
   std::filesystem::create_symlink(at("kept"), at("b.unfinished-" + digits));
   ASSERT_EQ(mkfifo(at("c.unfinished-" + digits).c_str(), 0600), 0);
   ASSERT_TRUE(disk_.append(at("d.unfinished-" + digits), "half"));
-  ASSERT_TRUE(disk_.remove_unfinished(folder_));
+  ASSERT_TRUE(disk_.remove_unfinished(at(".")));
   EXPECT_EQ(*read("kept"), "kept");
   EXPECT_FALSE(disk_.exists(at("d.unfinished-" + digits)));
 }
@@ -262,7 +254,7 @@ TEST_F(DiskTest, ClosesWhatOnlyTheOwnerReads) {
 TEST_F(DiskTest, ListsAndRemovesNamesOfAnyBytes) {
   ASSERT_TRUE(disk_.write(at("b\n\xff"), "x"));
   ASSERT_TRUE(disk_.make_folder(at("a/b")));
-  EXPECT_EQ(names(), (std::vector<std::string>{"a", "b\n\xff"}));
+  EXPECT_EQ(*disk_.names_in(at(".")), (std::vector<std::string>{"a", "b\n\xff"}));
   ASSERT_TRUE(disk_.write(at("kept"), "kept"));
   std::filesystem::create_symlink(at("kept"), at("a/b/link"));
   EXPECT_FALSE(disk_.remove(at("a"))) << "a tree is not removed";

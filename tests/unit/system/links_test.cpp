@@ -54,51 +54,43 @@ class LinksTest : public testing::Test {
     return root_ + "/" + name;
   }
 
+  using Acts = std::map<std::string, std::function<Result<void>()>>;
+
+  // Each function that reaches the file a/b/file.
+  Acts acts_on_file() {
+    const std::string file = root_ + "/a/b/file";
+    return {
+        {"read", [=, this] { return disk_.read(file, any).map([](auto) {}); }},
+        {"read if there", [=, this] { return disk_.read_if_there(file, any).map([](auto) {}); }},
+        {"write", [=, this] { return disk_.write(file, "new"); }},
+        {"append", [=, this] { return disk_.append(file, "more"); }},
+        {"truncate", [=, this] { return disk_.truncate(file, 1); }},
+        {"remove", [=, this] { return disk_.remove(file); }},
+        {"incoming",
+         [=] {
+           return IncomingFile::begin(file).and_then(
+               [=](IncomingFile incoming) { return incoming.keep(file); });
+         }},
+        {"output of a child",
+         [=] { return run_child({.arguments = {"echo"}, .log = file}).map([](auto) {}); }}};
+  }
+
+  // Each function that reaches the folder a/b.
+  Acts acts_on_folder() {
+    const std::string folder = root_ + "/a/b";
+    return {{"names", [=, this] { return disk_.names_in(folder).map([](auto) {}); }},
+            {"names if there", [=, this] { return disk_.names_if_there(folder).map([](auto) {}); }},
+            {"make", [=, this] { return disk_.make_folder(folder); }},
+            {"make closed", [=, this] { return disk_.make_folder(folder, Readers::owner); }},
+            {"make below", [=, this] { return disk_.make_folder(folder + "/c/d"); }},
+            {"remove", [=, this] { return disk_.remove(folder); }},
+            {"unfinished", [=, this] { return disk_.remove_unfinished(folder); }}};
+  }
+
   const test_support::TemporaryFolder temporary_;
   const std::string root_ = temporary_ / "root";
   Disk disk_;
 };
-
-// Each function with a file in the folder a/b, and whether it needs the file.
-using Act = std::function<Result<void>(Disk& disk, const std::string& folder)>;
-
-const std::map<std::string, Act>& acts() {
-  static const std::map<std::string, Act> all{
-      {"read",
-       [](Disk& d, const std::string& f) { return d.read(f + "/file", any).map([](auto) {}); }},
-      {"read if there",
-       [](Disk& d, const std::string& f) {
-         return d.read_if_there(f + "/file", any).map([](auto) {});
-       }},
-      {"write", [](Disk& d, const std::string& f) { return d.write(f + "/file", "new"); }},
-      {"append", [](Disk& d, const std::string& f) { return d.append(f + "/file", "more"); }},
-      {"truncate", [](Disk& d, const std::string& f) { return d.truncate(f + "/file", 1); }},
-      {"remove", [](Disk& d, const std::string& f) { return d.remove(f + "/file"); }},
-      {"incoming",
-       [](Disk&, const std::string& f) {
-         return IncomingFile::begin(f + "/file").and_then([&](IncomingFile file) {
-           return file.keep(f + "/file");
-         });
-       }},
-      {"output of a child", [](Disk&, const std::string& f) {
-         return run_child({.arguments = {"echo"}, .log = f + "/file"}).map([](auto) {});
-       }}};
-  return all;
-}
-
-const std::map<std::string, Act>& acts_on_folders() {
-  static const std::map<std::string, Act> all{
-      {"names", [](Disk& d, const std::string& f) { return d.names_in(f).map([](auto) {}); }},
-      {"names if there",
-       [](Disk& d, const std::string& f) { return d.names_if_there(f).map([](auto) {}); }},
-      {"make", [](Disk& d, const std::string& f) { return d.make_folder(f); }},
-      {"make closed",
-       [](Disk& d, const std::string& f) { return d.make_folder(f, Readers::owner); }},
-      {"make below", [](Disk& d, const std::string& f) { return d.make_folder(f + "/c/d"); }},
-      {"remove", [](Disk& d, const std::string& f) { return d.remove(f); }},
-      {"unfinished", [](Disk& d, const std::string& f) { return d.remove_unfinished(f); }}};
-  return all;
-}
 
 void expect_refused(const Result<void>& done, const std::string& link, const std::string& act) {
   ASSERT_FALSE(done) << act << " " << link;
@@ -110,9 +102,9 @@ TEST_F(LinksTest, AreFollowedAtNoLevel) {
   for (const std::string name : {"a", "a/b", "a/b/file"}) {
     const std::string link = plant(name);
     const auto before = content_of(temporary_ / "outside");
-    for (const auto& [what, act] : acts()) expect_refused(act(disk_, root_ + "/a/b"), link, what);
-    for (const auto& [what, act] : acts_on_folders()) {
-      if (name != "a/b/file") expect_refused(act(disk_, root_ + "/a/b"), link, what);
+    for (const auto& [what, act] : acts_on_file()) expect_refused(act(), link, what);
+    for (const auto& [what, act] : acts_on_folder()) {
+      if (name != "a/b/file") expect_refused(act(), link, what);
     }
     EXPECT_TRUE(disk_.exists(root_ + "/a/b/file")) << "it is not known to be absent";
     EXPECT_EQ(content_of(temporary_ / "outside"), before) << name;

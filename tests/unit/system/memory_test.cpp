@@ -4,30 +4,26 @@
 // sees the machine's memory where a group has less.
 #include "system/memory.hpp"
 
+#include "tests/support/temporary_folder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 namespace mirocup::system {
 namespace {
 
-namespace fs = std::filesystem;
-
 class Memory : public testing::Test {
  protected:
-  Memory() { fs::create_directories(root_); }
-  ~Memory() override { fs::remove_all(root_); }
-
   void write(const std::string& path, const std::string& text) const {
-    const fs::path file = root_ + path;
-    fs::create_directories(file.parent_path());
+    const std::filesystem::path file = root_ + path;
+    std::filesystem::create_directories(file.parent_path());
     std::ofstream(file) << text;
   }
 
-  const std::string root_ =
-      (fs::temp_directory_path() / ("memory_test." + std::to_string(getpid()))).string();
+  const test_support::TemporaryFolder folder_;
+  const std::string root_ = folder_ / "root";
 };
 
 TEST_F(Memory, IsWhatTheKernelCallsAvailable) {
