@@ -16,15 +16,8 @@ namespace {
 
 using simulator::Accuracy;
 
-constexpr Accuracy levels[] = {Accuracy::coarse, Accuracy::standard, Accuracy::reference};
-
 std::unique_ptr<World> world_at(Accuracy level, const Start& s) {
-  auto world = std::make_unique<World>(s.field, s.parameters, simulator::tolerances_of(level),
-                                       static_cast<int>(s.robots.size()), !s.ball.empty());
-  for (std::size_t i = 0; i < s.robots.size(); ++i)
-    world->set_robot(static_cast<int>(i), s.robots[i]);
-  if (!s.ball.empty()) world->set_ball(s.ball[0]);
-  return world;
+  return world_of(s, simulator::tolerances_of(level));
 }
 
 constexpr double approach = 1.3;  // m/s

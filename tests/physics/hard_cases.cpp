@@ -88,20 +88,18 @@ Bars elastic_energy(Size size) {
   const std::vector<WheelCommand> lifted(5);
   double worst = 0.0;
   int too_few = 0;
-  for (const Accuracy level : {Accuracy::coarse, Accuracy::standard, Accuracy::reference}) {
+  for (const Accuracy level : levels) {
     for (const double step : {1e-4, 1e-3, tick, 1.0}) {
       if (size == Size::small && step == 1e-4) continue;  // minutes
-      World world(&field, s.parameters, simulator::tolerances_of(level), 5, true);
-      for (int i = 0; i < 5; ++i) world.set_robot(i, s.robots[i]);
-      world.set_ball(s.ball[0]);
-      const double before = kinetic_energy(world);
+      const auto world = world_of(s, simulator::tolerances_of(level));
+      const double before = kinetic_energy(*world);
       const int wanted = cases(size, 300, 10000);
       int hits = 0;
       const int longest = static_cast<int>(wanted / step);  // ticks: about ten hits come a second
       for (int k = 0; k < longest && hits < wanted; ++k)
-        hits += world.advance(lifted, step).impacts;
+        hits += world->advance(lifted, step).impacts;
       too_few += hits < wanted;
-      worst = std::max(worst, std::abs(kinetic_energy(world) / before - 1.0));
+      worst = std::max(worst, std::abs(kinetic_energy(*world) / before - 1.0));
     }
   }
   const std::string scene = "elastic hits, each level, ticks of 0.1 ms to 1 s";
@@ -175,7 +173,7 @@ Bars sliding_along_a_wall(Size /*size*/) {
     return off;
   };
   const double at_wall = field.half_width - arm;
-  for (const Accuracy level : {Accuracy::coarse, Accuracy::standard, Accuracy::reference}) {
+  for (const Accuracy level : levels) {
     for (const double speed : {0.3, 1.0}) {
       const WheelSpeeds pressing{20.0, 20.0};
       const double braking = p.grip * simulator::gravity +

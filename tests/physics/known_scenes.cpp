@@ -14,10 +14,6 @@ namespace {
 
 const WheelCommand lifted{};
 
-BodyState robot_at(const Vec2& at, double angle, const simulator::Twist& twist = {}) {
-  return {at, Heading::from_angle(angle), twist};
-}
-
 Parameters bouncing_with(double e) {
   Parameters p = without_rolling_friction();
   p.restitution = {e, e, e, e};

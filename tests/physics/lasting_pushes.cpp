@@ -75,10 +75,6 @@ Measured play(const Push& push, double duration) {
   return m;
 }
 
-BodyState robot_at(const Vec2& at, double angle) {
-  return {at, Heading::from_angle(angle), {}};
-}
-
 const WheelCommand ahead = WheelSpeeds{u, u};
 
 Push head_on(double angle, double aside) {

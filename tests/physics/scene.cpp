@@ -8,8 +8,8 @@ namespace mirocup::scenes {
 
 using namespace test_support;
 
-std::unique_ptr<World> world_of(const Start& s) {
-  auto world = std::make_unique<World>(s.field, s.parameters, simulator::Tolerances{},
+std::unique_ptr<World> world_of(const Start& s, const simulator::Tolerances& tolerances) {
+  auto world = std::make_unique<World>(s.field, s.parameters, tolerances,
                                        static_cast<int>(s.robots.size()), !s.ball.empty());
   for (std::size_t i = 0; i < s.robots.size(); ++i) {
     world->set_robot(static_cast<int>(i), s.robots[i]);
@@ -38,6 +38,10 @@ Parameters with(const Motors& motors, Parameters p) {
   p.turn_time_constant = motors.turn;
   p.brake_time_constant = motors.brake;
   return p;
+}
+
+BodyState robot_at(const Vec2& at, double angle, const simulator::Twist& twist) {
+  return {at, Heading::from_angle(angle), twist};
 }
 
 Heading random_heading(Random& random) {

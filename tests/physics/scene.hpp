@@ -28,8 +28,11 @@ struct Start {
   std::vector<BallState> ball;  // one or none
 };
 
-// A world in that state, with standard tolerances.
-std::unique_ptr<World> world_of(const Start& start);
+// A world in that state, with standard tolerances if no others are given.
+std::unique_ptr<World> world_of(const Start& start, const simulator::Tolerances& tolerances = {});
+
+inline constexpr simulator::Accuracy levels[] = {
+    simulator::Accuracy::coarse, simulator::Accuracy::standard, simulator::Accuracy::reference};
 
 Parameters without_rolling_friction();
 
@@ -49,6 +52,7 @@ inline constexpr Motors other_motors[] = {{"motors that turn faster", 0.025, 0.0
                                           {"motors with a brake", 0.0, 0.0145},
                                           {"two lags and a brake", 0.025, 0.0145}};
 Parameters with(const Motors& motors, Parameters parameters = {});
+BodyState robot_at(const Vec2& at, double angle, const simulator::Twist& twist = {});
 Heading random_heading(Random& random);
 Vec2 random_in(Random& random, double half_x, double half_y);
 

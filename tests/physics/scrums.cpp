@@ -2,6 +2,7 @@
 //
 // Crowds: six robots on the ball, and the large league's twenty-two.
 #include "tests/physics/bars.hpp"
+#include "tests/physics/encounter.hpp"
 #include "tests/physics/scene.hpp"
 
 #include <algorithm>
@@ -85,10 +86,6 @@ Aims aims_of(const Parameters& p, const WheelCommand& c) {
   const double right = std::clamp(c->right, -p.wheel_speed_limit, p.wheel_speed_limit);
   return {p.wheel_radius * (right + left) / 2.0,
           p.wheel_radius * (right - left) / p.wheel_distance};
-}
-
-double inertia(const Parameters& p) {
-  return p.robot_mass * p.robot_side * p.robot_side / 6.0;
 }
 
 // No motor can do more than M v_ref^2 / 4T, whatever the speed.
@@ -190,13 +187,10 @@ double events_at_coarse(const Crowd& crowd) {
   int events = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     Random random(seed);
-    const Start s = start_of(crowd, field, random);
-    World world(&field, s.parameters, simulator::tolerances_of(simulator::Accuracy::coarse),
-                crowd.robots, true);
-    for (int i = 0; i < crowd.robots; ++i) world.set_robot(i, s.robots[i]);
-    world.set_ball(s.ball[0]);
+    const auto world = world_of(start_of(crowd, field, random),
+                                simulator::tolerances_of(simulator::Accuracy::coarse));
     Hunters hunters(crowd.robots, seed);
-    for (int k = 0; k < ticks; ++k) events += world.advance(hunters.commands(world), tick).events;
+    for (int k = 0; k < ticks; ++k) events += world->advance(hunters.commands(*world), tick).events;
   }
   return static_cast<double>(events) / (seeds * ticks);
 }
