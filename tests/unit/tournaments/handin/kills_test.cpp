@@ -6,6 +6,7 @@
 // is never done.
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/tournaments/kept_entry.hpp"
+#include "tests/unit/tournaments/small_league.hpp"
 #include "tournaments/handin/portal.hpp"
 #include "tournaments/league/start.hpp"
 
@@ -57,11 +58,9 @@ class Kills : public testing::Test {
     TokenList list;
     for (const char* team : {"alpha", "gamma"}) tokens_[team] = list.add(team, utc_text(now_), "");
     EXPECT_TRUE(write_tokens(disk_, folder_, list));
-    LeagueFile file;
-    file.format.kind = FormatKind::ladder;
-    file.teams = {{.name = "alpha", .source = "submitted"},
-                  {.name = "beta", .source = "submitted"}};
-    EXPECT_TRUE(disk_.write(folder_.config(), print_league_file(file)));
+    EXPECT_TRUE(disk_.write(folder_.config(),
+                            print_league_file(league_file_of(
+                                {"alpha", "beta"}, {.kind = FormatKind::ladder}, "submitted"))));
     for (const char* team : {"alpha", "beta"}) keep_entry(disk_, folder_, team, "first");
     auto league = LeagueStore::open(disk_, folder_);
     EXPECT_TRUE(league && start_league(disk_, *league));

@@ -2,7 +2,7 @@
 //
 // Catches an event that is accepted at a wrong time, and a change that an event should make and
 // does not. play/league_play_test.cpp plays whole leagues.
-#include "tournaments/league/apply.hpp"
+#include "tests/unit/tournaments/small_league.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -13,23 +13,18 @@ namespace mirocup::league {
 namespace {
 
 LeagueState started_pair() {
-  LeagueFile file;
-  for (const char* name : {"a", "b"}) {
-    file.teams.push_back({.name = name, .source = "house:idle", .over_dds = false});
-  }
-  LeagueState state = new_league(file);
-  apply(state, Started{.config_sha256 = "x", .version = ""});
-  return state;
+  return started_league(league_file_of({"a", "b"}));
 }
 
-LegPlayed win_of_home(const std::string& home, const std::string& away) {
-  LegPlayed leg;
-  leg.fixture = "r1-f1";
-  leg.home = home;
-  leg.away = away;
-  leg.score = {.home = 2, .away = 1};
-  leg.record = "records/r1-f1-1-1.json";
-  return leg;
+// A person decides both legs of a fixture.
+void rule(LeagueState& state, const std::string& fixture, HomeAway score) {
+  for (const int leg : {1, 2})
+    apply(state, Ruled{.fixture = fixture, .leg = leg, .score = score, .why = "w", .by = {}});
+}
+
+void withdraw(LeagueState& state, const std::string& team,
+              WithdrawnResults results = WithdrawnResults::keep) {
+  apply(state, Withdrawn{.team = team, .results = results, .why = "left", .by = {}});
 }
 
 TEST(Apply, NothingBeforeTheStart) {
@@ -54,10 +49,7 @@ TEST(Apply, OnlyOtherEntriesOfPresentTeams) {
 // state that is made again with two of it.
 TEST(Apply, ATeamJoinsALeagueThatTakesEntries) {
   EXPECT_FALSE(validate(started_pair(), TeamJoined{.team = "c", .source = "submitted"}));
-  LeagueFile file = started_pair().file;
-  file.format.kind = FormatKind::nightly;
-  LeagueState state = new_league(file);
-  apply(state, Started{.config_sha256 = "x", .version = ""});
+  LeagueState state = started_league(league_file_of({"a", "b"}, {.kind = FormatKind::nightly}));
   const auto night = [&state](int number, const std::vector<EntryBooked>& entries) {
     const NightBegan began{.number = number, .entries = entries};
     ASSERT_TRUE(validate(state, began));
@@ -80,7 +72,7 @@ TEST(Apply, ATeamJoinsALeagueThatTakesEntries) {
 TEST(Apply, ARulingReplacesTheScoreAndKeepsTheRecord) {
   LeagueState state = started_pair();
   const Fixture& fixture = state.fixtures[0].fixture;
-  apply(state, win_of_home(state.name(fixture.home), state.name(fixture.away)));
+  apply(state, played_leg(state, fixture, 1, {.home = 2, .away = 1}));
   const Ruled ruled{
       .fixture = "r1-f1", .leg = 1, .score = {.home = 0, .away = 10}, .why = "glue", .by = "H"};
   ASSERT_TRUE(validate(state, ruled));
@@ -113,21 +105,13 @@ TEST(Apply, ALineThatCannotBeDecodedIsDamage) {
 
 // Rounds used to be left out without a word.
 TEST(Apply, ASwissRoundThatCannotBePairedIsSaid) {
-  LeagueFile file;
-  file.format.kind = FormatKind::swiss;
-  for (const char* name : {"a", "b", "c", "d"})
-    file.teams.push_back({.name = name, .source = "house:idle", .over_dds = false});
-  LeagueState state = new_league(file);
-  apply(state, Started{.config_sha256 = "x", .version = ""});
+  LeagueState state =
+      started_league(league_file_of({"a", "b", "c", "d"}, {.kind = FormatKind::swiss}));
   const Fixture second = state.fixtures[1].fixture;
-  for (const char* fixture : {"r1-f1", "r1-f2"}) {
-    for (const int leg : {1, 2})
-      apply(state, Ruled{.fixture = fixture, .leg = leg, .score = {1, 0}, .why = "w", .by = {}});
-  }
+  for (const char* fixture : {"r1-f1", "r1-f2"}) rule(state, fixture, {1, 0});
   EXPECT_EQ(state.unpaired_round, 0);
   EXPECT_EQ(unpaired_in_words(state), "");
-  for (const int team : {second.home, second.away})
-    apply(state, Withdrawn{.team = state.name(team), .why = "left", .by = {}});
+  for (const int team : {second.home, second.away}) withdraw(state, state.name(team));
   EXPECT_EQ(state.unpaired_round, 2);
   EXPECT_NE(unpaired_in_words(state).find("round 2 of 2 is not played"), std::string::npos);
 }
@@ -152,18 +136,6 @@ void decide_all(LeagueState& state) {
   }
 }
 
-LeagueState started(const Format& format, int teams) {
-  LeagueFile file;
-  file.format = format;
-  for (int i = 0; i < teams; ++i)
-    file.teams.push_back({.name = std::string(1, static_cast<char>('a' + i)),
-                          .source = "house:idle",
-                          .over_dds = false});
-  LeagueState state = new_league(file);
-  apply(state, Started{.config_sha256 = "x", .version = ""});
-  return state;
-}
-
 // Returns what each tie was and how it ended.
 std::vector<std::array<int, 5>> ties_of(const LeagueState& state) {
   std::vector<std::array<int, 5>> ties;
@@ -178,18 +150,16 @@ std::vector<std::array<int, 5>> ties_of(const LeagueState& state) {
 // ties and places of a knockout that was over changed.
 TEST(Apply, AWalkoverIsDecidedOnce) {
   for (const std::string first : {"ab", "ac", "bd", "cd", "a", "d"}) {
-    LeagueState state = started({.kind = FormatKind::knockout}, 5);
-    const std::string quarter = state.fixtures[0].fixture.id();
-    for (const int leg : {1, 2})
-      apply(state, Ruled{.fixture = quarter, .leg = leg, .score = {1, 0}, .why = "w", .by = {}});
-    for (const char team : first)
-      apply(state, Withdrawn{.team = std::string(1, team), .why = "left", .by = {}});
+    LeagueState state =
+        started_league(league_file_of({"a", "b", "c", "d", "e"}, {.kind = FormatKind::knockout}));
+    rule(state, state.fixtures[0].fixture.id(), {1, 0});
+    for (const char team : first) withdraw(state, {team});
     decide_all(state);
     const auto before = ties_of(state);
     const int legs = state.legs();
     for (const char team : std::string("abcde")) {
       if (first.find(team) != std::string::npos) continue;
-      apply(state, Withdrawn{.team = std::string(1, team), .why = "late", .by = {}});
+      withdraw(state, {team});
       EXPECT_EQ(ties_of(state), before) << first << ", then " << team;
       EXPECT_EQ(state.legs(), legs) << first << ", then " << team;
     }
@@ -198,22 +168,16 @@ TEST(Apply, AWalkoverIsDecidedOnce) {
 
 // The table of a group that is over used to send other teams on when one was annulled.
 TEST(Apply, WhoCameOutOfAGroupStays) {
-  LeagueState state = started({.kind = FormatKind::groups, .groups = 2}, 8);
+  LeagueState state = started_league(
+      league_file_of({"a", "b", "c", "d", "e", "f", "g", "h"}, {.kind = FormatKind::groups}));
   for (const FixtureState& f : state.fixtures) {
     if (f.fixture.part != Part::group) continue;
-    for (const int leg : {1, 2})
-      apply(state, Ruled{.fixture = f.fixture.id(),
-                         .leg = leg,
-                         .score = {f.fixture.home < f.fixture.away ? 1 : 0,
-                                   f.fixture.home < f.fixture.away ? 0 : 1},
-                         .why = "w",
-                         .by = {}});
+    rule(state, f.fixture.id(), f.fixture.home < f.fixture.away ? HomeAway{1, 0} : HomeAway{0, 1});
   }
   const auto before = ties_of(state);
   const int second = state.fixtures.back().fixture.home;
   EXPECT_EQ(second, unknown_team);
-  apply(state, Withdrawn{.team = "h", .results = WithdrawnResults::annul, .why = "w", .by = {}});
-  apply(state, Withdrawn{.team = "a", .results = WithdrawnResults::annul, .why = "w", .by = {}});
+  for (const char* team : {"h", "a"}) withdraw(state, team, WithdrawnResults::annul);
   const auto after = ties_of(state);
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (state.fixtures[i].fixture.part != Part::knockout || before[i][0] < 0) continue;
@@ -221,13 +185,12 @@ TEST(Apply, WhoCameOutOfAGroupStays) {
     EXPECT_EQ(after[i][1], before[i][1]);
   }
   // A ruling does change who goes on.
-  LeagueState other = started({.kind = FormatKind::knockout}, 4);
-  for (const int leg : {1, 2})
-    apply(other, Ruled{.fixture = "k1-f1", .leg = leg, .score = {1, 0}, .why = "w", .by = {}});
-  apply(other, Withdrawn{.team = "c", .why = "left", .by = {}});
+  LeagueState other =
+      started_league(league_file_of({"a", "b", "c", "d"}, {.kind = FormatKind::knockout}));
+  rule(other, "k1-f1", {1, 0});
+  withdraw(other, "c");
   const int finalist = other.fixtures[2].fixture.home;
-  for (const int leg : {1, 2})
-    apply(other, Ruled{.fixture = "k1-f1", .leg = leg, .score = {0, 1}, .why = "w", .by = {}});
+  rule(other, "k1-f1", {0, 1});
   EXPECT_NE(other.fixtures[2].fixture.home, finalist);
 }
 

@@ -8,6 +8,7 @@
 #include "system/file_lock.hpp"
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/unit/tournaments/small_league.hpp"
 #include "tournaments/league/book.hpp"
 #include "tournaments/league/gaps.hpp"
 
@@ -23,15 +24,9 @@ constexpr std::int64_t hour = 3600;
 class LeagueHealth : public testing::Test {
  protected:
   LeagueHealth() {
-    LeagueFile file;
-    file.format.kind = FormatKind::nightly;
-    for (const char* name : {"a", "b"})
-      file.teams.push_back(
-          {.name = name, .source = std::string(TeamConfig::submitted), .over_dds = false});
-    EXPECT_TRUE(init_folder(disk_, folder_, file));
-    const std::string config =
-        disk_.read(folder_.config(), {.max_size = system::size_limit::league_file}).value();
-    write(Started{.config_sha256 = system::sha256(config), .version = "0.1.0"});
+    EXPECT_TRUE(init_folder(
+        disk_, folder_, league_file_of({"a", "b"}, {.kind = FormatKind::nightly}, "submitted")));
+    write(start_of(disk_, folder_));
   }
 
   void write(const Event& event) {
@@ -105,11 +100,8 @@ TEST_F(LeagueHealth, OfChecksThatHang) {
 // Catches a record that a decision explains and that is taken for a lost line, and a lost line that
 // is taken for a leg that waits to be entered.
 TEST_F(LeagueHealth, OfRecordsWithoutALine) {
-  LeagueFile file;
-  for (const char* name : {"a", "b"})
-    file.teams.push_back({.name = name, .source = "house:idle", .over_dds = false});
   std::filesystem::remove_all(folder_.path);
-  ASSERT_TRUE(init_folder(disk_, folder_, file));
+  ASSERT_TRUE(init_folder(disk_, folder_, league_file_of({"a", "b"})));
   const auto found = [this](const std::vector<std::string>& records) {
     for (const std::string& record : records)
       EXPECT_TRUE(disk_.write(folder_.path + "/records/" + record + ".json", "{}"));
@@ -124,9 +116,7 @@ TEST_F(LeagueHealth, OfRecordsWithoutALine) {
   const std::string first = "records/r1-f1-1-1.json";
   const std::string second = "records/r1-f1-1-2.json";
   EXPECT_EQ(found({"r1-f1-1-1"}), std::pair(true, Names{first})) << "it has not started";
-  const std::string config =
-      disk_.read(folder_.config(), {.max_size = system::size_limit::league_file}).value();
-  write(Started{.config_sha256 = system::sha256(config), .version = "0.1.0"});
+  write(start_of(disk_, folder_));
   EXPECT_EQ(found({"r1-f1-1-1"}), std::pair(false, Names{first}));
   EXPECT_EQ(found({"r1-f1-1-2"}), std::pair(true, Names{second})) << "no line made it void";
   for (const char* strange :

@@ -3,10 +3,9 @@
 // Whole leagues of every format and size, with made-up results in any order. Catches a schedule
 // that depends on the order of results, a league that never ends, a tie without a winner, a ruling
 // that changes who has played already, a team that has left and still plays.
-#include "core/base/random.hpp"
 #include "tests/unit/tournaments/sizes.hpp"
+#include "tests/unit/tournaments/small_league.hpp"
 #include "tests/unit/tournaments/whole_site.hpp"
-#include "tournaments/league/apply.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -17,27 +16,14 @@
 namespace mirocup::league {
 namespace {
 
-LeagueFile file_of(FormatKind kind, int teams) {
-  LeagueFile file;
-  file.format.kind = kind;
-  file.seed = 7;
-  for (int i = 0; i < teams; ++i)
-    file.teams.push_back({"t" + std::to_string(i), "house:idle", false});
-  return file;
-}
-
 void take(LeagueState& state, const Event& event) {
   const auto valid = validate(state, event);
   ASSERT_TRUE(valid) << fields_of(event).dump() << ": " << valid.error().what;
   league::apply(state, event);
 }
 
-LeagueState started(const LeagueFile& file) {
-  LeagueState state = new_league(file);
-  take(state, Started{.config_sha256 = "x", .version = ""});
-  for (const TeamConfig& team : file.teams)
-    take(state, EntryBooked{.team = team.name, .entry = 1, .sha256 = "s"});
-  return state;
+LeagueState started(FormatKind kind, int teams) {
+  return league_with_entries(numbered_teams(kind, teams));
 }
 
 struct OpenLeg {
@@ -57,23 +43,10 @@ std::vector<OpenLeg> open_legs(const LeagueState& state) {
   return open;
 }
 
-// Returns a result that depends on the fixture and the leg only, not on the order of play.
 LegPlayed leg_result(const LeagueState& state, const OpenLeg& open,
                      LegEnd end = LegEnd::full_time) {
-  const Fixture& f = state.fixtures[open.fixture].fixture;
-  Random random(fixture_seed(state.file.seed, f) + static_cast<std::uint64_t>(open.leg));
-  const int home = static_cast<int>(random.below(4));
-  const int away = static_cast<int>(random.below(4));
-  LegPlayed leg;
-  leg.fixture = f.id();
-  leg.leg = open.leg;
-  leg.home = state.name(f.home);
-  leg.away = state.name(f.away);
-  leg.blue = state.name(f.home);
-  leg.score = {.home = home, .away = away};
+  LegPlayed leg = made_up_leg(state, state.fixtures[open.fixture].fixture, open.leg);
   leg.end = end;
-  leg.record = "records/" + f.id() + "-" + std::to_string(open.leg) + "-1.json";
-  leg.state_hash = "0";
   return leg;
 }
 
@@ -98,9 +71,8 @@ void play_out(LeagueState& state, std::uint64_t seed) {
 constexpr int max_teams_with_pages = 17;
 
 void expect_the_same_end_in_any_order(FormatKind kind, int teams) {
-  const LeagueFile file = file_of(kind, teams);
-  LeagueState one = started(file);
-  LeagueState other = started(file);
+  LeagueState one = started(kind, teams);
+  LeagueState other = started(kind, teams);
   play_out(one, 1);
   play_out(other, 2);
   EXPECT_TRUE(one.is_over()) << to_string(kind);
@@ -140,12 +112,9 @@ TEST_P(EveryFormat, ComesToTheSameEndInWhateverOrderItIsPlayed) {
   }
 }
 
-class EveryKnockout : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Sizes, EveryKnockout, all_sizes());
-
-TEST_P(EveryKnockout, DecidesEveryTieAndPutsTheChampionFirst) {
+TEST_P(EveryFormat, OfAKnockoutDecidesEveryTieAndPutsTheChampionFirst) {
   const int n = GetParam();
-  LeagueState state = started(file_of(FormatKind::knockout, n));
+  LeagueState state = started(FormatKind::knockout, n);
   play_out(state, static_cast<std::uint64_t>(n));
   TieOutcome final;
   for (const FixtureState& f : state.fixtures) {
@@ -181,7 +150,7 @@ TEST_P(EveryFormat, EndsWhoeverLeaves) {
   const int n = GetParam();
   for (const auto kind : {FormatKind::groups, FormatKind::knockout, FormatKind::swiss}) {
     if (kind == FormatKind::groups && n < 4) continue;
-    LeagueState state = started(file_of(kind, n));
+    LeagueState state = started(kind, n);
     play_while_teams_leave(state, static_cast<std::uint64_t>(n));
     for (const OpenLeg& open : open_legs(state)) {
       const Fixture& f = state.fixtures[open.fixture].fixture;
@@ -196,7 +165,7 @@ TEST_P(EveryFormat, EndsWhoeverLeaves) {
 }
 
 TEST(LeagueState, PlaysOneMoreLegOfALevelTieAndNoFourth) {
-  LeagueState state = started(file_of(FormatKind::knockout, 2));
+  LeagueState state = started(FormatKind::knockout, 2);
   const auto draw = [&state](int leg) {
     LegPlayed line = leg_result(state, {0, leg});
     line.score = {.home = 1, .away = 1};
@@ -216,7 +185,7 @@ TEST(LeagueState, PlaysOneMoreLegOfALevelTieAndNoFourth) {
 
 TEST(LeagueState, GivesATieToWhoWonItsShootOut) {
   for (const char* winner : {"t0", "t1"}) {
-    LeagueState state = started(file_of(FormatKind::knockout, 2));
+    LeagueState state = started(FormatKind::knockout, 2);
     for (const int leg : {1, 2, 3}) {
       LegPlayed line =
           leg_result(state, {0, leg}, leg == 3 ? LegEnd::shoot_out : LegEnd::full_time);
@@ -229,7 +198,7 @@ TEST(LeagueState, GivesATieToWhoWonItsShootOut) {
 }
 
 TEST(LeagueState, LetsARulingChangeATieOnlyUntilItsWinnerPlays) {
-  LeagueState state = started(file_of(FormatKind::knockout, 4));
+  LeagueState state = started(FormatKind::knockout, 4);
   for (const int tie : {0, 1}) {
     for (const int leg : {1, 2}) {
       LegPlayed line = leg_result(state, {tie, leg});
@@ -252,7 +221,7 @@ TEST(LeagueState, LetsARulingChangeATieOnlyUntilItsWinnerPlays) {
 
 TEST(LeagueState, LetsWhoStaysWinAgainstWhoHasLeftOrCountsNothing) {
   for (const bool annul : {false, true}) {
-    LeagueState state = started(file_of(FormatKind::double_round_robin, 3));
+    LeagueState state = started(FormatKind::double_round_robin, 3);
     const auto open = open_legs(state);
     take(state, leg_result(state, open[0]));
     const Fixture& f = state.fixtures[0].fixture;
@@ -274,7 +243,7 @@ TEST(LeagueState, LetsWhoStaysWinAgainstWhoHasLeftOrCountsNothing) {
 }
 
 TEST(LeagueState, PlaysAVoidedLegAgainUnderANewRecord) {
-  LeagueState state = started(file_of(FormatKind::double_round_robin, 2));
+  LeagueState state = started(FormatKind::double_round_robin, 2);
   const LegPlayed leg = leg_result(state, {0, 1});
   const LegVoided by_host{.fixture = "r1-f1",
                           .leg = 1,
@@ -299,7 +268,7 @@ TEST(LeagueState, PlaysAVoidedLegAgainUnderANewRecord) {
 
 // Catches an attempt that overwrites the record of a void one, and words of a ruling without one.
 TEST(LeagueState, PlaysALegAgainWhoseRecordWasRefused) {
-  LeagueState state = started(file_of(FormatKind::double_round_robin, 2));
+  LeagueState state = started(FormatKind::double_round_robin, 2);
   LegVoided refused{.fixture = "r1-f1", .leg = 1, .attempt = 1, .why = "differs", .by = {}};
   refused.has_new_seed = true;
   take(state, refused);
@@ -312,7 +281,7 @@ TEST(LeagueState, PlaysALegAgainWhoseRecordWasRefused) {
 }
 
 TEST(LeagueState, CountsOwnFaultsInARow) {
-  LeagueState state = started(file_of(FormatKind::round_robin, 4));
+  LeagueState state = started(FormatKind::round_robin, 4);
   const auto play = [&state](const std::string& culprit) {
     for (const OpenLeg& open : open_legs(state)) {
       const Fixture& f = state.fixtures[open.fixture].fixture;
@@ -335,7 +304,7 @@ TEST(LeagueState, CountsOwnFaultsInARow) {
 }
 
 TEST(Ladder, ForgetsWhatTheEntryBeforeDid) {
-  LeagueState state = started(file_of(FormatKind::ladder, 3));
+  LeagueState state = started(FormatKind::ladder, 3);
   play_out(state, 1);
   const auto played_by = [&state](int team) {
     const auto table = state.table();
@@ -355,7 +324,7 @@ TEST(Ladder, ForgetsWhatTheEntryBeforeDid) {
 }
 
 TEST(LeagueState, RefusesALegThatIsDecidedOrOfOtherTeamsAndASecondStart) {
-  LeagueState state = started(file_of(FormatKind::double_round_robin, 3));
+  LeagueState state = started(FormatKind::double_round_robin, 3);
   const LegPlayed good = leg_result(state, {0, 1});
   LegPlayed elsewhere = good;
   elsewhere.home = good.away;

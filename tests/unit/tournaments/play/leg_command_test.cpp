@@ -4,7 +4,7 @@
 // although a team may not play.
 #include "tournaments/play/leg_command.hpp"
 
-#include "tournaments/league/apply.hpp"
+#include "tests/unit/tournaments/small_league.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,17 +14,7 @@ namespace mirocup::league {
 namespace {
 
 LeagueState league_of_two(FormatKind kind) {
-  LeagueFile file;
-  file.format.kind = kind;
-  for (const char* name : {"a", "b"}) {
-    file.teams.push_back({.name = name, .source = "house:idle", .over_dds = false});
-  }
-  LeagueState state = new_league(file);
-  apply(state, Started{.config_sha256 = "x", .version = ""});
-  for (const char* name : {"a", "b"}) {
-    apply(state, EntryBooked{.team = name, .entry = 1, .sha256 = name});
-  }
-  return state;
+  return league_with_entries(league_file_of({"a", "b"}, {.kind = kind}));
 }
 
 // The argument after an option; "" if the option is missing.

@@ -9,7 +9,7 @@
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/unreadable.hpp"
-#include "tournaments/league/apply.hpp"
+#include "tests/unit/tournaments/small_league.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -22,13 +22,6 @@ namespace {
 class RecordOfALeg : public testing::Test {
  protected:
   RecordOfALeg() {
-    LeagueFile file;
-    for (const char* name : {"a", "b"})
-      file.teams.push_back({.name = name, .source = "house:idle"});
-    state_ = new_league(file);
-    apply(state_, Started{.config_sha256 = "x", .version = ""});
-    for (const char* name : {"a", "b"})
-      apply(state_, EntryBooked{.team = name, .entry = 1, .sha256 = name});
     leg_ = {state_.fixtures[0].fixture, 1};
     path_ = folder_.record(leg_.fixture, leg_.leg, leg_.version);
     EXPECT_TRUE(disk_.make_folder(folder_.path + "/records"));
@@ -64,7 +57,7 @@ class RecordOfALeg : public testing::Test {
   const test_support::TemporaryFolder temporary_;
   system::Disk disk_;
   const Folder folder_{temporary_ / "league"};
-  LeagueState state_ = new_league({});
+  LeagueState state_ = league_with_entries(league_file_of({"a", "b"}));
   LegId leg_;
   std::string path_;
 };

@@ -5,62 +5,39 @@
 
 #include "tests/support/is_ok.hpp"
 #include "tests/support/memory_files.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/unit/tournaments/small_league.hpp"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <unistd.h>
 
 namespace mirocup::league {
 namespace {
 
-class Program : public testing::Test {
- protected:
-  Program() {
-    std::filesystem::create_directories(folder_.path);  // for its lock
-    LeagueFile file;
-    for (const char* name : {"a", "b"})
-      file.teams.push_back({.name = name, .source = "house:idle", .over_dds = false});
-    EXPECT_TRUE(files_.write(folder_.config(), print_league_file(file)));
-  }
-  ~Program() override { std::filesystem::remove_all(folder_.path); }
-
-  LeagueStore started_by(const std::string& version, const std::string& game) {
-    auto store = LeagueStore::open(files_, folder_);
-    EXPECT_TRUE(test_support::is_ok(store));
-    Started event;
-    event.config_sha256 = system::sha256(*files_.read(folder_.config()));
-    event.version = version;
-    event.game = game;
-    EXPECT_TRUE(store->write(event));
-    return std::move(*store);
-  }
-
-  // The error, or "".
-  std::string refusal(const LeagueStore& store) {
-    const auto same = expect_program(store, now_);
-    return same ? "" : same.error().what;
-  }
-
-  test_support::MemoryFiles files_;
-  const Folder folder_{testing::TempDir() + "program_test-" + std::to_string(getpid())};
-  const record::Software now_{.version = "0", .build = "g++", .behaviour_hash = "beef"};
-};
-
-TEST_F(Program, OfTheJournalGoesOn) {
-  EXPECT_EQ(refusal(started_by("0", "beef")), "");
+// Starts a league with a program and goes on with this one. Returns why it may not; "" if it may.
+std::string refusal(const std::string& version, const std::string& game) {
+  test_support::MemoryFiles files;
+  const test_support::TemporaryFolder temporary;  // for its lock
+  const Folder folder{temporary / "."};
+  EXPECT_TRUE(files.write(folder.config(), print_league_file(league_file_of({"a", "b"}))));
+  auto store = LeagueStore::open(files, folder);
+  EXPECT_TRUE(test_support::is_ok(store));
+  Started start = start_of(files, folder);
+  start.version = version;
+  start.game = game;
+  EXPECT_TRUE(store->write(start));
+  const auto same =
+      expect_program(*store, {.version = "0", .build = "g++", .behaviour_hash = "beef"});
+  return same ? "" : same.error().what;
 }
 
-TEST_F(Program, ThatPlaysOtherwiseIsRefused) {
-  const std::string other_game = refusal(started_by("0", "f00d"));
+TEST(Program, IsTheOneOfTheJournal) {
+  EXPECT_EQ(refusal("0", "beef"), "");
+  const std::string other_game = refusal("0", "f00d");
   EXPECT_NE(other_game.find("is played with mirocup 0 (game f00d); this program is mirocup 0 (game "
                             "beef)"),
             std::string::npos)
       << other_game;
-}
-
-TEST_F(Program, OfAnotherVersionIsRefused) {
-  const std::string other_version = refusal(started_by("0.0.7", "beef"));
+  const std::string other_version = refusal("0.0.7", "beef");
   EXPECT_NE(other_version.find("Continue with mirocup 0.0.7"), std::string::npos) << other_version;
 }
 

@@ -4,11 +4,10 @@
 // pages that give away what comes later: a score, a pairing, a place in the table.
 #include "tournaments/publish/snapshot.hpp"
 
-#include "core/base/random.hpp"
 #include "tests/support/is_ok.hpp"
 #include "tests/support/memory_files.hpp"
+#include "tests/unit/tournaments/small_league.hpp"
 #include "tests/unit/tournaments/whole_site.hpp"
-#include "tournaments/league/apply.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -22,21 +21,6 @@ using test_support::MemoryFiles;
 
 std::string round_of(const Fixture& f) {
   return (f.part == Part::knockout ? "k" : "r") + std::to_string(f.round);
-}
-
-LegPlayed made_up_leg(const LeagueState& state, const Fixture& f, int leg) {
-  Random random(fixture_seed(state.file.seed, f) + static_cast<std::uint64_t>(leg));
-  const int home = static_cast<int>(random.below(4));
-  LegPlayed played;
-  played.fixture = f.id();
-  played.leg = leg;
-  played.home = state.name(f.home);
-  played.away = state.name(f.away);
-  played.blue = state.name(f.home);
-  played.score = {.home = home, .away = static_cast<int>(random.below(4))};
-  played.record = "records/" + f.id() + ".json";
-  played.state_hash = "0";
-  return played;
 }
 
 // Plays a league round by round and keeps the pages after each round.
@@ -78,18 +62,10 @@ struct Season {
   }
 };
 
-LeagueFile nine_teams(FormatKind kind) {
-  LeagueFile file;
-  file.format.kind = kind;
-  file.seed = 7;
-  for (int i = 0; i < 9; ++i) file.teams.push_back({"t" + std::to_string(i), "house:idle", false});
-  return file;
-}
-
 TEST(Snapshot, ShowsALeagueAsItWasAfterARound) {
   for (const auto kind : {FormatKind::double_round_robin, FormatKind::groups, FormatKind::knockout,
                           FormatKind::swiss}) {
-    const Season season(nine_teams(kind));
+    const Season season(numbered_teams(kind, 9));
     EXPECT_TRUE(season.state.is_over()) << to_string(kind);
     EXPECT_GE(season.after.size(), 4u);
     for (const auto& [round, pages] : season.after) {
@@ -107,7 +83,7 @@ TEST(Snapshot, ShowsALeagueAsItWasAfterARound) {
 // Catches a show whose table after a leg knows of a later one.
 TEST(Snapshot, ShowsARoundLegByLeg) {
   for (const auto kind : {FormatKind::double_round_robin, FormatKind::knockout}) {
-    const Season season(nine_teams(kind), false);
+    const Season season(numbered_teams(kind, 9), false);
     const std::string first = kind == FormatKind::knockout ? "k1" : "r1";
     const auto whole = state_through(season.state, season.journal, first);
     ASSERT_TRUE(whole);
@@ -129,10 +105,7 @@ TEST(Snapshot, ShowsARoundLegByLeg) {
 
 // Catches a team that joins in the second week and stands in the table of the first.
 TEST(Snapshot, ShowsANightWithoutTheTeamsThatJoinedAfterIt) {
-  LeagueFile file;
-  file.format.kind = FormatKind::nightly;
-  for (const char* name : {"a", "b"}) file.teams.push_back({.name = name, .source = "submitted"});
-  Season season(file, false);
+  Season season(league_file_of({"a", "b"}, {.kind = FormatKind::nightly}, "submitted"), false);
   const auto play_night = [&season](int number, const std::vector<EntryBooked>& entries) {
     season.write(NightBegan{.number = number, .entries = entries});
     for (std::size_t i = 0; i < season.state.fixtures.size(); ++i) {
@@ -164,7 +137,7 @@ TEST(Snapshot, ShowsANightWithoutTheTeamsThatJoinedAfterIt) {
 // Who sees what is not released: docs/hosting.md. Catches a level that tells a team what nobody may
 // know, and one that hides the league from its staff.
 TEST(Snapshot, ShowsEachViewerWhatIsReleasedForIt) {
-  LeagueState whole = new_league(nine_teams(FormatKind::double_round_robin));
+  LeagueState whole = new_league(numbered_teams(FormatKind::double_round_robin, 9));
   const LeagueState released = whole;
   for (const char* through : {"", "r1"}) {
     for (const auto level : {ReleaseLevel::all, ReleaseLevel::teams, ReleaseLevel::hidden}) {
@@ -185,7 +158,7 @@ TEST(Snapshot, ShowsEachViewerWhatIsReleasedForIt) {
 }
 
 TEST(Snapshot, KnowsWhichRoundsThereAre) {
-  const Season season(nine_teams(FormatKind::knockout));
+  const Season season(numbered_teams(FormatKind::knockout, 9));
   for (const char* round : {"", "k", "k0", "k9", "r1", "k1x", "k-1", "x1"}) {
     const auto shown = state_through(season.state, season.journal, round);
     ASSERT_FALSE(shown) << round;
