@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches pages that depend on the order in which legs were played, text that becomes markup, and a
+// Catches text that becomes markup, and a
 // decision that is not listed or that seems to count although a later one undid it.
 #include "tournaments/publish/site.hpp"
 
 #include "tests/support/is_ok.hpp"
 #include "tests/support/memory_files.hpp"
+#include "tests/unit/tournaments/small_league.hpp"
 #include "tests/unit/tournaments/whole_site.hpp"
-#include "tournaments/league/apply.hpp"
 #include "tournaments/play/leg_record.hpp"
 #include "tournaments/publish/grades.hpp"
 
@@ -22,9 +22,8 @@ namespace {
 using test_support::MemoryFiles;
 
 LeagueFile three_teams() {
-  LeagueFile file;
+  LeagueFile file = league_file_of({"a", "b", "c"});
   file.title = "A <i>title</i> & more";
-  for (const char* name : {"a", "b", "c"}) file.teams.push_back({name, "house:idle", false});
   return file;
 }
 
@@ -47,8 +46,7 @@ LegPlayed played(const LeagueFile& file, const Fixture& fixture, int leg, const 
 
 LeagueState state_after(std::vector<std::pair<int, int>> legs) {
   const LeagueFile file = three_teams();
-  LeagueState state = new_league(file);
-  league::apply(state, Started{.config_sha256 = "x", .version = ""});
+  LeagueState state = started_league(file);
   const auto fixtures = round_robin(3);
   for (const auto& [fixture, leg] : legs) {
     const LegPlayed event = played(file, fixtures[fixture], leg, record(2 + fixture, leg));
@@ -57,16 +55,6 @@ LeagueState state_after(std::vector<std::pair<int, int>> legs) {
     league::apply(state, event);
   }
   return state;
-}
-
-TEST(Site, IsTheSameInWhateverOrderTheLegsWerePlayed) {
-  const auto forwards = make_site({state_after({{0, 1}, {0, 2}, {1, 1}, {2, 1}})});
-  const auto backwards = make_site({state_after({{2, 1}, {1, 1}, {0, 2}, {0, 1}})});
-  ASSERT_EQ(forwards.size(), backwards.size());
-  for (std::size_t i = 0; i < forwards.size(); ++i) {
-    EXPECT_EQ(forwards[i].name, backwards[i].name);
-    EXPECT_EQ(forwards[i].bytes, backwards[i].bytes) << forwards[i].name;
-  }
 }
 
 // Returns the row of a table in the section of that heading, cell by cell; 0 is the heads.
@@ -115,11 +103,6 @@ TEST(Site, ShowsTheStatisticsOfItsLegs) {
   leg.statistics.goals.push_back(goal);
 
   const auto site = make_site({state_after({{2, 2}}), {{"records/x.json", {{}, leg}}}});
-  const auto text_of = [&](const std::string& name) {
-    const auto found = std::find_if(site.begin(), site.end(),
-                                    [&](const SiteFile& file) { return file.name == name; });
-    return found == site.end() ? std::string() : found->bytes;
-  };
   const auto cell = [](const std::string& html, const std::string& heading, int row,
                        const std::string& head) {
     const auto heads = row_of(html, heading, 0);
@@ -128,18 +111,19 @@ TEST(Site, ShowsTheStatisticsOfItsLegs) {
     const auto at = std::find(heads.begin(), heads.end(), head) - heads.begin();
     return at < static_cast<std::ptrdiff_t>(cells.size()) ? cells[at] : std::string("no such cell");
   };
-  const std::string index = text_of("index.html");
+  const std::string index = page(site, "index.html");
   EXPECT_EQ(cell(index, "Statistics", 1, "Shots"), "7");
   EXPECT_EQ(cell(index, "Statistics", 1, "Possession"), "75 %");
   EXPECT_EQ(cell(index, "Statistics", 2, "Fouls"), "3");
   EXPECT_EQ(cell(index, "Goals by kind", 1, "rebound"), "1");
-  const std::string team = text_of("teams/b.html");
+  const std::string team = page(site, "teams/b.html");
   EXPECT_EQ(cell(team, "Play", 3, "Fouls"), "3") << "as yellow";
   EXPECT_EQ(cell(team, "Goals by kind", 2, "rebound"), "1") << "against it";
   EXPECT_EQ(cell(team, "How goals fell against it", 1, "Last restart"), "kick off: toss");
   EXPECT_NE(team.find("../replays/x.html#t=30.00"), std::string::npos) << "3 s before the goal";
-  EXPECT_EQ(text_of("teams/a.html").find("How goals fell"), std::string::npos);
-  EXPECT_EQ(text_of("teams/c.html").find("<h2>Play</h2>"), std::string::npos) << "has not played";
+  EXPECT_EQ(page(site, "teams/a.html").find("How goals fell"), std::string::npos);
+  EXPECT_EQ(page(site, "teams/c.html").find("<h2>Play</h2>"), std::string::npos)
+      << "has not played";
   leg.state_hash ^= 1;
   const auto other = make_site({state_after({{2, 2}}), {{"records/x.json", {{}, leg}}}});
   EXPECT_EQ(page(other, "index.html").find("<h2>Statistics</h2>"), std::string::npos)
@@ -267,18 +251,10 @@ TEST(Decisions, OfLegsOfATeamThatLeavesNoResultsCountForNothing) {
 // page of its round and the front page.
 std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner,
                               const KnownLegs& legs = {}) {
-  LeagueFile file;
-  file.format.kind = FormatKind::knockout;
-  for (const char* name : {"ada", "bob"}) file.teams.push_back({name, "house:idle", false});
-  LeagueState state = new_league(file);
-  league::apply(state, Started{.config_sha256 = "x", .version = ""});
+  LeagueState state =
+      started_league(league_file_of({"ada", "bob"}, {.kind = FormatKind::knockout}));
   for (int leg = 1; leg <= 3; ++leg) {
-    LegPlayed event;
-    event.fixture = "k1-f1";
-    event.leg = leg;
-    event.home = event.blue = "ada";
-    event.away = "bob";
-    event.record = "records/x.json";
+    LegPlayed event = played_leg(state, state.fixtures[0].fixture, leg, {});
     if (leg == 3) {
       event.end = end;
       event.winner = winner;
@@ -301,7 +277,7 @@ TEST(Site, SaysWhoWonALevelTie) {
   EXPECT_EQ(by_shoot_out.find("by lot"), std::string::npos) << by_shoot_out;
   // The shoot-out was level as well. Catches a bracket that says that it was won.
   KnownLegs legs;
-  legs["records/x.json"].facts.emplace().shoot_out = HomeAway{.home = 2, .away = 2};
+  legs["records/k1-f1-3-1.json"].facts.emplace().shoot_out = HomeAway{.home = 2, .away = 2};
   const std::string level = page_of_level_tie(LegEnd::shoot_out, "bob", legs);
   EXPECT_NE(level.find("shoot-out, level, won by lot by bob"), std::string::npos) << level;
   EXPECT_NE(level.find(">by lot</text>"), std::string::npos) << "the bracket";
@@ -311,26 +287,17 @@ TEST(Site, SaysWhoWonALevelTie) {
 // Catches a term whose crosstable has a line for each leg, and a table that is ordered by a number
 // that it does not show.
 TEST(Site, SumsTheNightsOfATerm) {
-  LeagueFile file;
-  file.format.kind = FormatKind::nightly;
-  for (const char* name : {"ada", "bob", "eve"}) file.teams.push_back({name, "submitted", false});
-  LeagueState state = new_league(file);
-  league::apply(state, Started{.config_sha256 = "x", .version = ""});
+  LeagueState state = started_league(
+      league_file_of({"ada", "bob", "eve"}, {.kind = FormatKind::nightly}, "submitted"));
   for (int night = 1; night <= 4; ++night) {
     NightBegan begun;
     begun.number = night;
     if (night == 1) begun.entries = {{"ada", 1, "s"}, {"bob", 1, "t"}};
     league::apply(state, begun);
     for (int leg = 1; leg <= 2; ++leg) {
-      LegPlayed event;
-      event.fixture = "r" + std::to_string(night) + "-f1";
-      event.leg = leg;
-      const Fixture& fixture = state.fixtures.back().fixture;
-      event.home = event.blue = state.name(fixture.home);
-      event.away = state.name(fixture.away);
+      LegPlayed event = played_leg(state, state.fixtures.back().fixture, leg, {});
       (event.home == "ada" ? event.score.home : event.score.away) = 2;
       event.winner = "ada";
-      event.record = "records/" + event.fixture + "-" + std::to_string(leg) + "-1.json";
       ASSERT_TRUE(validate(state, event));
       league::apply(state, event);
     }
@@ -410,28 +377,6 @@ TEST(LeagueState, RefusesALegThatIsBookedTwice) {
   EXPECT_EQ(state.error().code, Errc::damaged);
   EXPECT_EQ(state.error().what,
             "journal.jsonl: line 3 does not fit the league: r1-f1 leg 1 is decided already");
-}
-
-TEST(LeagueFile, NamesThePlaceOfAMistake) {
-  const auto what = [](const std::string& text) {
-    const auto file = parse_league_file(text, "league.json");
-    return file ? std::string("no error") : file.error().what;
-  };
-  const std::string schema = R"({"schema":"mirocup/league/1",)";
-  EXPECT_NE(what("{").find("league.json: "), std::string::npos);
-  EXPECT_NE(what("{}").find("/schema"), std::string::npos);
-  EXPECT_NE(what(schema + R"("seeds":1})").find("/seeds: there is no such key"), std::string::npos);
-  EXPECT_NE(what(schema + R"("rules":{"half":1}})").find("/rules/half: there is no such parameter"),
-            std::string::npos);
-  EXPECT_NE(what(schema + R"("rules":{"half_s":"long"}})").find("/rules/half_s"),
-            std::string::npos);
-  EXPECT_NE(
-      what(schema + R"("teams":[{"name":"../x","entry":"house:idle"}]})").find("/teams/0/name"),
-      std::string::npos);
-  EXPECT_NE(what(schema + R"("teams":[{"name":"a","entry":"x"},{"name":"a","entry":"y"}]})")
-                .find("/teams/1/name"),
-            std::string::npos);
-  EXPECT_EQ(what(schema + R"("teams":[{"name":"a","entry":"x"}]})"), "no error");
 }
 
 }  // namespace
