@@ -320,26 +320,6 @@ class BookFile : public testing::Test {
   Folder folder_{temporary_ / "."};
 };
 
-TEST_F(BookFile, GoesOnWhereAKilledServerWas) {
-  {
-    auto book = open();
-    ASSERT_TRUE(test_support::is_ok(book));
-    EXPECT_EQ(take(*book, "a").value_or(0), 1);
-    EXPECT_EQ(take(*book, "a").value_or(0), 2);
-    EXPECT_EQ(take(*book, "b").value_or(0), 1);
-    book->hand_ins().begin("a", 1);
-    ASSERT_TRUE(book->write(
-        Answered{.team = "b", .entry = 1, .state = HandInState::refused, .message = "b: no"}));
-  }
-  auto again = open();
-  ASSERT_TRUE(test_support::is_ok(again));
-  EXPECT_EQ(again->hand_ins().waiting().size(), 2u);
-  EXPECT_EQ(again->hand_ins().find("a", 1)->state, HandInState::queued);
-  EXPECT_EQ(again->hand_ins().find("b", 1)->message, "b: no");
-  EXPECT_EQ(take(*again, "b").value_or(0), 2);
-  EXPECT_TRUE(std::filesystem::exists(folder_.library("b", 2)));
-}
-
 // Catches a process that numbers or answers by the lines that it has read, although another one
 // has written since, and one that goes on behind half a line.
 TEST_F(BookFile, IsWrittenByTwoProcessesAtOnce) {
