@@ -4,6 +4,7 @@
 // decision without a reason, one that is written although it was only tried, names of people that
 // become markup, an act that the page offers and the desk does not know.
 #include "tests/support/temporary_folder.hpp"
+#include "tests/unit/tournaments/small_league.hpp"
 #include "tournaments/handin/portal.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/league/people.hpp"
@@ -20,19 +21,13 @@ constexpr std::int64_t moment = 1'796'061'600;  // 2026-11-30T18:00:00Z
 class StaffPage : public testing::Test {
  protected:
   StaffPage() {
-    LeagueFile file;
+    LeagueFile file = league_file_of({"alpha", "beta"}, {}, "submitted");
     file.title = "Spring";
     file.zone = "Europe/Berlin";
     file.time_zone = system::TimeZone::find(file.zone).value();
-    for (const char* name : {"alpha", "beta"})
-      file.teams.push_back(
-          {.name = name, .source = std::string(TeamConfig::submitted), .over_dds = false});
     EXPECT_TRUE(init_folder(disk_, folder_, file));
     auto store = LeagueStore::open(disk_, folder_);
-    EXPECT_TRUE(store);
-    const std::string config =
-        disk_.read(folder_.config(), {.max_size = system::size_limit::league_file}).value();
-    EXPECT_TRUE(store->write(Started{.config_sha256 = system::sha256(config), .version = "0.1.0"}));
+    EXPECT_TRUE(store && store->write(start_of(disk_, folder_)));
     fixture_ = store->state().fixtures[0].fixture.id();
     TokenList list;
     alpha_ = list.add("alpha", utc_text(moment), "");
@@ -80,17 +75,6 @@ class StaffPage : public testing::Test {
   std::vector<OwnLeg> legs_;  // of alpha
   std::unique_ptr<Portal> portal_;
 };
-
-TEST_F(StaffPage, IsForTheStaffOnly) {
-  EXPECT_EQ(ask("POST", "/hand-in/staff", alpha_, "act=close&reason=over&go=do").status, 403);
-  EXPECT_EQ(ask("GET", "/hand-in/grades.csv", alpha_).status, 403);
-  EXPECT_EQ(ask("POST", "/hand-in/staff", "", "act=close&reason=over&go=do").status, 401);
-  EXPECT_EQ(ask("GET", "/hand-in/staff", staff_).status, 405);
-  EXPECT_TRUE(decisions().empty());
-  const web::Reply grades = ask("GET", "/hand-in/grades.csv", staff_);
-  EXPECT_EQ(grades.status, 200);
-  EXPECT_TRUE(grades.bytes.starts_with("rank,team,points,")) << grades.bytes;
-}
 
 // Catches a decision that is signed by another than its token says, and grades for an assistant.
 TEST_F(StaffPage, AnAssistantDecidesUnderItsNameAndSeesNoGrades) {
@@ -201,9 +185,7 @@ TEST_F(StaffPage, NamesPeopleInAnyLettersAndEscapesThem) {
 
 // Catches display names on the pages of an anonymous league, and two teams of one name.
 TEST(People, AreShownUnlessTheLeagueIsAnonymous) {
-  LeagueFile file;
-  for (const char* name : {"a", "b", "c"})
-    file.teams.push_back({.name = name, .source = "x", .over_dds = false});
+  LeagueFile file = league_file_of({"a", "b", "c"});
   const PeopleOfTeams people{{"a", {.display = "Löwen", .members = {}}},
                              {"b", {.display = "Löwen", .members = {}}}};
   EXPECT_EQ(shown_names(file, people), (std::vector<std::string>{"Löwen (a)", "Löwen (b)", "c"}));
