@@ -92,10 +92,10 @@ std::string place_one(Team team, double x, double y) {
   return placement;
 }
 
-// A match in lock-step with blue at the other end of a wire, and yellow standing still.
-class FirasimServer : public ::testing::Test {
+// A match without a team yet.
+class FirasimMatch : public ::testing::Test {
  protected:
-  explicit FirasimServer(bool has_any_port = false) {
+  FirasimMatch() {
     match::Setup setup;
     setup.rules = referee::make_rules(referee::Preset::vsss);
     setup.rules.ready_s = 0.33;
@@ -112,6 +112,31 @@ class FirasimServer : public ::testing::Test {
                                 .interface = this_host});
     if (!server) throw std::runtime_error(server.error().what);
     server_ = std::move(*server);
+  }
+
+  match::Observation seen_by(Team team) const {
+    return match::observe(leg_->view(), team, leg_->field().robots_per_team);
+  }
+
+  // Plays on until `holds` for what blue sees.
+  template <class F>
+  void play_until(F holds) {
+    while (!holds(seen_by(Team::blue))) leg_->advance({match::Command{}, match::Command{}});
+  }
+  void play_until_the_whistle() {
+    play_until([](const auto& now) { return now.state == match::State::PLAY; });
+  }
+
+  Peer team_, stranger_, sink_;
+  int commands_ = 0, placements_ = 0;
+  std::unique_ptr<match::Leg> leg_;
+  std::unique_ptr<Server> server_;
+};
+
+// A match in lock-step with blue at the other end of a wire, and yellow standing still.
+class FirasimServer : public FirasimMatch {
+ protected:
+  explicit FirasimServer(bool has_any_port = false) {
     Terms terms;
     terms.away = 2.0;
     terms.longest = 3.0;
@@ -121,17 +146,13 @@ class FirasimServer : public ::testing::Test {
     if (!server_->wait_until_ready(*seat_, *leg_)) throw std::runtime_error("no team");
   }
 
-  // Plays on until `holds` for what blue sees.
-  template <class F>
-  void play_until(F holds) {
-    while (!holds(seen())) leg_->advance({match::Command{}, match::Command{}});
-  }
-  match::Observation seen() const {
-    return match::observe(leg_->view(), Team::blue, leg_->field().robots_per_team);
-  }
   void ask() {
     server_->publish(*leg_);
-    seat_->post(seen());
+    seat_->post(seen_by(Team::blue));
+  }
+  void ask_in_play() {
+    play_until_the_whistle();
+    ask();
   }
   // The wheels of robot 1 in the answer to what was asked, and what they should be.
   void expect_wheels(double left, double right) {
@@ -143,18 +164,13 @@ class FirasimServer : public ::testing::Test {
     EXPECT_EQ(command->wheels[1].right, wanted.right);
   }
 
-  Peer team_, stranger_, sink_;
-  int commands_ = 0, placements_ = 0;
-  std::unique_ptr<match::Leg> leg_;
-  std::unique_ptr<Server> server_;
   Seat* seat_ = nullptr;
 };
 
 // Catches one buffer for all senders: a flood then fills it, the team's commands are lost, and when
 // it has been silent for long enough the stranger has its seat.
 TEST_F(FirasimServer, AFloodCrowdsOutNoTeam) {
-  play_until([](const auto& now) { return now.state == match::State::PLAY; });
-  ask();
+  ask_in_play();
   for (int i = 0; i < 20000; ++i) {
     stranger_.send(drive_all(i % 2 == 0 ? Team::blue : Team::yellow, -50.0, 50.0), commands_);
     stranger_.send("noise", placements_);
@@ -185,8 +201,7 @@ TEST_F(FirasimServer, PlacementsMayComeFromAnotherAddressOfTheHost) {
 // Catches a command to an earlier vision that is taken for the answer to the next one, which is how
 // a client without a step in its packets falls behind by a tick and stays there.
 TEST_F(FirasimServer, StaleCommandsAreDrainedBeforeEachVision) {
-  play_until([](const auto& now) { return now.state == match::State::PLAY; });
-  ask();
+  ask_in_play();
   team_.send(drive_all(Team::blue, 10.0, 20.0), commands_);
   team_.send(drive_all(Team::blue, 1.0, 2.0), commands_);  // doubled: the first one counts
   expect_wheels(10.0, 20.0);
@@ -200,8 +215,7 @@ TEST_F(FirasimServer, StaleCommandsAreDrainedBeforeEachVision) {
 
 // Catches a colour that one who steers the other colour can steer.
 TEST_F(FirasimServer, AColourBelongsToItsSender) {
-  play_until([](const auto& now) { return now.state == match::State::PLAY; });
-  ask();
+  ask_in_play();
   team_.send(drive_all(Team::yellow, 50.0, 50.0), commands_);
   stranger_.send(drive_all(Team::blue, 50.0, 50.0), commands_);
   team_.send(drive_all(Team::blue, 5.0, 6.0), commands_);
@@ -217,7 +231,7 @@ class FirasimSockets : public FirasimServer {
 };
 
 TEST_F(FirasimSockets, MayBeNewForEachDatagramWhereNobodyElseIs) {
-  play_until([](const auto& now) { return now.state == match::State::PLAY; });
+  play_until_the_whistle();
   for (int i = 0; i < 20; ++i) {
     ask();
     Peer().send(drive_all(Team::blue, i, 6.0), commands_);
@@ -228,7 +242,7 @@ TEST_F(FirasimSockets, MayBeNewForEachDatagramWhereNobodyElseIs) {
 
 // A lock-step leg had no end: each new sender began a new silence.
 TEST_F(FirasimServer, EndsWhereEachCommandComesFromANewSocketOrMuchTooLate) {
-  play_until([](const auto& now) { return now.state == match::State::PLAY; });
+  play_until_the_whistle();
   const match::Fault* fault = nullptr;
   match::Answer answer;
   for (int i = 0; i < 8 && fault == nullptr; ++i) {
@@ -245,26 +259,10 @@ TEST_F(FirasimServer, EndsWhereEachCommandComesFromANewSocketOrMuchTooLate) {
   EXPECT_EQ(fault->text, "the match has waited 3 s for the team in all");
 }
 
-// A match without a team yet, which two programs or one may play.
-class FirasimSeats : public ::testing::Test {
+// A match that two programs or one may play.
+class FirasimSeats : public FirasimMatch {
  protected:
   FirasimSeats() {
-    match::Setup setup;
-    setup.rules = referee::make_rules(referee::Preset::vsss);
-    leg_ = std::make_unique<match::Leg>(setup);
-    {
-      const Peer first, second;  // ports that are free
-      commands_ = first.port();
-      placements_ = second.port();
-    }
-    const std::string sink = "127.0.0.1:" + std::to_string(sink_.port());
-    auto server = Server::open({.vision = sink,
-                                .referee = sink,
-                                .command = std::to_string(commands_),
-                                .placement = "127.0.0.1:" + std::to_string(placements_),
-                                .interface = this_host});
-    if (!server) throw std::runtime_error(server.error().what);
-    server_ = std::move(*server);
     Terms terms;
     terms.to_join = 0.5;
     terms.away = 0.5;
@@ -278,10 +276,6 @@ class FirasimSeats : public ::testing::Test {
     return ready ? "" : std::get<match::Fault>(ready.error()).text;
   }
 
-  Peer one_, other_, sink_;
-  int commands_ = 0, placements_ = 0;
-  std::unique_ptr<match::Leg> leg_;
-  std::unique_ptr<Server> server_;
   match::ByTeam<Seat*> seats_;
 };
 
@@ -291,16 +285,14 @@ TEST_F(FirasimSeats, OneSocketMaySteerBothColours) {
   const auto drives = [&](double wheels) {
     std::string both = drive_all(Team::yellow, wheels, wheels);
     both += drive_all(Team::blue, wheels, wheels);  // messages of protobuf are merged so
-    one_.send(both, commands_);
+    team_.send(both, commands_);
   };
   drives(1.0);
   for (const Team team : both_teams) EXPECT_EQ(reason(team), "");
-  while (leg_->state() != match::State::PLAY) leg_->advance({match::Command{}, match::Command{}});
+  play_until_the_whistle();
   server_->publish(*leg_);
-  for (const Team team : both_teams) {
-    seats_[index_of(team)]->post(match::observe(leg_->view(), team, leg_->field().robots_per_team));
-  }
-  other_.send(drive_all(Team::yellow, 9.0, 9.0), commands_);
+  for (const Team team : both_teams) seats_[index_of(team)]->post(seen_by(team));
+  stranger_.send(drive_all(Team::yellow, 9.0, 9.0), commands_);
   drives(2.0);
   for (const Team team : both_teams) {
     const match::Answer answer = seats_[index_of(team)]->collect();
@@ -323,16 +315,16 @@ TEST_F(FirasimSeats, CommandsMayComeByTheGroup) {
 
 // Catches a forfeit whose reason is not the true one: something came, and was not taken.
 TEST_F(FirasimSeats, ARefusalSaysWhatCame) {
-  one_.send(drive_all(Team::blue, 1.0, 1.0), commands_);
+  team_.send(drive_all(Team::blue, 1.0, 1.0), commands_);
   EXPECT_EQ(reason(Team::blue), "");
-  other_.send(drive_all(Team::blue, 1.0, 1.0), commands_);
+  stranger_.send(drive_all(Team::blue, 1.0, 1.0), commands_);
   EXPECT_NE(reason(Team::yellow)
-                .find("127.0.0.1:" + std::to_string(other_.port()) +
+                .find("127.0.0.1:" + std::to_string(stranger_.port()) +
                       " sent commands for blue, which another socket steers"),
             std::string::npos);
-  other_.send("noise", commands_);
+  stranger_.send("noise", commands_);
   EXPECT_NE(reason(Team::yellow).find("not a Packet"), std::string::npos);
-  other_.send(place_one(Team::yellow, 0.3, 0.0), placements_);
+  stranger_.send(place_one(Team::yellow, 0.3, 0.0), placements_);
   EXPECT_EQ(reason(Team::yellow), "");
   EXPECT_NE(seats_[index_of(Team::yellow)]->disconnected("port 1").text.find("no command came"),
             std::string::npos);
@@ -343,8 +335,7 @@ TEST_F(FirasimSeats, ARefusalSaysWhatCame) {
 // Catches a team that is taken for one which leaves robots out because the machine was slow between
 // its datagrams: it would drive in another tick, and the leg would be another one.
 TEST_F(FirasimServer, ATeamMayBeSlowBetweenItsDatagrams) {
-  play_until([](const auto& now) { return now.state == match::State::PLAY; });
-  ask();
+  ask_in_play();
   team_.send(drive(Team::blue, {0}, 7.0, 8.0), commands_);
   std::thread slow([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(900));
@@ -357,8 +348,7 @@ TEST_F(FirasimServer, ATeamMayBeSlowBetweenItsDatagrams) {
 
 // Catches a leg that waits for ever for robots that a team never commands.
 TEST_F(FirasimServer, ATeamMayLeaveRobotsOut) {
-  play_until([](const auto& now) { return now.state == match::State::PLAY; });
-  ask();
+  ask_in_play();
   const auto answer = [&] { team_.send(drive(Team::blue, {1}, 3.0, 4.0), commands_); };
   for (int i = 0; i < 3; ++i) answer();  // to the vision and to two copies of it
   EXPECT_TRUE(std::holds_alternative<match::Late>(seat_->collect()));
@@ -369,8 +359,7 @@ TEST_F(FirasimServer, ATeamMayLeaveRobotsOut) {
 
 // Catches a team that speaks without answering, and so holds up each tick of the leg.
 TEST_F(FirasimServer, ATeamThatAnswersNothingHasLost) {
-  play_until([](const auto& now) { return now.state == match::State::PLAY; });
-  ask();
+  ask_in_play();
   std::atomic<bool> is_over = false;
   std::thread talks([&] {
     std::string late = drive_all(Team::blue, 9.0, 9.0);
