@@ -67,26 +67,6 @@ TEST(Backup, OfALeagueThatIsPlayedEndsWithTheSamePages) {
   std::printf("%d copies of a league that is played were restored\n", taken);
 }
 
-// Catches a copy without its journal that plays the league anew: the decisions were lost.
-TEST(Backup, WithoutItsJournalIsNotPlayedAnew) {
-  const TemporaryFolder temporary;
-  const std::string folder = temporary / "l";
-  init_league(folder, {"a=house:idle", "b=house:idle"});
-  ASSERT_EQ(run(league("start", folder)).exit_code, 0);
-  fs::remove(folder + "/journal.jsonl");
-  const Outcome again = run(league("start", folder));
-  EXPECT_EQ(again.exit_code, 4);
-  EXPECT_NE(again.err.find("it ends before line 5, the last line by journal.head"),
-            std::string::npos)
-      << again.err;
-  fs::remove(folder + "/journal.head");
-  const Outcome without_head = run(league("start", folder));
-  EXPECT_EQ(without_head.exit_code, 4);
-  EXPECT_NE(without_head.err.find("the lines of records/r1-f1-1-1.json, records/r1-f1-2-1.json"),
-            std::string::npos)
-      << without_head.err;
-}
-
 TEST(Backup, IsNeitherInsideTheLeagueNorOverAnotherOne) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";
@@ -214,6 +194,10 @@ TEST_F(LostLines, AreNamedByNightsAndRecords) {
   fs::remove(path("journal.head"));
   write_file(path("journal.jsonl"), first_lines(journal, 1));
   expect_lost("the lines of nights/1, nights/2, records/r1-f1-1-1.json");
+  // Catches a copy without its journal that plays the league anew: the decisions were lost.
+  fs::remove(path("journal.jsonl"));
+  for (const char* command : {"nightly", "start"})
+    expect_said(league(command, folder_), 4, "the lines of nights/1, nights/2");
   begin();
   for (const char* file : {"journal.jsonl", "journal.head"})
     fs::copy_file(old_ + "/" + file, path(file), fs::copy_options::overwrite_existing);
@@ -229,37 +213,6 @@ TEST_F(LostLines, AreNamedByNightsAndRecords) {
   const Outcome night = run(league("nightly", folder_, {"--another"}));
   EXPECT_EQ(night.exit_code, 0) << night.err;
   EXPECT_EQ(run(league("verify", folder_)).exit_code, 0);
-}
-
-// Catches an alarm after a stop between journal and head, and in a league without a head.
-TEST_F(LostLines, AreNotSeenWhereNoneAre) {
-  const std::string journal = read_file(whole_ + "/journal.jsonl");
-  const auto award = [&](const std::string& team) {
-    return run(league("award", folder_, {"r1-f1", team, "--all-legs", "--reason", "x"})).exit_code;
-  };
-  begin();
-  const std::string behind = read_file(path("journal.head"));
-  ASSERT_EQ(award("a"), 0);
-  const std::string head = read_file(path("journal.head"));
-  EXPECT_NE(head, behind);
-  for (const bool is_there : {true, false}) {
-    if (is_there) write_file(path("journal.head"), behind);
-    if (!is_there) fs::remove(path("journal.head"));
-    for (const char* command : {"verify", "health", "publish", "status"}) {
-      const Outcome outcome = run(league(command, folder_));
-      EXPECT_EQ(outcome.exit_code, 0) << command << outcome.out << outcome.err;
-      EXPECT_EQ(outcome.err, "") << command;
-    }
-    EXPECT_EQ(run(league("nightly", folder_)).exit_code, 0);
-    ASSERT_EQ(award(is_there ? "b" : "a"), 0);
-    EXPECT_EQ(read_json(path("journal.head"))["n"], test_support::journal_of(folder_).size());
-  }
-  // A line that is only begun counts as never written.
-  write_file(path("journal.jsonl"), read_file(path("journal.jsonl")) + "{\"n\":");
-  EXPECT_EQ(run(league("verify", folder_)).exit_code, 0);
-  ASSERT_EQ(award("b"), 0);
-  EXPECT_EQ(run(league("verify", folder_)).exit_code, 0);
-  EXPECT_EQ(read_json(path("journal.head"))["n"], test_support::journal_of(folder_).size());
 }
 
 // Catches a played leg that nobody mentions, and one whose alarm keeps the league from entering it.

@@ -11,7 +11,6 @@
 #include <map>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace mirocup::test_support {
@@ -49,18 +48,6 @@ inline int count_kind(const std::string& folder, const std::string& kind) {
   int count = 0;
   for (const auto& line : journal_of(folder)) count += line["kind"] == kind ? 1 : 0;
   return count;
-}
-
-// Polls until is_true() holds. False if it does not within the number of polls, one each 2 ms: more
-// than two minutes, so that a slow machine passes and a hung league fails.
-template <class Condition>
-bool wait_until(Condition is_true) {
-  constexpr int max_polls = 60'000;
-  for (int poll = 0; poll < max_polls; ++poll) {
-    if (is_true()) return true;
-    usleep(2'000);
-  }
-  return false;
 }
 
 // Waits until a match server of the league has written its first file.

@@ -28,11 +28,11 @@ TEST(LeagueStatistics, AreTheSameFromPagesAndFromRecords) {
   EXPECT_EQ(json["legs"].size(), 6u);
   EXPECT_EQ(json["teams"].size(), 3u);
   for (const Json& team : json["teams"]) EXPECT_EQ(team["legs"], 4);
-  EXPECT_EQ(kept.out, read_file(folder + "/site/statistics.json"));
-  const std::string index = read_file(folder + "/site/index.html");
-  EXPECT_NE(index.find("<h2>Statistics</h2>"), std::string::npos);
-  const std::string page = read_file(folder + "/site/teams/c.html");
-  EXPECT_NE(page.find("<h2>Play</h2>"), std::string::npos);
+  auto site = site_of(folder);
+  EXPECT_EQ(kept.out, site["statistics.json"]);
+  EXPECT_NE(site["index.html"].find("<h2>Statistics</h2>"), std::string::npos);
+  EXPECT_NE(site["index.html"].find("href=\"replays/r1-f1-1-1.html\""), std::string::npos);
+  EXPECT_NE(site["teams/c.html"].find("<h2>Play</h2>"), std::string::npos);
 
   // One file of another leg and one that is no JSON: both are counted anew.
   std::vector<std::filesystem::path> files;
@@ -46,9 +46,10 @@ TEST(LeagueStatistics, AreTheSameFromPagesAndFromRecords) {
   std::filesystem::remove_all(folder + "/site");
   EXPECT_EQ(run(command).out, kept.out) << "from the records alone";
   EXPECT_FALSE(std::filesystem::exists(folder + "/site")) << "it only reads";
-  ASSERT_EQ(run(league("publish", folder)).exit_code, 0);
-  EXPECT_EQ(read_file(folder + "/site/index.html"), index);
-  EXPECT_EQ(read_file(folder + "/site/teams/c.html"), page);
+  const Outcome published = run(league("publish", folder));
+  EXPECT_EQ(published.exit_code, 0);
+  EXPECT_EQ(published.out, folder + "/site/index.html\n");
+  EXPECT_TRUE(site_of(folder) == site);
 }
 
 }  // namespace

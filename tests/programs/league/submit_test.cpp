@@ -190,38 +190,5 @@ TEST_F(Submit, NumbersEachEntryThoughSeveralAreHandedInAtOnce) {
   EXPECT_EQ(read_json(folder_ + "/league.json")["teams"].size(), 2u);
 }
 
-// Nobody waits for a stranger while the lock is held, and a stranger cannot hold it.
-TEST_F(Submit, IsNotStoppedByALinkInPlaceOfTheLock) {
-  fs::create_symlink(secret_, folder_ + "/.submitting");
-  const Outcome outcome = submit("alpha", house("chaser"));
-  EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_NE(outcome.err.find(".submitting cannot be locked: it is a symbolic link"),
-            std::string::npos)
-      << outcome.err;
-  EXPECT_EQ(read_file(secret_), "secret");
-}
-
-// A user who may only read the league's folder can neither lock it nor misdirect a stop.
-TEST_F(Submit, CannotBeLockedByAReader) {
-  if (geteuid() != 0) GTEST_SKIP() << "only the superuser runs programs of two users";
-  const std::string tool = "/usr/bin/setpriv";
-  if (!fs::exists(tool)) GTEST_SKIP() << tool << " is not there";
-  submit_good("alpha", house("chaser"));
-  ASSERT_EQ(chmod((temporary_ / ".").c_str(), 0755), 0);
-  ASSERT_EQ(chmod(folder_.c_str(), 0755), 0);
-  EXPECT_NE(run({tool, "--reuid", "64001", "--regid", "64001", "--clear-groups", "flock",
-                 "--nonblock", folder_ + "/.submitting", "true"})
-                .exit_code,
-            0);
-  EXPECT_NE(run({tool, "--reuid", "64001", "--regid", "64001", "--clear-groups", "cat",
-                 folder_ + "/entries/alpha/1/strategy.so"})
-                .exit_code,
-            0);
-  write_file(folder_ + "/.running", std::to_string(getpid()) + "\n");
-  const Outcome stop = run(league("stop", folder_));
-  EXPECT_EQ(stop.exit_code, 1);
-  EXPECT_EQ(stop.out, folder_ + " is not being played\n");
-}
-
 }  // namespace
 }  // namespace mirocup::test_support
