@@ -34,28 +34,30 @@ Json side_of(int team) {
   return {{"id", team == unknown_team ? Json() : Json(team)}};
 }
 
-// One side of the whole fixture. Its score is the sum of goals in a knockout, where that sum
-// decides a tie, and the number of won legs elsewhere.
+// One side of a tie of the knockout. Its score is the sum of goals, which decides the tie.
 Json side_of(const LeagueState& state, const FixtureState& f, int team) {
   Json side = side_of(team);
   if (!f.fixture.has_both()) return side;
-  if (f.fixture.part != Part::knockout) {
-    side["score"] =
-        std::count_if(f.legs.begin(), f.legs.begin() + f.needed(), [team](const LegState& leg) {
-          return leg.played && leg.played->result.difference(team) > 0;
-        });
-    return side;
-  }
   side["score"] = f.goals(team);
   if (const int winner = outcome(state, f).winner; winner >= 0)
     side["result"] = winner == team ? "win" : "loss";
   return side;
 }
 
+// One side of a leg in a table. Only what counts there has a result.
+Json side_of(const LegResult& leg, int team, bool counts) {
+  Json side = side_of(team);
+  side["score"] = team == leg.home ? leg.home_goals : leg.away_goals;
+  const int ahead = leg.difference(team);
+  if (counts) side["result"] = leg.both_lose || ahead < 0 ? "loss" : ahead > 0 ? "win" : "draw";
+  return side;
+}
+
 // Returns the fixtures as the tables of brackets-model (npm), which brackets-viewer draws: the keys
 // "participant", "stage", "group", "round", "match" and "match_game", each with a list of rows. In
-// these tables a fixture is a match, and a leg is a match game. A group is a bracket in the
-// knockout; the tie for the third place is a second bracket.
+// the knockout a fixture is a match. Elsewhere each leg and each bye is a match, so that the viewer
+// ranks by legs, as the table does. Each leg is a match game. A group is a bracket in the knockout;
+// the tie for the third place is a second bracket.
 Json bracket_json(const LeagueState& state) {
   Json tables;
   for (const char* name : {"participant", "stage", "group", "round", "match", "match_game"})
@@ -84,37 +86,52 @@ Json bracket_json(const LeagueState& state) {
     const int number = third_place ? 1 : fixture.round;
     const std::size_t round = id_of(rounds, {group, number}, tables["round"],
                                     {{"stage_id", stage}, {"group_id", group}, {"number", number}});
-    const std::size_t match = tables["match"].size();
+    const auto add_match = [&](int leg, int games, Status status, const Json& home,
+                               const Json& away) {
+      const int legs = is_knockout ? 1 : fixture.legs;
+      tables["match"].push_back(
+          {{"id", tables["match"].size()},
+           {"stage_id", stage},
+           {"group_id", group},
+           {"round_id", round},
+           {"number", third_place ? 1 : (fixture.number - 1) * legs + leg + 1},
+           {"child_count", games},
+           {"status", status},
+           {"opponent1", home},
+           {"opponent2", away}});
+    };
     for (int leg = 0; leg < f.needed(); ++leg) {
-      Json home = side_of(fixture.home);
-      Json away = side_of(fixture.away);
       const PlayedLeg* played = f.legs[leg].played.get();
+      const LegResult result = played != nullptr ? played->result : LegResult{};
+      const Status status = played != nullptr ? completed : fixture.has_both() ? ready : locked;
+      Json home = side_of(fixture.home), away = side_of(fixture.away);
       if (played != nullptr) {
-        home["score"] = played->result.home_goals;
-        away["score"] = played->result.away_goals;
+        home = side_of(result, fixture.home, !is_knockout && result.counts_for_home);
+        away = side_of(result, fixture.away, !is_knockout && result.counts_for_away);
       }
       tables["match_game"].push_back({{"id", tables["match_game"].size()},
                                       {"stage_id", stage},
-                                      {"parent_id", match},
-                                      {"number", leg + 1},
-                                      {"status", played != nullptr    ? completed
-                                                 : fixture.has_both() ? ready
-                                                                      : locked},
+                                      {"parent_id", tables["match"].size()},
+                                      {"number", is_knockout ? leg + 1 : 1},
+                                      {"status", status},
                                       {"opponent1", home},
                                       {"opponent2", away}});
+      if (!is_knockout) add_match(leg, 0, status, home, away);
     }
-    tables["match"].push_back({{"id", match},
-                               {"stage_id", stage},
-                               {"group_id", group},
-                               {"round_id", round},
-                               {"number", third_place ? 1 : fixture.number},
-                               {"child_count", fixture.legs},
-                               {"status", f.is_decided()        ? completed
-                                          : !fixture.has_both() ? locked
-                                          : f.decided() > 0     ? running
-                                                                : ready},
-                               {"opponent1", side_of(state, f, fixture.home)},
-                               {"opponent2", side_of(state, f, fixture.away)}});
+    if (is_knockout) {
+      add_match(0, fixture.legs,
+                f.is_decided()        ? completed
+                : !fixture.has_both() ? locked
+                : f.decided() > 0     ? running
+                                      : ready,
+                side_of(state, f, fixture.home), side_of(state, f, fixture.away));
+    } else if (f.needed() == 0) {  // a bye, or a fixture of a team that has left
+      const bool is_bye = fixture.away == no_team && fixture.part == Part::table && !f.is_annulled;
+      Json home = side_of(fixture.home);
+      if (is_bye) home["result"] = "win";
+      for (int leg = 0; leg < (is_bye ? legs_per_fixture : 1); ++leg)
+        add_match(leg, 0, is_bye ? completed : locked, home, side_of(fixture.away));
+    }
   }
   return tables;
 }
