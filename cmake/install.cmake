@@ -12,7 +12,7 @@ install(TARGETS mirocup_team EXPORT mirocup LIBRARY COMPONENT mirocup NAMELINK_C
 install(TARGETS mirocup-league COMPONENT mirocup)
 install(TARGETS mirocup-plugin-host mirocup-careful-host mirocup-project-compiler RUNTIME DESTINATION libexec/mirocup COMPONENT mirocup)
 install(PROGRAMS ${PROJECT_BINARY_DIR}/mirocup-credentials DESTINATION libexec/mirocup COMPONENT mirocup)
-install(FILES record/record.schema.json DESTINATION share/mirocup COMPONENT mirocup)
+install(FILES record/record.schema.json record/files.schema.json DESTINATION share/mirocup COMPONENT mirocup)
 install(FILES ${PROJECT_BINARY_DIR}/browser/mirocup.wasm browser/mirocup.js browser/verify.mjs browser/package.json
   DESTINATION share/mirocup/browser COMPONENT mirocup OPTIONAL)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/browser/node_modules/fzstd DESTINATION share/mirocup/browser/node_modules
@@ -66,7 +66,9 @@ install(FILES cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup
   DESTINATION ${package_folder} COMPONENT mirocup-dev)
 
 # python3-mirocup: teams in Python.
-install(FILES plugins/python/__init__.py ${PROJECT_BINARY_DIR}/python/mirocup/team.py DESTINATION ${MIROCUP_PYTHON_DIR}/mirocup COMPONENT python3-mirocup)
+foreach(file __init__.py py.typed team.py)
+  install(FILES ${PROJECT_BINARY_DIR}/python/mirocup/${file} DESTINATION ${MIROCUP_PYTHON_DIR}/mirocup COMPONENT python3-mirocup)
+endforeach()
 install(TARGETS mirocup_skills LIBRARY COMPONENT python3-mirocup NAMELINK_SKIP)
 if(TARGET mirocup-python)
   install(TARGETS mirocup-python-host RUNTIME DESTINATION libexec/mirocup COMPONENT python3-mirocup)

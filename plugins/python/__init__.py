@@ -18,6 +18,16 @@ this, so the environments are loaded when they are first asked for.
 import importlib.util
 import sys
 
+__version__ = "@PROJECT_VERSION@"
+
+TYPE_CHECKING = False  # for programs that check types, which read what __getattr__ finds
+if TYPE_CHECKING:
+    from ._library import TrainingError as TrainingError
+    from .configuration import PRESETS as PRESETS
+    from .parallel_env import ParallelEnv as ParallelEnv
+    from .policy import Policy as Policy
+    from .vector_env import AutoresetMode as AutoresetMode, Env as Env, VectorEnv as VectorEnv
+
 _HOMES = {"TrainingError": "_library", "PRESETS": "configuration", "ParallelEnv": "parallel_env",
           "Policy": "policy",
           "AutoresetMode": "vector_env", "Env": "vector_env", "VectorEnv": "vector_env"}
@@ -35,6 +45,10 @@ def __getattr__(name):
     value = getattr(importlib.import_module("." + home, __name__), name)
     globals()[name] = value
     return value
+
+
+def __dir__():
+    return sorted({*globals(), *__all__})
 
 
 def register_ids():

@@ -71,6 +71,24 @@ TEST(Records, FitTheSchemaAndVerifyForEveryEnding) {
   expect_valid(paths);
 }
 
+// Catches an example that an editor calls wrong, and a key that only files.schema.json or only its
+// reader has.
+TEST(Records, FilesThatPeopleWriteFitTheirSchema) {
+  std::vector<std::string> words{source + "/tests/programs/records/schema.py"};
+  for (const char* file :
+       {"record/files.schema.json", "tournaments/format/league_file.cpp", "record/drills/drill.cpp",
+        "record/pitch_json.cpp", "record/parameters_json.cpp", "record/situation_json.cpp",
+        "docs/hosting-file.md", "docs/drills.md", "docs/pitches.md"})
+    words.push_back(source + "/" + file);
+  for (const char* folder : {"/plugins/drills", "/tournaments/examples"}) {
+    for (const auto& file : std::filesystem::recursive_directory_iterator(source + folder))
+      if (file.path().extension() == ".json") words.push_back(file.path());
+  }
+  const Outcome outcome = run(words);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_GE(std::atoi(outcome.out.c_str()), 34) << outcome.out;
+}
+
 // Catches a key that schema.md or record.schema.json does not describe, one that they describe but
 // no record has.
 TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
