@@ -155,7 +155,7 @@ Result<void> Batch::restore(int number, std::string_view copy) {
   Result<void> restored;
   workers_.run(1, [&](int, int thread) {
     restored = matches_[static_cast<std::size_t>(number)]->restore(
-        copy, *worlds_[static_cast<std::size_t>(thread)]);
+        copy, rows_of(number), *worlds_[static_cast<std::size_t>(thread)]);
   });
   return restored;
 }

@@ -154,10 +154,13 @@ match::Setup read_setup(const JsonReader& json, bool ends_at_goal) {
 }
 
 void read_episode(const JsonReader& json, Config& config) {
-  json.expect_object({"seconds", "ends_at_goal"});
+  json.expect_object({"seconds", "steps", "ends_at_goal"});
   if (json.has("seconds")) {
     const JsonReader seconds = json.at("seconds");
     config.episode_s = seconds.is_null() ? infinity : seconds.positive_number();
+  }
+  if (const auto steps = json.find("steps"); steps && !steps->is_null()) {
+    config.max_steps = steps->integer<std::uint64_t>(1);
   }
   json.read_if_present("ends_at_goal", config.ends_at_goal);
 }

@@ -12,6 +12,7 @@
 #include "labs/training/rewards.hpp"
 #include "record/json_reader.hpp"
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,6 +78,7 @@ struct Config {
   Autoreset autoreset = Autoreset::next_step;
   // After this time of play, s, an episode is truncated; infinite: never.
   double episode_s = 30.0;
+  std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();  // of an episode, likewise
   bool ends_at_goal = true;         // a goal terminates the episode
   bool skips_stops = true;          // a step also plays a stop of play after it; robots then stand
   std::vector<StartRanges> starts;  // starts of episodes; empty: the kick-off

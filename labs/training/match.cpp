@@ -102,12 +102,8 @@ Result<void> Match::start_episode(const Rows& rows, simulator::World& world) {
     measures_[i].meter.start(*leg_, slots_.learners[i]);
   }
   observe(rows.observations);
-  for (std::size_t i = 0; i < measures_.size(); ++i) {
-    if (rows.rewards != nullptr) rows.rewards[i] = 0.0F;
-    if (rows.terminations != nullptr) rows.terminations[i] = 0;
-    if (rows.truncations != nullptr) rows.truncations[i] = 0;
-  }
-  if (rows.terms != nullptr) std::fill_n(rows.terms, measures_.size() * terms, 0.0F);
+  write_no_rewards(rows);
+  write_ends(rows);
   return {};
 }
 
@@ -187,8 +183,7 @@ match::Snapshot Match::snapshot(simulator::World& world) {
 Result<void> Match::play_step(const Rows& rows, const Weights& weights, simulator::World& world) {
   if (is_done()) {
     if (config_.autoreset != Autoreset::disabled) return start_episode(rows, world);
-    if (rows.rewards != nullptr) std::fill_n(rows.rewards, measures_.size(), 0.0F);
-    if (rows.terms != nullptr) std::fill_n(rows.terms, measures_.size() * terms, 0.0F);
+    write_no_rewards(rows);
     return {};
   }
   const Commands commands = commands_of(rows.actions);
@@ -199,13 +194,14 @@ Result<void> Match::play_step(const Rows& rows, const Weights& weights, simulato
   for (int i = 0; i < config_.ticks_per_step; ++i) {
     play_tick(played);
     ++counts_.play_ticks;
-    if (leg_->is_over() || leg_->state() != state || counts_.play_ticks >= max_play_ticks_) break;
+    if (leg_->is_over() || leg_->state() != state || is_too_long()) break;
   }
   if (config_.skips_stops) skip_stop();
   ++counts_.steps;
   counts_.is_terminated = leg_->is_over();
-  counts_.is_truncated = !counts_.is_terminated && counts_.play_ticks >= max_play_ticks_;
+  counts_.is_truncated = !counts_.is_terminated && is_too_long();
   write_rewards(rows, weights, leg_->tick() - begin);
+  write_ends(rows);
   if (!is_done() || config_.autoreset != Autoreset::same_step) {
     observe(rows.observations);
     if (is_done()) write_statistics(rows.statistics);
@@ -298,9 +294,20 @@ void Match::write_rewards(const Rows& rows, const Weights& weights, std::uint32_
     }
     measures.total += reward;
     if (rows.rewards != nullptr) rows.rewards[i] = static_cast<float>(reward);
-    if (rows.terminations != nullptr) rows.terminations[i] = counts_.is_terminated ? 1 : 0;
-    if (rows.truncations != nullptr) rows.truncations[i] = counts_.is_truncated ? 1 : 0;
   }
+}
+
+void Match::write_no_rewards(const Rows& rows) const {
+  if (rows.rewards != nullptr) std::fill_n(rows.rewards, measures_.size(), 0.0F);
+  if (rows.terms != nullptr) std::fill_n(rows.terms, measures_.size() * terms, 0.0F);
+}
+
+void Match::write_ends(const Rows& rows) const {
+  const auto fill = [&](std::uint8_t* to, bool is_end) {
+    if (to != nullptr) std::fill_n(to, measures_.size(), is_end ? 1 : 0);
+  };
+  fill(rows.terminations, counts_.is_terminated);
+  fill(rows.truncations, counts_.is_truncated);
 }
 
 void Match::write_statistics(float* to) const {
@@ -407,7 +414,7 @@ std::string Match::save() const {
   return to.take();
 }
 
-Result<void> Match::restore(std::string_view copy, simulator::World& world) {
+Result<void> Match::restore(std::string_view copy, const Rows& rows, simulator::World& world) {
   Reader from(copy);
   std::uint64_t belongs_to = 0;
   std::uint64_t first_seed = 0;
@@ -452,6 +459,8 @@ Result<void> Match::restore(std::string_view copy, simulator::World& world) {
   counts_ = counts;
   episode_ = std::move(episode);
   measures_ = std::move(measures);
+  observe(rows.observations);
+  write_ends(rows);
   lay_aside();
   return {};
 }

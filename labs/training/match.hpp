@@ -91,9 +91,10 @@ class Match {
   const Episode& episode() const { return episode_; }
   const std::optional<Episode>& last_episode() const { return last_; }
 
-  // save() returns the match's state as bytes; restore() sets the match to a state from save().
+  // save() returns the match's state as bytes; restore() sets the match to a state from save(), and
+  // writes the observations and ends of this state.
   std::string save() const;
-  Result<void> restore(std::string_view copy, simulator::World& world);
+  Result<void> restore(std::string_view copy, const Rows& rows, simulator::World& world);
 
  private:
   using Commands = match::ByTeam<match::Command>;
@@ -124,7 +125,12 @@ class Match {
   Commands commands_of(const float* actions) const;
   void observe(float* to) const;
   void write_rewards(const Rows& rows, const Weights& weights, std::uint32_t ticks);
+  void write_no_rewards(const Rows& rows) const;
+  void write_ends(const Rows& rows) const;
   void write_statistics(float* to) const;
+  bool is_too_long() const {
+    return counts_.play_ticks >= max_play_ticks_ || counts_.steps >= config_.max_steps;
+  }
   bool is_done() const { return counts_.is_terminated || counts_.is_truncated; }
   std::uint64_t next_seed();
   // If each episode draws its pitch, each leg has its own world.

@@ -4,10 +4,12 @@
 
     ppo.py score --minutes 30                     one robot, the ball anywhere, the opponents stand
     ppo.py play --minutes 480 --from score        three robots against themselves and past selves
+    ppo.py score again --steps 20e6 --seed 2      a run that gives the same network each time
     ppo.py test score                             the share of 1000 episodes in which it scores
     mirocup export score/policy.npz -o learned.cpp
 
-A run is a folder. Started again, it goes on from its last checkpoint; Ctrl-C saves one first. labs/docs/training.md
+A run is a folder. Started again, it continues from its last checkpoint as if it had not been stopped; Ctrl-C saves one
+first. labs/docs/training.md
 """
 from __future__ import annotations
 
@@ -67,7 +69,7 @@ STEPS = 56              # of each environment between two updates
 EPOCHS, MINIBATCHES = 6, 16
 GAMMA, LAMBDA = 0.985, 0.95
 CLIP, ENTROPY = 0.2, 0.002
-LEARNING_RATE = 1e-3    # falls to a tenth of it over the run
+LEARNING_RATE = 1e-3    # falls to a tenth of it over the run, by its steps or by its time
 HIDDEN = 64
 # What is drawn is forward and turn; wheels of full speed against each other turn so fast that a robot which tries them out
 # at random only spins.
@@ -261,39 +263,45 @@ class Run:
     def __init__(self, folder: Path, task: str, start_from: Path | None, threads: int, seed: int) -> None:
         self.folder, self.task = folder, task
         folder.mkdir(parents=True, exist_ok=True)
-        self.envs = VectorEnv(ENVIRONMENTS, **TASKS[task], threads=threads, seed=seed)
+        self.envs = VectorEnv(ENVIRONMENTS, **TASKS[task], threads=threads)
         observation = self.envs.single_observation_space.shape[0]
         self.learner = Learner(observation, self.envs.single_action_space.shape[0])
         self.optimizer = torch.optim.Adam(self.learner.parameters(), lr=LEARNING_RATE, eps=1e-5)
         self.opponents = Opponents(self.envs)
-        self.random = np.random.default_rng(seed)
+        self.seed, self.random = seed, np.random.default_rng(seed)
+        self.observations, _ = self.envs.reset(seed=1_000_000 * seed)
         self.course: list[dict[str, float]] = []
         self.seconds, self.cpu, self.steps, self.updates = 0.0, 0.0, 0, 0
         checkpoint = folder / "checkpoint.pt"
         if checkpoint.exists():
-            self._load(torch.load(checkpoint))
+            self._load(torch.load(checkpoint, weights_only=False))
         elif start_from is not None:
-            self.learner.load_state_dict(torch.load(start_from / "checkpoint.pt")["learner"])
+            self.learner.load_state_dict(torch.load(start_from / "checkpoint.pt", weights_only=False)["learner"])
             with torch.no_grad():
                 self.learner.log_std.fill_(-1.0)
 
     def _load(self, state: dict[str, Any]) -> None:
-        if state["task"] != self.task:
-            sys.exit(f"{self.folder}: this run learns {state['task']}, not {self.task}")
+        for name, here in (("task", self.task), ("seed", self.seed)):
+            if state[name] != here:
+                sys.exit(f"{self.folder}: this run has the {name} {state[name]}, not {here}")
         self.learner.load_state_dict(state["learner"])
         self.optimizer.load_state_dict(state["optimizer"])
         self.opponents.past = state["past"]
         self.course = state["course"]
         self.seconds, self.cpu = state["seconds"], state["cpu"]
         self.steps, self.updates = state["steps"], state["updates"]
-        self.random = np.random.default_rng([self.updates])
-        torch.manual_seed(self.updates)
+        self.random.bit_generator.state = state["random"]
+        torch.set_rng_state(state["torch"])
+        for match, copy in enumerate(state["matches"]):
+            self.envs.restore(copy, match)
+        self.observations = self.envs.batch.observations.copy()
 
     def save(self) -> None:
-        state = {"task": self.task, "learner": self.learner.state_dict(), "optimizer": self.optimizer.state_dict(),
-                 "past": self.opponents.past, "course": self.course, "seconds": self.seconds, "cpu": self.cpu,
-                 "steps": self.steps,
-                 "updates": self.updates}
+        state = {"task": self.task, "seed": self.seed, "learner": self.learner.state_dict(),
+                 "optimizer": self.optimizer.state_dict(), "past": self.opponents.past, "course": self.course,
+                 "seconds": self.seconds, "cpu": self.cpu, "steps": self.steps, "updates": self.updates,
+                 "random": self.random.bit_generator.state, "torch": torch.get_rng_state(),
+                 "matches": [self.envs.save(match) for match in range(self.envs.batch.matches)]}
         replace(self.folder / "checkpoint.pt", lambda file: torch.save(state, file))
         save_policy(self.learner, self.envs, self.folder / "policy.npz")
         if self.course:
@@ -301,7 +309,7 @@ class Run:
                  {"goal": "goals of an episode", "return": "return of an episode", "steps_s": "steps a second",
                   "spread": "spread of the actions", "chaser": "goals for minus against, a minute, against chaser"})
 
-    def report(self, episodes: list[dict[str, float]], left: float, rate: float) -> None:
+    def report(self, episodes: list[dict[str, float]], done: float, rate: float) -> None:
         row = {"minutes": self.seconds / 60.0, "cpu_minutes": self.cpu / 60.0, "steps": float(self.steps), "steps_s": rate,
                "spread": float(self.learner.log_std.exp().mean())}
         if episodes:
@@ -310,26 +318,28 @@ class Run:
         print(f"{row['minutes']:6.1f} min ({row['cpu_minutes']:.1f} of processors)  {self.steps / 1e6:7.2f} M steps  "
               f"{rate:7.0f}/s  "
               f"goals {row.get('goal', np.nan):5.2f}  return {row.get('return', np.nan):6.2f}  "
-              f"spread {row['spread']:.2f}  {left / 60.0:.1f} min left", flush=True)
+              f"spread {row['spread']:.2f}  {done:.1%} done", flush=True)
 
 
-def train(run: Run, minutes: float, stop_after: float) -> None:
-    """Learns until the run has had that many minutes in all, for `stop_after` minutes, or until it is interrupted."""
+def train(run: Run, minutes: float, steps: float | None, stop_after: float) -> None:
+    """Learns until the run has had that many minutes or steps in all, for `stop_after` minutes, or until it is interrupted."""
     stops: list[int] = []
     for name in (signal.SIGINT, signal.SIGTERM):
         signal.signal(name, lambda number, frame: stops.append(number))
-    limit = 60.0 * minutes
     pause = run.seconds + 60.0 * stop_after
-    observations, _ = run.envs.reset(seed=1_000_000 * (1 + run.updates % 1000))
+
+    def done() -> float:  # the share of the run; by steps it is the same in each run
+        return run.seconds / (60.0 * minutes) if steps is None else run.steps / steps
+
     episodes: list[dict[str, float]] = []
     saved = reported = run.seconds
     steps_reported = run.steps
-    while run.seconds < min(limit, pause) and not stops:
+    while done() < 1.0 and run.seconds < pause and not stops:
         begin, cpu = time.monotonic(), time.process_time()
         for group in run.optimizer.param_groups:
-            group["lr"] = LEARNING_RATE * max(0.1, 1.0 - run.seconds / limit)
+            group["lr"] = LEARNING_RATE * max(0.1, 1.0 - done())
         run.opponents.choose(run.learner, run.random)
-        batch, observations = collect(run.envs, run.learner, run.opponents, observations, episodes)
+        batch, run.observations = collect(run.envs, run.learner, run.opponents, run.observations, episodes)
         update(run.learner, run.optimizer, batch)
         run.updates += 1
         run.steps += STEPS * ENVIRONMENTS
@@ -338,7 +348,7 @@ def train(run: Run, minutes: float, stop_after: float) -> None:
         run.seconds += time.monotonic() - begin
         run.cpu += time.process_time() - cpu
         if run.seconds - reported >= REPORT_S:
-            run.report(episodes, limit - run.seconds, (run.steps - steps_reported) / (run.seconds - reported))
+            run.report(episodes, done(), (run.steps - steps_reported) / (run.seconds - reported))
             reported, steps_reported, episodes = run.seconds, run.steps, []
         if run.seconds - saved >= CHECKPOINT_S:
             if run.task == "play":
@@ -389,11 +399,12 @@ def main() -> None:
     parser.add_argument("task", choices=[*TASKS, "test"])
     parser.add_argument("folder", nargs="?", help="folder of the run (default: the name of the task)")
     parser.add_argument("--minutes", type=float, default=30.0, help="minutes of training, with those of earlier starts")
+    parser.add_argument("--steps", type=float, help="steps of training of all learners together, instead of minutes")
     parser.add_argument("--stop-after", type=float, default=float("inf"), metavar="MINUTES",
                         help="end this start after MINUTES; the same command continues the run (for jobs with a time limit)")
     parser.add_argument("--from", dest="start_from", type=Path, help="run whose network this run begins with")
     parser.add_argument("--threads", type=int, default=0, help="number of threads (0: one for each processor)")
-    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seed", type=int, default=1, help="of networks, episodes and actions (default: 1)")
     arguments = parser.parse_args()
     folder = Path(arguments.folder or ("score" if arguments.task == "test" else arguments.task))
     torch.set_num_threads(arguments.threads or os.cpu_count() or 1)
@@ -402,8 +413,7 @@ def main() -> None:
         return
     torch.manual_seed(arguments.seed)
     run = Run(folder, arguments.task, arguments.start_from, arguments.threads, arguments.seed)
-    print(f"{arguments.task}: {run.steps / 1e6:.2f} M steps so far, {run.seconds / 60.0:.1f} of {arguments.minutes:g} min")
-    train(run, arguments.minutes, arguments.stop_after)
+    train(run, arguments.minutes, arguments.steps, arguments.stop_after)
 
 
 if __name__ == "__main__":

@@ -53,8 +53,10 @@ class Gymnasium(unittest.TestCase):
         for _ in range(15):
             info = wrapped.step(wrapped.action_space.sample())[-1]
         self.assertEqual((info["episode"]["l"], info["statistics"]["steps"]), (15, 15.0))
+        gymnasium.wrappers.TimeAwareObservation(gymnasium.make(VSS))
         for mode in ("sync", "async", "vector_entry_point"):
-            envs = gymnasium.make_vec(ID, num_envs=10, vectorization_mode=mode, episode_seconds=0.5)
+            limit = {"max_episode_steps": 15} if mode == "vector_entry_point" else {"episode_seconds": 0.5}
+            envs = gymnasium.make_vec(ID, num_envs=10, vectorization_mode=mode, **limit)
             wrapped = gymnasium.wrappers.vector.RecordEpisodeStatistics(envs)
             wrapped.reset(seed=1)
             for _ in range(15):

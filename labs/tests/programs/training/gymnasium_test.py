@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 from pathlib import Path
 
@@ -170,11 +171,13 @@ class Vector(unittest.TestCase):
             r"rewards\['goals'\]: ": {"rewards": {"goals": 1.0}},
             "episode_seconds: ": {"episode_seconds": -1.0},
             "ends_at_goal: ": {"ends_at_goal": 2},
+            "max_episode_steps: ": {"max_episode_steps": 0},
             "conditions: ": {"conditions": "rain"},
         }.items():
             with self.assertRaisesRegex(mirocup.TrainingError, "^" + words):
                 VectorEnv(**arguments)
         for words, arguments in {
+            "render_mode='human': there is no window": {"render_mode": "human"},
             r"rewards\['goal'\]=nan": {"rewards": {"goal": float("nan")}},
             "episode_seconds=nan": {"episode_seconds": np.float32("nan")},
             "autoreset": {"autoreset_mode": "same"},
@@ -263,14 +266,11 @@ class Vector(unittest.TestCase):
         random = np.random.default_rng(1)
         actions = random.uniform(-1, 1, (60, *envs.action_space.shape))
         for action in actions[:20]:
-            envs.step(action)
+            seen = envs.step(action)[0]
         copy = envs.save(2)
         one = [envs.step(action)[0][2] for action in actions]
-        envs.restore(copy, 2)
-        envs.restore(copy, 5)
-        two = [envs.step(action)[0] for action in actions[:, [0, 1, 2, 3, 4, 2, 6, 7, 8, 9]]]
-        self.assertTrue(np.array_equal(one, [o[2] for o in two]))
-        self.assertTrue(np.array_equal(one, [o[5] for o in two]))
+        self.assertTrue(np.array_equal(envs.restore(copy, 2), seen[2:3]), "the observation of the restored state")
+        self.assertTrue(np.array_equal(one, [envs.step(action)[0][2] for action in actions]))
 
 
 class Single(unittest.TestCase):
@@ -295,6 +295,27 @@ class Single(unittest.TestCase):
         self.assertIn("return", info["statistics"])
         self.assertNotIn("episode", info, "the key of RecordEpisodeStatistics")
         self.assertEqual((env._np_random_seed, env._np_random), (1, env.np_random), "what Gymnasium's checker reads")
+        ended = env.save()
+        env.reset()
+        env.set_rewards({"time": 1.0})
+        running, first = env.save(), env.step(np.zeros(2))
+        self.assertAlmostEqual(first[1], -0.025)
+        env.restore(ended)
+        with self.assertRaisesRegex(mirocup.TrainingError, "reset"):
+            env.step(np.zeros(2))
+        env.restore(running)
+        self.assertTrue(np.array_equal(env.step(np.zeros(2))[0], first[0]))
+
+    def test_limits_of_steps(self):
+        """Catches a limit that counts control periods instead of steps, and one that Gymnasium's wrappers do not find."""
+        for arguments, steps, known in (({"max_episode_steps": 4, "ticks_per_step": 3}, 4, 4), ({"episode_seconds": 0.5}, 15, 15),
+                                        ({"episode_seconds": 0.5, "ticks_per_step": 3}, 5, None),
+                                        ({"episode_seconds": 0.5, "max_episode_steps": 20}, 15, 15)):
+            env = Env(**arguments)
+            env.reset(seed=1)
+            self.assertEqual([env.step(np.zeros(6))[3] for _ in range(steps)], [False] * (steps - 1) + [True], arguments)
+            env.spec = types.SimpleNamespace(max_episode_steps=None)
+            self.assertEqual(env.spec.max_episode_steps, known, arguments)
 
 
 class Parallel(unittest.TestCase):
@@ -324,6 +345,12 @@ class Parallel(unittest.TestCase):
             self.assertEqual(env.step({}), ({}, {}, {}, {}, {}))
             self.assertEqual(env.state().shape, (42,))
             self.assertIn(env.state(), env.state_space)
+        copy = env.save()
+        first, _ = env.reset()
+        running = env.save()
+        self.assertEqual((env.restore(copy).keys(), env.agents), (first.keys(), []))
+        self.assertTrue(all(np.array_equal(again, first[agent]) for agent, again in env.restore(running).items()))
+        self.assertEqual(env.agents, env.possible_agents)
         env.reset(seed=1)
         actions = {agent: env.action_space(agent).sample() for agent in env.agents}
         with self.assertRaisesRegex(ValueError, "green_0"):

@@ -130,7 +130,8 @@ int32_t mirocup_training_record(mirocup_training* training, int32_t match,
  * match or process with the same configuration. save() returns the length of the copy in bytes (0
  * after an error), and writes the copy if `size` is at least this length. The copy holds the
  * commands of the episode, so restoring takes as long as playing the episode. restore() asks teams
- * that do not learn for their commands again, so such teams must be deterministic. */
+ * that do not learn for their commands again, so such teams must be deterministic. It writes the
+ * observations, terminations and truncations of the match, as the step before save() wrote them. */
 size_t mirocup_training_save(const mirocup_training* training, int32_t match, void* copy,
                              size_t size);
 int32_t mirocup_training_restore(mirocup_training* training, int32_t match, const void* copy,

@@ -153,9 +153,6 @@ class Batch:
         handle = self._open()
         mask = None if mask is None else np.ascontiguousarray(mask, np.uint8)
         seeds = None if seeds is None else np.ascontiguousarray(seeds, np.uint64)
-        for array in (mask, seeds):
-            if array is not None and array.shape != (self.matches,):
-                raise ValueError(f"{self.matches} matches are expected, not an array of shape {array.shape}")
         self._check(self._library.mirocup_training_reset(
             handle, None if mask is None else mask.ctypes.data, None if seeds is None else seeds.ctypes.data))
 

@@ -24,7 +24,7 @@ PRESETS: dict[str, dict[str, Any]] = {
     },
 }
 
-# The arguments that go into the configuration as they are, if they are given.
+# The arguments of an environment that go into the configuration as they are, if they are given.
 _KEYS = ("league", "rules", "referee", "control_period", "conditions", "start", "pitch", "agents", "observation", "action",
          "ticks_per_step", "skip_stops", "rewards", "threads")
 
@@ -33,8 +33,12 @@ DEFAULTS: dict[str, Any] = {
     "learners": "all",
     "mates": "idle",
     "episode_seconds": 30.0,
+    "max_episode_steps": None,
     "ends_at_goal": True,
 }
+
+# All arguments of an environment that say what is played.
+ARGUMENTS = (*_KEYS, *DEFAULTS, "opponent_parameters", "preset")
 
 
 def plain(value: Any, name: str = "") -> Any:
@@ -66,26 +70,22 @@ def in_arguments(message: str) -> str:
         if part != "mates" or first == "blue":
             name = "opponent_parameters" if part == "parameters" else part
     elif rest and first == "episode":
-        name = {"seconds": "episode_seconds"}.get(rest[0], rest[0])
+        name = {"seconds": "episode_seconds", "steps": "max_episode_steps"}.get(rest[0], rest[0])
         rest = []
     places = "".join(f"[{part}]" if part.isdigit() else f"[{part!r}]" for part in rest)
     return f"{name}{places}: {message[found.end():]}"
 
 
-def configuration(matches: int, autoreset: str, arguments: dict[str, Any]) -> dict[str, Any]:
-    """The JSON configuration of a batch.
-
-    arguments: the keyword arguments of an environment; what is None is left to the preset or the default.
-    """
+def with_defaults(arguments: dict[str, Any]) -> dict[str, Any]:
+    """The keyword arguments of an environment; what is None is left to the preset or the default."""
     preset = arguments.get("preset")
     if preset is not None and preset not in PRESETS:
         raise ValueError(f"preset {preset!r}: there are {', '.join(PRESETS)}")
-    given = {key: value for key, value in plain(arguments).items() if value is not None}
-    given.pop("preset", None)
-    chosen = {**DEFAULTS, **PRESETS.get(preset or "", {}), **given}
-    unknown = sorted(set(chosen) - set(_KEYS) - set(DEFAULTS) - {"opponent_parameters"})
-    if unknown:
-        raise TypeError(f"unexpected argument {unknown[0]!r}")
+    return {**DEFAULTS, **PRESETS.get(preset or "", {}), **{key: v for key, v in plain(arguments).items() if v is not None}}
+
+
+def configuration(matches: int, autoreset: str, chosen: dict[str, Any]) -> dict[str, Any]:
+    """The JSON configuration of a batch, from arguments with_defaults()."""
     learners: Any = {"learners": chosen["learners"], "mates": chosen["mates"]}
     opponent: Any = chosen["opponent"]
     if opponent == "self":
@@ -100,24 +100,16 @@ def configuration(matches: int, autoreset: str, arguments: dict[str, Any]) -> di
         "autoreset": autoreset,
         "blue": learners,
         "yellow": opponent,
-        "episode": {"seconds": None if seconds in (None, float("inf")) else seconds,
+        "episode": {"seconds": None if seconds in (None, float("inf")) else seconds, "steps": chosen["max_episode_steps"],
                     "ends_at_goal": chosen["ends_at_goal"]},
         **{key: chosen[key] for key in _KEYS if key in chosen},
     }
 
 
-def learners_of_a_match(arguments: dict[str, Any]) -> int:
-    """How many rows a match has."""
-    arguments = plain(arguments)
-    preset = PRESETS.get(arguments.get("preset") or "", {})
-
-    def chosen(key: str, default: Any) -> Any:
-        value = arguments.get(key)
-        return preset.get(key, default) if value is None else value
-
-    learners = chosen("learners", "all")
-    robots = {"small": 3, "middle": 5, "large": 11}.get(chosen("league", "small"), 3)
+def learners_of_a_match(chosen: dict[str, Any]) -> int:
+    """How many rows a match has, from arguments with_defaults()."""
     of_a_team = 1
-    if chosen("agents", "team") == "robot":
-        of_a_team = len(learners) if isinstance(learners, list) else robots
-    return of_a_team * (2 if chosen("opponent", "idle") == "self" else 1)
+    if chosen.get("agents") == "robot":
+        robots = {"middle": 5, "large": 11}.get(chosen.get("league"), 3)
+        of_a_team = len(chosen["learners"]) if isinstance(chosen["learners"], list) else robots
+    return of_a_team * (2 if chosen["opponent"] == "self" else 1)

@@ -8,7 +8,7 @@ import numpy as np
 
 from .spaces import Box
 from .vector_env import AutoresetMode, OneMatch, VectorEnv
-from .configuration import learners_of_a_match
+from .configuration import learners_of_a_match, with_defaults
 
 try:
     from pettingzoo import ParallelEnv as _ParallelBase
@@ -29,7 +29,7 @@ class ParallelEnv(OneMatch, _ParallelBase):  # type: ignore[misc,valid-type]
 
     def __init__(self, *, render_mode: str | None = None, **arguments: Any) -> None:
         arguments = {"agents": "robot", "opponent": "self", "threads": 1, **arguments}
-        self.envs = VectorEnv(learners_of_a_match(arguments), autoreset_mode=AutoresetMode.DISABLED,
+        self.envs = VectorEnv(learners_of_a_match(with_defaults(arguments)), autoreset_mode=AutoresetMode.DISABLED,
                               render_mode=render_mode, **arguments)
         self.render_mode = render_mode
         self.possible_agents: list[str] = [slot["name"] for slot in self.envs.batch.spec["slots"]]
@@ -48,6 +48,12 @@ class ParallelEnv(OneMatch, _ParallelBase):  # type: ignore[misc,valid-type]
         observations, _ = self.envs.reset(seed=seed)
         self.agents = list(self.possible_agents)
         return dict(zip(self.agents, observations)), {agent: {} for agent in self.agents}
+
+    def restore(self, copy: bytes) -> dict[str, np.ndarray]:
+        """As VectorEnv.restore(). Returns the observation of this state for each agent."""
+        observations = self.envs.restore(copy)
+        self.agents = [] if self.has_ended() else list(self.possible_agents)
+        return dict(zip(self.possible_agents, observations))
 
     def step(self, actions: dict[str, np.ndarray]) -> tuple[
             dict[str, np.ndarray], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
@@ -72,7 +78,7 @@ class ParallelEnv(OneMatch, _ParallelBase):  # type: ignore[misc,valid-type]
             infos[agent] = {"reward_terms": {k: float(v[i]) for k, v in vector_infos["reward_terms"].items()}}
             if "statistics" in vector_infos:
                 infos[agent]["statistics"] = {k: v[i].item() for k, v in vector_infos["statistics"].items()}
-        if terminations.any() or truncations.any():
+        if self.has_ended():
             self.agents = []
         return (dict(zip(agents, observations)), dict(zip(agents, rewards.tolist())),
                 dict(zip(agents, terminations.tolist())), dict(zip(agents, truncations.tolist())), infos)
@@ -97,6 +103,3 @@ class ParallelEnv(OneMatch, _ParallelBase):  # type: ignore[misc,valid-type]
     @property
     def max_num_agents(self) -> int:
         return len(self.possible_agents)
-
-    def __str__(self) -> str:
-        return str(self.metadata["name"])

@@ -18,21 +18,12 @@ except ImportError:
         dtype      numpy.dtype
         """
 
-        def __init__(self, low: Any, high: Any, shape: tuple[int, ...] | None = None, dtype: Any = np.float32,
-                     seed: int | np.random.Generator | None = None) -> None:
+        def __init__(self, low: Any, high: Any, shape: tuple[int, ...] | None = None, dtype: Any = np.float32) -> None:
             self.dtype = np.dtype(dtype)
-            self._shape = tuple(shape) if shape is not None else np.broadcast_shapes(np.shape(low), np.shape(high))
-            self.low = np.broadcast_to(np.asarray(low, self.dtype), self._shape).copy()
-            self.high = np.broadcast_to(np.asarray(high, self.dtype), self._shape).copy()
+            self.shape = tuple(shape) if shape is not None else np.broadcast_shapes(np.shape(low), np.shape(high))
+            self.low = np.broadcast_to(np.asarray(low, self.dtype), self.shape).copy()
+            self.high = np.broadcast_to(np.asarray(high, self.dtype), self.shape).copy()
             self._np_random: np.random.Generator | None = None
-            if isinstance(seed, np.random.Generator):
-                self._np_random = seed
-            elif seed is not None:
-                self.seed(seed)
-
-        @property
-        def shape(self) -> tuple[int, ...]:
-            return self._shape
 
         @property
         def np_random(self) -> np.random.Generator:
@@ -45,25 +36,21 @@ except ImportError:
             """Seeds sample(), and returns the seed."""
             sequence = np.random.SeedSequence(seed)
             self._np_random = np.random.Generator(np.random.PCG64(sequence))
-            entropy = sequence.entropy
-            return int(entropy)  # type: ignore[arg-type]
+            return int(sequence.entropy)  # type: ignore[arg-type]
 
         def sample(self, mask: None = None) -> np.ndarray:
             """A uniform sample: array of `shape` and `dtype`."""
-            return self.np_random.uniform(self.low, self.high, self._shape).astype(self.dtype)
+            return self.np_random.uniform(self.low, self.high, self.shape).astype(self.dtype)
 
         def contains(self, x: Any) -> bool:
             """True if x has the shape, a type that can be cast, and is within the bounds."""
             x = np.asarray(x)
             return bool(
-                np.can_cast(x.dtype, self.dtype) and x.shape == self._shape and np.all(x >= self.low) and
+                np.can_cast(x.dtype, self.dtype) and x.shape == self.shape and np.all(x >= self.low) and
                 np.all(x <= self.high))
 
         def __contains__(self, x: Any) -> bool:
             return self.contains(x)
-
-        def is_bounded(self, manner: str = "both") -> bool:
-            return {"both": True, "below": True, "above": True}[manner]
 
         def __eq__(self, other: object) -> bool:
             return (isinstance(other, Box) and self.shape == other.shape and np.allclose(self.low, other.low) and
@@ -72,10 +59,7 @@ except ImportError:
         __hash__ = None  # type: ignore[assignment]
 
         def __repr__(self) -> str:
-            def short(array: np.ndarray) -> str:
-                return str(array.min()) if array.size and array.min() == array.max() else str(array)
-
-            return f"Box({short(self.low)}, {short(self.high)}, {self._shape}, {self.dtype})"
+            return f"Box({self.low.min()}, {self.high.max()}, {self.shape}, {self.dtype})"
 
 
 def box_of(quantities: list[dict[str, Any]]) -> Box:

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import pictures, records
 from ._library import Batch, TrainingError
-from .configuration import configuration, in_arguments, learners_of_a_match
+from .configuration import ARGUMENTS, configuration, in_arguments, learners_of_a_match, with_defaults
 from .spaces import batched, box_of
 
 try:
@@ -67,6 +67,7 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
     rules            a preset ("mirosot", "simurosot", "vsss") or a dict with a preset and changes: docs/laws.md
     control_period   s; ticks_per_step: control periods for which an action holds
     episode_seconds  of play, after which an episode is truncated; float("inf"): never
+    max_episode_steps  steps after which an episode is truncated, too; None: only by episode_seconds
     ends_at_goal     a goal terminates the episode; otherwise a leg is played to its end
     start            where episodes start: a situation as a dict, in which any number may be {"from": a, "to": b}, the name
                      of a drill, the path of a file of either, or a list, of which each episode draws one. None: the
@@ -92,29 +93,30 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
                  observation: str | None = None, action: str | None = None,
                  rewards: dict[str, float] | None = None, referee: str | None = None, rules: Any = None,
                  control_period: float | None = None, ticks_per_step: int | None = None,
-                 episode_seconds: float | None = None, ends_at_goal: bool | None = None,
+                 episode_seconds: float | None = None, max_episode_steps: int | None = None, ends_at_goal: bool | None = None,
                  start: Any = None, pitch: dict[str, Any] | None = None, skip_stops: bool | None = None, preset: str | None = None,
                  autoreset_mode: AutoresetMode = AutoresetMode.NEXT_STEP, threads: int = 0,
                  seed: int | None = None, render_mode: str | None = None, copy: bool = True) -> None:
+        given = locals()
+        chosen = with_defaults({name: given[name] for name in ARGUMENTS})
         if render_mode not in (None, "rgb_array"):
-            raise ValueError(f"render_mode {render_mode!r}: None or 'rgb_array' is expected")
-        arguments = {
-            "league": league, "conditions": conditions, "opponent": opponent,
-            "opponent_parameters": opponent_parameters, "learners": learners, "mates": mates, "agents": agents,
-            "observation": observation, "action": action, "rewards": rewards, "referee": referee, "rules": rules,
-            "start": start, "pitch": pitch,
-            "control_period": control_period, "ticks_per_step": ticks_per_step, "episode_seconds": episode_seconds,
-            "ends_at_goal": ends_at_goal, "skip_stops": skip_stops, "preset": preset, "threads": threads,
-        }
-        slots = learners_of_a_match(arguments)
+            raise ValueError(f"render_mode={render_mode!r}: there is no window; take 'rgb_array', which makes render() return pictures, "
+                             "or see an episode in a browser with replay_page()")
+        slots = learners_of_a_match(chosen)
         num_envs = operator.index(num_envs)
         if slots < 1 or num_envs < 1 or num_envs % slots != 0:
             raise ValueError(f"num_envs={num_envs}: a match has {slots} learners, so a multiple of {slots} is expected")
         autoreset_mode = AutoresetMode(autoreset_mode)
+        config = configuration(num_envs // slots, _AUTORESET[autoreset_mode], chosen)
         try:
-            self.batch = Batch(configuration(num_envs // slots, _AUTORESET[autoreset_mode], arguments))
+            self.batch = Batch(config)
         except TrainingError as error:
             raise TrainingError(in_arguments(str(error))) from None
+        # None if it is not known beforehand: a step of several control periods ends with a stop of play.
+        self.max_episode_steps: int | None = chosen["max_episode_steps"]
+        if config["episode"]["seconds"] is not None and self.batch.spec["ticks_per_step"] == 1:
+            steps = max(1, round(config["episode"]["seconds"] / self.batch.spec["control_period"]))
+            self.max_episode_steps = min(steps, self.max_episode_steps or steps)
         self.num_envs = num_envs
         self.autoreset_mode = autoreset_mode
         self.metadata = {**self.metadata, "autoreset_mode": autoreset_mode}
@@ -206,13 +208,6 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
         self.batch.close()
         self.closed = True
 
-    def close_extras(self, **_: Any) -> None:
-        self.batch.close()
-
-    @property
-    def unwrapped(self) -> VectorEnv:
-        return self
-
     @property
     def np_random(self) -> np.random.Generator:
         """A generator for wrappers, seeded by reset(seed=...). What happens in matches does not use it."""
@@ -227,9 +222,6 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
             self._set_random(None)
         assert self._np_random_seed is not None
         return self._np_random_seed
-
-    def __repr__(self) -> str:
-        return f"VectorEnv(num_envs={self.num_envs})"
 
     # ---- more than Gymnasium has
 
@@ -269,10 +261,11 @@ class VectorEnv(_VectorBase):  # type: ignore[misc,valid-type]
         """A copy of a match's state, with which restore() continues from here."""
         return self.batch.save(match)
 
-    def restore(self, copy: bytes, match: int = 0) -> None:
-        """Puts a match into the state of a copy, of this or of any environment with the same arguments. The
-        observation of this state is that of the step after which save() was called."""
+    def restore(self, copy: bytes, match: int = 0) -> np.ndarray:
+        """Puts a match into the state of a copy, of this or of any environment with the same arguments. Returns the
+        observations of this state, float32 (environments of the match, *single_observation_space.shape)."""
         self.batch.restore(match, copy)
+        return self._observations()[match * self.batch.slots:][:self.batch.slots]
 
     # ---- inside
 
@@ -314,10 +307,6 @@ class OneMatch:
     def close(self) -> None:
         self.envs.close()
 
-    @property
-    def unwrapped(self) -> Any:
-        return self
-
     def record(self, path: str, episode: str = "current") -> None:
         """As VectorEnv.record(); the episode that has ended is the current one until reset()."""
         self.envs.record(path, episode=episode)
@@ -325,6 +314,22 @@ class OneMatch:
     def replay_page(self, path: str, episode: str = "current") -> None:
         """As VectorEnv.replay_page()."""
         self.envs.replay_page(path, episode=episode)
+
+    def set_rewards(self, weights: dict[str, float]) -> None:
+        """As VectorEnv.set_rewards()."""
+        self.envs.set_rewards(weights)
+
+    def column(self, name: str) -> int:
+        """The index of a number in an observation: observation[env.column("ball_x")]."""
+        return self.envs.column(name)
+
+    def save(self) -> bytes:
+        """A copy of the match's state, with which restore() continues from here."""
+        return self.envs.save()
+
+    def has_ended(self) -> bool:
+        """True from the end of an episode until reset() or restore()."""
+        return bool(self.envs.batch.terminations[0] or self.envs.batch.truncations[0])
 
 
 class Env(OneMatch, _EnvBase):  # type: ignore[misc,valid-type]
@@ -334,15 +339,25 @@ class Env(OneMatch, _EnvBase):  # type: ignore[misc,valid-type]
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 30}
-    spec = None
 
     def __init__(self, *, render_mode: str | None = None, **arguments: Any) -> None:
+        self._spec: Any = None
         arguments.setdefault("threads", 1)
         self.envs = VectorEnv(1, autoreset_mode=AutoresetMode.DISABLED, render_mode=render_mode, **arguments)
         self.observation_space = self.envs.single_observation_space
         self.action_space = self.envs.single_action_space
         self.render_mode = render_mode
-        self._has_ended = False
+
+    @property
+    def spec(self) -> Any:
+        """What Gymnasium's make() has made; its wrappers look up there how many steps an episode has at most."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, spec: Any) -> None:
+        self._spec = spec
+        if spec is not None and spec.max_episode_steps is None:
+            spec.max_episode_steps = self.envs.max_episode_steps
 
     def reset(self, *, seed: int | None = None,
               options: dict[str, Any] | None = None) -> tuple[np.ndarray, dict[str, Any]]:
@@ -350,19 +365,21 @@ class Env(OneMatch, _EnvBase):  # type: ignore[misc,valid-type]
         options."""
         _refuse(options, ())
         observations, _ = self.envs.reset(seed=seed)
-        self._has_ended = False
         return observations[0], {}
+
+    def restore(self, copy: bytes) -> np.ndarray:
+        """As VectorEnv.restore(). Returns the observation of this state."""
+        return self.envs.restore(copy)[0]
 
     def step(self, action: np.ndarray) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
         """Plays one step. Returns observation, reward, terminated, truncated, info. The info has "reward_terms", and
         "statistics" when the episode has ended. Then reset() has to be called: another step is an error."""
-        if self._has_ended:
+        if self.has_ended():
             raise TrainingError("the episode has ended: call reset()")
         observations, rewards, terminations, truncations, infos = self.envs.step(np.asarray(action)[None])
         info: dict[str, Any] = {"reward_terms": {k: float(v[0]) for k, v in infos["reward_terms"].items()}}
         if "statistics" in infos:
             info["statistics"] = {k: v[0].item() for k, v in infos["statistics"].items()}
-            self._has_ended = True
         return observations[0], float(rewards[0]), bool(terminations[0]), bool(truncations[0]), info
 
     # Gymnasium's programs read the generator and its seed under both names.
