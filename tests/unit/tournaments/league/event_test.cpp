@@ -96,13 +96,6 @@ TEST(Event, OfAnUnknownKindOrOfAWrongNameIsRefused) {
             "line 1: /cause: one of host, confirm, ruling is expected, not \"mood\"");
 }
 
-TEST(Event, NamesItsFixtureIfItHasOne) {
-  const Event ruled = Ruled{.fixture = "r1-f1", .leg = 1, .score = {}, .why = "w", .by = {}};
-  ASSERT_NE(fixture_of(ruled), nullptr);
-  EXPECT_EQ(*fixture_of(ruled), "r1-f1");
-  EXPECT_EQ(fixture_of(Paused{.team = "a", .why = "w", .by = {}}), nullptr);
-}
-
 // Catches goals whose sums overflow.
 TEST(Event, HasAtMostAMillionGoals) {
   Json line = Json::parse(line_texts[5]);
