@@ -158,10 +158,11 @@ Result<void> Runner::start_leg(Worker& worker) {
   const LegId& leg = *worker.playing;
   const int blue = blue_team(leg.fixture, leg.leg);
   const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
-  // The id must be unique, because other leagues may play on this host at the same time.
-  const std::string match_id =
-      system::sha256(recorder_.folder().path + state().config_sha256).substr(0, 12) + "-" +
-      worker.fixture + "-" + std::to_string(leg.leg);
+  // The id must be unique, because other leagues may play on this host at the same time, also a
+  // copy of this one.
+  const std::string folder = std::filesystem::absolute(recorder_.folder().path);
+  const std::string match_id = system::sha256(folder + state().config_sha256).substr(0, 12) + "-" +
+                               worker.fixture + "-" + std::to_string(leg.leg);
   const int tag = static_cast<int>(&worker - workers_.data());
   auto command = leg_command(recorder_.folder(), state(), leg, match_id);
   add_network(command, "server");

@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <memory>
 
 namespace mirocup {
 namespace {
@@ -63,6 +64,24 @@ TEST(League, PlaysTheExampleOfTheReadme) {
   const std::string journal = read_file(folder + "/journal.jsonl");
   EXPECT_EQ(run(league("start", folder)).exit_code, 0);
   EXPECT_EQ(read_file(folder + "/journal.jsonl"), journal) << "nothing is played again";
+}
+
+// Catches teams over DDS that join the match of another league: a copy is played from another
+// folder, by the same name and at the same time.
+TEST(League, IsPlayedBesideACopyOfIt) {
+  const TemporaryFolder temporary;
+  std::vector<std::unique_ptr<Running>> nights;
+  for (const std::string place : {"one", "two"}) {
+    std::filesystem::create_directory(temporary / place);
+    make_league(temporary / place + "/l", "2");
+    nights.push_back(std::make_unique<Running>(std::vector<std::string>{
+        "/bin/sh", "-c", "cd \"$1\" && exec \"$2\" league start l --jobs 2", "sh",
+        temporary / place, program("mirocup")}));
+  }
+  for (const auto& night : nights) EXPECT_EQ(night->wait().exit_code, 0);
+  for (const std::string place : {"one/l", "two/l"})
+    EXPECT_EQ(count_kind(temporary / place, "void"), 0)
+        << read_file(temporary / place + "/journal.jsonl");
 }
 
 TEST(League, HasTheSamePagesWithAnyNumberOfJobs) {
