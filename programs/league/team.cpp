@@ -94,7 +94,9 @@ Result<int> remove_team(system::Files& files, LeagueStore& store, const std::str
     return fail(Errc::input, "there is no team " + team);
   MIROCUP_TRY_VOID(write_people(files, folder, people));
   if (revoked > 0) MIROCUP_TRY_VOID(write_tokens(files, folder, tokens));
-  if (is_in) MIROCUP_TRY_VOID(leave_before_start(files, store, team));
+  LeagueFile file = store.state().file;
+  if (std::erase_if(file.teams, [&team](const auto& one) { return one.name == team; }) > 0)
+    MIROCUP_TRY_VOID(files.write(folder.config(), print_league_file(file)));
   std::cout << team << " is no longer in the league\n";
   return exit_yes;
 }

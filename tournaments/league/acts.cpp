@@ -10,6 +10,7 @@
 #include "tournaments/league/submission.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace mirocup::league {
 
@@ -77,6 +78,34 @@ Result<HomeAway> awarded_to(const LeagueState& state, const Act& act) {
     return fail(Errc::input, act.team + " does not play in " + act.fixture);
   const int goals = state.file.rules.forfeit_goals;
   return *team == fixture.home ? HomeAway{goals, 0} : HomeAway{0, goals};
+}
+
+// Keeps a reason that is not published in the league's file reasons.txt, which only the host can
+// read, and returns the SHA-256 of the kept text. Random characters before the reason keep others
+// from guessing it by its hash.
+Result<std::string> keep_private_reason(system::Files& files, const Folder& folder,
+                                        const std::string& reason) {
+  const std::string path = folder.private_reasons();
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
+  MIROCUP_TRY(const auto known, files.read_if_there(path, {.max_size = system::size_limit::note}));
+  const std::string kept = system::base32(system::random_bytes(16)) + " " + reason;
+  const std::string sha256 = system::sha256(kept);
+  MIROCUP_TRY_VOID(
+      files.write(path, known.value_or("") + sha256 + " " + kept + "\n", system::Readers::owner));
+  return sha256;
+}
+
+// While results are held back, only the host reads journal and records. Otherwise everybody may who
+// may read league.json.
+void show_results(const Folder& folder, bool is_shown) {
+  namespace fs = std::filesystem;
+  using enum fs::perms;
+  std::error_code ignored;
+  const fs::perms given = fs::status(folder.config(), ignored).permissions();
+  const fs::perms readers = is_shown ? given & (group_read | others_read) : none;
+  const auto enter = static_cast<fs::perms>(static_cast<unsigned>(readers) >> 2);
+  fs::permissions(folder.journal(), owner_read | owner_write | readers, ignored);
+  fs::permissions(folder.path + "/records", owner_all | readers | enter, ignored);
 }
 
 // One act, with the time at which it is done.
@@ -186,11 +215,11 @@ class Deciding {
     const auto results = from_string<WithdrawnResults>(act_.results);
     if (!results) return fail(Errc::input, "for the team's results, keep or annul is expected");
     if (!state().is_started && state().find_team(act_.team)) {
-      const std::string line = act_.team + " is out of the league, which has not started yet";
-      if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
-      MIROCUP_TRY(const auto lock, system::FileLock::acquire(store_.folder().submitting()));
-      MIROCUP_TRY_VOID(leave_before_start(files_, store_, act_.team));
-      return Lines{line};
+      return change_file(
+          [this](LeagueFile& file) {
+            std::erase_if(file.teams, [this](const auto& one) { return one.name == act_.team; });
+          },
+          act_.team + " is out of the league, which has not started yet");
     }
     return write(signed_as(Withdrawn{.team = act_.team, .results = *results, .why = {}, .by = {}}),
                  act_.team + " has withdrawn; " +
@@ -204,26 +233,41 @@ class Deciding {
     if (state().is_started && !state().find_team(act_.except))
       return fail(Errc::input, "there is no team " + act_.except);
     if (act_.from.empty()) return fail(Errc::input, "say until when: --until TIME");
-    MIROCUP_TRY(const auto until, utc_of(act_.from, state().file));
+    MIROCUP_TRY(const auto until, time_to_come(""));
     const std::string line = act_.except + " may hand in until " + shown_time(state().file, until);
     if (!state().is_started) {
-      LeagueFile file = state().file;
-      file.extensions[act_.except] = until;
-      return change_file(file, line);
+      return change_file([&](LeagueFile& file) { file.extensions[act_.except] = until; }, line);
     }
-    Extended event{.team = act_.except, .until = until, .reason_sha256 = {}, .why = {}, .by = {}};
+    Extended event = signed_as(
+        Extended{.team = act_.except, .until = until, .reason_sha256 = {}, .why = {}, .by = {}});
+    event.why = "an extension; the reason is not published";
+    MIROCUP_TRY_VOID(validate(state(), event));  // no reason is kept of what is refused
     if (!act_.is_dry_run) {
       MIROCUP_TRY(event.reason_sha256, keep_private_reason(files_, store_.folder(), act_.reason));
     }
-    event = signed_as(event);
-    event.why = "an extension; the reason is not published";
     return write(event, line);
   }
 
-  // Before the start the journal has no line yet.
-  Result<Lines> change_file(const LeagueFile& file, const std::string& line) {
+  // Returns the time that a person typed, unless it is past; `otherwise` ends the objection.
+  Result<std::string> time_to_come(const std::string& otherwise) const {
+    const std::string now = utc_text(now_);
+    MIROCUP_TRY(const auto time, utc_of(act_.from, state().file));
+    if (time >= now) return time;
+    return fail(Errc::input, shown_time(state().file, time) + " is past, it is " +
+                                 shown_time(state().file, now) + ": choose a later time" +
+                                 otherwise);
+  }
+
+  // Before the start the journal has no line yet. Others may have written the file meanwhile.
+  Result<Lines> change_file(const std::function<void(LeagueFile&)>& change,
+                            const std::string& line) {
     if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
     MIROCUP_TRY(const auto lock, system::FileLock::acquire(store_.folder().submitting()));
+    MIROCUP_TRY(const auto fresh, LeagueStore::open_unplanned(files_, store_.folder()));
+    if (fresh.state().is_started)
+      return fail(Errc::input, "the league has started meanwhile: decide once more");
+    LeagueFile file = fresh.state().file;
+    change(file);
     MIROCUP_TRY_VOID(files_.write(store_.folder().config(), print_league_file(file)));
     return Lines{line};
   }
@@ -231,13 +275,9 @@ class Deciding {
   Result<Lines> freeze() {
     if (!act_.except.empty()) return extend();
     std::string from;
-    if (!act_.is_lifted) {
-      const std::string now = utc_text(now_);
-      MIROCUP_TRY(from, act_.from.empty() ? now : utc_of(act_.from, state().file));
-      if (from < now)
-        return fail(Errc::input, shown_time(state().file, from) + " is past, it is " +
-                                     shown_time(state().file, now) +
-                                     ": choose a later time, or none to take no entry from now on");
+    if (act_.from.empty() && !act_.is_lifted) from = utc_text(now_);
+    if (!act_.from.empty() && !act_.is_lifted) {
+      MIROCUP_TRY(from, time_to_come(", or none to take no entry from now on"));
     }
     const std::string line =
         from.empty() ? "entries are taken again"
@@ -247,9 +287,7 @@ class Deciding {
       frozen.from = from;
       return write(signed_as(frozen), line);
     }
-    LeagueFile file = state().file;
-    file.freeze = from;
-    return change_file(file, line);
+    return change_file([&](LeagueFile& file) { file.freeze = from; }, line);
   }
 
   Result<Lines> release() {
@@ -270,9 +308,13 @@ class Deciding {
     const std::string shown = !round.empty()                ? "the rounds through " + round
                               : *level == ReleaseLevel::all ? "every round"
                                                             : "no round";
-    return write(signed_as(released),
-                 "the pages show " + shown +
-                     (*level == ReleaseLevel::teams ? "; teams read their own digests" : ""));
+    MIROCUP_TRY(auto lines,
+                write(signed_as(released),
+                      "the pages show " + shown +
+                          (*level == ReleaseLevel::teams ? "; teams read their own digests" : "")));
+    if (!act_.is_dry_run)
+      show_results(store_.folder(), round.empty() && *level == ReleaseLevel::all);
+    return lines;
   }
 
   Result<Lines> undo() {
@@ -313,17 +355,6 @@ std::string objection_to_person(const std::string& name) {
   if (name.size() <= max_by && system::printable(name) == name) return "";
   return "the name of the person who decides is one line of text, of at most " +
          std::to_string(max_by) + " bytes";
-}
-
-Result<std::string> keep_private_reason(system::Files& files, const Folder& folder,
-                                        const std::string& reason) {
-  const std::string path = folder.private_reasons();
-  MIROCUP_TRY(const auto known, files.read_if_there(path, {.max_size = system::size_limit::note}));
-  std::string kept = system::base32(system::random_bytes(16)) + " " + reason;
-  const std::string sha256 = system::sha256(kept);
-  MIROCUP_TRY_VOID(
-      files.write(path, known.value_or("") + sha256 + " " + kept + "\n", system::Readers::owner));
-  return sha256;
 }
 
 Result<std::vector<std::string>> perform(system::Files& files, LeagueStore& store, const Act& act,

@@ -48,12 +48,6 @@ std::string objection_to_reason(const std::string& text);
 // of at most 60 bytes.
 std::string objection_to_person(const std::string& name);
 
-// Keeps a reason that is not published in the league's file reasons.txt, which only the host can
-// read, and returns the SHA-256 of the kept text. Random characters before the reason keep others
-// from guessing it by its hash.
-Result<std::string> keep_private_reason(system::Files& files, const Folder& folder,
-                                        const std::string& reason);
-
 // Performs an act. `files` gives access to league.json, because a freeze before the start writes
 // its time there. Returns lines for the person who acts, with the former values: "r1-f1 leg 2: a 2
 // : 1 b (was 0 : 3)". After an error, Errc::input, nothing is written.

@@ -229,7 +229,7 @@ struct Extended {
 
   std::string team;
   std::string until;          // UTC
-  std::string reason_sha256;  // see keep_private_reason()
+  std::string reason_sha256;  // of the reason and its salt, in reasons.txt
   std::string why;
   std::string by;
   std::string at = {};

@@ -604,6 +604,7 @@ TEST(Teams, MayHaveAnExtension) {
   ASSERT_EQ(run(league("freeze", folder, {"--reason", "last day"})).exit_code, 0);
   EXPECT_EQ(take("a"), 1);
   EXPECT_EQ(extend("a", "2126-11-30").exit_code, 2) << "a day is no time";
+  EXPECT_NE(extend("a", "2020-11-30 18:00").err.find("is past, it is "), std::string::npos);
   EXPECT_EQ(extend("a", "2126-11-30T18:00:00Z").exit_code, 0);
   EXPECT_EQ(take("a"), 0) << "before the start league.json has the extension";
   EXPECT_EQ(take("b"), 1);
@@ -627,6 +628,9 @@ TEST(Teams, MayHaveAnExtension) {
             fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(run(league("undo", folder, {"1", "--reason", "a mistake"})).exit_code, 0);
   EXPECT_EQ(take("b"), 1) << "the extension was decision 1";
+  ASSERT_EQ(run(league("close", folder, {"--reason", "over"})).exit_code, 0);
+  EXPECT_EQ(extend("b", "2126-11-30T18:00:00Z").exit_code, 2);
+  EXPECT_EQ(read_file(folder + "/reasons.txt"), kept) << "a reason of what was refused";
 }
 
 }  // namespace

@@ -446,11 +446,19 @@ TEST_F(Term, AProgramOfTheHostHearsOfEachNightOnce) {
   go_to_day(1);
   ask("release", {"--level", "hidden", "--reason", "it is a surprise"});
   EXPECT_TRUE(contains(ask("nightly", hears("exit 0")).err, "this night is hidden"));
+  const auto readers = [&](const std::string& path) {
+    return fs::status(folder_ + path).permissions() &
+           (fs::perms::group_all | fs::perms::others_all);
+  };
+  for (const std::string path : {"/journal.jsonl", "/records"})
+    EXPECT_EQ(readers(path), fs::perms::none) << "another user of the host reads the results";
   EXPECT_EQ(read_file(heard), thrice);
   ask("nightly", {"--on-night", temporary_ / "nobody"});
   ask("release", {"--level", "teams", "--reason", "it is told"});
   const Outcome missing = ask("nightly", {"--on-night", temporary_ / "nobody"}, 3);
   EXPECT_TRUE(contains(missing.err, "cannot be started")) << missing.err;
+  ask("release", {"--level", "all", "--reason", "it is Friday"});
+  EXPECT_EQ(readers("/journal.jsonl"), readers("/league.json"));
 }
 
 // Catches a day without a night, because one leg of the night before was to be played again.
