@@ -45,9 +45,7 @@ Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOpt
   PortalOptions portal;
   portal.team_header = options.team_header;
   const auto of_league = [&league](auto function) { return std::bind_front(function, &league); };
-  portal.why_not = of_league(&ServedLeague::why_not);
-  portal.is_late = of_league(&ServedLeague::is_late);
-  portal.deadline = of_league(&ServedLeague::deadline_of);
+  portal.terms = of_league(&ServedLeague::hand_in_terms);
   portal.legs = of_league(&ServedLeague::legs_of);
   portal.has_written = of_league(&ServedLeague::note_own_write);
   portal.digest = of_league(&ServedLeague::digest_of);

@@ -7,7 +7,6 @@
 #include "record/json_fields.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
-#include "tournaments/league/submission.hpp"
 #include "tournaments/play/leg_command.hpp"
 #include "tournaments/publish/night_pages.hpp"
 #include "tournaments/publish/snapshot.hpp"
@@ -49,13 +48,6 @@ std::string stem_of(const LegId& leg) {
 }
 
 constexpr const char* own_replays_root = "../../";  // of /hand-in/replays/NAME.html
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
 
 std::string hand_in_link(const std::string& root) {
   return "<a href=\"" + root + "hand-in\">Hand in</a>";
@@ -329,22 +321,10 @@ Json ServedLeague::part_of(const std::string& record) {
   return league_part(site_->overview(), record);
 }
 
-std::string ServedLeague::why_not(const std::string& team, const std::string& now) {
+HandInTerms ServedLeague::hand_in_terms(const std::string& team, const std::string& now) {
   const std::lock_guard lock(mutex_);
   poll();
-  return why_not_now(store_.state(), team, now);
-}
-
-bool ServedLeague::is_late(const std::string& team, const std::string& now) {
-  const std::lock_guard lock(mutex_);
-  poll();
-  return league::is_late(store_.state(), team, now);
-}
-
-std::string ServedLeague::deadline_of(const std::string& team) {
-  const std::lock_guard lock(mutex_);
-  poll();
-  return store_.state().frozen_from(team);
+  return league::hand_in_terms(store_.state(), team, now);
 }
 
 // Requires mutex_, and is valid as long as the caller holds it.
@@ -380,7 +360,7 @@ std::optional<std::string> ServedLeague::own_replay(const std::string& name,
   Json part = part_of(record);
   // The page is shown at another address than that from which its links lead to the league.
   part["links"] =
-      replaced(record::text_in(part, "links"), "href=\"", "href=\"../../replays/") + links;
+      system::replaced(record::text_in(part, "links"), "href=\"", "href=\"../../replays/") + links;
   // A leg of another version may go another way here: then its page is the one that is kept.
   if (auto own = page_with_own(store_.folder().path + "/" + record, whose, part, own_replays_root))
     return own;
@@ -388,7 +368,7 @@ std::optional<std::string> ServedLeague::own_replay(const std::string& name,
   if (!page) return std::nullopt;
   std::string& html = page->bytes;
   for (const std::string file : {"\"module_file\":\"", "\"commands_file\":\""})
-    html = replaced(std::move(html), file, file + "../../replays/");
+    html = system::replaced(std::move(html), file, file + "../../replays/");
   return std::move(html);
 }
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "tournaments/handin/own_legs.hpp"
-#include "tournaments/league/league_store.hpp"
+#include "tournaments/league/submission.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "web/page.hpp"
@@ -40,15 +40,8 @@ class ServedLeague {
   // True if entries try drills: the league has the field of the drills.
   bool has_drills() const { return store_.state().file.league == League::small; }
 
-  // Returns why the league takes no entry of a team at the time `now` (UTC); "" if it takes
-  // entries.
-  std::string why_not(const std::string& team, const std::string& now);
-
-  // True if what a team hands in at the time `now` is late, and kept: league::is_late().
-  bool is_late(const std::string& team, const std::string& now);
-
-  // Returns until when a team may hand in: LeagueState::frozen_from().
-  std::string deadline_of(const std::string& team);
+  // Calls league::hand_in_terms(). `now` is UTC.
+  HandInTerms hand_in_terms(const std::string& team, const std::string& now);
 
   // To be called when this program has written to the league's folder: what other functions return
   // from now on shows it. Without this call they may return data of half a second ago.

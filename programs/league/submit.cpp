@@ -75,9 +75,8 @@ Result<int> run_submit(const SubmitOptions& options) {
   HandIn handed;
   handed.team = options.team;
   handed.path = options.file;
-  constexpr std::string_view house = "house:";
-  if (options.file.starts_with(house)) {
-    const std::string name = options.file.substr(house.size());
+  if (options.file.starts_with(TeamConfig::house_prefix)) {
+    const std::string name = options.file.substr(TeamConfig::house_prefix.size());
     handed.path = system::house_team(name);
     handed.house = options.file;
     if (handed.path.empty()) return fail(Errc::input, "there is no house team \"" + name + "\"");
@@ -93,12 +92,9 @@ struct TakeOptions : LeagueOptions {
   int entry = 0;
 };
 
-Result<int> run_take(const TakeOptions& options) {
-  MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
-  system::Disk disk;
-  const Folder folder{options.folder};
-  MIROCUP_TRY(auto book, Book::open(disk, folder));
-  MIROCUP_TRY(auto booking, Booking::begin(disk, folder));
+Result<int> run_take(system::Files& files, const LeagueStore& store, const TakeOptions& options) {
+  MIROCUP_TRY(auto book, Book::open(files, store.folder()));
+  MIROCUP_TRY(auto booking, Booking::begin(files, store.folder()));
   MIROCUP_TRY(const auto why,
               booking.take_late(book, options.team, options.entry, system::now_s()));
   if (!why.empty()) return fail(Errc::input, why);
@@ -110,8 +106,8 @@ Result<int> run_take(const TakeOptions& options) {
 }  // namespace
 
 void add_take(system::Commands& commands) {
-  const auto [command, o] = add_command(commands, run_take, "take", to_take,
-                                        "Let an entry play that came after the deadline",
+  const auto [command, o] = add_command(commands, on_own_league<run_take, TakeOptions>, "take",
+                                        to_take, "Let an entry play that came after the deadline",
                                         {"mirocup league take spring alpha 7"});
   command.option("TEAM", o.team, "Name of the team").required();
   command.option("ENTRY", o.entry, "Number of the entry, as status --entries shows it").required();

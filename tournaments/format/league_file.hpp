@@ -45,13 +45,14 @@ struct TeamConfig {
   // True: the team joined after the start by a line of the journal, and is not in the file.
   bool has_joined = false;
 
-  bool is_house() const { return source.starts_with("house:"); }
+  bool is_house() const { return source.starts_with(house_prefix); }
   bool hands_in() const { return source == submitted; }  // the team gives its library
   bool is_firasim() const { return source.starts_with(firasim_prefix); }
   bool is_on_network() const { return over_dds || is_firasim(); }
   bool is_started_by_people() const { return is_firasim() && program.run.empty(); }
   bool lives_by_the_clock() const { return is_firasim() && !program.lockstep; }
   static constexpr std::string_view submitted = "submitted";
+  static constexpr std::string_view house_prefix = "house:";
   static constexpr std::string_view firasim_prefix = "firasim:";
 };
 

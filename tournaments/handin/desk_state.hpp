@@ -6,7 +6,7 @@
 #include "tournaments/handin/entry_report.hpp"
 #include "tournaments/handin/own_legs.hpp"
 #include "tournaments/handin/team_desk_page.hpp"
-#include "tournaments/league/book.hpp"
+#include "tournaments/league/submission.hpp"
 
 #include <atomic>
 #include <functional>
@@ -41,16 +41,8 @@ struct PortalOptions {
   int max_waiting = 4;           // the most hand-ins of one team without an answer
   int max_uploads = 2;           // the most files that one team may send at once
 
-  // Returns a sentence that says why the league takes no entry of a team at the time `now`; "" if
-  // it takes entries.
-  std::function<std::string(const std::string& team, const std::string& now)> why_not;
-  // True if what a team hands in at the time `now` is late: it is kept for the host to decide.
-  std::function<bool(const std::string& team, const std::string& now)> is_late =
-      [](const std::string&, const std::string&) { return false; };
-  // Returns until when a team may hand in, UTC; "": the format alone decides.
-  std::function<std::string(const std::string& team)> deadline = [](const std::string&) {
-    return std::string();
-  };
+  // Calls hand_in_terms() for the league; `now` is UTC.
+  std::function<HandInTerms(const std::string& team, const std::string& now)> terms;
   // Returns the decided legs of a team that a viewer, the team or the staff, may see.
   std::function<std::vector<OwnLeg>(Viewer viewer, const std::string& team)> legs;
   // Returns the team's digest of the last night as part of a page; "" if the team may not see its
@@ -83,6 +75,10 @@ struct DeskState {
         options(std::move(given)),
         costs(files, folder),
         book(std::move(kept)) {}
+
+  HandInTerms terms_of(const std::string& team) const {
+    return options.terms(team, utc_text(options.now()));
+  }
 
   system::Files& files;
   const Folder folder;

@@ -305,7 +305,7 @@ web::Reply Portal::team_page(const std::string& team, int before) {
     desk.is_pinned = desk.playing > 0 && desk.playing == hand_ins.pinned(team);
   }
   desk.statistics = state_.options.statistics(team);
-  desk.deadline = state_.options.deadline(team);
+  desk.deadline = state_.terms_of(team).deadline;
   desk.time_in_words = state_.options.time_in_words;
   desk.shown_name = state_.options.shown_name;
   if (state_.options.digest) desk.digest = state_.options.digest(team);
@@ -432,7 +432,7 @@ web::Reply Portal::about_team(const Call& call) {
             {"max_bytes", system::size_limit::entry},
             {"why_not", Json()}};
   if (visitor.sees_all()) return json_reply(200, json);
-  const auto refused = uploads_.refused_now(visitor.team);
+  const auto refused = uploads_.refused_now(visitor.team, state_.terms_of(visitor.team));
   if (!refused) return json_reply(200, json);
   json["why_not"] = reason_of(*refused);
   json["status"] = refused->status;

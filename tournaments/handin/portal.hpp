@@ -14,7 +14,6 @@
 #include "tournaments/handin/routes.hpp"
 #include "tournaments/handin/staff_desk.hpp"
 #include "tournaments/handin/uploads.hpp"
-#include "tournaments/league/submission.hpp"
 
 #include <span>
 

@@ -37,7 +37,8 @@ Json entries_values(const TeamDesk& desk) {
     const bool is_pinned = plays && desk.is_pinned;
     entry["is_pinned"] = is_pinned;
     entry["plays"] = is_pinned ? "pinned " : plays ? "plays " : "";
-    entry["pin"] = !is_pinned && text_in(entry, "state") == "accepted" ? entry["entry"] : Json();
+    const bool may_play = text_in(entry, "state") == "accepted" && !entry.contains("late");
+    entry["pin"] = may_play && !is_pinned ? entry["entry"] : Json();
     entry["answer"] = answer_in_words(entry);
     entry["when"] = desk.time_in_words(text_in(entry, "handed_in"));
   }

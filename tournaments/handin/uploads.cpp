@@ -32,17 +32,15 @@ std::string too_large() {
 }  // namespace
 
 // Requires state_.mutex. Returns the reply to a team that hands in more than it may, or too late.
-std::optional<web::Reply> Uploads::refused_now(const std::string& team) {
-  const std::int64_t now = state_.options.now();
-  const std::string why = state_.options.why_not(team, utc_text(now));
-  if (!why.empty() && !state_.options.is_late(team, utc_text(now))) return problem_reply(403, why);
+std::optional<web::Reply> Uploads::refused_now(const std::string& team, const HandInTerms& terms) {
+  if (!terms.why_not.empty()) return problem_reply(403, terms.why_not);
   const HandIns& hand_ins = state_.book.hand_ins();
   if (const int waiting = hand_ins.waiting(team); waiting >= state_.options.max_waiting) {
     return problem_reply(
         429, std::to_string(waiting) + " files of " + team +
                  " wait for their checks; hand in again when one of these has its answer");
   }
-  if (hand_ins.tries_in_last_hour(team, now) < state_.options.quota.tries_per_hour)
+  if (hand_ins.tries_in_last_hour(team, state_.options.now()) < state_.options.quota.tries_per_hour)
     return std::nullopt;
   return problem_reply(429, team + " has had " +
                                 std::to_string(state_.options.quota.tries_per_hour) +
@@ -82,7 +80,7 @@ web::Reply Uploads::take(const web::Request& request, const web::Body& body,
   Running upload{*this, team};
   {
     const std::lock_guard lock(state_.mutex);
-    if (auto refused = refused_now(team)) return std::move(*refused);
+    if (auto refused = refused_now(team, state_.terms_of(team))) return std::move(*refused);
     if (!upload.begin())
       return problem_reply(429,
                            team + " is sending other files already; wait until they have arrived");
@@ -115,20 +113,22 @@ web::Reply Uploads::keep(const std::string& team, const std::string& name,
     return json_reply(202, {{"entry", entry}, {"events", url + "/events"}, {"url", url}});
   };
   const std::lock_guard lock(state_.mutex);
-  // The same bytes again are the same hand-in, for example if the reply to the first was lost.
+  const HandInTerms terms = state_.terms_of(team);
+  // The same bytes again are the same hand-in, for example if the reply to the first was lost. If
+  // they came late and now come in time, they are another.
   const HandIns& hand_ins = state_.book.hand_ins();
   const HandedIn* last = hand_ins.find(team, hand_ins.last_number(team));
   if (last != nullptr && last->is_network && last->sha256 == sha256 &&
-      last->state != HandInState::void_)
+      last->state != HandInState::void_ && (!last->is_late || terms.is_late))
     return taken(last->entry);
-  if (auto refused = refused_now(team)) return std::move(*refused);
+  if (auto refused = refused_now(team, terms)) return std::move(*refused);
   HandedIn handed{.team = team,
                   .file = name,
                   .sha256 = sha256,
                   .bytes = file.size(),
                   .at = state_.options.now(),
                   .is_network = true,
-                  .is_late = state_.options.is_late(team, utc_text(state_.options.now()))};
+                  .is_late = terms.is_late};
   const auto entry = state_.book.take(std::move(handed),
                                       [&file](const std::string& path) { return file.keep(path); });
   if (!entry) return host_failed(entry.error());

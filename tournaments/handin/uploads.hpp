@@ -18,8 +18,8 @@ class Uploads {
   web::Reply take(const web::Request& request, const web::Body& body, const std::string& team);
 
   // Returns the reply to a team that hands in too often or too late; nothing if the team may hand
-  // in. Requires the mutex of the state.
-  std::optional<web::Reply> refused_now(const std::string& team);
+  // in by `terms`. Requires the mutex of the state.
+  std::optional<web::Reply> refused_now(const std::string& team, const HandInTerms& terms);
 
  private:
   struct Running;

@@ -16,7 +16,6 @@ namespace mirocup::league {
 
 namespace {
 
-constexpr std::string_view house_prefix = "house:";
 constexpr std::string_view pruned_schema = "mirocup/pruned/1";
 
 std::set<int> nights_in(const record::JsonReader& json) {
@@ -57,8 +56,8 @@ Result<std::string> library_of(system::Files& files, const TeamConfig& team,
                                const std::string& base) {
   if (team.is_firasim()) return print_firasim_team(team);
   std::string path = team.source;
-  if (path.rfind(house_prefix, 0) == 0) {
-    const std::string name = path.substr(house_prefix.size());
+  if (team.is_house()) {
+    const std::string name = path.substr(TeamConfig::house_prefix.size());
     path = system::house_team(name);
     if (path.empty())
       return fail(Errc::input, team.name + ": there is no house team \"" + name + "\"");

@@ -233,7 +233,7 @@ std::vector<int> HandIns::to_drop(const std::string& team, const std::set<int>& 
   for (const auto& [number, handed] : of_team(team)) {
     if (!handed.is_kept() || played.contains(number)) continue;
     ++not_played;
-    if (!staying.contains(number)) (handed.may_play() ? accepted : dropped).push_back(number);
+    if (!staying.contains(number)) (handed.is_accepted() ? accepted : dropped).push_back(number);
   }
   dropped.insert(dropped.end(), accepted.begin(), accepted.end());
   const auto too_many = static_cast<std::size_t>(std::max(0, not_played - versions));

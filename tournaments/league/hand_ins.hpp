@@ -85,7 +85,8 @@ struct HandedIn {
 
   int times(NoAnswer why) const { return unanswered[static_cast<std::size_t>(why)]; }
   bool is_kept() const { return !library.empty(); }
-  bool may_play() const { return is_kept() && state == HandInState::accepted && !is_late; }
+  bool is_accepted() const { return is_kept() && state == HandInState::accepted; }
+  bool may_play() const { return is_accepted() && !is_late; }
 };
 
 // A line of the book: the answer to a hand-in.

@@ -33,8 +33,6 @@ void close_to_others(const std::string& record) {
   }
 }
 
-constexpr std::string_view house_prefix = "house:";
-
 Json verdict_in(const record::JsonReader& json) {
   (void)json.at("accepted").boolean();
   return json.json();
@@ -126,6 +124,12 @@ std::string objection_to(const LeagueState& state, const std::string& team, cons
   if (known && state.file.teams[*known].is_firasim())
     return team + " plays with a program for FIRASim, not with a library";
   return "";
+}
+
+std::string why_not(const LeagueState& state, const std::string& team, const std::string& now,
+                    bool minds_deadline) {
+  const std::string why = objection_to(state, team, now, minds_deadline);
+  return !why.empty() || state.find_team(team) ? why : why_not_join(state, team);
 }
 
 // Returns the name of a team of the league that differs from this one in capitals only; "" if there
@@ -226,12 +230,12 @@ Result<void> follow_answer(system::Files& files, LeagueStore& store, const Hande
   const Folder& folder = store.folder();
   const std::string& team = handed.team;
   if (!handed.is_kept()) return files.remove(folder.entry(team, handed.entry));
-  if (files.exists(folder.entry_file(team, handed.entry))) return {};
+  if (handed.is_late || files.exists(folder.entry_file(team, handed.entry))) return {};
   const bool may_join = handed.may_play() && !handed.file.empty() &&
                         !store.state().find_team(team) &&
-                        why_not_now(store.state(), team, utc_text(handed.at)).empty();
+                        why_not(store.state(), team, utc_text(handed.at), false).empty();
   if (may_join) {
-    const bool is_house = !handed.is_network && handed.file.starts_with(house_prefix);
+    const bool is_house = !handed.is_network && handed.file.starts_with(TeamConfig::house_prefix);
     MIROCUP_TRY_VOID(enter_teams(files, store, {team},
                                  is_house ? handed.file : std::string(TeamConfig::submitted)));
   }
@@ -294,18 +298,16 @@ Result<std::optional<Submission>> receive(system::Files& files, const Folder& fo
 
 }  // namespace
 
-static std::string why_not(const LeagueState& state, const std::string& team,
-                           const std::string& now, bool minds_deadline) {
-  const std::string why = objection_to(state, team, now, minds_deadline);
-  return !why.empty() || state.find_team(team) ? why : why_not_join(state, team);
-}
-
 std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now) {
   return why_not(state, team, now, true);
 }
 
-bool is_late(const LeagueState& state, const std::string& team, const std::string& now) {
-  return is_frozen(state, team, now) && why_not(state, team, now, false).empty();
+HandInTerms hand_in_terms(const LeagueState& state, const std::string& team,
+                          const std::string& now) {
+  const bool is_late = is_frozen(state, team, now) && why_not(state, team, now, false).empty();
+  return {.why_not = is_late ? "" : why_not_now(state, team, now),
+          .is_late = is_late,
+          .deadline = state.frozen_from(team)};
 }
 
 std::string why_not_join(const LeagueState& state, const std::string& team) {
@@ -327,12 +329,6 @@ Result<void> enter_teams(system::Files& files, LeagueStore& store,
   if (teams.empty()) return {};
   LeagueFile file = store.state().file;
   for (const std::string& team : teams) file.teams.push_back({.name = team, .source = source});
-  return files.write(store.folder().config(), print_league_file(file));
-}
-
-Result<void> leave_before_start(system::Files& files, LeagueStore& store, const std::string& team) {
-  LeagueFile file = store.state().file;
-  std::erase_if(file.teams, [&team](const TeamConfig& one) { return one.name == team; });
   return files.write(store.folder().config(), print_league_file(file));
 }
 
@@ -387,11 +383,10 @@ Result<std::string> Booking::take_late(Book& book, const std::string& team, int 
   const HandedIn* entry = book.hand_ins().find(team, number);
   const std::string name = "entry " + std::to_string(number) + " of " + team;
   if (entry == nullptr || !entry->is_late) return name + " did not come after the deadline";
-  if (!entry->is_kept() || entry->state != HandInState::accepted) return name + " was not accepted";
+  if (!entry->is_accepted()) return name + " was not accepted, or is not kept";
+  if (const std::string why = why_not(state(), team, utc_text(now), false); !why.empty())
+    return team + ": " + why;
   MIROCUP_TRY_VOID(book.write(TakenLate{.team = team, .entry = number, .at = now}));
-  if (!state().find_team(team)) {
-    MIROCUP_TRY_VOID(enter_teams(files_, store_, {team}, std::string(TeamConfig::submitted)));
-  }
   MIROCUP_TRY_VOID(follow(book.hand_ins(), team));
   return "";
 }
@@ -454,7 +449,7 @@ Result<Submission> Booking::conclude(Book& book, const std::string& team, int en
   MIROCUP_TRY_VOID(follow(hand_ins, team));
   // Of the refused entries only the newest keeps its library.
   for (const auto& [number, one] : hand_ins.of_team(team)) {
-    if (one.is_kept() && !one.may_play() && number != hand_ins.last_kept(team))
+    if (one.is_kept() && !one.is_accepted() && number != hand_ins.last_kept(team))
       MIROCUP_TRY_VOID(files_.remove(folder.library(team, number)));
   }
   return done;

@@ -38,9 +38,14 @@ struct Submission {
 // the league takes it. An unknown team may join before the start.
 std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now);
 
-// True if a file that a team hands in at the time `now` comes after the deadline, but would else be
-// taken: the portal keeps it, and the host decides.
-bool is_late(const LeagueState& state, const std::string& team, const std::string& now);
+// Whether a team may hand in, and until when.
+struct HandInTerms {
+  std::string why_not = {};   // a sentence; "": its file is taken, perhaps late
+  bool is_late = false;       // its file comes after the deadline: it is kept, and the host decides
+  std::string deadline = {};  // UTC; "": the format alone decides
+};
+HandInTerms hand_in_terms(const LeagueState& state, const std::string& team,
+                          const std::string& now);
 
 // Returns why no team of this name can join the league; "" if a team can.
 std::string why_not_join(const LeagueState& state, const std::string& team);
@@ -50,13 +55,10 @@ std::string why_not_join(const LeagueState& state, const std::string& team);
 Result<void> enter_teams(system::Files& files, LeagueStore& store,
                          const std::vector<std::string>& teams, const std::string& source);
 
-// Takes a team out of league.json. Precondition: the league has not started, and has the team.
-Result<void> leave_before_start(system::Files& files, LeagueStore& store, const std::string& team);
-
 // Does all that follows from the lines of the book about a team and is not done yet: the team joins
-// the league with its first accepted entry, each kept entry has its entry.json, no other entry has
-// files, and in a ladder that has started the journal names the entry that plays. The caller holds
-// Folder::submitting().
+// the league with its first accepted entry, each kept entry has its entry.json unless it came late
+// and is not taken, no other entry has files, and in a ladder that has started the journal names
+// the entry that plays. The caller holds Folder::submitting().
 Result<void> follow_book(system::Files& files, LeagueStore& store, const HandIns& hand_ins,
                          const std::string& team);
 

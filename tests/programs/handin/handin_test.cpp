@@ -168,10 +168,9 @@ TEST_F(HandIn, TellsTheVerdictByOneCommand) {
   }
 }
 
-// Catches a verdict or a result that is read from what a library prints.
 // Catches a late file that plays, that is lost, or that the host cannot take.
 TEST_F(HandIn, KeepsWhatComesAfterTheDeadlineForTheHostToDecide) {
-  new_token("alpha");
+  const std::string alpha = new_token("alpha");
   ASSERT_EQ(run(league("freeze", folder_, {"--reason", "last day"})).exit_code, 0);
   serve();
   const Outcome late = hand_in("alpha", house("striker"));
@@ -181,6 +180,11 @@ TEST_F(HandIn, KeepsWhatComesAfterTheDeadlineForTheHostToDecide) {
   EXPECT_NE(entries().find("entry 1 will play\n"), std::string::npos) << entries();
   EXPECT_NE(entries().find("entry 2 came after the deadline"), std::string::npos) << entries();
   EXPECT_EQ(run(league("take", folder_, {"alpha", "1"})).exit_code, 2) << "it came in time";
+  EXPECT_EQ(hand_in("alpha", house("chaser")).exit_code, 0);
+  EXPECT_EQ(read_file(folder_ + "/entries/alpha/2/strategy.so"), read_file(house("striker")))
+      << "a later file has removed it";
+  EXPECT_NE(entries().find("entry 3 came after the deadline"), std::string::npos) << entries();
+  EXPECT_EQ(page("/hand-in", alpha).find("data-pin=\"3\""), std::string::npos);
   const Outcome taken = run(league("take", folder_, {"alpha", "2"}));
   EXPECT_EQ(taken.out, "alpha plays with entry 2\n") << taken.err;
   EXPECT_NE(entries().find("entry 2 will play\n"), std::string::npos) << entries();
@@ -223,6 +227,7 @@ TEST_F(HandIn, LivesBelowAPath) {
   EXPECT_EQ(run(league("serve", folder_, {"--base", "spring"})).exit_code, 2);
 }
 
+// Catches a verdict or a result that is read from what a library prints.
 TEST_F(HandIn, BelievesNothingThatALibraryPrints) {
   const std::string liar = program("hostile/false_verdict.so");
   new_token("alpha");

@@ -69,7 +69,9 @@ class Kills : public testing::Test {
   std::unique_ptr<Portal> open(system::Files& disk) {
     PortalOptions options;
     options.now = [this] { return now_; };
-    options.why_not = [](const std::string&, const std::string&) { return std::string(); };
+    options.terms = [](const std::string& team, const std::string&) {
+      return HandInTerms{.is_late = team == "gamma"};
+    };
     options.friendlies.teams = [] { return std::map<std::string, int>{{"beta", 0}}; };
     options.friendlies.neighbours = [](const std::string&) {
       return std::vector{std::string("beta")};
@@ -87,6 +89,7 @@ class Kills : public testing::Test {
     words >> who >> method >> path >> key >> value;
     if (who == "check") return check_all(portal);
     if (who == "play") return play_one(portal);
+    if (who == "take") return take_late(disk);
     if (who == "host") return submit(disk, "good file " + std::to_string(round));
     if (key == "name") value += " " + std::to_string(round);
     web::Request request{.method = method, .path = "/api/v1/" + path, .address = "10.0.0.1"};
@@ -125,6 +128,16 @@ class Kills : public testing::Test {
     return entry && booking && booking->conclude(*book, "beta", *entry, {{"accepted", true}}, now_);
   }
 
+  // Takes the last entry of gamma, which came late, as `league take` does.
+  bool take_late(system::Files& disk) {
+    auto book = Book::open(disk, folder_);
+    auto booking = Booking::begin(disk, folder_);
+    const int last = book->hand_ins().last_kept("gamma");
+    if (!book->hand_ins().find("gamma", last)->is_late) return true;  // done by one that was killed
+    const auto why_not = booking->take_late(*book, "gamma", last, now_);
+    return why_not && why_not->empty();
+  }
+
   test_support::TemporaryFolder temporary_;
   system::Disk disk_;
   Folder folder_{temporary_ / "."};
@@ -141,6 +154,7 @@ const char* const acts[] = {"alpha PUT entries name good",
                             "alpha POST friendlies opponent beta",
                             "gamma PUT entries name good",
                             "check",
+                            "take",
                             "alpha PUT pin entry latest",
                             "host",
                             "alpha PUT entries name bad",

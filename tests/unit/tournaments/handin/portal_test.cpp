@@ -91,7 +91,7 @@ class Desk : public testing::Test {
                         const std::string& links) {
       return std::optional("replay of " + name + names_of(whose) + links);
     };
-    options.why_not = [this](const std::string&, const std::string&) { return why_not_; };
+    options.terms = [this](const std::string&, const std::string&) { return terms_; };
     auto portal = Portal::open(disk_, folder_, std::move(options), nullptr);
     ASSERT_TRUE(test_support::is_ok(portal));
     portal_ = std::move(*portal);
@@ -155,7 +155,7 @@ class Desk : public testing::Test {
   system::Disk disk_;
   Folder folder_{temporary_ / "."};
   std::int64_t now_ = opening;
-  std::string why_not_;
+  HandInTerms terms_;
   std::vector<OwnLeg> legs_;            // of alpha
   std::set<Viewer> viewers_;            // for whom legs were asked
   int writes_ = 0;                      // that the portal has told
@@ -605,8 +605,14 @@ TEST_F(Desk, LimitsWhatATeamHandsIn) {
   EXPECT_EQ(reply.status, 429);
   EXPECT_NE(json_of(reply)["error"].get<std::string>().find("20 tries"), std::string::npos);
   EXPECT_EQ(json_of(ask(api("/api/v1/team", beta_)))["status"], 429);
-  why_not_ = "entries are frozen";
+  terms_.why_not = "entries are frozen";
   EXPECT_EQ(ask(put(beta_), "more").status, 403);
+  terms_ = {.is_late = true};
+  now_ += 3600;
+  EXPECT_EQ(json_of(ask(put(beta_), "ELF"))["entry"], 1) << "it had come in time";
+  EXPECT_EQ(json_of(ask(put(beta_), "late"))["entry"], 2);
+  terms_.is_late = false;
+  EXPECT_EQ(json_of(ask(put(beta_), "late"))["entry"], 3) << "now it comes in time";
 }
 
 // Catches a list that grows without end with the tries of a team, an older entry that no list has,

@@ -40,7 +40,7 @@ class StaffPage : public testing::Test {
     options.legs = [this](Viewer, const std::string& team) {
       return team == "alpha" ? legs_ : std::vector<OwnLeg>();
     };
-    options.why_not = [](const std::string&, const std::string&) { return std::string(); };
+    options.terms = [](const std::string&, const std::string&) { return HandInTerms(); };
     portal_ = std::move(*Portal::open(disk_, folder_, std::move(options), nullptr));
   }
 
