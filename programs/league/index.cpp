@@ -2,12 +2,11 @@
 //
 // mirocup league index: the front page of the leagues of a host.
 #include "programs/league/commands.hpp"
-#include "tournaments/league/league_store.hpp"
+#include "system/text.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/site.hpp"
 
 #include <filesystem>
-#include <iostream>
 
 namespace mirocup::league {
 
@@ -25,7 +24,7 @@ constexpr std::string_view mark = "<!-- mirocup league index -->\n";
 // Says no number of legs, which a league may hide.
 Json league_values(const IndexOptions& options, const std::string& name, const LeagueState& state) {
   const std::string page = options.is_static ? "site/index.html" : "";
-  return {{"page", name + "/" + page},
+  return {{"page", system::percent_coded(name) + "/" + page},
           {"title", state.file.title},
           {"teams", state.teams.size()},
           {"state", !state.is_started ? "not started"
@@ -42,9 +41,16 @@ Result<int> run_index(const IndexOptions& options) {
                 path + " was not made by this command: move it away, or name another folder");
   MIROCUP_TRY(const auto names, disk.names_in(options.folder));
   Json leagues = Json::array();
+  int result = exit_yes;
   for (const std::string& name : names) {
     const Folder folder{options.folder + "/" + name};
-    if (!std::filesystem::is_regular_file(folder.config())) continue;
+    std::error_code why;
+    const bool is_league = std::filesystem::is_regular_file(folder.config(), why);
+    if (why == std::errc::permission_denied) {
+      std::cerr << "mirocup: " << folder.path << " is left out: you may not read it\n";
+      result = exit_no;
+    }
+    if (!is_league) continue;
     MIROCUP_TRY(const auto store, LeagueStore::open(disk, folder));
     leagues.push_back(league_values(options, name, store.state()));
   }
@@ -59,7 +65,7 @@ Result<int> run_index(const IndexOptions& options) {
   MIROCUP_TRY_VOID(disk.write(options.folder + "/site.js", std::string(page_file("site.js"))));
   MIROCUP_TRY_VOID(disk.write(path, std::string(mark) + html));
   std::cout << path << ": " << leagues.size() << (leagues.size() == 1 ? " league\n" : " leagues\n");
-  return exit_yes;
+  return result;
 }
 
 }  // namespace
