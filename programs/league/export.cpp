@@ -4,7 +4,7 @@
 #include "programs/league/commands.hpp"
 #include "programs/league/publishing.hpp"
 #include "system/locations.hpp"
-#include "tournaments/league/hand_ins.hpp"
+#include "tournaments/league/book.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/exports.hpp"
 
@@ -86,7 +86,8 @@ Result<void> export_sources(system::Files& files, const LeagueStore& store,
   MIROCUP_TRY_VOID(files.make_folder(output, Readers::owner));
   MIROCUP_TRY_VOID(files.make_folder(output + "/submissions", Readers::owner));
   MIROCUP_TRY_VOID(write_base(files, output + "/base"));
-  MIROCUP_TRY(const auto rows, roster(files, store));
+  MIROCUP_TRY(const auto book, Book::open(files, store.folder()));
+  MIROCUP_TRY(const auto rows, roster(files, store, book.hand_ins()));
   for (const RosterRow& row : rows) {
     if (row.is_house) continue;
     const int entry = row.last_accepted > 0 ? row.last_accepted : row.playing_entry;

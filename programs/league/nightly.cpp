@@ -103,10 +103,9 @@ Result<void> begin_night(system::Files& files, LeagueStore& store, const Nightly
 }
 
 // Writes what each team is told to nights/N, which only the host can read.
-Result<void> write_digests(system::Files& files, const LeagueStore& store, const Overview& o,
+Result<void> write_digests(system::Files& files, const Folder& folder,
+                           const std::vector<RosterRow>& rows, const Overview& o,
                            const Night& night, const std::string& address) {
-  const Folder& folder = store.folder();
-  MIROCUP_TRY(const auto rows, roster(files, store));
   std::map<std::string, std::vector<std::string>> told;
   for (const RosterRow& row : rows) told[row.team] = row.told();
   const std::string home = folder.nights() + "/" + std::to_string(night.number);
@@ -128,15 +127,14 @@ Result<void> write_digests(system::Files& files, const LeagueStore& store, const
 }
 
 // Returns what the host reads in the morning.
-Result<std::string> report(system::Files& files, const LeagueStore& store, const Night& night) {
-  const LeagueState& state = store.state();
+std::string report(const LeagueState& state, const std::vector<RosterRow>& rows,
+                   const Night& night) {
   std::ostringstream text;
   text << system::printable(state.file.title) << ", night " << night.number << ", "
        << shown_time(state.file, night.at) << '\n';
   text << night.records.size() << " legs were played in this night; "
        << state.legs() - state.played() << " legs of the league are not decided\n\n"
        << table_text(state) << '\n';
-  MIROCUP_TRY(const auto rows, roster(files, store));
   for (const RosterRow& row : rows) {
     if (row.status == TeamStatus::withdrawn) continue;
     const int before = [&] {
@@ -145,8 +143,8 @@ Result<std::string> report(system::Files& files, const LeagueStore& store, const
     }();
     if (row.playing_entry != before)
       text << row.team << " plays with entry " << row.playing_entry << " from this night on\n";
-    if (row.last_entry == 0) text << row.team << " has not handed in\n";
-    if (!row.handed_in.empty() && !row.was_accepted)
+    if (row.is_missing()) text << row.team << " has not handed in\n";
+    if (row.was_refused() || !row.has_ended)
       text << system::printable(row.message) << " (" << shown_time(state.file, row.handed_in)
            << ")\n";
     if (row.status == TeamStatus::paused)
@@ -215,8 +213,10 @@ Result<int> run_nightly(const NightlyOptions& options) {
   KnownLegs legs;
   read_legs(disk, after.folder(), after.state(), legs);
   const Overview o = overview(after.state(), legs);
-  MIROCUP_TRY_VOID(write_digests(disk, after, o, *night, options.address));
-  MIROCUP_TRY(const auto text, report(disk, after, *night));
+  MIROCUP_TRY(const auto book, Book::open(disk, folder));
+  MIROCUP_TRY(const auto rows, roster(disk, after, book.hand_ins()));
+  MIROCUP_TRY_VOID(write_digests(disk, folder, rows, o, *night, options.address));
+  const std::string text = report(after.state(), rows, *night);
   const std::string home = folder.nights() + "/" + std::to_string(night->number);
   MIROCUP_TRY_VOID(disk.write(home + "/report.txt", text, system::Readers::owner));
   std::cout << text << std::flush;

@@ -5,6 +5,7 @@
 #include "programs/league/commands.hpp"
 #include "programs/league/publishing.hpp"
 #include "record/statistics/report.hpp"
+#include "tournaments/league/book.hpp"
 #include "tournaments/league/health.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/decision_view.hpp"
@@ -26,19 +27,8 @@ void print_row(const LeagueFile& file, const RosterRow& row) {
   if (!row.people.display.empty()) std::cout << " \"" << row.people.display << '"';
   std::cout << ": " << row.state();
   if (!row.handed_in.empty()) std::cout << ", " << shown_time(file, row.handed_in);
-  if (row.playing_entry > 0) {
-    std::cout << ", plays with entry " << row.playing_entry;
-    if (row.last_accepted > 0 && row.last_accepted != row.playing_entry)
-      std::cout << ", entry " << row.last_accepted << " from the next night on";
-  } else if (row.last_accepted > 0) {
-    std::cout << ", entry " << row.last_accepted << " will play";
-  }
-  if (!row.has_joined) std::cout << ", not in the league";
-  if (row.status == TeamStatus::paused) std::cout << ", paused: " << system::printable(row.why);
-  if (row.status == TeamStatus::withdrawn) std::cout << ", has withdrawn";
-  std::cout << '\n';
-  if (!row.handed_in.empty() && !row.was_accepted)
-    std::cout << "    " << system::printable(row.message) << '\n';
+  std::cout << system::printable(row.standing()) << '\n';
+  if (row.was_refused()) std::cout << "    " << system::printable(row.message) << '\n';
   for (const std::string& note : row.notes) std::cout << "    " << system::printable(note) << '\n';
   for (const std::string& other : row.same_as)
     std::cout << "    the same file as " << other << '\n';
@@ -49,7 +39,8 @@ void print_last_leg(const LeagueFile& file, const std::string& at) {
 }
 
 Result<void> print_roster(system::Files& files, const LeagueStore& store, bool is_json) {
-  MIROCUP_TRY(const auto rows, roster(files, store));
+  MIROCUP_TRY(const auto book, Book::open(files, store.folder()));
+  MIROCUP_TRY(const auto rows, roster(files, store, book.hand_ins()));
   const LeagueState& state = store.state();
   const std::string last = last_leg_at(store.journal());
   if (is_json) {
@@ -101,16 +92,28 @@ struct JsonOptions : LeagueOptions {
   bool json = false;
 };
 
+// Teams that have left need nobody.
+std::vector<std::string> told_of(const RosterRow& row) {
+  return row.status == TeamStatus::withdrawn ? std::vector<std::string>() : row.told();
+}
+
 Result<int> run_health(system::Files& files, const LeagueStore& store, const JsonOptions& options) {
-  MIROCUP_TRY(const auto h, health(files, store, system::now_s()));
+  MIROCUP_TRY(const auto book, Book::open(files, store.folder()));
+  MIROCUP_TRY(const auto h, health(files, store, book.hand_ins(), system::now_s()));
+  MIROCUP_TRY(const auto rows, roster(files, store, book.hand_ins()));
   const DiskUse use = disk_use(store.folder());
   const LeagueFile& file = store.state().file;
   const int result = h.problems.empty() ? exit_yes : exit_no;
   if (options.json) {
+    Json teams = Json::array();
+    for (const RosterRow& row : rows)
+      if (const auto told = told_of(row); !told.empty())
+        teams.push_back({{"team", row.team}, {"told", told}});
     const Json night{{"number", h.night}, {"at", h.night_at}};
     print_json({{"title", file.title},
                 {"needs_person", !h.problems.empty()},
                 {"problems", h.problems},
+                {"teams", teams},
                 {"night", h.night > 0 ? night : Json()},
                 {"playing", h.is_playing},
                 {"open_legs", h.open_legs},
@@ -125,6 +128,9 @@ Result<int> run_health(system::Files& files, const LeagueStore& store, const Jso
             << "; legs that are not decided: " << h.open_legs
             << "\nhand-ins that wait for their checks: " << h.waiting << "\ndisk: " << in_words(use)
             << '\n';
+  for (const RosterRow& row : rows)
+    for (const std::string& told : told_of(row))
+      std::cout << "to look at: " << row.team << ": " << system::printable(told) << '\n';
   for (const std::string& problem : h.problems)
     std::cout << "for you: " << system::printable(problem) << '\n';
   return result;

@@ -6,6 +6,7 @@
 #include "system/text.hpp"
 #include "tournaments/handin/desk_html.hpp"
 #include "tournaments/league/acts.hpp"
+#include "tournaments/league/book.hpp"
 #include "tournaments/league/health.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/publish/front_page.hpp"
@@ -121,17 +122,6 @@ void add_schedule(Json& values, const LeagueState& state) {
                       : "Nothing is left to play";
 }
 
-std::string state_in_words(const RosterRow& row) {
-  std::string words = row.state();
-  if (row.status == TeamStatus::paused) words += ", paused: " + row.why;
-  if (row.status == TeamStatus::withdrawn) return words + ", has withdrawn";
-  if (!row.has_joined) words += ", not in the league";
-  if (row.playing_entry > 0)
-    return words + ", plays with entry " + std::to_string(row.playing_entry);
-  return row.last_accepted > 0 ? words + ", entry " + std::to_string(row.last_accepted) + " next"
-                               : words;
-}
-
 // The staff reads the names of people in an anonymous league, too.
 std::string name_of(const RosterRow& row) {
   return row.people.display.empty() ? row.team : row.people.display;
@@ -152,7 +142,7 @@ Json teams_values(const LeagueState& state, const std::vector<RosterRow>& rows) 
          {"name", name_of(row)},
          {"about", system::joined(about, " · ")},
          {"handed_in", row.handed_in.empty() ? "" : shown_time(state.file, row.handed_in)},
-         {"state", state_in_words(row)},
+         {"state", row.state() + row.standing()},
          {"answer", answer}});
   }
   return teams;
@@ -167,14 +157,14 @@ Json attention_values(const std::vector<RosterRow>& rows) {
     const auto add = [&row](Json& teams) {
       teams.push_back({{"team", row.team}, {"name", name_of(row)}, {"is_next", !teams.empty()}});
     };
-    if (row.last_entry == 0 && row.handed_in.empty()) add(missing);
-    if (!row.handed_in.empty() && !row.was_accepted && row.has_ended) add(refused);
+    if (row.is_missing()) add(missing);
+    if (row.was_refused()) add(refused);
     if (!row.same_as.empty()) add(same);
     if (!row.notes.empty()) add(noted);
   }
   return {{{"what", "Not handed in:"}, {"teams", missing}},
           {{"what", "Last hand-in refused:"}, {"teams", refused}},
-          {{"what", "With warnings, late, or all lost, see the table:"}, {"teams", noted}},
+          {{"what", "With notes, see the table:"}, {"teams", noted}},
           {{"what", "The same file as another team, see the table:"}, {"teams", same}}};
 }
 
@@ -222,9 +212,11 @@ web::Reply StaffDesk::page(const Visitor& reader, const Shown& shown) const {
   const bool has_forms = decides(reader.role);
   const auto store = LeagueStore::open(files_, folder_);
   if (!store) return broken(store.error());
-  const auto rows = roster(files_, *store);
+  const auto book = Book::open(files_, folder_);
+  if (!book) return broken(book.error());
+  const auto rows = roster(files_, *store, book->hand_ins());
   if (!rows) return broken(rows.error());
-  const auto health = league::health(files_, *store, now_());
+  const auto health = league::health(files_, *store, book->hand_ins(), now_());
   if (!health) return broken(health.error());
   const LeagueState& state = store->state();
   const std::string last = last_leg_at(store->journal());
@@ -303,7 +295,8 @@ web::Reply StaffDesk::act(const Visitor& visitor, const Form& values,
   if (!wanted) return refused("The form does not say what to decide.");
   const auto lines = perform(files_, *store, *wanted, now_());
   if (!lines) return refused(lines.error().what);
-  if (wanted->is_dry_run)
+  // Before the start a decision changes league.json, and has no number.
+  if (wanted->is_dry_run || !store->state().is_started)
     return page(visitor, {.said = system::joined(*lines, "; "), .given = values, .root = root});
   return {.status = 303,
           .bytes = "",

@@ -3,7 +3,6 @@
 
 #include "system/clock.hpp"
 #include "system/memory.hpp"
-#include "tournaments/league/book.hpp"
 #include "tournaments/league/gaps.hpp"
 
 #include <algorithm>
@@ -75,10 +74,8 @@ void look_at_legs(const LeagueState& state, Health& h) {
   }
 }
 
-Result<void> look_at_hand_ins(system::Files& files, const Folder& folder, std::int64_t now,
-                              Health& h) {
-  MIROCUP_TRY(const auto book, Book::open(files, folder));
-  const auto waiting = book.hand_ins().waiting();
+void look_at_hand_ins(const HandIns& hand_ins, std::int64_t now, Health& h) {
+  const auto waiting = hand_ins.waiting();
   h.waiting = static_cast<int>(waiting.size());
   for (const HandedIn* handed : waiting) h.waits_s = std::max(h.waits_s, now - handed->at);
   if (h.waits_s > longest_check_s)
@@ -86,7 +83,6 @@ Result<void> look_at_hand_ins(system::Files& files, const Folder& folder, std::i
         "hand-ins wait for their checks (" + std::to_string(h.waiting) + "), the oldest for " +
         std::to_string(h.waits_s / 60) +
         " min: check that mirocup league serve --hand-in runs, and read what it prints");
-  return {};
 }
 
 void add_size(std::uintmax_t& sum, const fs::directory_entry& file) {
@@ -138,7 +134,8 @@ Json disk_json(const DiskUse& disk) {
           {"left", disk.left}};
 }
 
-Result<Health> health(system::Files& files, const LeagueStore& store, std::int64_t now) {
+Result<Health> health(system::Files& files, const LeagueStore& store, const HandIns& hand_ins,
+                      std::int64_t now) {
   Health h;
   h.is_playing = is_being_played(store.folder());
   MIROCUP_TRY(const auto found, gaps(files, store, h.is_playing));
@@ -146,7 +143,7 @@ Result<Health> health(system::Files& files, const LeagueStore& store, std::int64
   look_at_legs(store.state(), h);
   look_at_nights(files, store, now, h);
   look_at_teams(store.state(), h);
-  MIROCUP_TRY_VOID(look_at_hand_ins(files, store.folder(), now, h));
+  look_at_hand_ins(hand_ins, now, h);
   if (const std::uintmax_t left = left_on_disk(store.folder()); left < least_left)
     h.problems.push_back(system::mebibytes(left) +
                          " are left on the disk: make room, for example by mirocup league prune");

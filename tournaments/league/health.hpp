@@ -3,6 +3,7 @@
 // Says whether a person has to look at a league: its last night, the hand-ins that wait, the disk.
 #pragma once
 
+#include "tournaments/league/hand_ins.hpp"
 #include "tournaments/league/league_store.hpp"
 
 #include <cstdint>
@@ -38,8 +39,8 @@ struct Health {
   std::vector<std::string> problems;  // sentences, each with a remedy
 };
 
-// Examines a league. `now` is in s since 1970. Errors: those of gaps() and of reading the book of
-// hand-ins.
-Result<Health> health(system::Files& files, const LeagueStore& store, std::int64_t now);
+// Examines a league. `now` is in s since 1970. Errors: those of gaps().
+Result<Health> health(system::Files& files, const LeagueStore& store, const HandIns& hand_ins,
+                      std::int64_t now);
 
 }  // namespace mirocup::league

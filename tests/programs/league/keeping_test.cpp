@@ -583,10 +583,10 @@ TEST(Nights, TellTeamsWhatBecameOfTheirHandIns) {
   const auto digest = [&](const std::string& team) {
     return read_file(folder + "/nights/1/" + team + ".txt");
   };
-  EXPECT_NE(digest("c").find("Hand-in:  c: entry 1 was not accepted: "), std::string::npos)
+  EXPECT_NE(digest("c").find("Note:     entry 1 was not accepted: "), std::string::npos)
       << digest("c");
-  EXPECT_NE(digest("d").find("Hand-in:  nothing was handed in"), std::string::npos) << digest("d");
-  EXPECT_EQ(digest("a").find("Hand-in"), std::string::npos) << digest("a");
+  EXPECT_NE(digest("d").find("Note:     nothing was handed in"), std::string::npos) << digest("d");
+  EXPECT_EQ(digest("a").find("Note:"), std::string::npos) << digest("a");
 }
 
 // One team hands in after the deadline. Why is its business: neither journal nor pages have it.

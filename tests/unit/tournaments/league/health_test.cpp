@@ -6,11 +6,15 @@
 
 #include "system/clock.hpp"
 #include "system/file_lock.hpp"
+#include "system/locations.hpp"
+#include "system/text.hpp"
 #include "tests/support/is_ok.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/unit/tournaments/kept_entry.hpp"
 #include "tests/unit/tournaments/small_league.hpp"
 #include "tournaments/league/book.hpp"
 #include "tournaments/league/gaps.hpp"
+#include "tournaments/league/roster.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +47,8 @@ class LeagueHealth : public testing::Test {
   // The sentences for the host, in one text.
   std::string problems(std::int64_t now) {
     const auto store = LeagueStore::open(disk_, folder_);
-    const auto found = health(disk_, *store, now);
+    const auto book = Book::open(disk_, folder_);
+    const auto found = health(disk_, *store, book->hand_ins(), now);
     EXPECT_TRUE(test_support::is_ok(found));
     std::string text;
     for (const std::string& problem : found->problems) text += problem + "\n";
@@ -130,6 +135,63 @@ TEST_F(LeagueHealth, OfRecordsWithoutALine) {
   EXPECT_EQ(found({"r1-f1-1-1", "r1-f1-1-2"}), std::pair(false, Names{second}));
   write(Undone{.line = 3, .why = "w", .by = "h"});
   EXPECT_EQ(found({"r1-f1-1-1", "r1-f1-1-2"}), std::pair(false, Names{}));
+}
+
+// Catches a team of which nobody is told that it fell to the last place, forfeits, or hands in what
+// it was given, and one that is told so without a reason.
+TEST(Roster, SaysWhoNeedsHelp) {
+  const test_support::TemporaryFolder temporary;
+  system::Disk disk;
+  const Folder folder{temporary / "l"};
+  LeagueFile file;
+  file.format.kind = FormatKind::nightly;
+  for (const std::string name : {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k"})
+    file.teams.push_back({.name = name, .source = std::string(TeamConfig::submitted)});
+  ASSERT_TRUE(init_folder(disk, folder, file));
+  std::vector<EntryBooked> entries;
+  for (const TeamConfig& team : file.teams) {
+    keep_entry(disk, folder, team.name,
+               team.name < "h" ? "library of " + team.name : "of a friend");
+    entries.push_back({.team = team.name, .entry = 1, .sha256 = "s"});
+  }
+  const auto given = disk.read_named(system::team_kit().templates + "/c++/team.cpp", 1 << 20);
+  ASSERT_TRUE(given);
+  for (const std::string team : {"d", "h", "i"})
+    ASSERT_TRUE(
+        disk.write(folder.source(team, 1), system::replaced(*given, "@NAME@", "of " + team)));
+  auto store = LeagueStore::open(disk, folder);
+  const std::string config = disk.read_named(folder.config(), 1 << 20).value();
+  ASSERT_TRUE(store->write(Started{.config_sha256 = system::sha256(config), .version = "0.1.0"}));
+  // The team that is named first wins, but `last` loses.
+  const auto play_night = [&](int number, const std::string& last) {
+    ASSERT_TRUE(store->write(NightBegan{.number = number, .entries = entries}));
+    for (std::size_t i = 0; i < store->state().fixtures.size(); ++i) {
+      const Fixture f = store->state().fixtures[i].fixture;
+      if (f.round != number) continue;
+      const std::string home = store->state().name(f.home), away = store->state().name(f.away);
+      const bool home_wins = home != last && (away == last || home < away);
+      const std::string& loser = home_wins ? away : home;
+      LegPlayed leg{.fixture = f.id(), .home = home, .away = away, .blue = home};
+      leg.score = {home_wins ? 2 : 0, home_wins ? 0 : 2};
+      leg.winner = home_wins ? home : away;
+      leg.record = "records/" + f.id() + ".json";
+      if (loser == "f") leg.fault = {.team = loser, .code = "crash", .text = "signal 11"};
+      ASSERT_TRUE(test_support::is_ok(store->write(leg)));
+    }
+  };
+  play_night(1, "k");
+  entries = {{.team = "a", .entry = 2, .sha256 = "s"}};
+  play_night(2, "a");
+  const auto rows = roster(disk, *store, Book::open(disk, folder)->hand_ins());
+  ASSERT_TRUE(test_support::is_ok(rows));
+  using Notes = std::vector<std::string>;
+  EXPECT_EQ((*rows)[0].notes, (Notes{"it has lost all 10 legs",
+                                     "it has fallen by 10 ranks since the last night began"}));
+  EXPECT_EQ((*rows)[3].notes, Notes{"it is the team that mirocup new writes, unchanged"});
+  EXPECT_EQ((*rows)[5].notes,
+            Notes{"it has lost 8 of 19 legs by its own faults, the last by crash: signal 11"});
+  EXPECT_EQ((*rows)[7].same_as, Notes()) << "both have the file that everybody was given";
+  EXPECT_EQ((*rows)[9].same_as, Notes{"k"});
 }
 
 }  // namespace
