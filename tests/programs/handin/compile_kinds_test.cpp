@@ -190,6 +190,13 @@ const std::vector<Kind>& kinds() {
   return all;
 }
 
+plugins::CompilerKit kit() {
+  const fs::path build = fs::path(program("mirocup")).parent_path();
+  return {.headers = build / "include" / "mirocup",
+          .predict = build / "lib" / "libmirocup_predict.a",
+          .project_compiler = program("mirocup-project-compiler")};
+}
+
 class HostileSource : public testing::TestWithParam<Kind> {};
 
 TEST_P(HostileSource, DoesNoHarm) {
@@ -197,12 +204,8 @@ TEST_P(HostileSource, DoesNoHarm) {
   const TemporaryFolder temporary;
   write_file(temporary / "secret.h", std::string("int ") + secret + " = 1;\n");
   fs::permissions(temporary / "secret.h", fs::perms::all);
-  const fs::path build = fs::path(program("mirocup")).parent_path();
-  const plugins::CompilerKit kit{.headers = build / "include" / "mirocup",
-                                 .predict = build / "lib" / "libmirocup_predict.a",
-                                 .project_compiler = program("mirocup-project-compiler")};
   const auto done = plugins::compile_in_sandbox(
-      kind.source(fs::path(temporary / "secret.h").parent_path()), kind.language, kit,
+      kind.source(fs::path(temporary / "secret.h").parent_path()), kind.language, kit(),
       {.seconds = 120.0, .cpu_seconds = 2, .memory = std::size_t{400} << 20});
   if (!done && done.error().code == Errc::unavailable) GTEST_SKIP() << done.error().what;
   ASSERT_TRUE(is_ok(done));
@@ -224,13 +227,9 @@ TEST_P(HostileSource, DoesNoHarm) {
 // Catches a limit on the clock, by which a busy machine refuses a good source, and one of a single
 // process: the compiler's driver uses nothing itself.
 TEST(HostileSources, HaveProcessorTimeOfAllProcessesTogether) {
-  const fs::path build = fs::path(program("mirocup")).parent_path();
-  const plugins::CompilerKit kit{.headers = build / "include" / "mirocup",
-                                 .predict = build / "lib" / "libmirocup_predict.a",
-                                 .project_compiler = program("mirocup-project-compiler")};
   const auto done =
       plugins::compile_in_sandbox("#include <regex>\nstd::regex any(\".*\");\n",
-                                  plugins::SourceLanguage::cpp, kit, {.seconds = 0.1});
+                                  plugins::SourceLanguage::cpp, kit(), {.seconds = 0.1});
   if (!done && done.error().code == Errc::unavailable) GTEST_SKIP() << done.error().what;
   ASSERT_TRUE(is_ok(done));
   EXPECT_EQ(done->why_not.find("compiling it takes more than 0 s of processor time"), 0u)
