@@ -71,21 +71,6 @@ TEST(MatchCommand, PlaysEveryLeagueAndPresetAndTheRecordsVerify) {
   }
 }
 
-TEST(MatchCommand, FindsAWinnerInAKnockOutMatch) {
-  const TemporaryFolder folder;
-  const Outcome played =
-      run(match("idle", "idle",
-                {"--stage", "knockout", "--half", "2", "--rule", "golden_goal_s=2", "--rule",
-                 "shoot_out_most_rounds=3", "--record", folder / "leg.json"}));
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  const auto result = read_json(folder / "leg.json")["result"];
-  EXPECT_EQ(result["end"], "shoot_out");
-  EXPECT_EQ(result["score"]["blue"], 0);
-  EXPECT_EQ(result["shoot_out"]["yellow"], 0);
-  EXPECT_FALSE(result["winner"].is_null()) << "lots are drawn";
-  EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
-}
-
 TEST(MatchCommand, TakesSingleRules) {
   const TemporaryFolder folder;
   run(match("idle", "idle",
@@ -165,20 +150,12 @@ TEST(CommandLine, TestsTheOutputBeforeItPlays) {
   EXPECT_NE(outcome.err.find("/no/such/folder"), std::string::npos) << outcome.err;
 }
 
-// True once the match is played: it prints the address of its page when both teams are ready.
-bool is_played(const Running& running) {
-  constexpr int max_polls = 6000;
-  for (int i = 0; i < max_polls; ++i) {
-    if (running.err().find("watch at") != std::string::npos) return true;
-    usleep(10'000);
-  }
-  return false;
-}
-
 TEST(MatchCommand, WritesNoRecordWhenItIsInterrupted) {
   const TemporaryFolder folder;
   Running running(match("idle", "idle", {"--watch", "--record", folder / "leg.json"}));
-  ASSERT_TRUE(is_played(running)) << running.err();
+  // It prints the address of its page when both teams are ready.
+  ASSERT_TRUE(wait_until([&] { return running.err().find("watch at") != std::string::npos; }))
+      << running.err();
   running.signal(SIGINT);
   EXPECT_EQ(running.wait().exit_code, 130);
   EXPECT_EQ(access((folder / "leg.json").c_str(), F_OK), -1);

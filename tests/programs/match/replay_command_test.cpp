@@ -29,15 +29,6 @@ class ReplayCommand : public testing::Test {
   std::string record_ = folder_ / "leg.json";
 };
 
-TEST_F(ReplayCommand, MakesTheSamePageEveryTime) {
-  const Outcome first = replay({record_, "-o", folder_ / "a.html"});
-  EXPECT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_EQ(replay({record_, "-o", folder_ / "b.html"}).exit_code, 0);
-  const std::string page = read_file(folder_ / "a.html");
-  EXPECT_EQ(page, read_file(folder_ / "b.html"));
-  EXPECT_EQ(page.rfind("<!doctype html>", 0), 0u);
-}
-
 TEST_F(ReplayCommand, DrawsAMoment) {
   EXPECT_EQ(replay({record_, "--at", "5", "--svg", "-o", folder_ / "a.svg"}).exit_code, 0);
   EXPECT_EQ(replay({record_, "--at", "5.5", "--svg", "-o", folder_ / "b.svg"}).exit_code, 0);

@@ -28,14 +28,6 @@ Outcome rerun(const std::string& record, const std::vector<std::string>& more = 
   return run(words);
 }
 
-TEST(RerunCommand, ReproducesTheCommandsOfHouseTeams) {
-  const TemporaryFolder folder;
-  ASSERT_EQ(play("striker", "chaser", folder / "leg.json").exit_code, 0);
-  const Outcome again = rerun(folder / "leg.json");
-  EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
-  EXPECT_EQ(nlohmann::json::parse(again.out)["reproduced"], true);
-}
-
 TEST(RerunCommand, FindsTheLibraryByItsDigest) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "entries/a/1");

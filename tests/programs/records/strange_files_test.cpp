@@ -54,6 +54,18 @@ TEST_F(StrangeFiles, AreRefusedByEveryReader) {
   }
 }
 
+// Catches a leg that a source or an archive loses by 0 : 10: its owner named the wrong file.
+TEST_F(StrangeFiles, AreNoTeamOfAMatch) {
+  for (const auto& [name, text] :
+       {std::pair("team.cpp", "#include <cmath>\n"), std::pair("team.rar", "Rar!\x1a\x07\x01"),
+        std::pair("README.md", "# Mine\n\n```\nx\n```\n")}) {
+    write_file(folder_ / name, text);
+    const Outcome refused = run(mirocup({"match", "--blue", folder_ / name, "--yellow", "idle"}));
+    EXPECT_EQ(refused.exit_code, 2) << refused.err;
+    EXPECT_NE(refused.err.find(name), std::string::npos) << refused.err;
+  }
+}
+
 TEST_F(StrangeFiles, MayHaveNamesOfAnyBytes) {
   const std::string record = folder_ / "a\xff\n\x1b[31mverified\n.json";
   ASSERT_EQ(play(record).exit_code, 0);
@@ -75,6 +87,24 @@ TEST_F(StrangeFiles, MayHaveNamesOfAnyBytes) {
   EXPECT_EQ(run(mirocup({"match", "--blue", std::string(300, 'x'), "--yellow", "idle"})).exit_code,
             2)
       << "longer than any name of a file";
+}
+
+// A ball on its way for years, wheels that hold a billionth of the weight or any force, a rolling
+// resistance that is linear below a nanometre per second, and robots of 20 nm did not end. A row
+// of robots that is hit at 1e5 m/s overlapped.
+TEST_F(StrangeFiles, AreScenesThatEnd) {
+  const std::string file = folder_ / "s.json";
+  for (const char* scene :
+       {R"("duration":1e9)", R"("duration":1,"parameters":{"grip":1e-9})",
+        R"("duration":1,"parameters":{"grip":0})", R"("duration":1,"parameters":{"grip":1e300})",
+        R"("duration":1,"parameters":{"k":1e-9})",
+        R"("duration":1,"parameters":{"robot_side":2e-8})",
+        R"("duration":1,"robots":[{"pose":[0,0,0],"twist":[1e5,0,0]}])"}) {
+    write_file(file, std::string("{\"schema\":\"mirocup/scene/1\",") + scene + "}");
+    const Outcome refused = run(mirocup({"scene", file}));
+    EXPECT_EQ(refused.exit_code, 2) << scene;
+    EXPECT_NE(refused.err.find("s.json: /"), std::string::npos) << refused.err;
+  }
 }
 
 // In a folder that others may write to.
