@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <poll.h>
 #include <sstream>
@@ -48,43 +49,27 @@ void expect_no_load(const std::string& library, const std::string& why) {
       << result.dump();
 }
 
+// Catches an open() that waits for the other end of a pipe, a link that is followed, and a file
+// that takes all memory.
 TEST(HostileEntry, FileThatIsNoLibraryDoesNotLoad) {
   const TemporaryFolder folder;
   write_file(folder / "text.so", "not a library\n");
-  expect_no_load(folder / "text.so", "not an ELF file");
   write_file(folder / "empty.so", "");
-  expect_no_load(folder / "empty.so", "empty");
   fs::create_directory(folder / "folder.so");
-  expect_no_load(folder / "folder.so", "not a regular file");
-  expect_no_load("/dev/zero", "not a regular file");
-  expect_no_load(program("mirocup-plugin-host"), "not a library");
-}
-
-// Catches an open() that waits for the other end of the pipe.
-TEST(HostileEntry, PipeDoesNotHoldTheServer) {
-  const TemporaryFolder folder;
   mkfifo((folder / "pipe.so").c_str(), 0644);
-  expect_no_load(folder / "pipe.so", "not a regular file");
-}
-
-TEST(HostileEntry, SymbolicLinkIsNotFollowed) {
-  const TemporaryFolder folder;
   fs::create_symlink(program("house/chaser.so"), folder / "link.so");
-  expect_no_load(folder / "link.so", "symbolic link");
   fs::create_symlink("/etc/shadow", folder / "shadow.so");
-  expect_no_load(folder / "shadow.so", "symbolic link");
-}
-
-TEST(HostileEntry, HugeFileIsNotRead) {
-  const TemporaryFolder folder;
-  std::ofstream(folder / "huge.so") << "\x7f"
-                                       "ELF";
+  write_file(folder / "huge.so",
+             "\x7f"
+             "ELF");
   fs::resize_file(folder / "huge.so", 1ull << 40);
-  expect_no_load(folder / "huge.so", "larger than 32 MiB");
-}
-
-TEST(HostileEntry, TruncatedLibraryDoesNotLoad) {
-  const TemporaryFolder folder;
+  const std::map<std::string, std::string> reasons{
+      {folder / "text.so", "not an ELF file"},          {folder / "empty.so", "empty"},
+      {folder / "folder.so", "not a regular file"},     {"/dev/zero", "not a regular file"},
+      {folder / "pipe.so", "not a regular file"},       {folder / "link.so", "symbolic link"},
+      {folder / "shadow.so", "symbolic link"},          {folder / "huge.so", "larger than 32 MiB"},
+      {program("mirocup-plugin-host"), "not a library"}};
+  for (const auto& [file, why] : reasons) expect_no_load(file, why);
   const std::string whole = read_file(program("house/chaser.so"));
   for (const std::size_t size :
        {std::size_t{60}, std::size_t{500}, whole.size() / 2, whole.size() - 1}) {

@@ -66,6 +66,11 @@ static inline void answer_by(unsigned number, mirocup_command* command) {
 static void misbehave(mirocup_command* command);
 static const mirocup_observation* hostile_now;
 
+/* For strategies that misbehave in create(): HOSTILE_CREATE is the name of their function. */
+#ifdef HOSTILE_CREATE
+static void* HOSTILE_CREATE(const mirocup_setup* setup);
+#else
+#define HOSTILE_CREATE hostile_create
 static void* hostile_create(const mirocup_setup* setup) {
   static int something;
   (void)setup;
@@ -73,6 +78,7 @@ static void* hostile_create(const mirocup_setup* setup) {
   (void)hostile_for_ever;
   return &something;
 }
+#endif
 
 static void hostile_decide(void* team, const mirocup_observation* now, mirocup_command* command) {
   (void)team;
@@ -89,7 +95,7 @@ static void HOSTILE_PLACE(void* team, const mirocup_observation* now, mirocup_pl
 
 const mirocup_strategy* mirocup_entry(void) {
   static const mirocup_strategy entry = {MIROCUP_ABI_VERSION, sizeof(mirocup_strategy), "hostile",
-                                         hostile_create,      hostile_decide,           0,
+                                         HOSTILE_CREATE,      hostile_decide,           0,
                                          HOSTILE_PLACE};
   return &entry;
 }

@@ -99,7 +99,6 @@ inline const std::vector<Kind> kinds{
     {"ctor_prctl", "plays", ""},
     {"ctor_listener", "illegal_call: seccomp", ""},
     {"ctor_filter", "crash: changed the sandbox", ""},
-    {"ctor_exec", "illegal_call: execve", ""},
     {"ctor_close_all", "plays", ""},
     {"ctor_limits", "plays", ""},
     {"ctor_ready", "plays", ""},
