@@ -26,7 +26,7 @@ constexpr std::string_view without_credentials = "Non secure remote";
 constexpr const char* meaning = "a process without credentials was seen, and is not allowed";
 
 // How lines of the trace begin that tell of a participant and of one of its readers and writers. A
-// GUID follows: numbers between colons, of which the first three are the participant's.
+// GUID follows: numbers between colons, the last of which is not the participant's.
 constexpr std::string_view of_participant = "SPDP ST0 ", of_endpoint = "SEDP ST0 ";
 constexpr const char* one_sided = "a participant was seen, but no connection to it came about";
 
@@ -87,8 +87,7 @@ void CycloneLog::follow(std::string_view line) {
   const std::size_t begin = line.find(is_endpoint ? of_endpoint : of_participant);
   if (begin == std::string_view::npos || !(is_endpoint || has(line, " NEW"))) return;
   const std::string_view guid = line.substr(begin + of_participant.size());
-  const std::size_t second = guid.find(':', guid.find(':') + 1);
-  const std::string participant(guid.substr(0, guid.find(':', second + 1)));
+  const std::string participant(guid.substr(0, guid.rfind(':', guid.find(' '))));
   const std::lock_guard lock(mutex_);
   std::erase(unanswered_, participant);
   if (!is_endpoint && unanswered_.size() < max_messages) unanswered_.push_back(participant);

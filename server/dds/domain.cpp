@@ -15,8 +15,26 @@ constexpr double name_limit = 10.0;  // s in which the name of a server must be 
 
 constexpr int port_base = 7400;
 
-// Two teams behind one address send some 60 answers and 40 acknowledgements a second.
-constexpr int packets_per_s = 200;
+// Two teams behind one address send some 60 answers and 40 acknowledgements a second, and each
+// calls ten ports twice a second. 0x000100c2 is the writer of a call (SPDP).
+constexpr const char* rules = R"(table inet mirocup {
+  set callers { type ipv4_addr; flags dynamic, timeout; timeout 1m; size 65535; }
+  set senders { type ipv4_addr; flags dynamic, timeout; timeout 1m; size 65535; }
+  set receivers { type ipv4_addr; flags dynamic, timeout; timeout 1m; size 65535; }
+  chain input {
+    type filter hook input priority filter;
+    iifname "lo" accept
+    udp dport $ports @th,416,32 0x000100c2 \
+      add @callers { ip saddr limit rate over 50/second burst 100 packets } drop
+    udp dport $ports add @senders { ip saddr limit rate over 200/second burst 400 packets } drop
+  }
+  chain output {
+    type filter hook output priority filter;
+    oifname "lo" accept
+    udp sport $ports add @receivers { ip daddr limit rate over 400/second burst 800 packets } drop
+  }
+}
+)";
 
 // Nothing that is sent needs to be fragmented by IP: a lost fragment would lose all of a packet,
 // and some firewalls drop fragments. Cyclone splits larger samples itself.
@@ -109,18 +127,8 @@ int port_of(int domain, int index) {
 }
 
 std::string firewall_rules(int domain) {
-  const std::string ports = std::to_string(port_of(domain, 0)) + "-" +
-                            std::to_string(port_of(domain, server_ports - 1) + 1);
-  return "table inet mirocup {\n"
-         "  set senders { type ipv4_addr; flags dynamic, timeout; timeout 1m; size 65535; }\n"
-         "  chain input {\n"
-         "    type filter hook input priority filter;\n"
-         "    iifname != \"lo\" udp dport " +
-         ports + " add @senders { ip saddr limit rate over " + std::to_string(packets_per_s) +
-         "/second burst " + std::to_string(2 * packets_per_s) +
-         " packets } drop\n"
-         "  }\n"
-         "}\n";
+  return "define ports = " + std::to_string(port_of(domain, 0)) + "-" +
+         std::to_string(port_of(domain, server_ports - 1) + 1) + "\n" + rules;
 }
 
 Result<Domain> open_server_domain(const std::string& interface, const std::string& credentials,

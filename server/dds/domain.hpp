@@ -25,8 +25,8 @@ inline constexpr int last_domain = 230;  // later domains have no valid ports
 // participant receives data at the next port.
 int port_of(int domain, int index);
 
-// Returns rules for nftables that let each address send to the ports of a domain only as much as a
-// team sends, twice over: one forged packet of discovery draws answers of many times its size.
+// Returns rules for nftables that let each address send to the ports of a domain, and get from
+// there, little more than two teams do: one forged call draws answers of many times its size.
 std::string firewall_rules(int domain);
 
 // Where a server sends the packets for a team.

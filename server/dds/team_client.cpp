@@ -15,10 +15,8 @@ constexpr double hello_interval = 0.25;  // s
 constexpr double max_poll_interval = 0.05;
 
 // A server sends states many times a second. After this many seconds without a state the connection
-// is broken.
+// is broken, or after `settled_silence` if this host has another address now.
 constexpr double max_silence = 3.0;
-
-// After this many seconds the client looks whether this host's address has changed, too.
 constexpr double settled_silence = 0.5;
 
 // The client keeps to the leg in which it has its seat. Only after this many seconds without a
