@@ -25,7 +25,9 @@ std::string in_words(const ClockTime& time) {
          system::formatted(" %d:%02d", s / 60, s % 60);
 }
 
-std::optional<ClockTime> clock_time_of(std::string_view text) {
+std::optional<ClockTime> clock_time_of(std::string_view words) {
+  const std::string whole = system::lower_case(std::string(words));
+  const std::string_view text = whole;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!text.starts_with(names[i]) || text.substr(names[i].size()).find(' ') != 0) continue;
     const std::string_view time = text.substr(names[i].size() + 1);

@@ -22,7 +22,7 @@ struct ClockTime {
 // Returns "second half 0:10"; parts of a second are left out.
 std::string in_words(const ClockTime& time);
 
-// Reads these words; nothing if a text has another form.
-std::optional<ClockTime> clock_time_of(std::string_view text);
+// Reads these words, also with capitals, as pages begin them; nothing if a text has another form.
+std::optional<ClockTime> clock_time_of(std::string_view words);
 
 }  // namespace mirocup::record

@@ -16,7 +16,7 @@ TEST(ClockWords, AreReadAsTheyAreWritten) {
       EXPECT_EQ(clock_time_of(in_words(time)), time) << in_words(time);
     }
   EXPECT_EQ(in_words({referee::Phase::SECOND_HALF, 70.9}), "second half 1:10");
-  EXPECT_LT(*clock_time_of("first half 59:59"), *clock_time_of("second half 0:00"));
+  EXPECT_LT(*clock_time_of("first half 59:59"), *clock_time_of("Second half 0:00"));
   for (const char* wrong : {"", "second half", "second half 1", "second half 1:60", "half 1:00",
                             "second half -1:00", "second half 1:2x", "second half  1:00"})
     EXPECT_FALSE(clock_time_of(wrong)) << wrong;
