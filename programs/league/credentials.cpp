@@ -52,12 +52,6 @@ Result<void> check_name(const std::string& option, const std::string& name) {
   return {};
 }
 
-Result<void> check_names(const CredentialsOptions& options) {
-  for (const std::string& name : options.teams) MIROCUP_TRY_VOID(check_name("--team", name));
-  for (const std::string& name : options.revoked) MIROCUP_TRY_VOID(check_name("--revoke", name));
-  return {};
-}
-
 Result<void> run_script(std::vector<std::string> arguments) {
   const auto code = system::run_child({.arguments = arguments, .cpu = -1, .log = ""});
   if (!code || *code == system::not_found) {
@@ -69,22 +63,20 @@ Result<void> run_script(std::vector<std::string> arguments) {
 
 Result<int> run_credentials(const CredentialsOptions& options) {
   MIROCUP_TRY_VOID(expect_owner(Folder{options.folder}));
-  MIROCUP_TRY_VOID(check_names(options));
+  for (const std::string& name : options.teams) MIROCUP_TRY_VOID(check_name("--team", name));
+  for (const std::string& name : options.revoked) MIROCUP_TRY_VOID(check_name("--revoke", name));
   MIROCUP_TRY(const auto teams, teams_of(options));
   system::Disk disk;
   const std::string folder = Folder{options.folder}.credentials();
   MIROCUP_TRY_VOID(disk.make_folder(folder));
   std::vector<std::string> arguments{system::sibling_program("mirocup-credentials"), folder,
                                      std::to_string(options.days)};
-  const auto is_revoked = [&options](const std::string& team) {
-    return std::find(options.revoked.begin(), options.revoked.end(), team) != options.revoked.end();
-  };
   for (const std::string& team : teams) {
-    if (!is_revoked(team)) arguments.insert(arguments.end(), {"team", team});
+    if (std::ranges::count(options.revoked, team) == 0)
+      arguments.insert(arguments.end(), {"team", team});
   }
-  for (const std::string& team : options.revoked) {
+  for (const std::string& team : options.revoked)
     arguments.insert(arguments.end(), {"revoke", team});
-  }
   MIROCUP_TRY_VOID(run_script(std::move(arguments)));
   return exit_yes;
 }

@@ -24,18 +24,13 @@ OwnLeg leg_of(const Friendly& friendly, const std::string& viewer) {
   return leg;
 }
 
-// How a leg ended, from its record.
-struct FriendlyEnd {
-  int blue = 0;
-  int yellow = 0;
-  std::string end;
-};
-
-FriendlyEnd read_end(const record::JsonReader& json) {
+// How a leg ended, from its record; the team is blue.
+FriendlyEnded read_end(const record::JsonReader& json) {
   const record::JsonReader result = json.at("result");
-  FriendlyEnd read;
-  read.blue = result.at("score").at("blue").integer(0, max_count);
-  read.yellow = result.at("score").at("yellow").integer(0, max_count);
+  FriendlyEnded read;
+  read.state = FriendlyState::played;
+  read.goals = result.at("score").at("blue").integer(0, max_count);
+  read.against = result.at("score").at("yellow").integer(0, max_count);
   read.end = result.at("end").text();
   if (const record::JsonReader fault = result.at("fault"); !fault.is_null()) {
     read.end += ": " + fault.at("team").text() + ": " + fault.at("code").text() + ": " +
@@ -248,17 +243,14 @@ Result<void> FriendlyDesk::played(const Friendly& friendly) {
   const std::string path = state_.folder.friendly(friendly.team, friendly.number);
   const auto text = state_.files.read(path, {.max_size = system::size_limit::record});
   if (!text) return failed(friendly);
-  const auto end = record::read_json<FriendlyEnd>(*text, path, Errc::damaged, read_end);
+  auto end = record::read_json<FriendlyEnded>(*text, path, Errc::damaged, read_end);
   if (!end) return failed(friendly);
   (void)state_.files.remove(path + ".out");
   const std::lock_guard lock(state_.mutex);
-  return state_.book.write(FriendlyEnded{.team = friendly.team,
-                                         .number = friendly.number,
-                                         .state = FriendlyState::played,
-                                         .goals = end->blue,
-                                         .against = end->yellow,
-                                         .end = end->end,
-                                         .at = state_.options.now()});
+  end->team = friendly.team;
+  end->number = friendly.number;
+  end->at = state_.options.now();
+  return state_.book.write(*end);
 }
 
 Result<void> FriendlyDesk::failed(const Friendly& friendly, bool is_spoiled) {

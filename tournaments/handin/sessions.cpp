@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <arpa/inet.h>
-#include <array>
-#include <cstdio>
 
 namespace mirocup::league {
 
@@ -120,14 +118,8 @@ std::int64_t WrongTokens::note(const std::string& address, std::int64_t now) {
 std::string network_of(const std::string& address) {
   in6_addr v6{};
   if (inet_pton(AF_INET6, address.c_str(), &v6) != 1) return address;
-  std::string network;
   constexpr int network_bytes = 8;
-  for (int i = 0; i < network_bytes; ++i) {
-    std::array<char, 4> digits;
-    std::snprintf(digits.data(), digits.size(), "%02x", v6.s6_addr[i]);
-    network += digits.data();
-  }
-  return network;
+  return {v6.s6_addr, v6.s6_addr + network_bytes};
 }
 
 }  // namespace mirocup::league

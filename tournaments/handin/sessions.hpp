@@ -81,7 +81,7 @@ class WrongTokens {
   std::int64_t swept_ = 0;  // when forgotten addresses were removed last
 };
 
-// Returns the part of an address that stands for one person: of IPv6 the first 64 bits.
+// Returns the part of an address that stands for one person: of IPv6 the first 64 bits, as bytes.
 std::string network_of(const std::string& address);
 
 }  // namespace mirocup::league

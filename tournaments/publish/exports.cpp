@@ -3,6 +3,7 @@
 
 #include "record/csv_rows.hpp"
 #include "record/json_reader.hpp"
+#include "system/number_of.hpp"
 #include "tournaments/league/league_state.hpp"
 #include "tournaments/publish/decision_view.hpp"
 
@@ -139,13 +140,6 @@ Json bracket_json(const LeagueState& state) {
 using record::csv_of;
 using record::or_null;
 
-// Returns how many legs would tell the team of a row from the next one: nothing for the last row,
-// and if it takes too many.
-std::optional<int> legs_to_next(const Overview& o, std::size_t row) {
-  if (row + 1 == o.table.size() || o.table[row + 1].rank == 0) return {};
-  return legs_to_tell(o.ratings, o.table[row].team, o.table[row + 1].team);
-}
-
 std::string table_csv(const Overview& o) {
   std::vector<std::string> columns;
   columns.insert(
@@ -236,7 +230,7 @@ Json table_json(const Overview& o) {
     const TableRow* next = i + 1 < o.table.size() ? &o.table[i + 1] : nullptr;
     const Strength& strength = o.ratings.strengths[row.team];
     const std::string reason = reason_in_words(o.ratings, row, next);
-    const auto legs = legs_to_next(o, i);
+    const auto legs = system::number_of<int>(legs_to_tell_in_words(o, row, next));
     rows.push_back({{"rank", row.rank > 0 ? Json(row.rank) : Json()},
                     {"team", o.state.name(row.team)},
                     {"played", row.played},

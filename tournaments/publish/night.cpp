@@ -22,7 +22,7 @@ constexpr int goal_weight = 1;
 int rank_of(const Overview& o, int team) {
   const auto row = std::find_if(o.table.begin(), o.table.end(),
                                 [team](const TableRow& r) { return r.team == team; });
-  return row == o.table.end() || row->played == 0 ? 0 : static_cast<int>(row - o.table.begin()) + 1;
+  return row == o.table.end() ? 0 : row->rank;
 }
 
 // Adds the moments of a leg that were bad for a team.

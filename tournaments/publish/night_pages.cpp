@@ -15,7 +15,6 @@ namespace {
 
 constexpr const char* closing_words = "A closing round of the last entries decides the season";
 
-// "1:23 ", or "" for a time that is not known.
 // "3 (yesterday 5)", or "3 (new)".
 std::string rank_in_words(const TeamDigest& d) {
   if (d.rank == 0) return "has not played";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/page_values.hpp"
 
+#include "system/text.hpp"
 #include "tournaments/publish/site_file.hpp"
 #include "web/design/template.hpp"
 
@@ -27,11 +28,6 @@ std::string note_of(const Overview& o, const LegView& leg, bool has_several) {
   return (has_several ? "Leg " + std::to_string(leg.leg) + ": " : "") + end_in_words(o.state, leg);
 }
 
-std::string tenths(double value) {
-  return std::to_string(std::lround(value * 10.0) / 10) + "." +
-         std::to_string(std::abs(std::lround(value * 10.0)) % 10);
-}
-
 // Returns the bounds of all intervals. The outermost twentieth at each end sticks out, since a team
 // that is far from all others would make dots of their intervals.
 std::pair<double, double> scale_of(const Ratings& ratings) {
@@ -53,7 +49,8 @@ std::string interval_picture(const Overview& o, const Strength& s) {
   const auto [low, high] = scale_of(o.ratings);
   const auto x = [low = low, high = high](double value) {
     const double share = high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.5;
-    return tenths(interval_margin + share * (interval_width - 2.0 * interval_margin));
+    return system::formatted("%.1f",
+                             interval_margin + share * (interval_width - 2.0 * interval_margin));
   };
   return "<svg class=\"interval\" width=\"90\" height=\"14\" aria-hidden=\"true\"><path d=\"M" +
          x(0.0) + " 1V13\" class=\"mean\"/><path d=\"M" + x(s.low) + " 7H" + x(s.high) +
