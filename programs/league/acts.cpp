@@ -27,7 +27,7 @@ struct ActOptions : LeagueOptions {
 // Makes and plays the closing round. An interrupted one is continued by `league start`.
 Result<int> play_closing_round(system::Files& files, const LeagueStore& season,
                                const LeagueFile& file, int jobs) {
-  const Folder folder = folder_of_closing_round(season.folder());
+  const Folder folder = season.folder().closing_round();
   MIROCUP_TRY_VOID(init_from(files, season, folder, file, true));
   MIROCUP_TRY_VOID(publish_league(files, season.folder(), jobs));
   MIROCUP_TRY(auto held, hold_league(files, folder, ""));
@@ -41,7 +41,7 @@ Result<int> run_act(system::Files& files, LeagueStore& store, const ActOptions& 
   if (!options.act.final.empty()) {
     MIROCUP_TRY(closing, closing_round(files, store, *from_string<FormatKind>(options.act.final),
                                        options.legs));
-    if (files.exists(folder_of_closing_round(store.folder()).config()))
+    if (files.exists(store.folder().closing_round().config()))
       return fail(Errc::input, options.folder + "/final is there already: mirocup league start " +
                                    options.folder + "/final continues it");
   }

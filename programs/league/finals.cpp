@@ -92,8 +92,4 @@ Result<void> init_from(system::Files& files, const LeagueStore& season, const Fo
   return write_people(files, folder, people);
 }
 
-Folder folder_of_closing_round(const Folder& season) {
-  return Folder{season.path + "/final"};
-}
-
 }  // namespace mirocup::league

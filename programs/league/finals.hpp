@@ -26,7 +26,4 @@ Result<LeagueFile> closing_round(system::Files& files, const LeagueStore& season
 Result<void> init_from(system::Files& files, const LeagueStore& season, const Folder& folder,
                        const LeagueFile& file, bool knows_everybody);
 
-// Returns the folder of the season's closing round.
-Folder folder_of_closing_round(const Folder& season);
-
 }  // namespace mirocup::league

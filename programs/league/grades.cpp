@@ -26,67 +26,119 @@ struct GradesOptions : LeagueOptions {
   bool gradescope = false;
   std::string scale;  // a file of read_scale(); "": none
   bool decide = false;
+  bool release = false;
   int most = 100;  // fixtures of a team against a house team
   int jobs = 0;
 };
 
 // The marks of a league by a scale.
-class Marking {
- public:
-  Marking(system::Files& files, const LeagueStore& store, const GradesOptions& options)
-      : files_(files), store_(store), state_(store.state()), options_(options) {}
+struct Marking {
+  system::Files& files;
+  const Folder& folder;
+  const Overview& league;
+  const GradesOptions& options;
+  const LeagueState& state = league.state;
+  Scale scale = {};
+  std::vector<ScaleStep> steps = {};
+  // By team: what --decide has played. It counts for this team alone: a test that stops when it is
+  // sure favours the one that is ahead, and the marks of the others would follow.
+  std::map<int, std::vector<FixtureResults>> further = {};
+  std::set<int> undecided = {};
+  std::map<int, Json> legs = {};  // by team: those against steps, for page/team_desk.html
 
   Result<MarksOfTeams> marks() {
-    MIROCUP_TRY(const auto text, files_.read_named(options_.scale, system::size_limit::note));
-    MIROCUP_TRY(scale_, read_scale(text, options_.scale));
-    const Ratings before = state_.ratings();
-    table_ = state_.table(before);
-    std::erase_if(table_, [](const TableRow& row) { return row.played == 0; });
+    MIROCUP_TRY(const auto text, files.read_named(options.scale, system::size_limit::note));
+    MIROCUP_TRY(scale, read_scale(text, options.scale));
     MIROCUP_TRY_VOID(find_steps());
-    MIROCUP_TRY_VOID(decide(before));
-    const Ratings ratings = state_.ratings(further_);
-    MarksOfTeams marks(state_.teams.size());
-    for (const TableRow& row : table_) {
-      marks[row.team] = mark_of(ratings, steps_, scale_.below, row.team);
-      if (!marks[row.team])
-        return fail(Errc::input, options_.scale +
+    note_legs_of_league();
+    MIROCUP_TRY_VOID(decide());
+    MarksOfTeams marks(state.teams.size());
+    for (const TableRow& row : league.table) {
+      if (row.played == 0) continue;
+      const auto& own = further[row.team];
+      auto& mark = marks[row.team] =
+          mark_of(own.empty() ? league.ratings : state.ratings(own), steps, scale.below, row.team);
+      if (!mark)
+        return fail(Errc::input, options.scale +
                                      ": by the legs that were played, a house team of the scale is "
                                      "not stronger than the one before it");
-      marks[row.team]->is_decided = !undecided_.contains(row.team);
+      mark->is_decided = !undecided.contains(row.team);
+      mark->legs = row.played + legs_per_fixture * static_cast<int>(own.size());
     }
     return marks;
   }
 
- private:
-  Result<void> find_steps() {
-    for (const NamedStep& step : scale_.steps) {
-      const auto found = std::find_if(table_.begin(), table_.end(), [&](const TableRow& row) {
-        return state_.file.teams[row.team].source == "house:" + step.beats;
-      });
-      if (found == table_.end())
-        return fail(Errc::input,
-                    options_.scale + ": no team of the league has played as house:" + step.beats);
-      steps_.push_back({step.mark, found->team});
+  // Lets each team see its mark; a later release replaces all.
+  Result<void> release(const MarksOfTeams& marks) {
+    const auto number = [](double mark) { return system::formatted("%.2f", mark); };
+    Json shown{{"below", number(scale.below)}, {"steps", Json::array()}};
+    for (const NamedStep& step : scale.steps)
+      shown["steps"].push_back({{"mark", number(step.mark)}, {"beats", step.beats}});
+    MIROCUP_TRY_VOID(files.make_folder(folder.marks(), system::Readers::owner));
+    for (std::size_t team = 0; team < marks.size(); ++team) {
+      const std::string path = folder.released_mark(state.file.teams[team].name);
+      const auto& mark = marks[team];
+      MIROCUP_TRY_VOID(files.remove(path));
+      if (!mark || state.file.teams[team].is_house()) continue;
+      shown.update({{"mark", number(mark->value)},
+                    {"low", number(mark->low)},
+                    {"high", number(mark->high)},
+                    {"is_decided", mark->is_decided},
+                    {"count", mark->legs},
+                    {"legs", legs[static_cast<int>(team)]}});
+      MIROCUP_TRY_VOID(files.write(path, record::json_text(shown) + "\n", system::Readers::owner));
     }
     return {};
   }
 
+  Result<void> find_steps() {
+    for (const NamedStep& step : scale.steps) {
+      const auto& table = league.table;
+      const auto found = std::find_if(table.begin(), table.end(), [&](const TableRow& row) {
+        return row.played > 0 && state.file.teams[row.team].source == "house:" + step.beats;
+      });
+      if (found == table.end())
+        return fail(Errc::input,
+                    options.scale + ": no team of the league has played as house:" + step.beats);
+      steps.push_back({step.mark, found->team});
+    }
+    return {};
+  }
+
+  void note_leg(int team, int house, int goals, int against, const std::string& record) {
+    legs[team].push_back({{"number", legs[team].size() + 1},
+                          {"opponent", state.shown_name(house)},
+                          {"score", std::to_string(goals) + " : " + std::to_string(against)},
+                          {"record", record}});
+  }
+
+  void note_legs_of_league() {
+    for (const ScaleStep& step : steps) {
+      for (const LegView& leg : league.legs) {
+        if (!leg.is_of(step.team) || !leg.has_replay()) continue;
+        const int team = leg.other(step.team);
+        if (leg.counts_for(team))
+          note_leg(team, step.team, leg.goals(team), leg.goals(step.team), leg.played->record);
+      }
+    }
+  }
+
   // Notes the teams of which the league's legs do not decide whether they are better than a step.
   // With --decide, such teams play further legs until a test that may stop at any time decides.
-  Result<void> decide(const Ratings& before) {
-    const auto progress = options_.decide ? make_progress_reporter() : nullptr;
-    for (const TableRow& row : table_) {
-      for (std::size_t step = 0; step < steps_.size(); ++step) {
-        const int house = steps_[step].team;
-        if (house == row.team || are_apart(before, row.team, house)) continue;
-        const TeamConfig& config = state_.file.teams[row.team];
-        const bool can_play = options_.decide && !config.is_house() && !config.is_on_network();
-        if (can_play) {
+  // Without it, the legs of an earlier --decide count, so that each call gives the same marks.
+  Result<void> decide() {
+    const auto progress = make_progress_reporter();
+    for (const TableRow& row : league.table) {
+      for (std::size_t step = 0; row.played > 0 && step < steps.size(); ++step) {
+        const int house = steps[step].team;
+        if (house == row.team || are_apart(league.ratings, row.team, house)) continue;
+        const TeamConfig& config = state.file.teams[row.team];
+        if (!config.is_house() && !config.is_on_network()) {
           MIROCUP_TRY(const auto verdict,
-                      play(row.team, house, scale_.steps[step].beats, *progress));
+                      play(row.team, house, scale.steps[step].beats, *progress));
           if (verdict != ComparisonVerdict::undecided) continue;
         }
-        undecided_.insert(row.team);
+        undecided.insert(row.team);
       }
     }
     return {};
@@ -94,47 +146,37 @@ class Marking {
 
   Result<ComparisonVerdict> play(int team, int house, const std::string& name,
                                  ProgressReporter& progress) {
-    const TeamConfig& config = state_.file.teams[team];
-    const int entry = state_.teams[team].entry;
+    const TeamConfig& config = state.file.teams[team];
+    const int entry = state.teams[team].entry;
     ComparisonRun run;
-    run.teams = {store_.folder().library(config.name, entry), name};
+    run.teams = {folder.library(config.name, entry), name};
     for (const auto& [key, value] : config.parameters)
       run.teams[0] += ":" + key + "=" + record::json_text(Json(value));
-    run.league = state_.file.league;
-    run.terms = term_options(state_);
-    run.seed = state_.file.seed;
-    run.jobs = options_.jobs;
-    run.max_fixtures = options_.most;
-    const std::string home = store_.folder().path + "/marks";
-    run.folder = home + "/" + config.name + "-" + std::to_string(entry) + "-" + name;
+    run.league = state.file.league;
+    run.terms = term_options(state);
+    run.seed = state.file.seed;
+    run.jobs = options.jobs;
+    run.folder = folder.marks() + "/" + config.name + "-" + std::to_string(entry) + "-" + name;
     run.keeps_legs = true;
-    MIROCUP_TRY_VOID(files_.make_folder(home, system::Readers::owner));
-    MIROCUP_TRY_VOID(files_.make_folder(run.folder, system::Readers::owner));
-    MIROCUP_TRY(const auto pairs, run_comparison(files_, run, progress));
-    for (const auto& legs : pairs[0].fixtures) {
-      further_.emplace_back();
-      for (const ComparedLeg& leg : legs) {
-        further_.back().push_back({.home = team,
-                                   .away = house,
-                                   .home_goals = leg.score[0],
-                                   .away_goals = leg.score[1],
-                                   .both_lose = leg.both_lose,
-                                   .home_entry = entry,
-                                   .away_entry = state_.teams[house].entry});
-      }
+    const auto is_kept = [&](int fixture) {
+      return files.exists(run.folder + "/1-2-" + std::to_string(fixture) + "b.json");
+    };
+    run.max_fixtures = options.decide ? options.most : 0;
+    while (!options.decide && is_kept(run.max_fixtures + 1)) ++run.max_fixtures;
+    if (run.max_fixtures == 0) return ComparisonVerdict::undecided;
+    MIROCUP_TRY_VOID(files.make_folder(folder.marks(), system::Readers::owner));
+    MIROCUP_TRY_VOID(files.make_folder(run.folder, system::Readers::owner));
+    MIROCUP_TRY(const auto pairs, run_comparison(files, run, progress));
+    const LegResult between{
+        .home = team, .away = house, .home_entry = entry, .away_entry = state.teams[house].entry};
+    for (const auto& played : pairs[0].fixtures) {
+      further[team].push_back(results_of(played, between));
+      for (const ComparedLeg& leg : played)
+        note_leg(team, house, leg.score[0], leg.score[1],
+                 leg.record.substr(folder.path.size() + 1));
     }
     return pairs[0].verdict;
   }
-
-  system::Files& files_;
-  const LeagueStore& store_;
-  const LeagueState& state_;
-  const GradesOptions& options_;
-  std::vector<TableRow> table_;  // the teams that have played
-  Scale scale_;
-  std::vector<ScaleStep> steps_;
-  std::vector<FixtureResults> further_;
-  std::set<int> undecided_;
 };
 
 GradesLayout layout_of(const GradesOptions& options) {
@@ -154,12 +196,15 @@ Result<int> run_grades(system::Files& files, const LeagueStore& store,
   MIROCUP_TRY_VOID(spare_class_list(files, store.folder(),
                                     options.output.empty() ? "/proc/self/fd/1" : options.output));
   MIROCUP_TRY(const auto people, everybody(files, store));
+  const Overview league = overview(store.state());
+  Marking marking{files, store.folder(), league, options};
   MarksOfTeams marks;
   if (!options.scale.empty()) {
-    MIROCUP_TRY(marks, Marking(files, store, options).marks());
+    MIROCUP_TRY(marks, marking.marks());
   }
-  MIROCUP_TRY(const auto file, grades(overview(store.state()), people, drills, options.drills,
-                                      layout_of(options), marks));
+  if (options.release) MIROCUP_TRY_VOID(marking.release(marks));
+  MIROCUP_TRY(const auto file,
+              grades(league, people, drills, options.drills, layout_of(options), marks));
   if (options.output.empty()) {
     std::cout << file.bytes;
     return result;
@@ -207,6 +252,11 @@ void add_grades(system::Commands& commands) {
       .shows_default()
       .needs(decide);
   command.jobs(o.jobs, "legs of --decide played");
+  command
+      .flag("--release", o.release,
+            "Let each team see its mark, and the legs against the house teams of the scale, on "
+            "its page of serve --hand-in")
+      .needs(scale);
   command.option("-o,--output DIR", o.output,
                  "File to write to, which only you can then read (default: standard output)");
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "programs/league/served_league.hpp"
 
-#include "programs/league/finals.hpp"
 #include "programs/league/publishing.hpp"
 #include "record/answer.hpp"
 #include "record/json_fields.hpp"
@@ -272,7 +271,7 @@ std::optional<web::Page> ServedLeague::module_page(const std::string& name) {
 std::optional<web::Page> ServedLeague::page_of_closing_round(const std::string& name) {
   const bool is_plain = std::filesystem::path(name).lexically_normal() == name;
   if (!is_plain || name.starts_with('.') || name.starts_with('/')) return std::nullopt;
-  auto bytes = files_.read(folder_of_closing_round(store_.folder()).site() + "/" + name,
+  auto bytes = files_.read(store_.folder().closing_round().site() + "/" + name,
                            {.max_size = system::size_limit::page});
   if (!bytes) return std::nullopt;
   const bool has_own_script = name.starts_with("replays/") || name == playground_name;

@@ -3,6 +3,7 @@
 
 #include "record/json_reader.hpp"
 #include "system/text.hpp"
+#include "tournaments/handin/desk_html.hpp"
 #include "tournaments/handin/progress.hpp"
 #include "tournaments/handin/replies.hpp"
 #include "web/http/form.hpp"
@@ -84,6 +85,7 @@ std::span<const Portal::Route> Portal::routes() {
       Route{"GET", "/hand-in/entries/*", team, page, &Portal::entry_page_of},
       Route{"GET", "/hand-in/entries/*/replay", team, page, &Portal::entry_replay},
       Route{"GET", "/hand-in/friendlies/*/*/*", team, page, &Portal::show_friendly},
+      Route{"GET", "/hand-in/mark/*/replay", team, page, &Portal::mark_replay},
       Route{"GET", "/hand-in/replays/**", known, api, &Portal::own_replay},
       Route{"POST", "/hand-in/log-in", everybody, page, &Portal::log_in},
       Route{"POST", "/hand-in/log-out", everybody, page, &Portal::log_out},
@@ -286,6 +288,32 @@ web::Reply Portal::entry_replay(const Call& call) {
       web::root_of(call.request.path)));
 }
 
+// Returns what the host has released of a team's mark, that of the closing round if it has one;
+// null if nothing is released. `home` is the folder of the league that has the records.
+Json Portal::mark_of(const std::string& team) const {
+  for (const Folder& league : {state_.folder.closing_round(), state_.folder}) {
+    const auto text =
+        state_.files.read(league.released_mark(team), {.max_size = system::size_limit::note});
+    if (!text) continue;
+    Json mark = record::parse_json(*text).value;
+    mark["home"] = league.path;
+    return mark;
+  }
+  return {};
+}
+
+// The replay of one of the legs that decide a team's mark.
+web::Reply Portal::mark_replay(const Call& call) {
+  Json mark = mark_of(call.team);
+  for (const Json& leg : mark["legs"]) {
+    if (number_text(leg, "number", "%.0f") != call.parts.front()) continue;
+    const std::string record = text_in(mark, "home") + "/" + text_in(leg, "record");
+    return replay_reply(state_.options.friendlies.replay(record, record::of_nobody,
+                                                         web::root_of(call.request.path)));
+  }
+  return problem_reply(404, "no leg of this number decides the mark of " + call.team);
+}
+
 web::Reply Portal::team_page(const std::string& team, int before) {
   TeamDesk desk;
   desk.team = team;
@@ -304,6 +332,7 @@ web::Reply Portal::team_page(const std::string& team, int before) {
     desk.playing = hand_ins.playing(team);
     desk.is_pinned = desk.playing > 0 && desk.playing == hand_ins.pinned(team);
   }
+  desk.mark = mark_of(team);
   desk.statistics = state_.options.statistics(team);
   desk.deadline = state_.terms_of(team).deadline;
   desk.time_in_words = state_.options.time_in_words;

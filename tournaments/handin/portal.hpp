@@ -75,6 +75,7 @@ class Portal {
   std::optional<web::Reply> admit(Call& call, bool is_page);
   std::optional<web::Reply> name_team(Call& call, About about);
   std::variant<Json, web::Reply> entry_of(const Call& call);
+  Json mark_of(const std::string& team) const;
   web::Reply team_page(const std::string& team, int before);
   Json progress(const std::string& team, const Json& friendlies) const;
 
@@ -95,6 +96,7 @@ class Portal {
   web::Reply entry_page_of(const Call& call);
   web::Reply entry_replay(const Call& call);
   web::Reply own_replay(const Call& call);
+  web::Reply mark_replay(const Call& call);
   web::Reply log_in(const Call& call);
   web::Reply log_out(const Call& call);
   web::Reply act(const Call& call);

@@ -169,6 +169,7 @@ std::string team_desk_page(const TeamDesk& desk) {
                    {"entries", entries_values(desk)},
                    {"older", desk.older},
                    {"deadline", desk.deadline.empty() ? "" : desk.time_in_words(desk.deadline)},
+                   {"grade", desk.mark},
                    {"digest", desk.digest},
                    {"progress", progress_values(desk.progress)},
                    {"may_play", desk.playing > 0},

@@ -29,6 +29,7 @@ struct TeamDesk {
   std::vector<std::string> opponents;  // possible opponents in friendlies
   int playing = 0;                     // the entry that plays; 0: none yet
   bool is_pinned = false;              // that entry plays even if a later one is accepted
+  Json mark;                           // Folder::released_mark(); null: none
   std::string statistics;              // HTML
   std::string deadline;                // until when the team may hand in, UTC; "": no such time
   std::string digest;                  // HTML: the digest of the last night; "": none

@@ -57,6 +57,16 @@ struct Folder {
 
   std::string uploads() const { return entries() + "/.uploads"; }  // files that are arriving
 
+  // The legs that `league grades --decide` plays. A team's mark is there once the host has released
+  // it: the values of page/mark.html, with the paths of records inside this league.
+  std::string marks() const { return path + "/marks"; }
+  std::string released_mark(const std::string& team) const {
+    return marks() + "/" + team + ".json";
+  }
+
+  // The league of the closing round, if the league has one.
+  Folder closing_round() const { return Folder{path + "/final"}; }
+
   // Locked while the league is played; the text of the file is the id of the process that plays the
   // league.
   std::string running() const { return path + "/.running"; }

@@ -83,7 +83,7 @@ class Comparison {
       if (leg) {
         ++next_[leg->pair];
         if (run_.keeps_legs && files_.exists(record_of(*leg))) {
-          MIROCUP_TRY_VOID(count(*leg));
+          MIROCUP_TRY_VOID(count(*leg, true));
         } else {
           MIROCUP_TRY_VOID(start(*leg, cpus[started++ % cpus.size()]));
         }
@@ -181,11 +181,11 @@ class Comparison {
       return fail(exit.code == 2 ? Errc::input : Errc::host,
                   "a leg could not be played: " + record::text_in(answer, "error"));
     repeat_warnings(answer);
-    return count(leg);
+    return count(leg, false);
   }
 
   // Reads the record of a leg, and counts the fixtures of its pair of which both legs are there.
-  Result<void> count(const Leg& leg) {
+  Result<void> count(const Leg& leg, bool was_kept) {
     const std::string path = record_of(leg);
     MIROCUP_TRY(const auto text, files_.read(path, {.max_size = system::size_limit::record}));
     MIROCUP_TRY(const auto read, record::read_json<ComparedLeg>(
@@ -194,6 +194,7 @@ class Comparison {
                                        return compared_leg(json, leg.is_swapped() ? 1 : 0);
                                      }));
     read_[leg] = read;
+    read_[leg].record = path;
     if (!run_.keeps_legs) {
       for (const std::string& file : {path, record::replay_path_of(path)})
         MIROCUP_TRY_VOID(files_.remove(file));
@@ -207,7 +208,7 @@ class Comparison {
       count_fixture(pair, {one->second, other->second}, run_);
       read_.erase(one);
       read_.erase(other);
-      tell(pair);
+      if (!was_kept) tell(pair);
     }
     return {};
   }
@@ -310,19 +311,21 @@ bool is_over(const PairComparison& pair, const ComparisonRun& run) {
   return pair.verdict != ComparisonVerdict::undecided;
 }
 
+FixtureResults results_of(const std::array<ComparedLeg, 2>& legs, const LegResult& between) {
+  FixtureResults results(legs.size(), between);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    std::tie(results[i].home_goals, results[i].away_goals) =
+        std::tie(legs[i].score[0], legs[i].score[1]);
+    results[i].both_lose = legs[i].both_lose;
+  }
+  return results;
+}
+
 Ratings rate(const ComparisonRun& run, const std::vector<PairComparison>& pairs) {
   std::vector<FixtureResults> results;
   for (const PairComparison& pair : pairs) {
-    for (const auto& legs : pair.fixtures) {
-      FixtureResults& fixture = results.emplace_back();
-      for (const ComparedLeg& leg : legs) {
-        LegResult result;
-        std::tie(result.home, result.away) = std::tie(pair.teams[0], pair.teams[1]);
-        std::tie(result.home_goals, result.away_goals) = std::tie(leg.score[0], leg.score[1]);
-        result.both_lose = leg.both_lose;
-        fixture.push_back(result);
-      }
-    }
+    const LegResult between{.home = pair.teams[0], .away = pair.teams[1]};
+    for (const auto& legs : pair.fixtures) results.push_back(results_of(legs, between));
   }
   return rate(static_cast<int>(run.teams.size()), results);
 }

@@ -66,6 +66,7 @@ struct ComparedLeg {
   std::array<int, 2> faults{};                          // 1: the team forfeited
   bool both_lose = false;                               // a double forfeit
   std::string trajectory;                               // text that is equal for equal legs
+  std::string record;                                   // path of the record, if legs are kept
 };
 
 // The fixtures between two teams, and the answer about the two.
@@ -98,6 +99,9 @@ Result<nlohmann::ordered_json> comparison_identity(system::Files& files, const C
 
 // True if the pair needs no further fixtures.
 bool is_over(const PairComparison& pair, const ComparisonRun& run);
+
+// Returns the results of a fixture; `between` has the pair's teams and their entries.
+FixtureResults results_of(const std::array<ComparedLeg, 2>& legs, const LegResult& between);
 
 // Returns the strengths of all teams, fitted to all fixtures.
 Ratings rate(const ComparisonRun& run, const std::vector<PairComparison>& pairs);

@@ -71,10 +71,7 @@ std::string house_teams_beaten(const Overview& o, int team) {
     if (other == team || !o.state.file.teams[other].is_house()) continue;
     int ahead = 0;
     for (const LegView& leg : o.legs) {
-      if (!leg.is_of(team) || !leg.is_of(other) || leg.played == nullptr || leg.is_annulled)
-        continue;
-      const LegResult& result = leg.played->result;
-      if (leg.home == team ? !result.counts_for_home : !result.counts_for_away) continue;
+      if (!leg.is_of(other) || !leg.counts_for(team)) continue;
       const char letter = leg.letter(team);
       ahead += letter == 'W' ? 1 : letter == 'L' ? -1 : 0;
     }
@@ -245,7 +242,7 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
   cells.insert(cells.end(), columns.begin(), columns.end());
   cells.insert(cells.end(), marks.drills.begin(), marks.drills.end());
   if (!of_scale.empty())
-    cells.insert(cells.end(), {"mark", "mark_low", "mark_high", "mark_decided"});
+    cells.insert(cells.end(), {"mark", "mark_low", "mark_high", "mark_decided", "mark_legs"});
   std::string text = system::csv_line(cells);
   for (const Graded& one : all) {
     const auto strength = [&](double Strength::*part) {
@@ -283,6 +280,7 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
         for (double ScaleMark::*part : {&ScaleMark::value, &ScaleMark::low, &ScaleMark::high})
           cells.push_back(mark ? with_digits((*mark).*part, 2) : "");
         cells.push_back(!mark ? "" : mark->is_decided ? "yes" : "no");
+        cells.push_back(mark ? std::to_string(mark->legs) : "");
       }
       text += system::csv_line(cells);
     }

@@ -45,8 +45,8 @@ enum class GradesLayout {
 // league, if the class list lacks both columns, mails and numbers, or if it gives a member neither
 // a mail nor a number.
 //
-// `marks`, by team, adds the columns mark, mark_low, mark_high and mark_decided at the end; for
-// Moodle the mark is the score. Empty: the staff has no scale.
+// `marks`, by team, adds the columns mark, mark_low, mark_high, mark_decided and mark_legs at the
+// end; for Moodle the mark is the score. Empty: the staff has no scale.
 using MarksOfTeams = std::vector<std::optional<ScaleMark>>;
 Result<SiteFile> grades(const Overview& overview, const PeopleOfTeams& people,
                         std::string_view drills_csv, const std::string& path,

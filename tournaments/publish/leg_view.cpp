@@ -74,6 +74,11 @@ bool LegView::is_by_lot() const {
          facts != nullptr && facts->shoot_out && facts->shoot_out->home == facts->shoot_out->away;
 }
 
+bool LegView::counts_for(int team) const {
+  return played != nullptr && !is_annulled && is_of(team) &&
+         (team == home ? played->result.counts_for_home : played->result.counts_for_away);
+}
+
 char LegView::letter(int team) const {
   if (played->result.both_lose || goals(team) < goals_against(team)) return 'L';
   return goals(team) == goals_against(team) ? 'D' : 'W';

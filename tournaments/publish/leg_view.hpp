@@ -38,6 +38,8 @@ struct LegView {
   // True if the leg's shoot-out was level, so that a lot chose its winner.
   bool is_by_lot() const;
   bool is_of(int team) const { return home == team || away == team; }
+  // True if the leg counts for a team of it: the team plays with the entry that played.
+  bool counts_for(int team) const;
   int other(int team) const { return team == home ? away : home; }
   bool is_blue(int team) const { return (leg % 2 == 1) == (team == home); }  // blue_team()
   int goals(int team) const;

@@ -76,8 +76,10 @@ struct ScaleMark {
   double value = 0.0;
   double low = 0.0;  // the ends of the 95 % interval, of which `low` belongs to the weaker end
   double high = 0.0;
-  // True: it is decided for each step which is better. mark_of() leaves it to the caller.
+  // mark_of() leaves the following members to the caller. True: it is decided for each step which
+  // is better.
   bool is_decided = false;
+  int legs = 0;  // the legs of the team's present entry on which its strength rests
 };
 
 // Returns the mark of a team on a scale of at least two steps, the weakest first. Between two steps

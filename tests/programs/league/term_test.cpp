@@ -196,6 +196,26 @@ TEST_F(Term, AClosingRoundOfTheLastEntriesDecidesTheSeason) {
   EXPECT_TRUE(contains(page("digests/alpha.html"), "A closing round of the last entries"));
   ask("close", {"--final", "round_robin", "--reason", "again"}, 2);
   ask("nightly", {}, 2);
+
+  // Marks of the closing round. Catches further legs that the mark does not count, or counts in one
+  // command and not in the next, and such that nobody can look at.
+  const std::string final_round = folder_ + "/final";
+  const std::string scale = temporary_ / "scale.json";
+  write_file(scale, R"([{"mark": 4, "beats": "idle"}, {"mark": 1, "beats": "striker"}])");
+  const auto grades = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--scale", scale});
+    return run(league("grades", final_round, more)).out;
+  };
+  EXPECT_TRUE(contains(grades({}), ",no,12\r\n")) << grades({});
+  const std::string decided = grades({"--decide", "--most", "2", "--release"});
+  const Json mark = read_json(final_round + "/marks/alpha.json");
+  EXPECT_TRUE(contains(decided, "," + mark["count"].dump() + "\r\n")) << decided;
+  EXPECT_EQ(grades({}), decided);
+  EXPECT_EQ(mark["legs"].size(), mark["count"].get<std::size_t>() - 4) << "4 against beta";
+  EXPECT_GT(mark["legs"].size(), 8u);
+  EXPECT_FALSE(fs::exists(final_round + "/marks/striker.json"));
+  const std::string record = mark["legs"].back()["record"].get<std::string>();
+  EXPECT_EQ(run({program("mirocup"), "verify", final_round + "/" + record}).exit_code, 0) << record;
 }
 
 // Catches finals with other entries than those of the table, in another order, with a team that has

@@ -137,6 +137,18 @@ class Desk : public testing::Test {
     return "";
   }
 
+  // Releases a mark of alpha in a league.
+  void release(const Folder& league, const std::string& mark) {
+    std::filesystem::create_directories(league.marks());
+    const Json leg{{"number", 1}, {"opponent", "chaser"}, {"score", "2 : 1"}, {"record", "x.json"}};
+    const Json json{{"mark", mark}, {"low", "2.10"}, {"high", "1.30"}, {"legs", {leg}}};
+    ASSERT_TRUE(disk_.write(league.released_mark("alpha"), json.dump()));
+  }
+
+  std::string desk_of(const std::string& token) {
+    return ask(with(get("/hand-in"), "cookie", log_in(token))).bytes;
+  }
+
   static Json json_of(const web::Reply& reply) { return Json::parse(reply.bytes, nullptr, false); }
 
   // Gives alpha one leg, in yellow.
@@ -222,6 +234,7 @@ const std::vector<Route> private_routes{
     {"GET", "/hand-in/entries/1", {}, true},
     {"GET", "/hand-in/entries/1/replay", {}, true},
     {"GET", "/hand-in/friendlies/alpha/1/replay", {}, true},
+    {"GET", "/hand-in/mark/1/replay", {}, true},
 };
 
 // Catches a new route without an entry in the test of wrong visitors, or open to everybody.
@@ -295,6 +308,7 @@ TEST_F(Desk, GivesNoRouteToTheWrongVisitor) {
   ASSERT_TRUE(portal_->begin_next());
   ASSERT_TRUE(portal_->close({"alpha", 1, HandInState::refused, "the_secret_of_alpha"}));
   play_leg("the_secret_of_alpha");
+  release(folder_, "the_secret_of_alpha");
   const std::string ended = log_in(alpha_);
   ASSERT_EQ(ask(with(post("/hand-in/log-out", own_origin), "cookie", ended)).status, 303);
   const std::string cookie = log_in(alpha_);
@@ -522,7 +536,7 @@ TEST_F(Desk, ShowsTheLogsOfOwnLegsOnly) {
         "/api/v1/legsr1-f1-1-1/log"}) {
     EXPECT_EQ(ask(api(strange, alpha_)).status, 404) << strange;
   }
-  const std::string page = ask(with(get("/hand-in"), "cookie", log_in(alpha_))).bytes;
+  const std::string page = desk_of(alpha_);
   EXPECT_NE(page.find("&lt;b&gt;beta"), std::string::npos);
   EXPECT_NE(page.find("2.50"), std::string::npos);
 }
@@ -565,6 +579,25 @@ TEST_F(Desk, ShowsTheThoughtsOfOwnLegsOnly) {
   desk = with(api("/hand-in", "", "GET", of_alpha), "cookie", log_in(beta_));
   EXPECT_NE(ask(desk).bytes.find("<h1>beta</h1>"), std::string::npos);
   EXPECT_EQ(ask(desk).bytes.find("r1-f1-1-1"), std::string::npos);
+}
+
+// Catches a mark that another team sees, or that was not released, and one of the term in the place
+// of that of the closing round.
+TEST_F(Desk, ShowsAReleasedMarkToItsTeamOnly) {
+  const std::string replay = "/hand-in/mark/1/replay";
+  EXPECT_EQ(desk_of(alpha_).find("<h2>Mark"), std::string::npos);
+  EXPECT_EQ(ask(api(replay, alpha_)).status, 404);
+  release(folder_, "1.70");
+  const std::string page = desk_of(alpha_);
+  EXPECT_NE(page.find("<strong>1.70</strong> (95 % interval 2.10 to 1.30)"), std::string::npos);
+  EXPECT_NE(page.find("chaser 2 : 1 <a href=\"" + replay.substr(1)), std::string::npos) << page;
+  EXPECT_EQ(desk_of(beta_).find("<h2>Mark"), std::string::npos);
+  EXPECT_EQ(ask(api(replay, alpha_)).bytes, "the replay");
+  EXPECT_EQ(ask(api(replay, beta_)).status, 404);
+  for (const char* wrong : {"2", "01", "x", "1.0"})
+    EXPECT_EQ(ask(api(std::string("/hand-in/mark/") + wrong + "/replay", alpha_)).status, 404);
+  release(folder_.closing_round(), "1.00");
+  EXPECT_NE(desk_of(alpha_).find("<strong>1.00</strong>"), std::string::npos);
 }
 
 TEST_F(Desk, EndsATokenAtOnce) {

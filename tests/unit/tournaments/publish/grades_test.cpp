@@ -108,11 +108,11 @@ TEST(Grades, HaveAMarkIfThereIsAScale) {
   PeopleOfTeams people;
   people["alpha"] = {.display = "A", .members = {"Ada"}, .more = {{"mail", "ada@x"}}};
   people["be,ta"] = {.display = "B", .members = {"Bo"}, .more = {{"mail", "bo@x"}}};
-  const MarksOfTeams marks{ScaleMark{1.7, 2.1, 1.3, true}, std::nullopt};
+  const MarksOfTeams marks{ScaleMark{1.7, 2.1, 1.3, true, 8}, std::nullopt};
   const std::string text = csv(state, people, "", GradesLayout::teams, marks);
-  expect_part(text, ",mark,mark_low,mark_high,mark_decided\r\n");
-  expect_part(text, ",ada@x,1.70,2.10,1.30,yes\r\n");
-  expect_part(text, ",bo@x,,,,\r\n");
+  expect_part(text, ",mark_high,mark_decided,mark_legs\r\n");
+  expect_part(text, ",ada@x,1.70,2.10,1.30,yes,8\r\n");
+  expect_part(text, ",bo@x,,,,,\r\n");
   expect_part(csv(state, people, "", GradesLayout::moodle, marks), "ada@x,,1.70\r\n");
 }
 
