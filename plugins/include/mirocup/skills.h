@@ -67,6 +67,17 @@ typedef struct mirocup_shot {
   int32_t is_on_line;
 } mirocup_shot;
 
+/* ---- types.hpp and strategy.h: angles, vectors, bodies. */
+
+/* Returns the same angle in (-pi, pi], rad. The difference of two headings needs it. */
+double mirocup_wrapped(double angle);
+double mirocup_dot(mirocup_point a, mirocup_point b);
+double mirocup_length(mirocup_point a);
+/* Returns the vector with the length 1; (1, 0) for one without a length. */
+mirocup_point mirocup_unit(mirocup_point a);
+mirocup_point mirocup_position(const mirocup_robot* robot);
+mirocup_point mirocup_ball_velocity(const mirocup_observation* now);
+
 /* ---- driving.hpp: one robot drives. */
 
 /* Returns the wheel speeds for a forward speed (m/s) and an angular velocity (rad/s). */
@@ -146,7 +157,7 @@ mirocup_wheels mirocup_kick_to(const mirocup_setup* setup, const mirocup_observa
                                double pace); /* 1.5 */
 /* True if the ball is still on the spot of your own kick-off. It has to go backwards first. */
 int32_t mirocup_must_kick_off(const mirocup_observation* now);
-/* Takes a kick-off: rolls the ball straight back to the team-mates. */
+/* Takes a kick-off: rolls the ball straight back. Only for a robot on the +x side of the ball. */
 mirocup_wheels mirocup_kick_off(const mirocup_setup* setup, const mirocup_robot* robot);
 /* Returns the y of the middle of the own goal, as the ball sees it, m. */
 double mirocup_middle_of_goal_view(const mirocup_setup* setup, mirocup_point ball);

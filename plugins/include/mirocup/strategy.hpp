@@ -92,12 +92,13 @@ inline bool must_kick_off(const Observation& now) {
          math::hypot(now.ball_x, now.ball_y) < 0.055;
 }
 
-// Takes a kick-off: rolls the ball straight back to the team-mates. If no robot touches it, the
-// ball stops before the own goal line. A ball that stays near the centre would go to the opponents:
-// their kicker waits on the side of the ball from which it can shoot, while the taker must first go
-// round the ball.
+// Takes a kick-off: rolls the ball straight back to the team-mates. Only for a robot that stands on
+// the +x side of the ball, as robot 1 does at a kick-off: from behind, it would play the ball
+// forwards, which is a foul. If no robot touches it, the ball stops before the own goal line. A
+// ball that stays near the centre would go to the opponents: their kicker waits on the side of the
+// ball from which it can shoot, while the taker must first go round the ball.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
-  // Drives through the ball from any place, and fast, because the opponents drive at the ball.
+  // Drives through the ball, and fast, because the opponents drive at the ball.
   const double near = setup.robot_side + 0.025;                     // m
   const double pace = length(position(robot)) > near ? 0.8 : 0.28;  // m/s
   return drive_to(setup, robot, -0.1 * unit(position(robot)), pace, pace);

@@ -59,6 +59,9 @@ TEST(SkillsInC, GiveWhatTheyGiveInCpp) {
     const MovingBall b{p, ball_velocity(now)};
     const mirocup_pose pose{c.x, c.y, 0.4};
     const Target target{p, 0.4};
+    SAME(mirocup_wrapped(r.heading + 5.0), wrapped(r.heading + 5.0));
+    SAME(mirocup_dot(mirocup_unit(c), mirocup_ball_velocity(&now)), dot(unit(p), b.velocity));
+    SAME(mirocup_length(mirocup_position(&r)), length(position(r)));
     SAME(mirocup_drive_to(&s, &r, c, 0.0, 1.5), drive_to(s, r, p));
     SAME(mirocup_drive_to_pose(&s, &r, c, 0.4, 1.5), drive_to_pose(s, r, p, 0.4));
     SAME(mirocup_inside(&s, c, mirocup_elbow_room(&s)), inside(s, p));
