@@ -51,35 +51,18 @@ constexpr int too_much = 2;  // the compiler was ended by a limit; 3: refused_ar
 constexpr int no_sandbox_stands = 127;
 
 constexpr const char* library_path = "/compile/strategy.so";
+constexpr const char* to_library = "-o/compile/strategy.so";
 constexpr const char* source_path = "/compile/source";
+constexpr const char* static_cpp = "-Wl,-Bstatic,-lstdc++,-Bdynamic";
 const char* const compile_environment[] = {"PATH=/usr/bin", "LANG=C", "TMPDIR=/compile", nullptr};
 
-const char* const cpp_command[] = {cpp_compiler,
-                                   MIROCUP_CPP_OPTIONS,
-                                   MIROCUP_LINK_OPTIONS,
-                                   "-static-libstdc++",
-                                   "-o",
-                                   library_path,
-                                   "-x",
-                                   "c++",
-                                   source_path,
-                                   "-lmirocup_predict",
-                                   nullptr};
+const char* const cpp_command[] = {cpp_compiler,        MIROCUP_CPP_OPTIONS, MIROCUP_LINK_OPTIONS,
+                                   "-static-libstdc++", to_library,          "-xc++",
+                                   source_path,         "-lmirocup_predict", nullptr};
 // The simulator of skills.h needs the C++ library.
-const char* const c_command[] = {c_compiler,
-                                 MIROCUP_C_OPTIONS,
-                                 MIROCUP_LINK_OPTIONS,
-                                 "-o",
-                                 library_path,
-                                 "-x",
-                                 "c",
-                                 source_path,
-                                 "-lmirocup_predict",
-                                 "-Wl,-Bstatic",
-                                 "-lstdc++",
-                                 "-Wl,-Bdynamic",
-                                 "-lm",
-                                 nullptr};
+const char* const c_command[] = {
+    c_compiler,  MIROCUP_C_OPTIONS,   MIROCUP_LINK_OPTIONS, to_library, "-xc",
+    source_path, "-lmirocup_predict", static_cpp,           "-lm",      nullptr};
 const char* const project_command[] = {"mirocup-project-compiler", source_path, "/compile/project",
                                        library_path, nullptr};
 
@@ -103,8 +86,7 @@ struct TreeFile {
 };
 
 bool is_work(const TreeFile& file) {
-  const std::size_t length = std::strlen(work_folder);
-  return std::strncmp(file.path.c_str(), work_folder, length) == 0 && file.path[length] == '/';
+  return file.path.starts_with(std::string_view("/compile/"));
 }
 
 bool write_file(const TreeFile& file) {
@@ -325,33 +307,55 @@ tl::unexpected<Error> cannot(const char* what) {
   return fail(Errc::host, std::string(what) + ": " + std::strerror(errno));
 }
 
+// Reads a file in memory.
 std::string read_all(int file, std::size_t size) {
   std::string bytes(size, '\0');
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t n = pread(file, bytes.data() + done, size - done, static_cast<off_t>(done));
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) break;
-    done += static_cast<std::size_t>(n);
-  }
-  bytes.resize(done);
+  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(0, pread(file, bytes.data(), size, 0))));
   return bytes;
+}
+
+// Returns the place of the compiler's first error, as " at line 17" or " at plan.cpp, line 17"; ""
+// if it names none.
+std::string place_of_error(std::string_view words) {
+  words = words.substr(0, std::min(words.find(": error: "), words.find(": fatal error: ")));
+  words.remove_prefix(words.rfind('\n') + 1);  // file:line:column, if that was found
+  const std::size_t file = words.find(':');
+  const std::size_t line = words.find(':', file + 1);
+  if (file == std::string_view::npos || line == std::string_view::npos) return "";
+  return " at " +
+         (words.starts_with(source_path) ? "" : std::string(words.substr(0, file)) + ", ") +
+         "line " + std::string(words.substr(file + 1, line - file - 1));
 }
 
 // Returns what to do about the compiler's words, after a colon; "" if they say so themselves.
 std::string advice_on(std::string_view words) {
+  constexpr const char* the_macro =
+      ": the macro is MIROCUP_EXPORT_TEAM(YourClass, \"name\"), once, after the class";
+  constexpr const char* no_header =
+      ": write #include \"mirocup/strategy.hpp\" at the top, in C #include \"mirocup/skills.h\"";
+  constexpr const char* look_alike =
+      ": a character only looks like a blank, a quote or a sign: type that line again";
+  constexpr const char* decide =
+      ": a team has void decide(const Observation& now, Command& command) override";
   constexpr std::pair<std::string_view, const char*> usual[] = {
       {"No such file or directory",
-       ": the compiler finds only mirocup's headers, the standard library and the files of an "
-       "archive"},
+       ": the compiler finds only mirocup's headers, the standard library and an archive's files"},
       {"-fmodules-ts", ": modules of C++20 are not taken, so write headers"},
+      {"stray '\\", look_alike},
+      {"extended character", look_alike},
+      {"'mirocup'", no_header},  // is not known
+      {"unknown type name 'mirocup_", no_header},
+      {"redefinition of 'const mirocup_strategy* mirocup_entry",
+       ": a library has one team, so write MIROCUP_EXPORT_TEAM() once"},
+      {"identifier before string constant", the_macro},
+      {"expected constructor, destructor, or type conversion before", the_macro},
+      {"implicit declaration of function",
+       ": its name is misspelt, or an include is missing: \"mirocup/skills.h\", <math.h>"},
       {"was not declared in this scope",
        ": the name is misspelt, or an include is missing, such as \"mirocup/skills/attack.hpp\", "
        "or using namespace mirocup::strategy is missing"},
-      {"are pure within",
-       ": a team has void decide(const Observation& now, Command& command) override"},
-      {"but does not override",
-       ": a team has void decide(const Observation& now, Command& command) override"}};
+      {"are pure within", decide},
+      {"but does not override", decide}};
   for (const auto& [part, advice] : usual) {
     if (words.find(part) != std::string_view::npos) return advice;
   }
@@ -373,7 +377,8 @@ Result<Compiled> judge(int status, bool is_in_time, const Work& work, int result
     done.why_not = system::last_line(done.output);
     done.output.clear();
   } else if (code == not_compiled) {
-    done.why_not = "it does not compile; the log has the compiler's words" + advice_on(done.output);
+    done.why_not = "it does not compile" + place_of_error(done.output) +
+                   "; the log has the compiler's words" + advice_on(done.output);
   } else if (code != compiled) {
     done.why_not = "compiling it takes more time, memory or disk than a team may use";
   } else {

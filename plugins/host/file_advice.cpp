@@ -26,15 +26,14 @@ constexpr std::array archives_not_taken{
     Kind{"\x04\x22\x4d\x18"sv, "packed with lz4"},  Kind{"\x5d\0\0"sv, "packed with lzma"},
     Kind{"\x1f\x9d"sv, "packed with compress"},     Kind{"MSCF"sv, "a cabinet of Windows"}};
 
+constexpr const char* an_archive =
+    "it is an archive: hand in the library or the file of Python that is in it, or make a library "
+    "from a project's sources in C or C++ with mirocup compile";
 constexpr std::array other_files{
     Kind{"!<arch>"sv, "it is a static library (.a): link its objects with -shared"},
     Kind{"MZ"sv, "it is a library or program of Windows (DLL): build it on Linux, as a .so"},
-    Kind{"PK\x03\x04"sv,
-         "it is a zip archive: hand in the library that is in it, or make one from a "
-         "project's sources with mirocup compile"},
-    Kind{"\x1f\x8b"sv,
-         "it is a compressed archive: hand in the library that is in it, or make one from a "
-         "project's sources with mirocup compile"},
+    Kind{"PK\x03\x04"sv, an_archive},
+    Kind{"\x1f\x8b"sv, an_archive},
     Kind{"\xcf\xfa\xed\xfe"sv, "it is a library of macOS: build it on Linux, as a .so"},
     Kind{"\xca\xfe\xba\xbe"sv,
          "it is a class of Java or a library of macOS: a team is written in C, C++ or Python"},
@@ -48,51 +47,37 @@ constexpr const char* source_of_a_library =
     "it is a source: make the library with mirocup compile SOURCE -o team.so, or with g++ "
     "-std=c++20 -O2 -shared -fPIC";
 constexpr const char* a_module = "it is a module of C++20, which is not taken: write a header";
-// Beginnings of lines of texts, and what such a text is, in the order in which they are looked for.
+// Beginnings of lines of texts, with tabs between them, and what such a text is, in the order in
+// which they are looked for.
 constexpr std::array other_texts{
-    Kind{"<!doctype"sv, a_page},
-    Kind{"<!DOCTYPE"sv, a_page},
-    Kind{"<html"sv, a_page},
+    Kind{"<!doctype\t<!DOCTYPE\t<html"sv, a_page},
     Kind{"version https://git-lfs"sv, "it is a pointer of Git LFS: fetch it with git lfs pull"},
-    Kind{"#!/usr/bin/env python"sv, no_team_in_python},
-    Kind{"#!/usr/bin/python"sv, no_team_in_python},
+    Kind{"#!/usr/bin/env python\t#!/usr/bin/python"sv, no_team_in_python},
     Kind{"#!"sv, "it is a script: a team is a shared library, or a file of Python"},
-    Kind{"export module"sv, a_module},
-    Kind{"module;"sv, a_module},
-    Kind{"#include"sv, source_of_a_library},
-    Kind{"#pragma"sv, source_of_a_library},
-    Kind{"<?php"sv, another_language},
-    Kind{"import \""sv, another_language},
-    Kind{"import java"sv, another_language},
-    Kind{"public class"sv, another_language},
-    Kind{"using System"sv, another_language},
-    Kind{"import "sv, no_team_in_python},
-    Kind{"from "sv, no_team_in_python},
-    Kind{"class "sv, no_team_in_python},
-    Kind{"def "sv, no_team_in_python},
-    Kind{"\"\"\""sv, no_team_in_python},
-    Kind{"# "sv, no_team_in_python},
-    Kind{"package "sv, another_language},
-    Kind{"fn "sv, another_language},
-    Kind{"use "sv, another_language},
-    Kind{"function"sv, another_language},
-    Kind{"const "sv, another_language},
-    Kind{"let "sv, another_language},
-    Kind{"local "sv, another_language},
-    Kind{"//"sv, source_of_a_library},
-    Kind{"/*"sv, source_of_a_library}};
+    Kind{"export module\tmodule;"sv, a_module},
+    Kind{"#include\t#pragma"sv, source_of_a_library},
+    Kind{"<?php\timport \"\timport java\tpublic class\tusing System"sv, another_language},
+    Kind{"import \tfrom \tclass \tdef \t\"\"\"\t# "sv, no_team_in_python},
+    Kind{"package \tfn \tuse \tfunction\tconst \tlet \tlocal "sv, another_language},
+    Kind{"//\t/*"sv, source_of_a_library}};
 
 constexpr const char* a_text =
     "it is not an ELF file but a text: hand in the shared library (.so) that the build made, or a "
     "file of Python with \"from mirocup.team import Team\"";
 
-// Returns what the first kind of other_texts says that begins a line; null if none does.
+// Returns what the first kind of other_texts says that begins a line; null if none does. A text that
+// names mirocup as C++ does is a source, whatever its lines begin with.
 const char* kind_of_text(std::string_view text) {
+  for (const char* name : {"mirocup::", "MIROCUP_EXPORT", "mirocup_strategy"}) {
+    if (!text.starts_with('<') && text.find(name) != std::string_view::npos)
+      return source_of_a_library;
+  }
   for (const Kind& kind : other_texts) {
-    if (text.starts_with(kind.begin)) return kind.name;
-    for (std::size_t at = text.find(kind.begin); at != std::string_view::npos;
-         at = text.find(kind.begin, at + 1)) {
-      if (text[at - 1] == '\n') return kind.name;
+    for (std::string_view rest = kind.begin; !rest.empty();) {
+      const std::string_view begin = rest.substr(0, rest.find('\t'));
+      rest.remove_prefix(std::min(begin.size() + 1, rest.size()));
+      if (text.starts_with(begin) || text.find("\n" + std::string(begin)) != std::string_view::npos)
+        return kind.name;
     }
   }
   return nullptr;
@@ -124,8 +109,7 @@ std::string advice_on_file(std::string_view bytes) {
     if (bytes.starts_with(kind.begin)) return kind.name;
   }
   constexpr std::size_t tar_mark = 257;
-  if (bytes.size() > tar_mark && bytes.substr(tar_mark).starts_with("ustar"))
-    return "it is a tar archive: make a library from a project's sources with mirocup compile";
+  if (bytes.size() > tar_mark && bytes.substr(tar_mark).starts_with("ustar")) return an_archive;
   if (bytes.find('\0') != std::string_view::npos) return "";
   constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
   if (bytes.starts_with(utf8_mark)) bytes.remove_prefix(utf8_mark.size());

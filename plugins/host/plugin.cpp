@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <cxxabi.h>
 #include <dlfcn.h>
 #include <exception>
@@ -66,6 +67,24 @@ tl::expected<void, Fault> guarded(const char* function, Call call) {
   }
 }
 
+// Returns what the structure lacks; "" if it is complete.
+std::string lack_of(const mirocup_strategy& strategy) {
+  if (strategy.size < min_strategy_size)
+    return "its size is " + std::to_string(strategy.size) + ", and a mirocup_strategy has " +
+           std::to_string(sizeof(mirocup_strategy)) + " bytes";
+  constexpr const char* names[] = {"create", "decide", "destroy", "place"};  // in their order
+  void* functions[4];
+  const auto* const bytes = reinterpret_cast<const char*>(&strategy);
+  std::memcpy(functions, bytes + offsetof(mirocup_strategy, create), sizeof functions);
+  for (int i = 0; i < 4; ++i) {
+    Dl_info library;
+    if (functions[i] == nullptr && i < 2) return names[i] + std::string(" is null");
+    if (functions[i] != nullptr && dladdr(functions[i], &library) == 0)
+      return names[i] + std::string(" is not a function, but what lay in that memory");
+  }
+  return "";
+}
+
 }  // namespace
 
 void write_line(const char* text) {
@@ -95,7 +114,9 @@ tl::expected<Plugin, Fault> Plugin::open(const std::string& path) {
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* cause = errno == ENOMEM ? "large_tables" : "";
-    return fault(FaultCode::no_load, std::string("the library does not load: ") + dlerror(), cause);
+    const std::string why = dlerror();
+    if (why.find("undefined symbol: mirocup_") != std::string::npos) cause = "skills_not_linked";
+    return fault(FaultCode::no_load, "the library does not load: " + why, cause);
   }
   Plugin plugin(library, nullptr, nullptr);
 
@@ -116,11 +137,9 @@ tl::expected<Plugin, Fault> Plugin::open(const std::string& path) {
                  strategy->abi_version == 0               ? "no_version"
                  : strategy->abi_version > latest_version ? "wild_version"
                                                           : "");
-  if (strategy->size < min_strategy_size || strategy->create == nullptr ||
-      strategy->decide == nullptr) {
-    return fault(FaultCode::bad_abi, "mirocup_entry() returned an incomplete structure",
+  if (std::string what = lack_of(*strategy); !what.empty())
+    return fault(FaultCode::bad_abi, "mirocup_entry() returned an incomplete structure: " + what,
                  "incomplete");
-  }
   return plugin;
 }
 

@@ -287,6 +287,10 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
       return *fault;
     }
     if (!delay_at_slice_) delay_at_slice_ = child_.processor_delay();
+    // While the team has not answered, it is the team that the server waits for.
+    const double own_delay = Child::processor_delay(getpid()).value_or(0.0);
+    forgiven_delay_ += own_delay - own_delay_at_slice_.value_or(own_delay);
+    own_delay_at_slice_ = own_delay;
     if (is_busy || seconds_without_delay(asked_at_, delay_at_slice_) > limit.wall) {
       const TeamCall call = out_->team_call.load(std::memory_order_relaxed);
       child_.kill();
@@ -308,6 +312,7 @@ tl::expected<void, Answer> ProcessController::wait_until_ready() {
   // The clock starts now, so the time in which the other team loaded does not count.
   asked_at_ = WallClock::now();
   delay_at_slice_.reset();
+  own_delay_at_slice_.reset();
   if (auto failure = wait_for_sandbox()) return tl::unexpected<Answer>(*failure);
   const auto is_ready = [this] { return out_->load_state.load() == LoadState::ready; };
   const WaitLimit limit{.cpu = budget_.start_cpu,
@@ -334,6 +339,7 @@ void ProcessController::post(const match::Observation& observation) {
   if (is_placing_) ++places_;
   asked_at_ = posted_at_;
   delay_at_slice_.reset();
+  own_delay_at_slice_.reset();
   cpu_at_post_ = cpu_;
   moment_ = {observation.tick, observation.state};
   in_->observation = abi::to_observation(observation);
@@ -386,7 +392,7 @@ std::optional<double> ProcessController::slept_seconds() const {
   const auto own_delay = Child::processor_delay(getpid());
   const auto delay = child_.processor_delay();
   if (!own_delay || !delay) return std::nullopt;
-  return waited_ - playing_seconds() - *delay - *own_delay;
+  return waited_ - playing_seconds() - *delay - (*own_delay - forgiven_delay_);
 }
 
 Answer ProcessController::collect() {

@@ -204,6 +204,8 @@ class ProcessController final : public match::Controller {
   WallClock::time_point posted_at_;
   WallClock::time_point asked_at_;        // time of the oldest observation without an answer
   std::optional<double> delay_at_slice_;  // s: processor_delay() at the first check after asked_at_
+  std::optional<double> own_delay_at_slice_;  // s: the same of the server, at the last check
+  double forgiven_delay_ = 0.0;               // the server's delay while a team had not answered, s
   double cpu_at_post_ = 0.0;
   double cpu_ = 0.0;
   double cpu_at_ready_ = 0.0;

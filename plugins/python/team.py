@@ -807,8 +807,9 @@ def _cause_of(error, frames, own):
     """Returns a word for the cause of an error, often the name of its type. The sentences of Python change."""
     import sys
     kind = type(error).__name__
-    if any("/multiprocessing/" in frame.filename for frame in frames):
-        return "process"
+    for module, cause in (("/multiprocessing/", "process"), ("/asyncio/", "asyncio")):
+        if any(module in frame.filename for frame in frames):
+            return cause
     if frames and frames[-1].filename.endswith("/threading.py"):
         return "thread"
     if isinstance(error, AttributeError):
@@ -821,6 +822,8 @@ def _cause_of(error, frames, own):
     if kind != "TypeError":
         return kind
     if own:
+        if "'setup'" in str(error) and "__init__()" in str(error):
+            return "super" if "super()" in own[-1].line else "makes_team"
         return "no_default" if ".parameter(" in own[-1].line else "bad_point" if ".draw_" in own[-1].line else kind
     # The call of a method itself does not take its arguments.
     return "signature" if frames and frames[-1].name in ("decide", "place", "_create") else kind

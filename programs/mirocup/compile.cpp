@@ -30,10 +30,11 @@ plugins::SourceLanguage language_of(const CompileOptions& options) {
   if (options.language == "c") return SourceLanguage::c;
   if (options.language == "c++") return SourceLanguage::cpp;
   if (options.language == "project") return SourceLanguage::project;
+  const std::string path = system::lower_case(options.path);
   for (const char* end : {".tar", ".tar.gz", ".tgz", ".zip"}) {
-    if (options.path.ends_with(end)) return SourceLanguage::project;
+    if (path.ends_with(end)) return SourceLanguage::project;
   }
-  return options.path.ends_with(".c") ? SourceLanguage::c : SourceLanguage::cpp;
+  return path.ends_with(".c") ? SourceLanguage::c : SourceLanguage::cpp;
 }
 
 // True if a line of the source has a pragma or an attribute `target` or `target_clones`.

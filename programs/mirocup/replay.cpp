@@ -198,7 +198,8 @@ Result<int> run_replay(const ReplayOptions& options) {
     beside = web::commands_script(record);
     MIROCUP_TRY_VOID(disk.write(commands_file_of(output), beside));
   }
-  if (proof) tell_of_proof(shown, beside.size());
+  const bool has_proof = shown.proof_size > 0 || !beside.empty();
+  if (proof && (has_proof || !options.open)) tell_of_proof(shown, beside.size());
   if (!options.statistics.empty()) {
     // The name alone, so that the file has the same bytes wherever the record is.
     const std::string name = std::filesystem::path(options.record).filename();

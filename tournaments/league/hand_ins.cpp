@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/hand_ins.hpp"
 
+#include "system/text.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -23,7 +25,8 @@ int last_with(const std::map<int, HandedIn>& entries, bool (HandedIn::*is_one)()
 
 }  // namespace
 
-SourceKind source_kind_of(std::string_view file) {
+SourceKind source_kind_of(std::string_view name) {
+  const std::string file = system::lower_case(std::string(name));
   for (const std::string_view end : {".cpp", ".cc", ".cxx"}) {
     if (file.ends_with(end)) return SourceKind::cpp;
   }

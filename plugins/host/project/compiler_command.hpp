@@ -15,7 +15,9 @@ inline constexpr const char* cpp_compiler = "/usr/bin/g++";
 #define MIROCUP_COMPILER_OPTIONS                                                                \
   "-O2", "-DNDEBUG", "-ffp-contract=off", "-fPIC", "-fvisibility=hidden", "-I/mirocup/include", \
       "-fno-diagnostics-color", "-fmax-errors=20"
-#define MIROCUP_C_OPTIONS "-std=c17", MIROCUP_COMPILER_OPTIONS
+// A function that C does not know would be missed only when the library is loaded.
+#define MIROCUP_C_OPTIONS \
+  "-std=c17", "-Werror=implicit-function-declaration", MIROCUP_COMPILER_OPTIONS
 #define MIROCUP_CPP_OPTIONS \
   "-std=c++20", "-ftemplate-depth=900", "-Woverloaded-virtual", MIROCUP_COMPILER_OPTIONS
 #define MIROCUP_LINK_OPTIONS "-shared", "-static-libgcc", "-L/mirocup/lib"

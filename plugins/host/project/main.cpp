@@ -8,9 +8,11 @@
 #include "plugins/host/project/unpack.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <clocale>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -22,9 +24,11 @@ namespace mirocup::plugins {
 namespace {
 
 struct ProjectSources {
-  std::string root;              // the outermost folder whose content is not just one folder
-  std::vector<std::string> c;    // sources in C: paths from the root, sorted
-  std::vector<std::string> cpp;  // sources in C++: paths from the root, sorted
+  std::string root;                // the outermost folder whose content is not just one folder
+  std::vector<std::string> c;      // sources in C: paths from the root, sorted
+  std::vector<std::string> cpp;    // sources in C++: paths from the root, sorted
+  std::vector<std::string> teams;  // those that export a team
+  bool has_ready_file = false;     // a library or a file of Python, which are not compiled
 };
 
 namespace fs = std::filesystem;
@@ -46,6 +50,14 @@ fs::path root_of(fs::path folder) {
   }
 }
 
+// True if the source exports a team.
+bool has_team(const fs::path& path) {
+  std::ifstream in(path);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return text.find("\nMIROCUP_EXPORT_TEAM(") != text.npos ||
+         text.find("\nconst mirocup_strategy* mirocup_entry(void) {") != text.npos;
+}
+
 // Finds the sources of a project, but no files whose names end in _test before the dot, and no
 // files in a folder test or tests.
 ProjectSources sources_of_project(const std::string& folder) {
@@ -56,12 +68,16 @@ ProjectSources sources_of_project(const std::string& folder) {
     if (!entry.is_regular_file()) continue;
     const fs::path path = entry.path().lexically_relative(root);
     if (is_test(path)) continue;
-    const std::string end = path.extension();
-    if (end == ".c") sources.c.push_back(path.string());
-    if (end == ".cpp" || end == ".cc" || end == ".cxx") sources.cpp.push_back(path.string());
+    std::string end = path.extension();
+    std::transform(end.begin(), end.end(), end.begin(), ::tolower);  // Windows writes TEAM.CPP
+    const bool is_cpp = end == ".cpp" || end == ".cc" || end == ".cxx";
+    sources.has_ready_file |= end == ".py" || end == ".so";
+    if (!is_cpp && end != ".c") continue;
+    (is_cpp ? sources.cpp : sources.c).push_back(path.string());
+    if (has_team(entry.path())) sources.teams.push_back(path.string());
   }
-  std::sort(sources.c.begin(), sources.c.end());
-  std::sort(sources.cpp.begin(), sources.cpp.end());
+  for (auto* names : {&sources.c, &sources.cpp, &sources.teams})
+    std::sort(names->begin(), names->end());
   return sources;
 }
 
@@ -90,7 +106,9 @@ int compile(std::vector<std::string> command, const std::string& source,
             std::vector<std::string>& objects) {
   const std::string object = "/compile/" + std::to_string(objects.size()) + ".o";
   objects.push_back(object);
-  command.insert(command.end(), {"-I.", "-Iinclude", "-c", "-o", object, "./" + source});
+  const char* language = command[0] == c_compiler ? "c" : "c++";  // the compiler knows no TEAM.CPP
+  command.insert(command.end(),
+                 {"-I.", "-Iinclude", "-c", "-o", object, "-x", language, "./" + source});
   return run(command);
 }
 
@@ -120,7 +138,15 @@ int run_project_compiler(const std::string& archive, const std::string& folder,
   if (const auto unpacked = unpack(archive, folder); !unpacked)
     return say_why(unpacked.error().what);
   const ProjectSources sources = sources_of_project(folder);
-  if (sources.c.empty() && sources.cpp.empty())
+  if (sources.teams.size() > 1)
+    return say_why("both " + sources.teams[0] + " and " + sources.teams[1] +
+                   " have a team: leave one of them out of the archive");
+  const bool is_empty = sources.c.empty() && sources.cpp.empty();
+  if (is_empty && sources.has_ready_file)
+    return say_why(
+        "only sources in C and C++ are compiled: hand in the library itself, or the "
+        "file of Python; a team in Python is one file, with all its modules in it");
+  if (is_empty)
     return say_why(
         "the archive has no source of a team: a file that ends in .cpp, .cc, .cxx or .c, outside "
         "of test, tests and build");
