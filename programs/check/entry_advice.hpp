@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Advice to the author of an entry: a remedy for a fault of the team, in one sentence.
+// The sentences of a check: remedies for the faults of a team, and warnings. They are in advice.txt.
 #pragma once
 
 #include "core/match/controller.hpp"
@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace mirocup::app {
 
@@ -19,14 +20,14 @@ struct FaultEvidence {
   bool is_python = false;                   // the team is in Python
 };
 
+// Returns a remedy for the fault, in one sentence.
 std::string advice_on(const FaultEvidence& evidence);
 
-// Advice for a team that takes too much time.
-inline constexpr const char* advice_on_time =
-    "a tick has 1 ms of processor time in the mean of a leg; compute less, and do not wait";
+// Returns the sentence of that key with its values; "" if there is none.
+std::string sentence(const std::string& key, const std::string& first = "",
+                     const std::string& second = "");
 
-inline constexpr const char* advice_on_time_in_python =
-    "a tick has 1 ms of processor time in the mean of a leg; compute less, use numpy for long "
-    "computations, or write the team in C++";
+// Returns the text of the file advice.txt of this folder, which is part of the program.
+std::string_view advice_file(std::string_view name);
 
 }  // namespace mirocup::app

@@ -11,6 +11,7 @@
 #include "core/replay/recording.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
 #include "programs/check/leg_story.hpp"
+#include "programs/check/strength.hpp"
 #include "system/processor.hpp"
 
 #include <cstddef>
@@ -55,6 +56,8 @@ struct EntryReport {
   int bad_values = 0;                        // values of commands that were zeroed or clamped
   int moved_placements = 0;                  // requested places that were not legal
   std::vector<LegStory> legs;                // the whole legs against striker, as far as played
+  std::vector<LegStory> ladder;              // short legs against each house team, if asked for
+  Strength strength;                         // of an entry that passed
   std::vector<Note> notes;
   std::string log;
 
@@ -73,6 +76,7 @@ struct EntryTerms {
   referee::Rules rules;  // the rules, with the length of a half in the league
   match::TeamParameters parameters;
   system::Processor processor = system::Processor::v3;  // of the oldest computer that plays
+  bool ladder = false;  // true: also plays short legs against each house team
 };
 
 // Called with each check as soon as its result is known.
@@ -83,11 +87,11 @@ using OnStep = std::function<void(int number, int of, const char* name)>;
 // Looks at the file, then lets it play in the sandbox: whole legs against the house team striker in
 // both colours, and a knock-out leg. Then the entry repeats the knock-out leg and the leg as blue
 // with a heap that watches the entry's memory, at other addresses and at another time. The check
-// takes three seconds for a usual team. A slow team plays shorter legs, so that the check takes at
-// most 20 s of processor time, of all its processes together, and 15 s more to find out why an
-// entry is refused. Only for an entry that takes more than 2 s to load, the check takes longer,
-// since each leg loads the entry. An error means that the check has no answer: the file cannot be
-// read, or the host failed.
+// takes three seconds for a usual team. A team that takes more than 1 ms in a tick plays shorter
+// legs, so that the check takes at most 20 s of processor time, of all its processes together, and
+// 15 s more to find out why an entry is refused. Only for an entry that takes more than 2 s to
+// load, the check takes longer, since each leg loads the entry. An error means that the check has
+// no answer: the file cannot be read, or the host failed.
 Result<EntryReport> check_entry(const std::string& path, const EntryTerms& terms,
                                 const OnCheck& on_check = {}, const OnStep& on_step = {});
 

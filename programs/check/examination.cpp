@@ -42,11 +42,9 @@ Result<std::string> mistake_in_memory(Examination& e, const TrialTerms& terms,
   MIROCUP_TRY(const auto again, play(e, careful));
   evidence.requests = again.requests;
   e.requests += again.requests;
-  if (!again.fault || again.ticks() >= careful.max_ticks) return std::string();
-  return is_memory_mistake(again.fault->fault)
-             ? "; in a second leg, in which mirocup watched the team's memory, " +
-                   again.fault->fault.text
-             : std::string();
+  const bool is_found = again.fault && again.ticks() < careful.max_ticks;
+  if (!is_found || !is_memory_mistake(again.fault->fault)) return std::string();
+  return sentence("watched", again.fault->fault.text);
 }
 
 }  // namespace
@@ -87,12 +85,16 @@ Result<bool> judge(Examination& e, const TrialLeg& leg, const TrialTerms& terms,
 }
 
 TrialTerms trial(const Examination& e, Team team, const plugins::SealedEntry& opponent) {
-  TrialTerms terms;
-  terms.setup = e.setup;
-  terms.opponent = &opponent;
-  terms.team = team;
-  terms.parameters = e.terms.parameters;
-  terms.isolation = e.report.isolation;
+  return {.setup = e.setup,
+          .opponent = &opponent,
+          .team = team,
+          .parameters = e.terms.parameters,
+          .isolation = e.report.isolation};
+}
+
+TrialTerms whole_leg_terms(const Examination& e, Team team) {
+  TrialTerms terms = trial(e, team, *e.striker);
+  terms.setup.seed = team == Team::blue ? 1 : 2;
   return terms;
 }
 
@@ -115,13 +117,24 @@ void note_use(Examination& e, const TrialLeg& leg, const TrialTerms& terms) {
   e.report.peak_memory = std::max(e.report.peak_memory, leg.peak_memory);
   e.report.log = leg.output;
   e.report.unknown_parameters = plugins::not_asked_for(e.terms.parameters, leg.asked_parameters);
-  e.report.bad_values += leg.bad_values;
   e.report.moved_placements += leg.moved_placements;
+  for (const std::size_t kind : {0u, 1u}) {
+    BadSpeeds& all = e.bad_speeds[kind];
+    const BadSpeeds& more = leg.story.bad_speeds[kind];
+    const int count = all.count + more.count;
+    if (all.count == 0) all = more;
+    all.count = count;
+    e.report.bad_values += more.count;
+  }
   if (leg.ticks() == 0 || terms.is_careful) return;  // a careful process takes longer
   e.report.slowest_tick_ms = std::max(e.report.slowest_tick_ms, leg.slowest_tick_ms);
   e.report.mean_tick_ms = 1e3 * leg.playing_seconds / leg.ticks();
   // In a leg of full length the bank's fixed part hardly counts.
   e.report.bank_share = e.report.mean_tick_ms / (1e3 * plugins::Budget().bank_per_tick);
+}
+
+void note(Examination& e, const char* code, const std::string& first, const std::string& second) {
+  e.report.notes.push_back({code, sentence(code, first, second)});
 }
 
 bool is_memory_mistake(const match::Fault& fault) {

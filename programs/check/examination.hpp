@@ -35,11 +35,12 @@ struct Examination {
   std::optional<plugins::SealedEntry> striker{};
   TrialLeg blue{};  // the leg as blue
   TrialLeg knockout{};
-  std::set<MetRestart> restarts{};  // restarts in the legs so far
-  double slept = 0.0;               // the entry's sleep, scaled to a leg of full length, s
-  std::size_t grown = 0;            // largest growth of the entry's memory in a leg, bytes
-  system::Processor needs{};        // as the instructions in the file say
-  std::string requests{};           // lines of ProcessController::requests()
+  std::set<MetRestart> restarts{};        // restarts in the legs so far
+  double slept = 0.0;                     // the entry's sleep, scaled to a leg of full length, s
+  std::size_t grown = 0;                  // largest growth of the entry's memory in a leg, bytes
+  system::Processor needs{};              // as the instructions in the file say
+  std::string requests{};                 // lines of ProcessController::requests()
+  std::array<BadSpeeds, 2> bad_speeds{};  // of all legs: not finite, and too large
   CheckPlan plan{};
   EntryReport report{};
 };
@@ -51,6 +52,11 @@ Result<bool> load_and_answer(Examination& e);
 Result<bool> play_whole_legs(Examination& e);
 Result<bool> play_knockout(Examination& e);
 Result<bool> repeat_elsewhere(Examination& e);
+// Adds the warning of that code, with the values of its sentence.
+void note(Examination& e, const char* code, const std::string& first = "",
+          const std::string& second = "");
+// Adds notes about the play of an entry that has passed.
+Result<void> note_play(Examination& e);
 
 // Calls on_step for the next check.
 void tell_next(const Examination& e);
@@ -61,8 +67,9 @@ bool fail_with(Examination& e, Check failed);  // text and name follow from the 
 // Passes with the text, or fails with the fault of the leg and advice.
 Result<bool> judge(Examination& e, const TrialLeg& leg, const TrialTerms& terms, std::string text);
 
-// The terms of a leg of this entry as `team`.
+// The terms of a leg of this entry as `team`, and those of its whole leg, against striker.
 TrialTerms trial(const Examination& e, Team team, const plugins::SealedEntry& opponent);
+TrialTerms whole_leg_terms(const Examination& e, Team team);
 // The knock-out leg, which has every phase of a match.
 TrialTerms knockout_terms(const Examination& e);
 inline constexpr int repeated_legs = 2;  // the leg as blue, and the knock-out leg

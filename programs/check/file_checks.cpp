@@ -90,16 +90,12 @@ Result<bool> examine_file(Examination& e) {
     return fail_with_advice(e, plugins::advice_on_missing_entry(e.entry->bytes()));
   pass(e, "exports mirocup_entry()");
   if (const std::string tool = sanitizer_of(*library, e.entry->bytes()); !tool.empty())
-    return fail_with(
-        e, {.what = "it was built with -fsanitize=" + tool + ", which a sandbox does not allow",
-            .cure = "hand in a build without it, and play this build with mirocup match "
-                    "--trusted"});
+    return fail_with(e, {.what = sentence("sanitizer", tool), .cure = sentence("no_sanitizer")});
   std::string names;
   for (const std::string& name : library->needed) {
     if (!is_on_this_system(name))
-      return fail_with(
-          e, {.what = "it needs " + system::printable(name) + ", which this system does not have",
-              .cure = "link it statically"});
+      return fail_with(e, {.what = sentence("missing_library", system::printable(name)),
+                           .cure = "link it statically"});
     names += (names.empty() ? "" : ", ") + system::printable(name);
   }
   return pass(e, names.empty() ? "needs no other library" : "needs " + names);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mirocup::app {
 
@@ -13,75 +14,132 @@ namespace {
 // A slower robot stands, or turns in place: m/s, rad/s.
 constexpr double least_speed = 0.03;
 constexpr double least_turn = 0.5;
+// A robot pushes if it is told to drive faster and is nearer to something solid, m/s, m.
+constexpr double least_push = 0.1;
+constexpr double wall_distance = 0.06;
+// The robot nearest to the ball leaves it, m/s.
+constexpr double leaving_speed = 0.1;
+// A habit that was not seen for this many ticks begins anew.
+constexpr std::uint32_t pause = 150;
+constexpr std::size_t told_ticks = 3;
+
+// The scene as it looks from the other end.
+match::Observation turned(match::Observation scene) {
+  scene.ball = -scene.ball;
+  scene.ball_velocity = -scene.ball_velocity;
+  for (auto* robots : {&scene.own, &scene.opponent}) {
+    for (match::ObservedRobot& robot : *robots) robot = match::team_frame(End::right, robot);
+  }
+  return scene;
+}
 
 }  // namespace
 
-void LegWatch::look() {
-  for (int i = 0; i < leg_.field().robots_per_team; ++i) {
-    const auto wheels = leg_.answers()[index_of(team_)].speeds(i);
-    const double faster = std::max(std::abs(wheels.left), std::abs(wheels.right));
-    sums_.fastest_wheel = std::max(sums_.fastest_wheel, faster);
-    if (wheels.left != 0.0) sums_.told_left |= 1U << static_cast<unsigned>(i);
-    if (wheels.right != 0.0) sums_.told_right |= 1U << static_cast<unsigned>(i);
-  }
-  if (leg_.state() == match::State::PLAY) {
-    look_at_robots();
-    look_at_ball();
-  }
-  ball_before_ = leg_.ball();
+void HabitCount::add(std::uint32_t tick, double amount) {
+  sum += amount;
+  if (begun.size() < told_ticks && (begun.empty() || tick > last + pause)) begun.push_back(tick);
+  last = tick;
 }
 
-void LegWatch::look_at_robots() {
-  for (int i = 0; i < leg_.field().robots_per_team; ++i) {
-    const simulator::Twist twist = leg_.robot(team_, i).twist;
-    ++robot_ticks_;
-    if (std::hypot(twist.forward, twist.left) < least_speed) {
-      (std::abs(twist.omega) < least_turn ? sums_.standing : sums_.turning) += 1.0;
-    } else if (twist.forward < -least_speed) {
-      sums_.backwards += 1.0;
-    }
-  }
+double LegStory::of(Habit habit) const {
+  const double all = habit == Habit::own_goal  ? 1.0
+                     : habit == Habit::own_end ? count(Habit::touch).sum
+                                               : static_cast<double>(play_ticks);
+  return all > 0.0 ? count(habit).sum / all : 0.0;
 }
 
-void LegWatch::look_at_ball() {
+void WatchedTeam::post(const match::Observation& observation) {
+  controller_.post(swap_ == Swap::ends ? turned(observation) : observation);
+}
+
+match::Answer WatchedTeam::collect() {
+  match::Answer answer = controller_.collect();
+  auto* const command = std::get_if<match::Command>(&answer);
+  if (command == nullptr) return answer;
+  for (int i = 0; i < leg_.field().robots_per_team; ++i) {
+    auto& wheels = command->wheels[i];
+    note_speed(i, true, wheels.left);
+    note_speed(i, false, wheels.right);
+    if (swap_ == Swap::wheels) std::swap(wheels.left, wheels.right);
+    if (swap_ == Swap::directions) wheels = {-wheels.left, -wheels.right};
+  }
+  if (swap_ == Swap::ends) command->placement.reset();
+  return answer;
+}
+
+void WatchedTeam::note_speed(int robot, bool is_left, double speed) {
+  story_.told_wheels[is_left ? 0 : 1] |= (speed != 0.0 ? 1U : 0U) << static_cast<unsigned>(robot);
+  const double limit = leg_.setup().parameters.wheel_speed_limit;
+  if (std::isfinite(speed))
+    story_.fastest_wheel = std::max(story_.fastest_wheel, std::min(std::abs(speed), limit));
+  if (std::abs(speed) <= limit) return;
+  BadSpeeds& bad = story_.bad_speeds[std::isfinite(speed) ? 1 : 0];
+  if (bad.count++ == 0) bad = {1, robot, is_left, leg_.tick()};
+}
+
+void WatchedTeam::look() {
+  const double ahead = leg_.end_of(team_) == End::left ? 1.0 : -1.0;
+  const double given = ahead * leg_.ball().velocity.x() - ball_speed_;
+  ball_speed_ += given;
+  if (leg_.state() != match::State::PLAY) return;
+  ++story_.play_ticks;
+  look_at_robots();
   const auto touch = leg_.last_touch();
   if (!touch || touch->team != team_) return;
-  const double ahead = leg_.end_of(team_) == End::left ? 1.0 : -1.0;
-  const double given = ahead * (leg_.ball().velocity.x() - ball_before_.velocity.x());
-  (given > 0.0 ? towards_opponent_ : towards_own_) += std::abs(given);
+  see(Habit::touch, std::abs(given));
+  if (given < 0.0) see(Habit::own_end, -given);
 }
 
-LegStory LegWatch::story() const {
-  LegStory story = sums_;
+void WatchedTeam::look_at_robots() {
+  const int robots = leg_.field().robots_per_team;
+  double nearest = 1e9;
+  bool is_leaving = false;
+  for (int i = 0; i < robots; ++i) {
+    const auto robot = leg_.robot(team_, i);
+    const auto wheels = leg_.answers()[index_of(team_)].speeds(i);
+    if (std::hypot(robot.twist.forward, robot.twist.left) < least_speed) {
+      see(std::abs(robot.twist.omega) < least_turn ? Habit::standing : Habit::turning,
+          1.0 / robots);
+    } else if (robot.twist.forward < -least_speed) {
+      see(Habit::backwards, 1.0 / robots);
+    }
+    // It pushes if something solid is near, and keeps it from driving half as fast as commanded.
+    const double told = leg_.setup().parameters.wheel_radius * std::abs(wheels.left + wheels.right);
+    if (told > 2.0 * least_push && 4.0 * std::abs(robot.twist.forward) < told &&
+        leg_.field().clearance(robot.position) < wall_distance)
+      see(Habit::wall, 1.0 / robots);
+    const Vec2 to_ball = leg_.ball().position - robot.position;
+    if (to_ball.norm() >= nearest) continue;
+    nearest = to_ball.norm();
+    is_leaving = robot.velocity().dot(to_ball) < -leaving_speed * nearest;
+  }
+  if (is_leaving) see(Habit::away, 1.0);
+}
+
+LegStory WatchedTeam::story() const {
+  LegStory story = story_;
   story.team = team_;
+  story.minutes = leg_.tick() * leg_.setup().control_period / 60.0;
   const auto score = leg_.snapshot().score;
   story.score = {score[index_of(team_)], score[1 - index_of(team_)]};
   for (const match::LoggedDecision& logged : leg_.decisions()) {
     const auto& credit = logged.credit;
     if (credit && credit->own_goal && credit->scorer && credit->scorer->team == team_)
-      ++story.own_goals;
+      story.habits[static_cast<std::size_t>(Habit::own_goal)].add(logged.tick, 1.0);
   }
-  const auto share = [](double part, double all) { return all > 0.0 ? part / all : 0.0; };
-  const auto all = static_cast<double>(robot_ticks_);
-  story.standing = share(story.standing, all);
-  story.turning = share(story.turning, all);
-  story.backwards = share(story.backwards, all);
-  story.given_speed = towards_own_ + towards_opponent_;
-  story.towards_own_end = share(towards_own_, story.given_speed);
   return story;
 }
 
 std::string text_of(const LegStory& story) {
-  const auto percent = [](double share) { return 100.0 * share; };
-  const std::string own_goals = story.own_goals == 0
-                                    ? ""
-                                    : ", " + std::to_string(story.own_goals) + " own goal" +
-                                          (story.own_goals == 1 ? "" : "s");
+  const int own = static_cast<int>(story.of(Habit::own_goal));
+  const std::string own_goals =
+      own == 0 ? "" : system::formatted(", %d own goal%s", own, own == 1 ? "" : "s");
   return system::formatted(
       "%d : %d against %.40s as %s%s; its robots stood in %.0f %% of play, turned in "
       "place in %.0f %%, drove backwards in %.0f %%",
       story.score[0], story.score[1], story.opponent.c_str(), to_string(story.team).data(),
-      own_goals.c_str(), percent(story.standing), percent(story.turning), percent(story.backwards));
+      own_goals.c_str(), 100.0 * story.of(Habit::standing), 100.0 * story.of(Habit::turning),
+      100.0 * story.of(Habit::backwards));
 }
 
 }  // namespace mirocup::app

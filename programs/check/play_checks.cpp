@@ -40,7 +40,8 @@ std::string milliseconds(double ms) {
 
 // True if a few more ticks can be played before the legs that are repeated.
 bool has_room_for_moment(const Examination& e) {
-  return e.plan.has_room_for(restart_ticks * 1e-3 * e.report.mean_tick_ms, repeated_legs);
+  const double tick = 1e-3 * e.report.mean_tick_ms;
+  return e.plan.has_room_for(restart_ticks * tick, repeated_legs, tick);
 }
 
 // Reckons what a leg of full length would take. The cheapest of the legs counts: what disturbs a
@@ -62,20 +63,16 @@ void note_time(Examination& e, const TrialLeg& leg) {
 bool judge_time(Examination& e) {
   const double most_sleep = plugins::Budget().sleep;
   if (e.slept > most_sleep)
-    return fail_with(
-        e, {.what = system::formatted(
-                "in a leg with halves of %g s it would sleep for %.0f s, and at most %.0f s are "
-                "allowed",
-                e.setup.rules.half_s, e.slept, most_sleep),
-            .cure = "do not sleep or wait in decide()"});
+    return fail_with(e, {.what = sentence("too_much_sleep", seconds(e.slept), seconds(most_sleep)),
+                         .cure = sentence("hang slept")});
   const std::string text = system::formatted(
       "a leg with halves of %g s would take %.1f s of processor time, %.0f %% of the %.1f s that a "
       "team has",
       e.setup.rules.half_s, e.report.leg_seconds, 100.0 * e.report.leg_share,
       e.report.leg_seconds / e.report.leg_share);
   if (e.report.leg_share > refused_leg_share)
-    return fail_with(e, {.what = text,
-                         .cure = e.entry->is_python() ? advice_on_time_in_python : advice_on_time});
+    return fail_with(
+        e, {.what = text, .cure = sentence(e.entry->is_python() ? "python budget" : "budget")});
   return pass(e, text);
 }
 
@@ -137,19 +134,17 @@ Result<bool> load_and_answer(Examination& e) {
   MIROCUP_TRY(const auto first, play(e, terms));
   if (!first.fault && first.ticks() < first_ticks) {
     note_use(e, first, terms);
-    return fail_with(
-        e, {.what = "for a tick it needs " + milliseconds(1e3 * max_first_seconds / first.ticks()) +
-                    " by the clock and " + milliseconds(e.report.mean_tick_ms) +
-                    " of processor time, and it has 1 ms",
-            .cure = "do not sleep or wait in decide()"});
+    const std::string by_clock = milliseconds(1e3 * max_first_seconds / first.ticks());
+    return fail_with(e,
+                     {.what = sentence("one_tick", by_clock, milliseconds(e.report.mean_tick_ms)),
+                      .cure = sentence("hang slept")});
   }
   return judge(e, first, terms, "answers " + std::to_string(first_ticks) + " observations");
 }
 
 Result<bool> play_whole_legs(Examination& e) {
   for (const Team team : both_teams) {
-    TrialTerms terms = trial(e, team, *e.striker);
-    terms.setup.seed = team == Team::blue ? 1 : 2;
+    TrialTerms terms = whole_leg_terms(e, team);
     terms.is_recorded = true;
     terms.max_seconds = e.plan.share_of(team == Team::blue ? 5 : 4);  // two legs, and what follows
     MIROCUP_TRY(auto leg, play(e, terms));
@@ -161,8 +156,8 @@ Result<bool> play_whole_legs(Examination& e) {
     const auto passed =
         judge(e, leg, terms,
               "plays " + seconds(leg.ticks() * e.setup.control_period) + " s of a leg" +
-                  (leg.is_whole ? "" : ", the part for which this check had time") + ": " +
-                  text_of(leg.story));
+                  (leg.is_whole ? "" : ", shortened since it takes more than 1 ms in a tick") +
+                  ": " + text_of(leg.story));
     if (leg.ticks() > 0) e.report.legs.push_back(leg.story);
     if (!passed || !*passed) return passed;
     note_time(e, leg);

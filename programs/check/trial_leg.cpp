@@ -54,68 +54,19 @@ Result<Seats> start_teams(const plugins::SealedEntry& entry, const match::Leg& l
   return seats;
 }
 
-// Returns the time for which this process and those of the teams were runnable without a
-// processor, s.
-double delay_of(const Seats& seats) {
-  double sum = plugins::Child::processor_delay(getpid()).value_or(0.0);
-  for (const auto& seat : seats) sum += seat->processor_delay().value_or(0.0);
-  return sum;
+double own_delay() {
+  return plugins::Child::processor_delay(getpid()).value_or(0.0);
 }
 
-// Measures what a leg uses, as CheckPlan counts it.
-class Meter {
- public:
-  Meter() : own_before_(own_seconds()), delay_before_(own_delay()) {}
-
-  // Returns the processor time of this process and of the teams so far, s.
-  double processor(const Seats& seats) const {
-    return own_seconds() - own_before_ + seats[0]->cpu_seconds() + seats[1]->cpu_seconds();
-  }
-
-  // Returns for how long the entry slept while it was loaded, s. Its teams have just started. All
-  // delays are subtracted, also those at the same time, because a busy machine is not its fault.
-  double slept_to_start(const plugins::ProcessController& own, const Seats& seats) const {
-    return std::max(0.0,
-                    own.start_seconds() - own.cpu_seconds() - (delay_of(seats) - delay_before_));
-  }
-
-  // Returns for how long the entry slept while it played, s. The controller subtracts all delay of
-  // this process, including that of the legs before.
-  double slept(const plugins::ProcessController& own) const {
-    const auto slept = own.slept_seconds();
-    return slept ? std::max(0.0, *slept + delay_before_) : 0.0;
-  }
-
- private:
-  static double own_delay() { return plugins::Child::processor_delay(getpid()).value_or(0.0); }
-  static double own_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  }
-
-  double own_before_;
-  double delay_before_;
-};
-
-int moved_placements(const match::Leg& leg, Team team) {
-  return static_cast<int>(std::count_if(
-      leg.decisions().begin(), leg.decisions().end(), [team](const match::LoggedDecision& logged) {
-        return logged.decision.verdict == referee::Verdict::PLACEMENT_FIXED && logged.team == team;
-      }));
-}
-
-std::set<MetRestart> met_restarts(const match::Leg& leg, Team team) {
-  std::set<MetRestart> met;
-  for (const match::LoggedDecision& logged : leg.decisions())
-    met.insert({logged.decision.restart, logged.taker == team});
-  return met;
+double own_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 }  // namespace
 
 Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms& terms) {
-  const Meter meter;
+  const double own_before = own_seconds();
+  const double delay_before = own_delay();
   match::Leg leg(terms.setup);
   MIROCUP_TRY(const Seats seats, start_teams(entry, leg, terms));
   plugins::ProcessController& own = *seats[index_of(terms.team)];
@@ -130,21 +81,33 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
     fault = std::get<match::Fault>(ready.error());
   }
   const std::size_t memory_at_start = own.peak_memory();
-  const double slept_to_start = meter.slept_to_start(own, seats);
-  const double used_to_start = meter.processor(seats) + slept_to_start;
+  const auto processor = [&] {
+    return own_seconds() - own_before + seats[0]->cpu_seconds() + seats[1]->cpu_seconds();
+  };
+  // The controller subtracts all delay of this process, including that of the legs before.
+  const auto slept = [&] {
+    const auto seconds = own.slept_seconds();
+    return seconds ? std::max(0.0, *seconds + delay_before) : 0.0;
+  };
+  // All delays are subtracted, also those at the same time: a busy machine is not the entry's fault.
+  double delay = own_delay() - delay_before;
+  for (const auto& seat : seats) delay += seat->processor_delay().value_or(0.0);
+  const double slept_to_start = std::max(0.0, own.start_seconds() - own.cpu_seconds() - delay);
+  const double used_to_start = processor() + slept_to_start;
   pace::SteadyWallClock clock;
   const double start = clock.now();
   // An entry that slept has taken at least as long on the clock, so that is looked at first.
   const auto is_over_time = [&] {
-    const double used = meter.processor(seats) - (used_to_start - slept_to_start);
-    return used > terms.max_seconds ||
-           (clock.now() - start > terms.max_seconds && used + meter.slept(own) > terms.max_seconds);
+    const double may_use = CheckPlan::most_use(terms.max_seconds, leg.tick(), terms.is_careful);
+    const double used = own.playing_seconds();
+    return used > may_use || (clock.now() - start > may_use && used + slept() > may_use);
   };
-  LegWatch watch(leg, terms.team);
+  WatchedTeam watched(own, leg, terms.team, terms.swap);
+  match::Controller& other = *seats[1 - index_of(terms.team)];
   const bool has_begun = !fault && terms.max_ticks > 0;
   while (!fault && !leg.is_over() && leg.tick() < terms.max_ticks && !is_over_time()) {
-    leg.advance(*seats[0], *seats[1]);
-    watch.look();
+    terms.team == Team::blue ? leg.advance(watched, other) : leg.advance(other, watched);
+    watched.look();
   }
   if (leg.is_over()) {
     if (leg.outcome().kind == match::OutcomeKind::void_)
@@ -161,18 +124,20 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   played.has_begun = has_begun;
   played.log = leg.log();
   if (leg.is_over() && terms.is_recorded) played.recording = replay::record(leg);
-  played.story = watch.story();
-  played.bad_values = leg.bad_values()[index_of(terms.team)];
-  played.moved_placements = moved_placements(leg, terms.team);
+  played.story = watched.story();
+  for (const match::LoggedDecision& logged : leg.decisions()) {
+    played.restarts.insert({logged.decision.restart, logged.taker == terms.team});
+    played.moved_placements +=
+        logged.team == terms.team && logged.decision.verdict == referee::Verdict::PLACEMENT_FIXED;
+  }
   played.start_seconds = own.start_seconds();
   played.playing_seconds = own.playing_seconds();
   played.slowest_tick_ms = own.slowest_tick_ms();
   played.places = own.placements_asked();
-  played.slept_seconds = meter.slept(own);
-  played.used_seconds = meter.processor(seats) + slept_to_start + played.slept_seconds;
+  played.slept_seconds = slept();
+  played.used_seconds = processor() + slept_to_start + played.slept_seconds;
   played.used_to_start = used_to_start;
   played.is_whole = leg.is_over();
-  played.restarts = met_restarts(leg, terms.team);
   played.memory_at_start = memory_at_start;
   played.peak_memory = own.peak_memory();
   played.output = own.output();

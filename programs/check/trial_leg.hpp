@@ -26,7 +26,10 @@ struct TrialTerms {
   Team team = Team::blue;  // the colour of the entry
   match::TeamParameters parameters;
   std::uint32_t max_ticks = UINT32_MAX;
-  double max_seconds = CheckPlan::longest;  // the leg stops after this use, without loading, s
+  // The entry's share of the processor time of the check, s, without loading. A leg of a team that
+  // is quick enough does not stop there, see CheckPlan::most_use().
+  double max_seconds = CheckPlan::longest;
+  Swap swap = Swap::none;
   plugins::Isolation isolation = plugins::Isolation::T2;
   plugins::Surroundings surroundings;
   bool is_recorded = false;
@@ -41,7 +44,6 @@ struct TrialLeg {
   std::optional<FaultEvidence> fault;
   bool has_begun = false;  // true: the team was asked for its first answer
   std::vector<match::TickLog> log;
-  int bad_values = 0;                          // values of commands that were zeroed or clamped
   int moved_placements = 0;                    // requested places that were not legal
   double start_seconds = 0.0;                  // processor time to load and create the team
   double playing_seconds = 0.0;                // processor time

@@ -23,6 +23,7 @@ struct CheckOptions {
   std::string processor = "x86-64-v3";
   std::vector<std::string> parameters;  // KEY=VALUE
   std::string record_path;              // of a leg against striker; "": none is written
+  bool ladder = false;
   bool json = false;
   std::string answer;  // file for the steps and the report, as JSON lines
 };
@@ -47,16 +48,19 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
     warnings.push_back(note.text);
     notes.push_back({{"code", note.code}, {"text", note.text}});
   }
-  record::Json legs = record::Json::array();
-  for (const LegStory& leg : report.legs) {
-    legs.push_back({{"colour", to_string(leg.team)},
-                    {"opponent", leg.opponent},
-                    {"score", leg.score},
-                    {"own_goals", leg.own_goals},
-                    {"standing", leg.standing},
-                    {"turning", leg.turning},
-                    {"backwards", leg.backwards}});
-  }
+  const auto rows_of = [](const std::vector<LegStory>& legs) {
+    record::Json rows = record::Json::array();
+    for (const LegStory& leg : legs) {
+      rows.push_back({{"colour", to_string(leg.team)},
+                      {"opponent", leg.opponent},
+                      {"score", leg.score},
+                      {"own_goals", static_cast<int>(leg.of(Habit::own_goal))},
+                      {"standing", leg.of(Habit::standing)},
+                      {"turning", leg.of(Habit::turning)},
+                      {"backwards", leg.of(Habit::backwards)}});
+    }
+    return rows;
+  };
   const Check* failure = report.failure();
   const auto of_failure = [failure](std::string Check::*part) {
     return failure == nullptr ? record::Json() : record::Json(failure->*part);
@@ -69,7 +73,9 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
           {"where", of_failure(&Check::where)},
           {"cure", of_failure(&Check::cure)},
           {"checks", checks},
-          {"legs", legs},
+          {"legs", rows_of(report.legs)},
+          {"ladder", rows_of(report.ladder)},
+          {"strength", record::or_null(report.strength.text)},
           {"notes", notes},
           {"isolation", to_string(report.isolation)},
           {"timing",
@@ -116,6 +122,8 @@ void print(const CheckOptions& options, const EntryReport& report) {
         report.mean_tick_ms, report.slowest_tick_ms, report.start_ms,
         static_cast<double>(report.peak_memory) / (1 << 20), to_string(report.isolation).data());
   }
+  for (const LegStory& leg : report.ladder) std::cout << "    " << text_of(leg) << '\n';
+  if (!report.strength.text.empty()) std::cout << "    " << report.strength.text << '\n';
   for (const Note& note : report.notes) std::cout << "    warning: " << note.text << '\n';
   for (const auto& parameter : report.unknown_parameters) {
     std::cout << "    warning: the team did not ask for the parameter " << parameter.first << '\n';
@@ -159,6 +167,7 @@ Result<int> run_check(const CheckOptions& options, const record::WriteAnswer& an
   if (options.half_s) terms.rules.half_s = *options.half_s;
   terms.parameters = parameters;
   terms.processor = *from_string<system::Processor>(options.processor);
+  terms.ladder = options.ladder;
   server::stay_on_this_core();  // the teams and this process take turns
   MIROCUP_TRY(const auto report,
               check_entry(
@@ -167,11 +176,7 @@ Result<int> run_check(const CheckOptions& options, const record::WriteAnswer& an
   MIROCUP_TRY_VOID(write_gate_leg(options, report));
   const record::Json json = to_json(options, report);
   MIROCUP_TRY_VOID(answer(json));
-  if (options.json) {
-    print_json(json);
-  } else {
-    print(options, report);
-  }
+  options.json ? print_json(json) : print(options, report);
   return report.failure() == nullptr ? exit_yes : exit_no;
 }
 
@@ -206,6 +211,7 @@ void add_check(system::Commands& commands) {
   command.option(
       "--record FILE.json", o.record_path,
       "File to write the record of the team's leg against striker to, for mirocup replay");
+  command.flag("--ladder", o.ladder, "Also play two short legs against each house team");
   command.flag("--json", o.json, "Print the report as one JSON object");
   add_answer(command, o.answer);
 }

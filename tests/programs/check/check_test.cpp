@@ -137,6 +137,10 @@ TEST(Check, TellsTheScoreAndTheFourPartsOfAnAnswer) {
   EXPECT_TRUE(played.report["where"].is_null());
   EXPECT_TRUE(played.report["cure"].is_null());
   EXPECT_EQ(played.report["notes"].dump(), "[]");
+  const Examined laddered = check(program("house/chaser.so"), {"--ladder"}, "60");
+  EXPECT_EQ(laddered.report["ladder"].size(), 14u);
+  const std::string strength = laddered.report.value("strength", "");
+  EXPECT_NE(strength.find("`chaser`"), std::string::npos) << strength;
   const Outcome text = run_mirocup({"check", program("house/striker.so"), "--half", "2"});
   EXPECT_NE(text.out.find(" against striker as yellow"), std::string::npos) << text.out;
   const Examined crashed = check(hostile("crash_segv"));
@@ -145,15 +149,6 @@ TEST(Check, TellsTheScoreAndTheFourPartsOfAnAnswer) {
   const Outcome refused = run_mirocup({"check", hostile("crash_segv")});
   for (const char* part : {"\nwhat:  ", "\nwhere: ticks", "\ndo:    ", "\nplays: "})
     EXPECT_NE(refused.out.find(part), std::string::npos) << refused.out;
-}
-
-// Each time, although both legs are played in the same second.
-TEST(Check, RefusesMovesThatDependOnTheTimeOfDay) {
-  for (int i = 0; i < 3; ++i) expect_rejected(hostile("clock_seed"), "repeatable", "tick 25");
-}
-
-TEST(Check, AcceptsATeamThatMeasuresTime) {
-  EXPECT_EQ(check(program("honest/clocks.so")).exit_code, 0);
 }
 
 TEST(Check, ReportsAnErrorForAMissingFile) {

@@ -56,6 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
         REFUSED(writes_freed, "", "that it had freed"), REFUSED(frees_twice, "", "freed twice"),
         REFUSED(heap_not_set, "repeatable", "never written"),
         REFUSED(stack_not_set, "repeatable", "never written"),
+        REFUSED(bool_not_set, "repeatable", "never written"),
         REFUSED(recursion, "ticks", "end of its stack", "recursion"),
         REFUSED(division_by_zero, "ticks", "divided by zero"),
         REFUSED(throws_in_noexcept, "ticks", "std::terminate"), REFUSED(exits, "ticks", "exit()"),
@@ -118,14 +119,17 @@ struct Allowed {
   Mistake mistake;
   const char* name;
   const char* warning;  // "": there is none
+  const char* half = "20";
 };
 
-#define ALLOWED(kind, warning) (Allowed{Mistake::kind, #kind, warning})
+#define ALLOWED(kind, ...) (Allowed{Mistake::kind, #kind, __VA_ARGS__})
 
 class HarmlessTeams : public testing::TestWithParam<Allowed> {};
 INSTANTIATE_TEST_SUITE_P(Kinds, HarmlessTeams,
-                         testing::Values(ALLOWED(none, ""),
-                                         ALLOWED(bad_values, "zeroed or clamped"),
+                         testing::Values(ALLOWED(none, ""), ALLOWED(bad_values, "clamped"),
+                                         ALLOWED(not_finite, "left wheel of robot 1 in tick 20, "),
+                                         ALLOWED(wheels_exchanged, "wheel are exchanged", "60"),
+                                         ALLOWED(wrong_end, "you attack +x in both colours", "60"),
                                          ALLOWED(never_moves, "never turned a wheel"),
                                          ALLOWED(illegal_places, "not legal"),
                                          ALLOWED(one_robot_too_many, "robots are 0 to 2"),
@@ -137,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, HarmlessTeams,
                          [](const auto& c) { return c.param.name; });
 
 TEST_P(HarmlessTeams, AreAccepted) {
-  const Answer examined = check_team_with(GetParam().mistake);
+  const Answer examined = check_team_with(GetParam().mistake, GetParam().half);
   EXPECT_EQ(examined.exit_code, 0) << examined.report["reason"];
   const std::string warnings = examined.report["warnings"].dump();
   if (*GetParam().warning == '\0') {

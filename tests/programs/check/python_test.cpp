@@ -172,7 +172,7 @@ TEST_F(PythonTeams, AreToldThatTheyAttackTheirOwnGoal) {
       {"check",
        file(team_that("return [kick_to(self.setup, now, r, (-self.setup.half_length, 0.0)) "
                       "for r in now.own]")),
-       "--half", "30", "--json"});
+       "--half", "60", "--json"});
   const PythonJson report = PythonJson::parse(outcome.out, nullptr, false);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
   EXPECT_NE(report["notes"].dump().find("you attack +x in both colours"), std::string::npos)

@@ -7,6 +7,7 @@
 #include "mirocup/strategy.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -116,6 +117,9 @@ void Mistakes::use_memory(std::uint32_t tick) {
   volatile std::size_t size = 24;
   auto* block = static_cast<volatile unsigned char*>(std::malloc(size));
   if (mistake_ == Mistake::heap_not_set) chance_ = block[size - 5];
+  // True with all memory but zeros: here it was used before.
+  if (tick > 10 && mistake_ == Mistake::bool_not_set) chance_ = block[size - 5] != 0 ? 5 : 3;
+  block[size - 5] = 1;
   if (tick > 50 && mistake_ == Mistake::writes_behind) block[size] = 0;
   std::free(const_cast<unsigned char*>(block));
   if (tick > 50 && mistake_ == Mistake::writes_freed) block[size - 5] = 1;
@@ -189,6 +193,18 @@ void Mistakes::make_mistake(const Observation& now, Command& command) {
     }
     case Mistake::bad_values:
       command.wheels[0].left = 1e9;
+      return;
+    case Mistake::not_finite:
+      if (now.tick >= 20) command.wheels[1].left = std::sqrt(-1.0 - zero);
+      return;
+    case Mistake::wheels_exchanged:
+    case Mistake::wrong_end:
+      for (int i = 0; i < now.robots; ++i) {
+        const bool is_wrong_end = mistake_ == Mistake::wrong_end;
+        const double goal = is_wrong_end ? -setup().half_length : setup().half_length;
+        const Wheels wheels = kick_to(setup(), now, now.own[i], {goal, 0.0});
+        command.wheels[i] = is_wrong_end ? wheels : Wheels{wheels.right, wheels.left};
+      }
       return;
     case Mistake::never_moves:
       command = {};

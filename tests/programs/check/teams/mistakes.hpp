@@ -28,6 +28,7 @@ enum class Mistake {
   frees_twice,
   heap_not_set,
   stack_not_set,
+  bool_not_set,
   // Ends itself.
   recursion,
   division_by_zero,
@@ -54,6 +55,9 @@ enum class Mistake {
   throws_without_keeper,
   // Harmless ones: allowed, some with a warning.
   bad_values,
+  not_finite,
+  wheels_exchanged,
+  wrong_end,
   never_moves,
   illegal_places,
   tries_a_file,

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+//
+// What the whole legs show of a team that means to play well. Of a team that plays badly the worst
+// leg is begun again, each time with one thing swapped: the swap after which the team plays well
+// names its mistake.
+#include "core/field/field.hpp"
+#include "programs/check/examination.hpp"
+#include "system/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mirocup::app {
+
+namespace {
+
+// A habit, the code of its sentence, the share of it that is told of any team, and the share that is
+// told of a team that loses more than one that stands.
+struct HabitRow {
+  Habit habit;
+  const char* code;
+  double told;
+  double suspected;
+};
+constexpr double never = 1e9;
+constexpr HabitRow habit_rows[] = {
+    {Habit::own_goal, "own_goals", 10.0, 2.0}, {Habit::wall, "wall", 0.5, 0.3},
+    {Habit::own_end, "own_end", never, 0.6},   {Habit::away, "away", never, 0.3},
+    {Habit::standing, "stands", 0.9, 0.6},     {Habit::turning, "turns", 0.6, 0.4},
+    {Habit::backwards, "backwards", 0.8, 0.6}};
+
+constexpr std::pair<Swap, const char*> swap_rows[] = {
+    {Swap::ends, "own_goals"}, {Swap::wheels, "wrong_turn"}, {Swap::directions, "backwards"}};
+// The part of a leg that is played again, ticks, and the least gain by which a swap is told.
+constexpr std::uint32_t swapped_ticks = 4000;
+constexpr double least_gain = 2.0;
+constexpr double least_merit = -3.5;  // a team that stands has -3.7
+constexpr int least_goals = 2;        // or the swap has only made a bad team harmless
+
+// No command turned a wheel faster: it is in m/s and not in rad/s.
+constexpr double told_wheel = 5.0;
+
+// How well a team plays, in goals a minute.
+double merit(const LegStory& leg) {
+  return leg.lead() / std::max(leg.minutes, 0.1) - 4.0 * leg.of(Habit::own_end);
+}
+
+std::string score_of(const LegStory& leg) {
+  return system::formatted("%d : %d as %s", leg.score[0], leg.score[1], to_string(leg.team).data());
+}
+
+std::string text_of(const HabitRow& row, const LegStory& leg) {
+  std::string ticks;
+  for (const std::uint32_t tick : leg.count(row.habit).begun)
+    ticks += (ticks.empty() ? " (from tick " : ", ") + std::to_string(tick);
+  const double unit = row.habit == Habit::own_goal ? 1.0 : 100.0;
+  return sentence(row.code, std::to_string(std::lround(unit * leg.of(row.habit))), ticks + ")");
+}
+
+// Plays the leg again, each time with one thing swapped. Returns the warning if the team then plays
+// well, or "".
+Result<Note> mistake_by_swaps(Examination& e, const LegStory& leg) {
+  Note found;
+  double most = std::max(merit(leg) + least_gain, least_merit);
+  for (const auto& [swap, code] : swap_rows) {
+    TrialTerms terms = whole_leg_terms(e, leg.team);
+    terms.max_ticks = swapped_ticks;
+    terms.swap = swap;
+    MIROCUP_TRY(const auto swapped, play(e, terms));
+    const LegStory& other = swapped.story;
+    if (merit(other) < most || other.score[0] < least_goals) continue;
+    most = merit(other);
+    found = {code, sentence(std::string("swapped ") + code, score_of(other))};
+  }
+  return found;
+}
+
+}  // namespace
+
+Result<void> note_play(Examination& e) {
+  const std::vector<LegStory>& legs = e.report.legs;
+  if (legs.empty() || e.report.failure() != nullptr) return {};
+  const LegStory* worst = &legs.front();
+  std::array<unsigned, 2> told{};
+  double fastest = 0.0;
+  for (const LegStory& leg : legs) {
+    if (leg.lead() < worst->lead()) worst = &leg;
+    for (const std::size_t side : {0u, 1u}) told[side] |= leg.told_wheels[side];
+    fastest = std::max(fastest, leg.fastest_wheel);
+  }
+  if (fastest == 0.0) return note(e, "never_moved"), Result<void>();
+  for (int i = 0; i < field::make_field(e.setup.league).robots_per_team; ++i) {
+    const unsigned bit = 1U << static_cast<unsigned>(i);
+    const char* wheel = (told[0] & bit) != 0   ? "its right"
+                        : (told[1] & bit) != 0 ? "its left"
+                                               : "a";
+    if ((told[0] & told[1] & bit) == 0) note(e, "silent_robot", std::to_string(i), wheel);
+  }
+  if (fastest < told_wheel)
+    return note(e, "slow_wheels", std::to_string(fastest).substr(0, 4)), Result<void>();
+  const bool is_weak =
+      e.report.strength.is_below_idle || strength_of({*worst}, e.setup.league).is_below_idle;
+  if (is_weak || e.report.strength.may_be_idle) {
+    MIROCUP_TRY(Note mistake, mistake_by_swaps(e, *worst));
+    if (!mistake.text.empty()) return e.report.notes.push_back(std::move(mistake)), Result<void>();
+  }
+  std::string causes;
+  for (const HabitRow& row : habit_rows) {
+    if (worst->of(row.habit) < (is_weak ? row.suspected : row.told)) continue;
+    const std::string text = text_of(row, *worst);
+    if (!is_weak) e.report.notes.push_back({row.code, text});
+    causes += (causes.empty() ? ". Likely causes, the first one first: " : "; ") + text;
+  }
+  if (is_weak) note(e, "weak", score_of(*worst), causes);
+  return {};
+}
+
+}  // namespace mirocup::app
