@@ -65,8 +65,8 @@ constexpr const char* a_text =
     "it is not an ELF file but a text: hand in the shared library (.so) that the build made, or a "
     "file of Python with \"from mirocup.team import Team\"";
 
-// Returns what the first kind of other_texts says that begins a line; null if none does. A text that
-// names mirocup as C++ does is a source, whatever its lines begin with.
+// Returns what the first kind of other_texts says that begins a line; null if none does. A text
+// that names mirocup as C++ does is a source, whatever its lines begin with.
 const char* kind_of_text(std::string_view text) {
   for (const char* name : {"mirocup::", "MIROCUP_EXPORT", "mirocup_strategy"}) {
     if (!text.starts_with('<') && text.find(name) != std::string_view::npos)

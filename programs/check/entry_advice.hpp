@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The sentences of a check: remedies for the faults of a team, and warnings. They are in advice.txt.
+// The sentences of a check: remedies for the faults of a team, and warnings. advice.txt has them.
 #pragma once
 
 #include "core/match/controller.hpp"

@@ -15,8 +15,8 @@ namespace mirocup::app {
 
 namespace {
 
-// A habit, the code of its sentence, the share of it that is told of any team, and the share that is
-// told of a team that loses more than one that stands.
+// A habit, the code of its sentence, the share of it that is told of any team, and the share that
+// is told of a team that loses more than one that stands.
 struct HabitRow {
   Habit habit;
   const char* code;

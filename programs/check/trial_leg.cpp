@@ -89,7 +89,8 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
     const auto seconds = own.slept_seconds();
     return seconds ? std::max(0.0, *seconds + delay_before) : 0.0;
   };
-  // All delays are subtracted, also those at the same time: a busy machine is not the entry's fault.
+  // All delays are subtracted, also those at the same time, because a busy machine is not the
+  // entry's fault.
   double delay = own_delay() - delay_before;
   for (const auto& seat : seats) delay += seat->processor_delay().value_or(0.0);
   const double slept_to_start = std::max(0.0, own.start_seconds() - own.cpu_seconds() - delay);

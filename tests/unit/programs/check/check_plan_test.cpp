@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Catches a check that gives a slow team as long legs as a quick one, and one that makes the legs of
-// a quick team shorter on a busy machine.
+// Catches a check that gives a slow team as long legs as a quick one, and one that makes the legs
+// of a quick team shorter on a busy machine.
 #include "programs/check/check_plan.hpp"
 
 #include <gtest/gtest.h>
