@@ -47,12 +47,16 @@ TEST_F(Compile, SaysWhatTheCompilerSays) {
   EXPECT_EQ(wrong.out.find('\x1b'), std::string::npos) << "text of a stranger is escaped";
   EXPECT_NE(wrong.out.find("does not compile"), std::string::npos);
   EXPECT_EQ(compile("int x;\n", "-o.c").exit_code, 0) << "a name is no option";
-  const Outcome header = compile("#include <Eigen/Dense>\n");
-  EXPECT_NE(header.out.find("an archive's files"), std::string::npos) << header.out;
-  const Outcome name = compile("int a = attack_ball();\n");
-  EXPECT_NE(name.out.find("an include is missing"), std::string::npos) << name.out;
-  const Outcome module = compile("#include <vector>\nimport mine;\n");
-  EXPECT_NE(module.out.find("write headers"), std::string::npos) << module.out;
+  for (const auto& [source, told] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"#include <Eigen/Dense>\n", "an archive's files"},
+           {"int a = attack_ball();\n", "an include is missing"},
+           {"#include <vector>\nimport mine;\n", "write headers"},
+           {"\nusing namespace mirocup::strategy;\n",
+            "at line 2; the log has the compiler's words: w"},
+           {"int\xc2\xa0x;\n", "only looks like a blank"}}) {
+    const Outcome outcome = compile(source);
+    EXPECT_NE(outcome.out.find(told), std::string::npos) << outcome.out;
+  }
 }
 
 // Catches an archive whose files, headers or folders are not found, and names that are options.

@@ -200,10 +200,9 @@ void Mistakes::make_mistake(const Observation& now, Command& command) {
     case Mistake::wheels_exchanged:
     case Mistake::wrong_end:
       for (int i = 0; i < now.robots; ++i) {
-        const bool is_wrong_end = mistake_ == Mistake::wrong_end;
-        const double goal = is_wrong_end ? -setup().half_length : setup().half_length;
-        const Wheels wheels = kick_to(setup(), now, now.own[i], {goal, 0.0});
-        command.wheels[i] = is_wrong_end ? wheels : Wheels{wheels.right, wheels.left};
+        const double end = mistake_ == Mistake::wrong_end ? -1.0 : 1.0;
+        const Wheels w = kick_to(setup(), now, now.own[i], {end * setup().half_length, 0.0});
+        command.wheels[i] = end < 0.0 ? w : Wheels{w.right, w.left};
       }
       return;
     case Mistake::never_moves:
