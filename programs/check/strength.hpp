@@ -17,14 +17,15 @@ struct Rung {
   const char* team;
   std::array<double, 3> lead;
 };
-// From the weakest to the strongest.
-inline constexpr std::array<Rung, 7> ladder{{{"idle", {-3.7, -3.0, -3.0}},
-                                             {"keeper", {-0.4, -0.4, -0.4}},
-                                             {"chaser", {-0.3, -0.3, -0.3}},
+// From the weakest to the strongest. The means of six legs with halves of 150 s, without the mercy
+// rule; those of the strongest two in the large league are estimates.
+inline constexpr std::array<Rung, 7> ladder{{{"idle", {-3.6, -3.45, -3.05}},
+                                             {"keeper", {-0.33, -0.3, -0.3}},
+                                             {"chaser", {-0.33, -0.03, -0.59}},
                                              {"striker", {0.0, 0.0, 0.0}},
-                                             {"navigator", {0.35, 0.5, 0.5}},
-                                             {"tactician", {0.7, 0.8, 0.8}},
-                                             {"planner", {2.6, 2.6, 2.6}}}};
+                                             {"navigator", {0.33, 0.33, 0.8}},
+                                             {"tactician", {0.69, 0.4, 1.0}},
+                                             {"planner", {2.97, 2.21, 2.5}}}};
 
 struct Strength {
   std::string text;  // a sentence; "" if the legs are too short to tell
