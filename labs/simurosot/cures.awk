@@ -71,9 +71,10 @@ function take_apart(    rest) {
   } else if (name ~ /^(cout|cin|cerr|endl|string|vector|map|list|deque|set|queue|stack|pair|ifstream|ofstream|sort)$/) {
     say(file, number, "\"" name "\" is a name of the C++ library.",
         "include its header, and write \"using namespace std;\" after the includes.")
-  } else if (!(name in has_no_type)) {
+  } else if (!(name in has_no_type) && !is_undeclared[name]++) {
     say(file, number, "\"" name "\" is not declared.",
-        "write PRELUDE in CMakeLists.txt, and a header with it: one of the team's, or a new one with what the team needs of Windows.")
+        "give after PRELUDE in CMakeLists.txt the team's header that declares it or, for a name of Windows, a new header. If the team should " \
+        "have it and no file here does, a file of the team is missing.")
   }
 }
 

@@ -48,6 +48,7 @@ stand_in_for() {
   afx*.h | atl*.h) echo "$stand_in/afxwin.h" ;;
   ws2*.h | wsock*.h | mswsock.h) echo "$stand_in/winsock2.h" ;;
   new.h) echo "$stand_in/stdafx.h" ;;
+  xutility | xmemory | xlocale | xtree | xhash) echo "$stand_in/xstring" ;;
   win*.h | mm*.h | comm*.h | shell*.h | ole*.h | obj*.h | wtypes.h | tlhelp32.h | psapi.h | share.h | dos.h | values.h | comdef.h | \
     basetsd.h | intrin.h | resource.h) echo "$stand_in/windows.h" ;;
   esac

@@ -389,7 +389,16 @@ TEST(Simurosot, NamesWhatItDoesNotTake) {
       std::getline(lines, line);
       EXPECT_NE(outcome.err.find(line.substr(3)), std::string::npos) << line << '\n' << outcome.err;
     }
+    const std::string once = "is not declared.";
+    EXPECT_EQ(outcome.err.find(once), outcome.err.rfind(once)) << outcome.err;
   }
+}
+
+const std::string classic = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
+
+void copy_classic(const std::string& to, std::initializer_list<const char*> files) {
+  std::filesystem::create_directories(to);
+  for (const char* file : files) write_file(to + "/" + file, read_file(classic + file));
 }
 
 std::string in_lines_of_windows(const std::string& text) {
@@ -411,16 +420,15 @@ std::string in_utf16(const std::string& ascii) {
 // their own, names in another case, texts in GBK, in UTF-16 and with their end marked, a broken
 // file that the project does not compile, a file of parameters that is not there.
 void make_old_folder(const std::string& folder) {
-  const std::string sample = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
-  const std::string header = in_lines_of_windows(read_file(sample + "Strategy.h"));
+  const std::string header = in_lines_of_windows(read_file(classic + "Strategy.h"));
   std::filesystem::create_directories(folder + "/Include");
   std::filesystem::create_directories(folder + "/Tools");
   write_file(folder + "/Strategy.h", header);
   write_file(folder + "/Include/Strategy.h", header + "\r\n");
-  write_file(folder + "/StdAfx.h", read_file(sample + "StdAfx.h"));
+  write_file(folder + "/StdAfx.h", read_file(classic + "StdAfx.h"));
   write_file(folder + "/TEAM.CPP", in_lines_of_windows("// \xd7\xe9\xb3\xc9\xb5\\\n"
                                                        "#include \"Tools\\Log.h\"\n" +
-                                                       read_file(sample + "Strategy.cpp")) +
+                                                       read_file(classic + "Strategy.cpp")) +
                                        "\x1a");
   write_file(folder + "/Tools/Log.h", "void note(int value);\r\r\n#include <stdio.h>\r\r\n");
   write_file(folder + "/Tools/log.cxx",
@@ -511,11 +519,8 @@ TEST(Simurosot, TakesThePlatformsStructuresInANamespaceAndByTheirOlderNames) {
 // The platform's last header: the opponents are called "opp", and the lines of the field are gone.
 TEST(Simurosot, BuildsWithAHeaderThatLacksMembers) {
   const TemporaryFolder folder;
-  const std::string sample = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
-  std::filesystem::create_directories(folder / "old");
-  for (const char* file : {"Strategy.cpp", "StdAfx.h", "StdAfx.cpp"})
-    write_file(folder / "old/" + file, read_file(sample + file));
-  const std::string header = with(read_file(sample + "Strategy.h"), "opponent[", "opp[");
+  copy_classic(folder / "old", {"Strategy.cpp", "StdAfx.h", "StdAfx.cpp"});
+  const std::string header = with(read_file(classic + "Strategy.h"), "opponent[", "opp[");
   write_file(folder / "old/Strategy.h", with(header, "  Bounds fieldBounds, goalBounds;\n", ""));
   const Outcome made =
       run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
@@ -527,12 +532,8 @@ TEST(Simurosot, BuildsWithAHeaderThatLacksMembers) {
 // named, and a prelude that does not reach a source or the adapter.
 TEST(Simurosot, SaysThatAHeaderDoesNotCompileAlone) {
   const TemporaryFolder folder;
-  const std::string sample = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
-  std::filesystem::create_directories(folder / "old");
-  for (const char* file : {"Strategy.cpp", "StdAfx.h", "StdAfx.cpp"}) {
-    write_file(folder / "old/" + file, read_file(sample + file));
-  }
-  const std::string header = read_file(sample + "Strategy.h");
+  copy_classic(folder / "old", {"Strategy.cpp", "StdAfx.h", "StdAfx.cpp"});
+  const std::string header = read_file(classic + "Strategy.h");
   const std::size_t at = header.find("typedef struct");
   write_file(folder / "old/Strategy.h",
              header.substr(0, at) + "extern Vector9 wanted;\n" + header.substr(at));
@@ -559,12 +560,8 @@ TEST(Simurosot, SaysThatAHeaderDoesNotCompileAlone) {
 // names is compiled.
 TEST(Simurosot, CompilesWhatTheProjectNamesThatCounts) {
   const TemporaryFolder folder;
-  const std::string sample = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
   for (const char* where : {"old", "old/Backup"}) {
-    std::filesystem::create_directories(folder / where);
-    for (const char* file : {"Strategy.h", "Strategy.cpp", "StdAfx.h", "StdAfx.cpp"}) {
-      write_file(folder / where + "/" + file, read_file(sample + file));
-    }
+    copy_classic(folder / where, {"Strategy.h", "Strategy.cpp", "StdAfx.h", "StdAfx.cpp"});
     write_file(folder / where + "/Team.dsp",
                "SOURCE=.\\Strategy.cpp\n# End\nSOURCE=.\\Notes.cpp\n");
   }
@@ -594,10 +591,7 @@ TEST(Simurosot, CompilesWhatTheProjectNamesThatCounts) {
 // A team's own structure timezone, beside Visual C++'s variable _timezone.
 TEST(Simurosot, LeavesNamesOfATeamsOwnAlone) {
   const TemporaryFolder folder;
-  const std::string sample = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
-  std::filesystem::create_directories(folder / "old");
-  for (const char* file : {"Strategy.h", "Strategy.cpp", "StdAfx.h", "StdAfx.cpp"})
-    write_file(folder / "old/" + file, read_file(sample + file));
+  copy_classic(folder / "old", {"Strategy.h", "Strategy.cpp", "StdAfx.h", "StdAfx.cpp"});
   write_file(folder / "old/west.cpp",
              "#include <windows.h>\n#include <time.h>\nnamespace Own { struct timezone { int "
              "minutes; }; int west() { return _timezone / 60; } }\n");
@@ -611,10 +605,7 @@ TEST(Simurosot, LeavesNamesOfATeamsOwnAlone) {
 TEST(Simurosot, BoundsLinesAndFiles) {
   const TemporaryFolder folder;
   const std::string old = folder / "old";
-  std::filesystem::create_directories(old);
-  const std::string sample = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
-  for (const char* file : {"Strategy.h", "Strategy.cpp", "StdAfx.h"})
-    write_file(old + "/" + file, read_file(sample + file));
+  copy_classic(old, {"Strategy.h", "Strategy.cpp", "StdAfx.h"});
   int count = 0;
   const auto adopted = [&](const std::string& name, const std::string& text) {
     write_file(old + "/" + name, text);
@@ -652,11 +643,8 @@ TEST(Simurosot, BoundsLinesAndFiles) {
 // Catches a name that a makefile or a template takes for a word of its own.
 TEST(Simurosot, TakesNamesAsTheyAre) {
   const TemporaryFolder folder;
-  const std::string sample = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
-  std::filesystem::create_directories(folder / "old/@STANDARD@");
-  for (const char* file : {"Strategy.h", "StdAfx.h"})
-    write_file(folder / "old/@STANDARD@/" + file, read_file(sample + file));
-  write_file(folder / "old/@STANDARD@/@STYLE@ @SOURCES@.cpp", read_file(sample + "Strategy.cpp"));
+  copy_classic(folder / "old/@STANDARD@", {"Strategy.h", "StdAfx.h"});
+  write_file(folder / "old/@STANDARD@/@STYLE@ @SOURCES@.cpp", read_file(classic + "Strategy.cpp"));
   const Outcome made =
       run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
@@ -677,12 +665,11 @@ TEST(Simurosot, TakesNamesAsTheyAre) {
 // the source, and a project that names files which are not there.
 TEST(Simurosot, SaysWhichOfTwoTeamsItCannotTell) {
   const TemporaryFolder folder;
-  const std::string sample = MIROCUP_SOURCE_FOLDER "/labs/simurosot/samples/classic/";
   for (const char* team : {"blue", "yellow"}) {
     std::filesystem::create_directories(folder / "old/" + team);
     for (const char* file : {"Strategy.h", "Strategy.cpp", "StdAfx.h"}) {
       write_file(folder / "old/" + team + "/" + file,
-                 read_file(sample + file) + "// of " + team + "\nint " + team + "_only;\n");
+                 read_file(classic + file) + "// of " + team + "\nint " + team + "_only;\n");
     }
   }
   const Outcome both =

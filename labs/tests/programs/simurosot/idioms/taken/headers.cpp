@@ -21,6 +21,7 @@
 #include <iostream.h>
 #include <iomanip.h>
 #include <fstream.h>
+#include <xstring>
 #pragma comment(lib, "winmm.lib")
 #pragma warning(disable : 4996)
 #if _MSC_VER > 1000
