@@ -4,26 +4,13 @@
 // page that a phone cannot show, text of a team that becomes markup, and a page that a strange site could use. Then looks at legs
 // as the staff does.
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
 import { after, test } from 'node:test';
 import { copyFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { closeBrowser, folder, mirocup, openPage, run, violations } from './support.js';
+import { closeBrowser, folder, openPage, run, serve, sticksOut, violations } from './support.js';
 
 const league = join(folder, 'handing-in');
-const servers = [];
-let place;  // the address of the server, which one folder has one of
-after(() => {
-  servers.forEach((server) => server.kill('SIGTERM'));
-  return closeBrowser();
-});
-
-async function serve(served = league) {
-  const server = spawn(mirocup, ['league', 'serve', served, '--hand-in']);
-  servers.push(server);
-  const text = await new Promise((resolve) => { server.stdout.once('data', resolve); });
-  return String(text).trim();
-}
+after(closeBrowser);
 
 async function logIn(page, token) {
   await page.fill('#token', token);
@@ -36,11 +23,6 @@ async function handIn(page, path, answer) {
   await page.waitForFunction((text) => document.getElementById('answer').textContent.includes(text), answer);
 }
 
-// Text that is wider than the window would have to be pushed aside with a finger.
-function overflows(page) {
-  return page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth);
-}
-
 // What is wrong with the page in both schemes and widths.
 async function complaints(page) {
   const found = [];
@@ -50,7 +32,7 @@ async function complaints(page) {
       await page.setViewportSize({ width, height: 800 });
       await page.emulateMedia({ colorScheme });
       found.push(...await violations(page));
-      if (await overflows(page)) found.push(`${page.url()} sticks out at ${width} px`);
+      if (await sticksOut(page)) found.push(`${page.url()} sticks out at ${width} px`);
     }
   }
   await page.setViewportSize(size);
@@ -60,7 +42,7 @@ async function complaints(page) {
 test('a student hands in and reads the answer', async () => {
   run('league', 'init', league, '--team', 'alpha=house:chaser', '--team', 'beta=house:keeper', '--half', '2');
   const token = run('league', 'token', league, 'alpha').trim();
-  place = await serve();
+  const { place } = await serve(league, '--hand-in');
   const good = join(folder, '<img src=x>.so');
   copyFileSync(join(process.env.MIROCUP_BUILD, 'house', 'striker.so'), good);
   const bad = join(folder, 'notes.txt');
@@ -127,7 +109,7 @@ test('the staff sees what both teams drew, a team only what it drew itself', asy
   run('league', 'start', thinking);
   const staff = run('league', 'token', thinking, '--staff').trim();
   const own = run('league', 'token', thinking, 'alpha').trim();
-  const server = await serve(thinking);
+  const { place: server } = await serve(thinking, '--hand-in');
   const whose = (page) => page.evaluate(() => {
     const { own = {} } = JSON.parse(document.getElementById('leg').textContent);
     return Object.keys(own).filter((team) => own[team].thoughts).sort();

@@ -7,7 +7,7 @@ import http from 'node:http';
 import { after, test } from 'node:test';
 import { readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { closeBrowser, folder, mirocup, openPage, readJson, run } from './support.js';
+import { closeBrowser, folder, mirocup, openPage, readJson, run, serve } from './support.js';
 
 const title = '<img src=x onerror="document.title=\'written by a host\'">';
 
@@ -24,17 +24,7 @@ function make(name, half, house) {
   return place;
 }
 
-const servers = [];
-async function serve(league) {
-  const server = spawn(mirocup, ['league', 'serve', league]);
-  servers.push(server);
-  const text = await new Promise((resolve) => { server.stdout.once('data', resolve); });
-  return String(text).trim();
-}
-after(() => {
-  servers.forEach((server) => server.kill('SIGTERM'));
-  return closeBrowser();
-});
+after(closeBrowser);
 
 // Sends the path unchanged, without the normalisation of a URL.
 function get(place, path, method = 'GET') {
@@ -49,7 +39,7 @@ function get(place, path, method = 'GET') {
 
 test('a page that is open follows the league, and a leg can be watched while it is played', async () => {
   const league = make('long', 36000, ['chaser', 'chaser', 'chaser']);  // too long to end before a slow browser finds it
-  const place = await serve(league);
+  const { place } = await serve(league);
   assert.match(place, /^http:\/\/127\.0\.0\.1:/, 'this host only');
   const page = await openPage(place);
   const playing = spawn(mirocup, ['league', 'start', league, '--watch', '--jobs', '1'], { stdio: 'ignore' });
@@ -80,7 +70,7 @@ test('a page that is open follows the league, and a leg can be watched while it 
 test('what is served is what is published, and nothing else', async () => {
   const league = make('short', 1, ['striker', 'chaser', 'keeper']);
   run('league', 'start', league);
-  const place = await serve(league);
+  const { place } = await serve(league);
   const leg = readJson(join(league, 'site', 'legs.json')).legs[0];
   const replay = readFileSync(join(league, 'site', leg.replay), 'utf8');
   rmSync(join(league, 'site', 'replays'), { recursive: true });  // the server makes pages that were not published

@@ -7,7 +7,7 @@ import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { closeBrowser, folder, inAllViews, match, openPage, readJson, run, violations } from './support.js';
+import { closeBrowser, folder, inAllViews, match, openPage, readJson, run, sticksOut, violations } from './support.js';
 
 after(closeBrowser);
 
@@ -151,7 +151,7 @@ test('everything can be read and reached, at 1280 and 390 px', options, async ()
     await page.check('#zones');
     await page.keyboard.press('.');
     assert.deepEqual(await violations(page), [], how);
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth), false, how);
+    assert.equal(await sticksOut(page), false, how);
     assert.deepEqual(page.problems, []);
   });
   const html = readFileSync(join(place, 'index.html'), 'utf8');
@@ -181,7 +181,7 @@ test('a replay is played on in its page, and what comes of it is reproduced', op
     assert.match(run('verify', path), /reproduced/);
     assert.equal(readJson(path).from.tick, 151);
     assert.deepEqual(await violations(page), []);
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth), false);
+    assert.equal(await sticksOut(page), false);
     await page.keyboard.press('p');
     assert.match(await page.textContent('#time'), /tick 151/);
     assert.deepEqual(page.problems, []);

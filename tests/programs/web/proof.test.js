@@ -6,10 +6,9 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { existsSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { gunzipSync, gzipSync } from 'node:zlib';
-import { closeBrowser, folder, match, mirocup, openPage, readJson, run, violations } from './support.js';
+import { closeBrowser, folder, match, openPage, readJson, run, serve, sticksOut, violations } from './support.js';
 
 after(closeBrowser);
 
@@ -25,6 +24,15 @@ async function prove(page) {
   return page.textContent('#proof_found');
 }
 
+// Changes a wheel of blue's robot 0 from that tick on, in a file with a leg's commands.
+function changeWheel(file, tick) {
+  writeFileSync(file, readFileSync(file, 'utf8').replace(/("replay":")([^"]+)"/, (all, key, packed) => {
+    const plain = gunzipSync(Buffer.from(packed, 'base64'));
+    plain[16 + 2 * tick] ^= 8;
+    return `${key}${gzipSync(plain).toString('base64')}"`;
+  }));
+}
+
 test('a page proves its leg, and a page without a proof is smaller', options, async () => {
   const path = join(folder, 'proved.html');
   run('replay', record, '-o', path);
@@ -35,7 +43,7 @@ test('a page proves its leg, and a page without a proof is smaller', options, as
     assert.match(told, new RegExp(`Reproduced: all ${ticks} ticks.*found here: ${hash}.*of the record: ${hash}`));
     assert.deepEqual(page.problems, []);
     assert.deepEqual(await violations(page), []);
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth), false);
+    assert.equal(await sticksOut(page), false);
     await page.close();
   }
   const bare = join(folder, 'bare.html');
@@ -47,12 +55,7 @@ test('a page proves its leg, and a page without a proof is smaller', options, as
 test('a changed command is found with its tick', options, async () => {
   const path = join(folder, 'changed.html');
   run('replay', record, '-o', path);
-  const html = readFileSync(path, 'utf8').replace(/("replay":")([^"]+)"/, (all, key, packed) => {
-    const plain = gunzipSync(Buffer.from(packed, 'base64'));
-    plain[16 + 2 * 100] ^= 8;  // a wheel of blue's robot 0 from tick 100 on
-    return `${key}${gzipSync(plain).toString('base64')}"`;
-  });
-  writeFileSync(path, html);
+  changeWheel(path, 100);
   const page = await openPage(`file://${path}`);
   assert.match(await prove(page), /Differs from tick 10[0-9] on: the state differs/);
   await page.click('#proof_found button');
@@ -85,13 +88,6 @@ function playLeague(name, more = {}) {
 const names = (place) => (existsSync(place) ? readdirSync(place).sort() : []);
 const legs = ['r1-f1-1-1', 'r1-f1-2-1'];
 
-// Starts `league serve`, and returns {url, stop}.
-async function served(place) {
-  const child = spawn(mirocup, ['league', 'serve', place]);
-  const url = await new Promise((resolve) => { child.stdout.on('data', (text) => resolve(String(text).trim())); });
-  return { url, stop: () => child.kill() };
-}
-
 test('pages of a league are proved by files beside them, from disk and from a server', options, async () => {
   const place = playLeague('proofs');
   const site = join(place, 'site');
@@ -113,27 +109,23 @@ test('pages of a league are proved by files beside them, from disk and from a se
     }
   };
   await expectProof(`file://${site}/replays/${legs[1]}.html`);
-  let host = await served(place);
-  await expectProof(`${host.url}replays/${legs[1]}.html`);
-  host.stop();
+  let host = await serve(place);
+  await expectProof(`${host.place}replays/${legs[1]}.html`);
+  host.server.kill();
   const before = readFileSync(join(site, `replays/${legs[0]}.html`));
   rmSync(site, { recursive: true });
-  host = await served(place);  // nothing is on disk: pages, commands and module are made when they are asked for
-  await expectProof(`${host.url}replays/${legs[1]}.html`);
-  const missing = await fetch(`${host.url}module/0123456789abcdef.js`);
+  host = await serve(place);  // nothing is on disk: pages, commands and module are made when they are asked for
+  await expectProof(`${host.place}replays/${legs[1]}.html`);
+  const missing = await fetch(`${host.place}module/0123456789abcdef.js`);
   assert.equal(missing.status, 404);
-  host.stop();
+  host.server.kill();
   run('league', 'publish', place);
   assert.deepEqual(readFileSync(join(site, `replays/${legs[0]}.html`)), before);
   assert.deepEqual(names(join(site, 'module')), modules);
 
   // A command that was changed is found, and a file that is away is told.
   const file = join(site, `replays/${legs[1]}.proof.js`);
-  writeFileSync(file, readFileSync(file, 'utf8').replace(/("replay":")([^"]+)"/, (all, key, packed) => {
-    const plain = gunzipSync(Buffer.from(packed, 'base64'));
-    plain[16 + 2 * 50] ^= 8;
-    return `${key}${gzipSync(plain).toString('base64')}"`;
-  }));
+  changeWheel(file, 50);
   let page = await openPage(`file://${site}/replays/${legs[1]}.html`);
   assert.match(await prove(page), /Differs from tick 5[0-9] on/);
   await page.close();
@@ -154,8 +146,7 @@ test('a host who says no has pages without a proof', options, async () => {
   const place = playLeague('private', { proofs: false });
   assert.deepEqual(names(join(place, 'site/replays')), legs.flatMap((leg) => [`${leg}.html`, `${leg}.league.json`]));
   assert.deepEqual(names(join(place, 'site/module')), []);
-  const host = await served(place);
-  assert.equal((await fetch(`${host.url}replays/${legs[0]}.proof.js`)).status, 404);
-  assert.equal((await (await fetch(`${host.url}replays/${legs[0]}.html`)).text()).includes('id="prove"'), false);
-  host.stop();
+  const host = await serve(place);
+  assert.equal((await fetch(`${host.place}replays/${legs[0]}.proof.js`)).status, 404);
+  assert.equal((await (await fetch(`${host.place}replays/${legs[0]}.html`)).text()).includes('id="prove"'), false);
 });

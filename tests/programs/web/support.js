@@ -44,6 +44,16 @@ export function watched(...more) {
   return { url, ended, child };
 }
 
+const servers = [];
+
+// Starts `league serve` and returns its address and its process, which ends with the tests at the latest.
+export async function serve(league, ...more) {
+  const server = spawn(mirocup, ['league', 'serve', league, ...more]);
+  servers.push(server);
+  const text = await new Promise((resolve) => { server.stdout.once('data', resolve); });
+  return { place: String(text).trim(), server };
+}
+
 // ms; a browser on a busy machine may be slow.
 const patience = 300_000;
 
@@ -61,7 +71,9 @@ export async function openPage(url, viewport = { width: 1280, height: 800 }, mor
   return page;
 }
 
+// Ends all that this file has started.
 export async function closeBrowser() {
+  servers.forEach((server) => server.kill('SIGTERM'));
   await browser?.close();
 }
 
@@ -70,6 +82,11 @@ export async function violations(page) {
   await page.evaluate(readFileSync(modules.resolve('axe-core/axe.min.js'), 'utf8'));
   const found = await page.evaluate(async () => (await globalThis.axe.run(document, { preload: false })).violations);
   return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(' ')).slice(0, 5).join(', ')}`);
+}
+
+// Text that is wider than the window would have to be pushed aside with a finger.
+export function sticksOut(page) {
+  return page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth);
 }
 
 // Calls `check(page, how)` with the page in each width and each scheme that people use. No width of a page depends on its scheme.
