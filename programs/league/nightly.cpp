@@ -233,6 +233,7 @@ void add_nightly(system::Commands& commands) {
       {"mirocup league nightly spring",
        "mirocup league nightly spring --on-night ./mail --address https://league.example/"});
   command.jobs(o.play.jobs, "legs played");
+  add_nat(command, o.play);
   command.flag("--another", o.another, "Play a further night on the same day");
   command.option("--on-night PROGRAM", o.on_night,
                  "Program to start once after the night; its argument is the folder of the night's "

@@ -30,6 +30,12 @@ static Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
     return PlayedLeague{runner.state(), runner.refused()};
   };
   MIROCUP_TRY_VOID(expect_program(store, record::this_software()));
+  const Folder& folder = store.folder();
+  if (terms.nat && !files.exists(folder.credentials() + "/server")) {
+    return fail(Errc::input, "--nat: without credentials anybody could join for a team: mirocup "
+                             "league credentials " +
+                                 folder.path + " makes them");
+  }
   MIROCUP_TRY_VOID(record::keep_module(files, store.folder().path));
   if (terms.engine == "slurm") {
     SlurmRunner runner(files, std::move(store), progress);
@@ -37,6 +43,11 @@ static Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
   }
   Runner runner(files, std::move(store), progress);
   return end_of(runner, runner.run(terms));
+}
+
+void add_nat(const system::Command& command, PlayTerms& terms) {
+  command.flag("--nat", terms.nat,
+               "Answer teams over DDS where their packets come from; needs credentials");
 }
 
 Result<PlayedLeague> play_and_publish(system::Files& files, LeagueStore store,

@@ -28,6 +28,9 @@ struct PlayTerms : RunOptions {
   std::string engine = "local";  // "local" or "slurm"
 };
 
+// Adds the option --nat.
+void add_nat(const system::Command& command, PlayTerms& terms);
+
 // A league after play_and_publish().
 struct PlayedLeague {
   LeagueState state;

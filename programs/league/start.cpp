@@ -74,6 +74,7 @@ void add_start(system::Commands& commands) {
               "DDS domain for legs on this host with a team that plays over DDS")
       .between(0, 230)
       .shows_default();
+  add_nat(command, o.play);
 }
 
 void add_stop(system::Commands& commands) {

@@ -166,10 +166,11 @@ Result<void> Runner::start_leg(Worker& worker) {
   const int tag = static_cast<int>(&worker - workers_.data());
   auto command = leg_command(recorder_.folder(), state(), leg, match_id);
   add_network(command, "server");
+  const auto& teams = state().file.teams;
+  if (options_.nat && (teams[blue].over_dds || teams[yellow].over_dds)) command.push_back("--nat");
   command.insert(command.end(), {"--answer", leg_answer(recorder_.folder(), leg)});
   if (options_.watched) {
     command.insert(command.end(), {"--watch", "127.0.0.1:0"});
-    const auto& teams = state().file.teams;
     if (!teams[blue].lives_by_the_clock() && !teams[yellow].lives_by_the_clock())
       command.insert(command.end(), {"--speed", "max"});
   }

@@ -24,6 +24,7 @@ struct RunOptions {
   int jobs = 0;          // 0: one for each processor
   bool watched = false;  // true: each leg opens a live page on this host
   int dds_domain = 0;    // the DDS domain of legs with teams over DDS
+  bool nat = false;      // true: a match answers teams over DDS where their packets come from
 };
 
 // Returns a sentence for the host if `jobs` legs at once may take more memory than `available`,
