@@ -52,7 +52,8 @@ TEST(FileLock, RefusesLinksAndPipes) {
   const TemporaryFolder folder;
   write_text(folder / "precious", "precious");
   std::filesystem::create_symlink(folder / "precious", folder / "link");
-  std::filesystem::create_hard_link(folder / "precious", folder / "second_name");
+  write_text(folder / "first_name", "precious");
+  std::filesystem::create_hard_link(folder / "first_name", folder / "second_name");
   ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
   for (const char* name : {"link", "second_name", "pipe"}) {
     EXPECT_FALSE(FileLock::try_acquire(folder / name)) << name;
