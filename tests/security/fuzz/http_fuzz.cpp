@@ -27,7 +27,7 @@ league::Portal& desk() {
   static const auto portal = [] {
     league::PortalOptions options;
     options.team_header = "x-team";
-    options.terms = [](const std::string&, const std::string&) { return HandInTerms(); };
+    options.terms = [](const std::string&, const std::string&) { return league::HandInTerms(); };
     options.legs = [](league::Viewer, const std::string&) { return std::vector<league::OwnLeg>(); };
     options.statistics = [](const std::string&) { return std::string(); };
     options.friendlies = {
