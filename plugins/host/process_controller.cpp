@@ -260,6 +260,7 @@ double ProcessController::seconds_without_delay(WallClock::time_point begin,
 template <class Done>
 std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
                                               std::optional<WallClock::time_point> until) {
+  auto looked = WallClock::now();  // the job may be stopped anywhere in the loop
   while (true) {
     if (done()) break;
     in_->is_awaited.store(1, std::memory_order_seq_cst);
@@ -267,9 +268,9 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
     if (done()) break;
     std::chrono::nanoseconds pause = slice;
     if (until) pause = std::clamp<std::chrono::nanoseconds>(*until - WallClock::now(), {}, slice);
-    const auto start = WallClock::now();
     wait_for_word(seen, pause);
-    forgive_absence(seconds_since(start));
+    forgive_absence(seconds_since(looked));
+    looked = WallClock::now();
     if (done()) break;
     if (const auto status = child_.exit_status()) return answer_to_exit(*status);
     if (is_stuck_in_its_report()) {

@@ -3,7 +3,7 @@
 
 static void misbehave(mirocup_command* command) {
   (void)command;
-  volatile char* block = malloc(4 << 20);
+  volatile char* block = malloc(2 << 20);
   if (block == 0) return;
-  for (int k = 0; k < 4 << 20; k += 4096) block[k] = 1;
+  for (int k = 0; k < 2 << 20; k += 4096) block[k] = 1;
 }
