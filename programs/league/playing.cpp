@@ -32,9 +32,10 @@ static Result<PlayedLeague> play_league(system::Files& files, LeagueStore store,
   MIROCUP_TRY_VOID(expect_program(store, record::this_software()));
   const Folder& folder = store.folder();
   if (terms.nat && !files.exists(folder.credentials() + "/server")) {
-    return fail(Errc::input, "--nat: without credentials anybody could join for a team: mirocup "
-                             "league credentials " +
-                                 folder.path + " makes them");
+    return fail(Errc::input,
+                "--nat: without credentials anybody could join for a team: mirocup "
+                "league credentials " +
+                    folder.path + " makes them");
   }
   MIROCUP_TRY_VOID(record::keep_module(files, store.folder().path));
   if (terms.engine == "slurm") {
