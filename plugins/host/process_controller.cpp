@@ -269,8 +269,7 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
     std::chrono::nanoseconds pause = slice;
     if (until) pause = std::clamp<std::chrono::nanoseconds>(*until - WallClock::now(), {}, slice);
     wait_for_word(seen, pause);
-    forgive_absence(seconds_since(looked));
-    looked = WallClock::now();
+    forgive_absence(seconds_since(std::exchange(looked, WallClock::now())));
     if (done()) break;
     if (const auto status = child_.exit_status()) return answer_to_exit(*status);
     if (is_stuck_in_its_report()) {
