@@ -155,14 +155,17 @@ class Point(namedtuple("Point", "x y")):
 
 
 def dot(a, b):
+    """Returns the dot product of two vectors."""
     return a[0] * b[0] + a[1] * b[1]
 
 
 def length(a):
+    """Returns the length of a vector."""
     return math.sqrt(dot(a, a))
 
 
 def unit(a):
+    """Returns the vector with the length 1; (1, 0) for one without a length."""
     l = length(a)
     return Point(a[0] / l, a[1] / l) if l > 0.0 else Point(1.0, 0.0)
 
@@ -172,10 +175,12 @@ def ball(now):
 
 
 def ball_velocity(now):
+    """Returns the velocity of the ball, m/s."""
     return Point(now.ball_vx, now.ball_vy)
 
 
 def position(robot):
+    """Returns the place of a robot, m."""
     return Point(robot.x, robot.y)
 
 

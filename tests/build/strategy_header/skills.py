@@ -16,8 +16,9 @@ header = re.sub(r"\s+", " ", open(root + "/plugins/include/mirocup/skills.h").re
 returned = {"double": float, "int32_t": bool, "void": None, "mirocup_wheels": m.Wheels, "mirocup_point": m.Point, "mirocup_pose": m.Pose,
             "mirocup_robot": m.Robot, "mirocup_ball": m.Ball, "mirocup_shot": m.Shot, "mirocup_crossing": m.Crossing,
             "mirocup_interception": m.Interception}
-# Python makes these arrays itself, or changes a command by returning another one.
-different = {"follow_field", "cheapest_robot", "assign_places", "out_of_reach", "keep_laws", "avoid_own_goals", "spare_keeper"}
+# Python computes these itself, makes these arrays itself, or changes a command by returning another one.
+different = {"wrapped", "dot", "length", "unit", "position", "ball_velocity",
+             "follow_field", "cheapest_robot", "assign_places", "out_of_reach", "keep_laws", "avoid_own_goals", "spare_keeper"}
 failures = []
 
 
