@@ -31,7 +31,7 @@ struct TrialTerms {
   double max_seconds = CheckPlan::longest;
   Swap swap = Swap::none;
   plugins::Isolation isolation = plugins::Isolation::T2;
-  plugins::Surroundings surroundings;
+  plugins::Surroundings surroundings = {};
   bool is_recorded = false;
   bool is_careful = false;  // true: played by mirocup-careful-host
 };
