@@ -13,7 +13,7 @@
 //       json.expect_object({"schema", "seed", "league", "shares"});
 //       json.expect_schema("mirocup/limits/1");
 //       json.read_if_present("seed", limits.seed);
-//       limits.league = json.at("league").as<League>();
+//       limits.league = json.at("league").as<RobotLeague>();
 //       for (const JsonReader& share : json.at("shares").elements(1, 16)) {
 //         limits.shares.push_back(share.number(0.0, 1.0));
 //       }

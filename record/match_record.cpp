@@ -28,7 +28,7 @@ constexpr bool has_names_up_to(E last, std::string_view name) {
   return enum_names<E>.size() == static_cast<std::size_t>(last) + 1 && to_string(last) == name;
 }
 static_assert(has_names_up_to(Team::yellow, "yellow"));
-static_assert(has_names_up_to(League::large, "large"));
+static_assert(has_names_up_to(RobotLeague::large, "large"));
 static_assert(has_names_up_to(TeamKind::firasim, "firasim"));
 static_assert(has_names_up_to(referee::Stage::knockout, "knockout"));
 static_assert(has_names_up_to(referee::Verdict::MATCH_END, "MATCH_END"));
@@ -214,7 +214,7 @@ match::LoggedDecision read_decision(const JsonReader& json) {
 
 match::Setup read_setup(const JsonReader& json) {
   match::Setup setup;
-  setup.league = json.at("league").name<League>();
+  setup.league = json.at("league").name<RobotLeague>();
   const JsonReader rules = json.at("rules");
   setup.rules = read_rules(rules, setup.league);
   for (const auto& [key, seconds] :

@@ -119,7 +119,7 @@ void read_parameters(const JsonReader& json, Rules& rules) {
       [](const JsonReader& value, auto& member) { read(value, member); });
 }
 
-Rules read_rules(const JsonReader& json, League league) {
+Rules read_rules(const JsonReader& json, RobotLeague league) {
   auto preset = referee::Preset::mirosot;
   if (json.expect_object()) json.read_if_present("preset", preset);
   Rules rules = referee::make_rules(preset, league);
@@ -128,7 +128,7 @@ Rules read_rules(const JsonReader& json, League league) {
 }
 
 Result<Rules> rules_with_changes(Json object, const std::vector<std::string>& changes,
-                                 League league) {
+                                 RobotLeague league) {
   MIROCUP_TRY(const auto changed, with_changes(std::move(object), changes, "--rule"));
   std::optional<JsonProblem> problem;
   const Rules rules = read_rules(JsonReader(changed, "/rules", problem), league);

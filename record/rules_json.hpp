@@ -24,7 +24,7 @@ nlohmann::ordered_json to_json(const referee::Rules& rules);
 
 // Starts from the preset that the object names (default: mirosot), with its values for `league`,
 // and applies the other keys. Complains about an unknown key, a wrong type and a negative number.
-referee::Rules read_rules(const JsonReader& json, League league);
+referee::Rules read_rules(const JsonReader& json, RobotLeague league);
 
 // Applies all keys of the object but "preset" to `rules`.
 void read_parameters(const JsonReader& json, referee::Rules& rules);
@@ -32,6 +32,7 @@ void read_parameters(const JsonReader& json, referee::Rules& rules);
 // Like read_rules(), with changes from a command line: each change is KEY=VALUE with a value in
 // JSON. The error, Errc::input, begins with the JSON pointer: "/rules/half_s: ...".
 Result<referee::Rules> rules_with_changes(nlohmann::ordered_json object,
-                                          const std::vector<std::string>& changes, League league);
+                                          const std::vector<std::string>& changes,
+                                          RobotLeague league);
 
 }  // namespace mirocup::record

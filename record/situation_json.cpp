@@ -131,10 +131,10 @@ simulator::Scene scene_of(const Situation& situation, const field::Field& field)
   const referee::Rules rules = referee::make_rules(referee::Preset::mirosot, situation.league);
   simulator::Scene scene;
   scene.league = situation.league;
-  const referee::Pitch pitch{.field = field,
-                             .rules = rules,
-                             .ball_radius = scene.parameters.ball_radius,
-                             .robot_side = scene.parameters.robot_side};
+  const referee::JudgedField pitch{.field = field,
+                                   .rules = rules,
+                                   .ball_radius = scene.parameters.ball_radius,
+                                   .robot_side = scene.parameters.robot_side};
   const referee::Placement placement = match::placement_of(pitch, situation.start);
   for (const Team team : both_teams) {
     const End end = team == situation.start.left ? End::left : End::right;
@@ -192,7 +192,7 @@ bool is_range(const DrawnJson& json) {
   return json.is_object() && json.size() == 2 && json.contains("from") && json.contains("to");
 }
 
-Result<Situation> draw_once(const DrawnJson& ranges, League league, Random& random,
+Result<Situation> draw_once(const DrawnJson& ranges, RobotLeague league, Random& random,
                             const std::string& path) {
   DrawnJson json{{"schema", "mirocup/situation/1"}, {"league", to_string(league)}};
   const DrawnJson numbers = drawn(ranges, random);
@@ -287,7 +287,7 @@ DrawnJson drawn(const DrawnJson& json, Random& random) {
   return result;
 }
 
-Result<Situation> draw_situation(const DrawnJson& ranges, League league, Random& random,
+Result<Situation> draw_situation(const DrawnJson& ranges, RobotLeague league, Random& random,
                                  const std::string& path) {
   auto situation = draw_once(ranges, league, random, path);
   for (int i = 1; !situation && i < max_draws; ++i) {

@@ -19,7 +19,7 @@ namespace mirocup::record {
 class JsonReader;
 
 struct Situation {
-  League league = League::small;
+  RobotLeague league = RobotLeague::small;
   match::Start start;
 };
 
@@ -46,7 +46,7 @@ nlohmann::ordered_json drawn(const nlohmann::ordered_json& json, Random& random)
 
 // Draws a situation. If bodies overlap, draws again, at most a hundred times. If no draw succeeds,
 // returns the error of the last draw, Errc::input, which names `path`.
-Result<Situation> draw_situation(const nlohmann::ordered_json& ranges, League league,
+Result<Situation> draw_situation(const nlohmann::ordered_json& ranges, RobotLeague league,
                                  Random& random, const std::string& path);
 
 }  // namespace mirocup::record

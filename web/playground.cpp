@@ -42,7 +42,7 @@ Result<std::optional<std::string>> playground_page(system::Files& files) {
   Json data{
       {"module", module_json(*module)}, {"leagues", Json::object()}, {"drills", std::move(drills)}};
   Json pictures = Json::array();
-  for (const League league : {League::small, League::middle, League::large}) {
+  for (const RobotLeague league : {RobotLeague::small, RobotLeague::middle, RobotLeague::large}) {
     const std::string name(to_string(league));
     match::Setup setup;
     setup.league = league;

@@ -38,7 +38,7 @@ struct Dimensions {
 
 constexpr double corner_leg = 0.07;  // in all leagues
 
-// In the order of League.
+// In the order of RobotLeague.
 constexpr std::array<Dimensions, 3> dimensions{{
     {.robots_per_team = 3,
      .half_length = 0.75,
@@ -139,7 +139,7 @@ double Field::clearance(const Vec2& point) const {
   return nearest;
 }
 
-Field make_field(League league) {
+Field make_field(RobotLeague league) {
   const Dimensions& d = dimensions[static_cast<std::size_t>(league)];
   Field f{.league = league,
           .robots_per_team = d.robots_per_team,

@@ -48,7 +48,7 @@ struct GoalPost {
 
 // The dimensions, markings and solid parts of one field. Lengths are in metres.
 struct Field {
-  League league = League::small;
+  RobotLeague league = RobotLeague::small;
   int robots_per_team = 3;
 
   double half_length = 0.0;      // X: goal lines at x = -X and X
@@ -76,6 +76,6 @@ struct Field {
 };
 
 // Returns the field of a league.
-Field make_field(League league);
+Field make_field(RobotLeague league);
 
 }  // namespace mirocup::field

@@ -10,12 +10,13 @@
 
 namespace mirocup {
 
-enum class League { small, middle, large };
+enum class RobotLeague { small, middle, large };
 
 template <>
-inline constexpr std::array<std::string_view, 3> enum_names<League>{"small", "middle", "large"};
+inline constexpr std::array<std::string_view, 3> enum_names<RobotLeague>{"small", "middle",
+                                                                         "large"};
 // Messages to teams hold the numbers of these enumerators.
-static_assert(is_numbered_in_order<League::small, League::middle, League::large>());
+static_assert(is_numbered_in_order<RobotLeague::small, RobotLeague::middle, RobotLeague::large>());
 
 // The number of robots of a team in the largest league. Arrays of robots have this size.
 inline constexpr int max_robots_per_team = 11;

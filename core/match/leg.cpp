@@ -534,8 +534,8 @@ void Leg::give_credit(LoggedDecision& goal) const {
   ++(*goal.score)[index_of(scoring)];
 }
 
-referee::Situation Leg::situation() const {
-  referee::Situation s;
+referee::TickFacts Leg::situation() const {
+  referee::TickFacts s;
   s.duration = setup_.control_period;
   s.ball_before = ball_before_;
   s.ball = world_->ball().position;
@@ -564,7 +564,7 @@ std::optional<Touch> Leg::last_touch() const {
   return Touch{body < robots ? Team::blue : Team::yellow, body % robots};
 }
 
-void Leg::add_touches(const simulator::TickEvents& events, referee::Situation& s) const {
+void Leg::add_touches(const simulator::TickEvents& events, referee::TickFacts& s) const {
   const int ball = world_->robots();
   const auto robot_of = [&](int body) {
     const Team team = body < field_.robots_per_team ? Team::blue : Team::yellow;

@@ -53,7 +53,7 @@ constexpr double control_period_of(referee::Preset preset) {
 
 // Everything that a leg depends on besides the teams.
 struct Setup {
-  League league = League::small;
+  RobotLeague league = RobotLeague::small;
   referee::Rules rules;
   referee::Stage stage = referee::Stage::group;
   std::uint64_t seed = 1;
@@ -144,7 +144,7 @@ class Leg {
 
   const Setup& setup() const { return setup_; }
   const field::Field& field() const { return field_; }
-  const referee::Pitch& pitch() const { return pitch_; }  // on which the leg is judged
+  const referee::JudgedField& pitch() const { return pitch_; }  // on which the leg is judged
 
   // Returns the briefing of the team before the first tick. It points into the leg.
   Briefing briefing(Team team) const;
@@ -182,7 +182,7 @@ class Leg {
   const referee::Decision& restart() const { return restart_; }  // the last restart
   Team taker() const { return team_at(restart_.taker); }         // who takes it
   // The situation that the referee judged in the last tick; nothing if play was stopped then.
-  const std::optional<referee::Situation>& judged() const { return judged_; }
+  const std::optional<referee::TickFacts>& judged() const { return judged_; }
 
   // The answers to the observation of the last tick, which are driven in the next one.
   const ByTeam<DrivenCommand>& answers() const { return answers_; }
@@ -236,12 +236,12 @@ class Leg {
   int body_of(Team team, int robot) const {
     return index_of(team) * field_.robots_per_team + robot;
   }
-  referee::Situation situation() const;
-  void add_touches(const simulator::TickEvents& events, referee::Situation& s) const;
+  referee::TickFacts situation() const;
+  void add_touches(const simulator::TickEvents& events, referee::TickFacts& s) const;
 
   Setup setup_;
   field::Field field_;
-  referee::Pitch pitch_;
+  referee::JudgedField pitch_;
   Random rng_;  // decides every toss and lot
   Team left_ = Team::blue;
   std::optional<Disturbances> disturbances_;     // nothing under exact conditions
@@ -267,7 +267,7 @@ class Leg {
   ByTeam<std::array<Vec2, max_robots_per_team>> velocity_before_;  // field's frame, m/s
   const simulator::TickEvents* events_ = nullptr;
   BallContacts ball_contacts_;
-  std::optional<referee::Situation> judged_;
+  std::optional<referee::TickFacts> judged_;
 
   ByTeam<DrivenCommand> pending_;  // the answers of the last tick, driven in this one
   ByTeam<DrivenCommand> answers_;  // the answers of this tick

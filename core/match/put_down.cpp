@@ -53,7 +53,7 @@ Moved Moved::everything(int robots_per_team) {
   return moved;
 }
 
-referee::Placement put_down(const referee::Pitch& pitch, const referee::Decision& restart,
+referee::Placement put_down(const referee::JudgedField& pitch, const referee::Decision& restart,
                             referee::Roles roles, const referee::Placement& wanted,
                             const Moved& moved, Team left, Disturbances& disturbances) {
   const int robots = pitch.field.robots_per_team;

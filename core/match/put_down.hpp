@@ -22,7 +22,7 @@ struct Moved {
 // Returns where the bodies come to stand. `wanted` must be legal. Each body in `moved` comes to
 // stand off its wanted place by an error that is drawn for it. If the law of the restart does not
 // allow that place, the error is halved until the law does. `left` is the team at the left end.
-referee::Placement put_down(const referee::Pitch& pitch, const referee::Decision& restart,
+referee::Placement put_down(const referee::JudgedField& pitch, const referee::Decision& restart,
                             referee::Roles roles, const referee::Placement& wanted,
                             const Moved& moved, Team left, Disturbances& disturbances);
 

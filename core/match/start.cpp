@@ -32,7 +32,7 @@ referee::Decision restart_of(const Start& start) {
   return decision;
 }
 
-referee::Placement placement_of(const referee::Pitch& pitch, const Start& start) {
+referee::Placement placement_of(const referee::JudgedField& pitch, const Start& start) {
   const referee::Decision restart = restart_of(start);
   referee::Placement placement =
       referee::default_placement(pitch, restart.restart, restart.taker, restart.spot);

@@ -49,6 +49,6 @@ referee::Decision restart_of(const Start& start);
 
 // Returns where all bodies stand at the start. Those that the start does not give stand in the
 // default places of its restart or, if play is on, of a kick-off by the blue team.
-referee::Placement placement_of(const referee::Pitch& pitch, const Start& start);
+referee::Placement placement_of(const referee::JudgedField& pitch, const Start& start);
 
 }  // namespace mirocup::match

@@ -6,7 +6,7 @@
 
 namespace mirocup::referee {
 
-Decision decide(Verdict verdict, Law law, const Situation& s, std::string reason) {
+Decision decide(Verdict verdict, Law law, const TickFacts& s, std::string reason) {
   Decision decision;
   decision.verdict = verdict;
   decision.law = law;
@@ -23,7 +23,7 @@ Decision against(Decision decision, End offender, Restart restart) {
   return decision;
 }
 
-void give_free_ball(const Pitch& pitch, const Vec2& where, Decision& decision) {
+void give_free_ball(const JudgedField& pitch, const Vec2& where, Decision& decision) {
   const Quarter quarter = quarter_of(where);
   const Vec2& mark = pitch.field.free_ball_mark;
   decision.restart = Restart::FREE_BALL;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/referee/decision.hpp"
-#include "core/referee/pitch.hpp"
+#include "core/referee/judged_field.hpp"
 
 #include <string>
 
@@ -12,14 +12,14 @@ namespace mirocup::referee {
 
 // Returns a decision at the end of the situation's tick, with the ball where it is then. It has no
 // team and no restart yet.
-Decision decide(Verdict verdict, Law law, const Situation& situation, std::string reason);
+Decision decide(Verdict verdict, Law law, const TickFacts& situation, std::string reason);
 
 // Returns the decision with `offender` as its team and a restart that the other team takes.
 Decision against(Decision decision, End offender, Restart restart);
 
 // Makes the restart of a decision a free ball in the quarter of the point `where`. Its team stays
 // as it is: a free ball need not be the fault of a team.
-void give_free_ball(const Pitch& pitch, const Vec2& where, Decision& decision);
+void give_free_ball(const JudgedField& pitch, const Vec2& where, Decision& decision);
 
 // Texts for reasons: "3.20" with two decimals, "left robot 2".
 std::string fixed(double value, int decimals);

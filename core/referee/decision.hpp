@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/base/names.hpp"
-#include "core/referee/situation.hpp"
+#include "core/referee/tick_facts.hpp"
 
 #include <array>
 #include <optional>

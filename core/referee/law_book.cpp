@@ -20,7 +20,7 @@ void wait_for_goal(std::optional<Decision> foul, Advantage& advantage, Judgement
 
 // True if the ball, at its present velocity, could cross the goal line of that end within the time
 // of the advantage.
-bool may_come_in(const Pitch& pitch, const Situation& s, End end) {
+bool may_come_in(const JudgedField& pitch, const TickFacts& s, End end) {
   if (s.duration <= 0.0) return false;
   const double out = -attack_sign(end);
   const double distance = pitch.field.half_length + pitch.ball_radius - out * s.ball.x();
@@ -45,7 +45,7 @@ void Judgement::note(Decision noted) {
   notes.push_back(std::move(noted));
 }
 
-Decision advantage_is_over(const Situation& s, Advantage& advantage) {
+Decision advantage_is_over(const TickFacts& s, Advantage& advantage) {
   Decision foul = *std::exchange(advantage.foul, std::nullopt);
   if (advantage.for_s > 0.0) {
     foul.reason += "; no goal came in the " + fixed(advantage.for_s, 2) + " s after it";
@@ -55,7 +55,7 @@ Decision advantage_is_over(const Situation& s, Advantage& advantage) {
   return foul;
 }
 
-Judgement judge_attackers(const Pitch& pitch, const Situation& s,
+Judgement judge_attackers(const JudgedField& pitch, const TickFacts& s,
                           const std::optional<Decision>& goal, LawBook& book) {
   const std::optional<End> goal_at = goal ? std::optional(opposite(*goal->team)) : std::nullopt;
   Judgement judgement;
@@ -71,8 +71,8 @@ Judgement judge_attackers(const Pitch& pitch, const Situation& s,
   return judgement;
 }
 
-Judgement judge_play(const Pitch& pitch, const Situation& s, const std::optional<Decision>& goal,
-                     LawBook& book) {
+Judgement judge_play(const JudgedField& pitch, const TickFacts& s,
+                     const std::optional<Decision>& goal, LawBook& book) {
   Advantage& advantage = book.advantage;
   advantage.for_s += s.duration;
 

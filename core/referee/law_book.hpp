@@ -64,15 +64,15 @@ struct LawBook {
 
 // Judges one tick of play. The book's occupancy is already up to date. `goal` is the goal law's
 // call in this tick, if any; it becomes the decision unless a foul of the attackers cancels it.
-Judgement judge_play(const Pitch& pitch, const Situation& situation,
+Judgement judge_play(const JudgedField& pitch, const TickFacts& situation,
                      const std::optional<Decision>& goal, LawBook& book);
 
 // Judges only the fouls of the attackers, which cancel their goal of the same tick. The first foul
 // is the decision.
-Judgement judge_attackers(const Pitch& pitch, const Situation& situation,
+Judgement judge_attackers(const JudgedField& pitch, const TickFacts& situation,
                           const std::optional<Decision>& goal, LawBook& book);
 
 // Ends the advantage and returns the call of the foul that has waited in it.
-Decision advantage_is_over(const Situation& situation, Advantage& advantage);
+Decision advantage_is_over(const TickFacts& situation, Advantage& advantage);
 
 }  // namespace mirocup::referee

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double more_than_half = 0.5 + 1e-6;
 
-bool stands_in(const Pitch& pitch, const field::Area& area, End end, const Pose& robot) {
+bool stands_in(const JudgedField& pitch, const field::Area& area, End end, const Pose& robot) {
   return field::covered_part(pitch.field, area, end, robot, pitch.robot_side) > more_than_half;
 }
 
-void update_areas(const Pitch& pitch, const Situation& s, Occupancy& occupancy) {
+void update_areas(const JudgedField& pitch, const TickFacts& s, Occupancy& occupancy) {
   occupancy.goal_area = {};
   occupancy.penalty_area = {};
   for (const End owner : both_ends) {
@@ -37,7 +37,7 @@ void update_areas(const Pitch& pitch, const Situation& s, Occupancy& occupancy) 
   }
 }
 
-void update_keepers(const Pitch& pitch, const Situation& s, Occupancy& occupancy) {
+void update_keepers(const JudgedField& pitch, const TickFacts& s, Occupancy& occupancy) {
   for (const End end : both_ends) {
     const int e = index_of(end);
     occupancy.keeper[e].reset();
@@ -56,7 +56,7 @@ void update_keepers(const Pitch& pitch, const Situation& s, Occupancy& occupancy
   }
 }
 
-bool is_shoved(const Pitch& pitch, const Situation& s, const RobotId& robot) {
+bool is_shoved(const JudgedField& pitch, const TickFacts& s, const RobotId& robot) {
   const RobotSet touching = s.touched_opponents[index_of(robot.end)][robot.index];
   if (touching.none()) return false;
   for (int j = 0; j < pitch.field.robots_per_team; ++j) {
@@ -67,7 +67,7 @@ bool is_shoved(const Pitch& pitch, const Situation& s, const RobotId& robot) {
   return false;
 }
 
-void update_shoves(const Pitch& pitch, const Situation& s, Occupancy& occupancy) {
+void update_shoves(const JudgedField& pitch, const TickFacts& s, Occupancy& occupancy) {
   for (const End end : both_ends) {
     for (int i = 0; i < pitch.field.robots_per_team; ++i) {
       double& left = occupancy.excused_s[index_of(end)][i];
@@ -80,7 +80,7 @@ void update_shoves(const Pitch& pitch, const Situation& s, Occupancy& occupancy)
 
 }  // namespace
 
-void update_occupancy(const Pitch& pitch, const Situation& s, Occupancy& occupancy) {
+void update_occupancy(const JudgedField& pitch, const TickFacts& s, Occupancy& occupancy) {
   update_areas(pitch, s, occupancy);
   update_keepers(pitch, s, occupancy);
   update_shoves(pitch, s, occupancy);

@@ -4,8 +4,8 @@
 // and which robots are pushed about by opponents.
 #pragma once
 
-#include "core/referee/pitch.hpp"
-#include "core/referee/situation.hpp"
+#include "core/referee/judged_field.hpp"
+#include "core/referee/tick_facts.hpp"
 
 #include <optional>
 
@@ -30,7 +30,7 @@ struct Occupancy {
 };
 
 // Brings the occupancy up to the end of the situation's tick. Called once a tick, before the laws.
-void update_occupancy(const Pitch& pitch, const Situation& situation, Occupancy& occupancy);
+void update_occupancy(const JudgedField& pitch, const TickFacts& situation, Occupancy& occupancy);
 
 // Returns the robots of `team` in the owner's area, without those that were pushed there. `area` is
 // the occupancy's goal_area or penalty_area.

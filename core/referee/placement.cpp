@@ -190,9 +190,9 @@ constexpr Formations large_formations{
                                  {1.5, -1.0, home}}}},
 };
 
-constexpr const Formations& formations_of(League league) {
-  if (league == League::large) return large_formations;
-  return league == League::middle ? middle_formations : small_formations;
+constexpr const Formations& formations_of(RobotLeague league) {
+  if (league == RobotLeague::large) return large_formations;
+  return league == RobotLeague::middle ? middle_formations : small_formations;
 }
 
 constexpr const Formation& formation_of(const Formations& formations, Restart restart) {
@@ -226,7 +226,8 @@ Pose pose_of(const Stand& stand) {
 
 }  // namespace
 
-Placement default_placement(const Pitch& pitch, Restart restart, End taker, const Vec2& spot) {
+Placement default_placement(const JudgedField& pitch, Restart restart, End taker,
+                            const Vec2& spot) {
   const field::Field& field = pitch.field;
   const Formation& formation = formation_of(formations_of(field.league), restart);
   // A formation shows a free ball in the quarter x > 0, y > 0 with the attacker of that half on the

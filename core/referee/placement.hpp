@@ -11,7 +11,7 @@
 #pragma once
 
 #include "core/referee/decision.hpp"
-#include "core/referee/pitch.hpp"
+#include "core/referee/judged_field.hpp"
 
 #include <array>
 
@@ -29,6 +29,6 @@ struct Placement {
 
 // Returns the default placement of a restart. `spot` chooses the quarter of a free ball; the other
 // restarts have one spot and ignore it.
-Placement default_placement(const Pitch& pitch, Restart restart, End taker, const Vec2& spot);
+Placement default_placement(const JudgedField& pitch, Restart restart, End taker, const Vec2& spot);
 
 }  // namespace mirocup::referee

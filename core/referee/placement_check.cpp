@@ -12,7 +12,7 @@ namespace mirocup::referee {
 namespace {
 
 // True if the taker may put the ball there. Only a kick-off and a goal kick leave a choice.
-bool may_lie(const Pitch& pitch, Restart restart, End taker, const Vec2& ball) {
+bool may_lie(const JudgedField& pitch, Restart restart, End taker, const Vec2& ball) {
   const field::Field& field = pitch.field;
   if (restart == Restart::KICK_OFF) {
     return ball.squaredNorm() <= field.centre_circle_radius * field.centre_circle_radius;
@@ -52,7 +52,7 @@ End first_placer(Restart restart, End taker) {
   return opponents_first ? opposite(taker) : taker;
 }
 
-CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Roles roles,
+CheckedPlacement check_placement(const JudgedField& pitch, const Decision& restart, Roles roles,
                                  const Placement& asked) {
   const End taker = restart.taker;
   const Placement defaults = default_placement(pitch, restart.restart, taker, restart.spot);
@@ -72,8 +72,8 @@ CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Ro
   return granted(placer, ball_is_fine);
 }
 
-CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End team, Roles roles,
-                            const Placement& asked) {
+CheckedPlacement check_turn(const JudgedField& pitch, const Decision& restart, End team,
+                            Roles roles, const Placement& asked) {
   const Placement defaults = default_placement(pitch, restart.restart, restart.taker, restart.spot);
   const bool is_first = team == first_placer(restart.restart, restart.taker);
   // The ball lies where the restart was given, unless the taker may choose and does.
@@ -99,7 +99,7 @@ CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End tea
   return granted(placer, ball_is_fine);
 }
 
-ByEnd<RobotSet> misplaced_robots(const Pitch& pitch, const Decision& restart, Roles roles,
+ByEnd<RobotSet> misplaced_robots(const JudgedField& pitch, const Decision& restart, Roles roles,
                                  const Placement& standing) {
   const End taker = restart.taker;
   const Placement defaults = default_placement(pitch, restart.restart, taker, restart.spot);
@@ -117,14 +117,15 @@ ByEnd<RobotSet> misplaced_robots(const Pitch& pitch, const Decision& restart, Ro
   return placer.moved();
 }
 
-bool may_put_ball(const Pitch& pitch, const Decision& restart, const Vec2& ball) {
+bool may_put_ball(const JudgedField& pitch, const Decision& restart, const Vec2& ball) {
   if (pitch.field.clearance(ball) < pitch.ball_radius) return false;
   const bool has_choice =
       restart.restart == Restart::KICK_OFF || restart.restart == Restart::GOAL_KICK;
   return !has_choice || may_lie(pitch, restart.restart, restart.taker, ball);
 }
 
-std::string reason_of(const Pitch& pitch, const Placement& asked, const CheckedPlacement& checked) {
+std::string reason_of(const JudgedField& pitch, const Placement& asked,
+                      const CheckedPlacement& checked) {
   if (!checked.any_moved()) return "everybody stands where the law of the restart allows it";
   std::string text;
   const auto add = [&text](const std::string& who, const Vec2& from, const Vec2& to,

@@ -27,7 +27,7 @@ struct CheckedPlacement {
 };
 
 // Checks the requests of both teams together.
-CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Roles roles,
+CheckedPlacement check_placement(const JudgedField& pitch, const Decision& restart, Roles roles,
                                  const Placement& asked);
 
 // Checks what one team asks for in its turn. `asked` is a whole placement: the team's robots where
@@ -35,21 +35,22 @@ CheckedPlacement check_placement(const Pitch& pitch, const Decision& restart, Ro
 // In the first team's turn robots of the second team are moved if they stand on a granted place; in
 // the second team's turn the first team's robots stay. The ball may be moved only in the turn of
 // a taker that places first.
-CheckedPlacement check_turn(const Pitch& pitch, const Decision& restart, End team, Roles roles,
-                            const Placement& asked);
+CheckedPlacement check_turn(const JudgedField& pitch, const Decision& restart, End team,
+                            Roles roles, const Placement& asked);
 
 // Returns the fewest robots that would have to be moved so that all stand where they may, with the
 // ball where it lies. So of two robots that are too near to each other only one is named.
-ByEnd<RobotSet> misplaced_robots(const Pitch& pitch, const Decision& restart, Roles roles,
+ByEnd<RobotSet> misplaced_robots(const JudgedField& pitch, const Decision& restart, Roles roles,
                                  const Placement& standing);
 
 // Returns true if the ball may be put at `ball`, m. The place must be clear of the walls and, at a
 // kick-off and a goal kick, one that the taker may choose. At other restarts the caller passes a
 // place near the spot.
-bool may_put_ball(const Pitch& pitch, const Decision& restart, const Vec2& ball);
+bool may_put_ball(const JudgedField& pitch, const Decision& restart, const Vec2& ball);
 
 // Returns a sentence that says which bodies were moved, from where to where, and why. `asked` is
 // the placement that was checked.
-std::string reason_of(const Pitch& pitch, const Placement& asked, const CheckedPlacement& checked);
+std::string reason_of(const JudgedField& pitch, const Placement& asked,
+                      const CheckedPlacement& checked);
 
 }  // namespace mirocup::referee

@@ -16,7 +16,7 @@ constexpr double line_tolerance = 2e-3;  // m, for "touches the line"
 constexpr double mark_tolerance = 0.01;  // m, for "stands on the mark"
 
 // Returns how far the body reaches from its centre along x and along y, m.
-double reach_of(const Pitch& pitch, const Pose& robot) {
+double reach_of(const JudgedField& pitch, const Pose& robot) {
   return pitch.robot_side / 2.0 * (std::abs(robot.heading.cos) + std::abs(robot.heading.sin));
 }
 
@@ -25,11 +25,11 @@ Vec2 seen(End team, const Pose& robot) {
   return team_frame(team, robot.position);
 }
 
-bool in_own_half(const Pitch& pitch, End team, const Pose& robot) {
+bool in_own_half(const JudgedField& pitch, End team, const Pose& robot) {
   return seen(team, robot).x() + reach_of(pitch, robot) <= tolerance;
 }
 
-std::array<Vec2, 4> corners(const Pitch& pitch, const Pose& robot) {
+std::array<Vec2, 4> corners(const JudgedField& pitch, const Pose& robot) {
   const double h = pitch.robot_side / 2.0;
   return {robot.position + robot.heading.to_world({h, h}),
           robot.position + robot.heading.to_world({-h, h}),
@@ -37,7 +37,7 @@ std::array<Vec2, 4> corners(const Pitch& pitch, const Pose& robot) {
           robot.position + robot.heading.to_world({h, -h})};
 }
 
-bool in_own_half_or_circle(const Pitch& pitch, End team, const Pose& robot) {
+bool in_own_half_or_circle(const JudgedField& pitch, End team, const Pose& robot) {
   const double radius = pitch.field.centre_circle_radius + tolerance;
   const auto allowed = [&](const Vec2& p) {
     return team_frame(team, p).x() <= tolerance || p.squaredNorm() <= radius * radius;
@@ -47,7 +47,7 @@ bool in_own_half_or_circle(const Pitch& pitch, End team, const Pose& robot) {
 }
 
 // Tests the point of the robot that is nearest to the centre of the field.
-bool outside_circle(const Pitch& pitch, const Pose& robot) {
+bool outside_circle(const JudgedField& pitch, const Pose& robot) {
   const double h = pitch.robot_side / 2.0;
   const Vec2 centre = robot.heading.to_body(-robot.position);
   const Vec2 nearest{std::clamp(centre.x(), -h, h), std::clamp(centre.y(), -h, h)};
@@ -55,18 +55,18 @@ bool outside_circle(const Pitch& pitch, const Pose& robot) {
   return (centre - nearest).squaredNorm() >= radius * radius;
 }
 
-bool outside_area(const Pitch& pitch, End owner, const Pose& robot) {
+bool outside_area(const JudgedField& pitch, End owner, const Pose& robot) {
   const field::Field& field = pitch.field;
   const field::Area& area = field.penalty_area ? *field.penalty_area : field.goal_area;
   return field::covered_part(field, area, owner, robot, pitch.robot_side) <= tolerance;
 }
 
-bool in_goal_area(const Pitch& pitch, End owner, const Pose& robot) {
+bool in_goal_area(const JudgedField& pitch, End owner, const Pose& robot) {
   const field::Field& field = pitch.field;
   return field::covered_part(field, field.goal_area, owner, robot, pitch.robot_side) > 0.5;
 }
 
-bool outside_quarter(const Pitch& pitch, const Vec2& mark, const Pose& robot) {
+bool outside_quarter(const JudgedField& pitch, const Vec2& mark, const Pose& robot) {
   const Quarter q = quarter_of(mark);
   const double reach = reach_of(pitch, robot) - tolerance;
   return q.x * robot.position.x() <= -reach || q.y * robot.position.y() <= -reach;
@@ -76,7 +76,7 @@ bool near(const Pose& robot, const Pose& place) {
   return (robot.position - place.position).squaredNorm() <= mark_tolerance * mark_tolerance;
 }
 
-bool on_goal_line(const Pitch& pitch, End team, const Pose& robot) {
+bool on_goal_line(const JudgedField& pitch, End team, const Pose& robot) {
   const Vec2 p = seen(team, robot);
   const double gap = p.x() - reach_of(pitch, robot) + pitch.field.half_length;
   return std::abs(gap) <= line_tolerance && std::abs(p.y()) <= pitch.field.goal_half_width;
@@ -97,7 +97,7 @@ bool on_wall_mark(const PlacementRules& rules, End team, const Pose& robot) {
 
 }  // namespace
 
-bool is_inside_walls(const Pitch& pitch, const Pose& robot) {
+bool is_inside_walls(const JudgedField& pitch, const Pose& robot) {
   if (!std::isfinite(robot.position.x()) || !std::isfinite(robot.position.y())) return false;
   if (!std::isfinite(robot.heading.cos) || !std::isfinite(robot.heading.sin)) return false;
   if (pitch.field.clearance(robot.position) < pitch.robot_side / 2.0 - tolerance) return false;

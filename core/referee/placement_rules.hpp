@@ -18,7 +18,7 @@ enum class Roles {
 // The facts on which the rules of a placement depend. Positions are in the field's frame, in
 // metres. Pitch and defaults belong to the caller and outlive this object.
 struct PlacementRules {
-  const Pitch& pitch;
+  const JudgedField& pitch;
   Restart restart = Restart::none;
   End taker = End::left;
   Roles roles = Roles::any;
@@ -27,7 +27,7 @@ struct PlacementRules {
 };
 
 // True if the pose is finite and the robot's whole body is inside the walls.
-bool is_inside_walls(const Pitch& pitch, const Pose& robot);
+bool is_inside_walls(const JudgedField& pitch, const Pose& robot);
 
 // True if the law allows this pose to every robot of the team, whatever its role.
 bool may_stand(const PlacementRules& rules, End team, const Pose& robot);

@@ -94,7 +94,7 @@ class Placer {
                   bool is_special) const;
 
   const PlacementRules& rules_;
-  const Pitch& pitch_;
+  const JudgedField& pitch_;
   Standing standing_;
   ByEnd<RobotSet> moved_;
   ByRobot<Misplaced> why_{};

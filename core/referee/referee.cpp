@@ -26,7 +26,8 @@ bool is_length(double seconds) {
 
 }  // namespace
 
-Referee::Referee(const Pitch& pitch, const LegProgress& progress) : pitch_(pitch), now_(progress) {}
+Referee::Referee(const JudgedField& pitch, const LegProgress& progress)
+    : pitch_(pitch), now_(progress) {}
 
 Decision Referee::opening() const {
   Decision d;
@@ -49,7 +50,7 @@ Decision Referee::opening() const {
   return d;
 }
 
-Judgement Referee::judge(Situation s) {
+Judgement Referee::judge(TickFacts s) {
   s.begin = now_.clock;
   if (s.last_touch) last_touch_ = s.last_touch;
   s.last_touch = last_touch_;
@@ -79,7 +80,7 @@ double Referee::phase_length() const {
 // A goal counts if the ball crossed the line before the end, and a penalty given before the end is
 // still taken. A new foul of the defenders then gives another penalty, but a phase is prolonged by
 // the length of one attempt at most.
-bool Referee::is_time_up(const Situation& s, const std::optional<Decision>& goal) {
+bool Referee::is_time_up(const TickFacts& s, const std::optional<Decision>& goal) {
   const bool prolonged = book_.attempt.is_on;
   if (prolonged) {
     const bool still = is_stalemate(pitch_, book_.stalemate, s.duration);
@@ -93,7 +94,7 @@ bool Referee::is_time_up(const Situation& s, const std::optional<Decision>& goal
   return !goal || goal->clock > phase_length();
 }
 
-Decision Referee::end_of_phase(const Situation& s) {
+Decision Referee::end_of_phase(const TickFacts& s) {
   const Rules& rules = pitch_.rules;
   if (book_.advantage.foul && book_.advantage.foul->verdict == Verdict::PENALTY_KICK) {
     return advantage_is_over(s, book_.advantage);
@@ -122,7 +123,7 @@ Decision Referee::end_of_phase(const Situation& s) {
   return d;
 }
 
-Judgement Referee::judge_attempt(const Situation& s) {
+Judgement Referee::judge_attempt(const TickFacts& s) {
   const std::optional<Decision> goal = judge_goal(pitch_, s);
   Judgement judgement = judge_attackers(pitch_, s, goal, book_);
   // Called for its count only: in an attempt it does not decide.
@@ -142,7 +143,7 @@ Judgement Referee::judge_attempt(const Situation& s) {
   return judgement;
 }
 
-Decision Referee::attempt_over(const Situation& s, bool scored, std::string reason) {
+Decision Referee::attempt_over(const TickFacts& s, bool scored, std::string reason) {
   const End taker = book_.attempt.taker;
   ++now_.shoot_out.taken[index_of(taker)];
   now_.shoot_out.scored[index_of(taker)] += scored ? 1 : 0;
@@ -198,7 +199,7 @@ std::optional<Decision> Referee::end_after(const Decision& decision) {
     return std::nullopt;
   }
   book_.advantage = {};
-  Situation at;
+  TickFacts at;
   at.begin = now_.clock;
   at.ball = decision.ball;
   return end_of_phase(at);

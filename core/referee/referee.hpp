@@ -57,7 +57,7 @@ struct PendingCounts {
 class Referee {
  public:
   // The field and the rules of `pitch` outlive the referee.
-  Referee(const Pitch& pitch, const LegProgress& progress);
+  Referee(const JudgedField& pitch, const LegProgress& progress);
 
   Phase phase() const { return now_.phase; }
   double clock() const { return now_.clock; }  // s, of the current phase
@@ -73,7 +73,7 @@ class Referee {
 
   // Judges one tick of play and advances the clock by it. The referee sets the situation's `begin`
   // and, if nobody touched the ball in this tick, its `last_touch`: the last robot that did.
-  Judgement judge(Situation situation);
+  Judgement judge(TickFacts situation);
 
   // Returns the decision that follows from this one in the same tick: the end of the match after
   // the goal that decides it, the end of a half whose time is over, or a time-out that was asked
@@ -107,17 +107,17 @@ class Referee {
   Decision substitute_in_break(const RobotId& robot) const;
 
  private:
-  Judgement judge_attempt(const Situation& situation);
-  bool is_time_up(const Situation& situation, const std::optional<Decision>& goal);
-  Decision end_of_phase(const Situation& situation);
-  Decision attempt_over(const Situation& situation, bool scored, std::string reason);
+  Judgement judge_attempt(const TickFacts& situation);
+  bool is_time_up(const TickFacts& situation, const std::optional<Decision>& goal);
+  Decision end_of_phase(const TickFacts& situation);
+  Decision attempt_over(const TickFacts& situation, bool scored, std::string reason);
   std::optional<Decision> shoot_out_end(const Decision& attempt) const;
   std::optional<Decision> grant_time_out(const Decision& stoppage);
   std::optional<Decision> end_after(const Decision& decision);
   Decision reject(Law law, End team, std::string reason) const;
   double phase_length() const;
 
-  Pitch pitch_;
+  JudgedField pitch_;
   LegProgress now_;
   LawBook book_;
   std::optional<RobotId> last_touch_;

@@ -33,7 +33,7 @@ void change_to_simurosot(Rules& rules) {
 }
 
 // The calls of VSSReferee. It stops for 4 s before the bodies are placed and for 4 s after that.
-void change_to_vsss(Rules& rules, League league) {
+void change_to_vsss(Rules& rules, RobotLeague league) {
   rules.golden_goal_s = 0.0;
   rules.extra_halves_s = 180.0;
   rules.shoot_out_rounds = 5;
@@ -57,7 +57,7 @@ void change_to_vsss(Rules& rules, League league) {
   rules.kickoff_limit_s = off;
   rules.kickoff_behind = true;
   rules.pa_def_max = 0;
-  if (league == League::small) return;
+  if (league == RobotLeague::small) return;
   rules.half_break_s = 240.0;
   rules.pa_def_max = 4;
   rules.pa_att_max = 3;
@@ -65,7 +65,7 @@ void change_to_vsss(Rules& rules, League league) {
 
 }  // namespace
 
-Rules make_rules(Preset preset, League league) {
+Rules make_rules(Preset preset, RobotLeague league) {
   Rules rules;
   rules.preset = preset;
   if (preset == Preset::simurosot) change_to_simurosot(rules);

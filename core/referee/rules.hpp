@@ -116,7 +116,7 @@ struct Rules {
 };
 
 // Returns the rules of a preset. Some depend on the league (vsss: 3 or 5 a side).
-Rules make_rules(Preset preset, League league = League::small);
+Rules make_rules(Preset preset, RobotLeague league = RobotLeague::small);
 
 }  // namespace mirocup::referee
 

@@ -14,31 +14,31 @@ bool within(const Vec2& a, const Vec2& b, double distance) {
 }
 
 // Returns half the diagonal of a robot.
-double reach_of(const Pitch& pitch) {
+double reach_of(const JudgedField& pitch) {
   return pitch.robot_side * std::sqrt(0.5);
 }
 
 }  // namespace
 
-double robot_gap(const Pitch& pitch, const Pose& a, const Pose& b, double reach) {
+double robot_gap(const JudgedField& pitch, const Pose& a, const Pose& b, double reach) {
   if (!within(a.position, b.position, 2.0 * reach_of(pitch) + reach)) return HUGE_VAL;
   const geometry::Outline square = geometry::square(pitch.robot_side);
   return geometry::gap(square, a, square, b);
 }
 
-double ball_gap(const Pitch& pitch, const Vec2& ball, const Pose& robot) {
+double ball_gap(const JudgedField& pitch, const Vec2& ball, const Pose& robot) {
   return geometry::gap(geometry::circle(pitch.ball_radius), Pose{ball, Heading{}},
                        geometry::square(pitch.robot_side), robot);
 }
 
-void set_touch(Situation& s, const RobotId& a, const RobotId& b) {
+void set_touch(TickFacts& s, const RobotId& a, const RobotId& b) {
   MIROCUP_ASSERT(!(a == b));
   auto& sets = a.end == b.end ? s.touched_mates : s.touched_opponents;
   sets[index_of(a.end)][a.index].set(b.index);
   sets[index_of(b.end)][b.index].set(a.index);
 }
 
-void add_near_touches(const Pitch& pitch, Situation& s) {
+void add_near_touches(const JudgedField& pitch, TickFacts& s) {
   const int n = pitch.field.robots_per_team;
   const double touch = pitch.rules.touch_m;
   const double ball_reach = reach_of(pitch) + pitch.ball_radius + touch;

@@ -6,22 +6,22 @@
 // `touch_m` of each other at its end. So a push across a tiny gap counts as a push.
 #pragma once
 
-#include "core/referee/pitch.hpp"
-#include "core/referee/situation.hpp"
+#include "core/referee/judged_field.hpp"
+#include "core/referee/tick_facts.hpp"
 
 namespace mirocup::referee {
 
 // Adds to the situation the touches of all pairs of bodies that are within `touch_m` at its end.
-void add_near_touches(const Pitch& pitch, Situation& situation);
+void add_near_touches(const JudgedField& pitch, TickFacts& situation);
 
 // Adds the touch of two different robots, opponents or team-mates, to the sets of both.
-void set_touch(Situation& situation, const RobotId& a, const RobotId& b);
+void set_touch(TickFacts& situation, const RobotId& a, const RobotId& b);
 
 // Returns the gap between two robots, m. If the gap is larger than `reach`, m, the result may be
 // any number above `reach`.
-double robot_gap(const Pitch& pitch, const Pose& a, const Pose& b, double reach);
+double robot_gap(const JudgedField& pitch, const Pose& a, const Pose& b, double reach);
 
 // Returns the gap between the ball and a robot, m; minus the depth of the overlap if they overlap.
-double ball_gap(const Pitch& pitch, const Vec2& ball, const Pose& robot);
+double ball_gap(const JudgedField& pitch, const Vec2& ball, const Pose& robot);
 
 }  // namespace mirocup::referee

@@ -89,7 +89,7 @@ class SecondReferee {
 
  private:
   const match::Leg& leg_;
-  referee::Pitch pitch_;
+  referee::JudgedField pitch_;
   std::optional<referee::Referee> referee_;  // replaced at every stoppage
   bool said_phase_is_over_ = false;
 };

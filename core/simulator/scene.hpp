@@ -32,7 +32,7 @@ struct SceneRobot {
 };
 
 struct Scene {
-  League league = League::small;
+  RobotLeague league = RobotLeague::small;
   Parameters parameters;
   bool has_walls = true;  // false: an infinite plane
   double duration = 0.0;  // s

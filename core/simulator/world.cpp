@@ -576,7 +576,7 @@ void World::collide(std::span<collision::Contact> contacts, double t) {
     thresholds_.note_contact(c, mass_, t);
     // After the impact the same number is the speed from which a contact counts as opening.
     c.impact.restitution_threshold =
-        std::min(c.impact.restitution_threshold, static_world_.tolerances.restitution_threshold);
+        std::min(c.impact.restitution_threshold, static_world_.tolerances.pressing_threshold);
   }
 }
 

@@ -85,7 +85,7 @@ class Pitch {
 
   Camera& camera_;
   Radio& radio_;
-  field::Field field_ = field::make_field(League::small);
+  field::Field field_ = field::make_field(RobotLeague::small);
   simulator::Parameters robots_;  // measure yours, and put their numbers here
   referee::Rules rules_;
   std::uint64_t leg_ = dds::random_nonce();
@@ -219,7 +219,7 @@ int main(int argc, char** argv) {
     std::cerr << "usage: pitch [--wait] MATCH SECONDS BLUE [YELLOW]\n";
     return 2;
   }
-  pitch::Table table(mirocup::field::make_field(mirocup::League::small), {}, pitch::period);
+  pitch::Table table(mirocup::field::make_field(mirocup::RobotLeague::small), {}, pitch::period);
   pitch::Pitch pitch(argv[1], {argv + 3, argv + argc}, table, table);
   pitch.play(std::atof(argv[2]), waits);
   return 0;

@@ -119,7 +119,7 @@ class Box2d {
     body->SetMassData(&data);
   }
 
-  void add_walls(League league) {
+  void add_walls(RobotLeague league) {
     for (const WallBox& wall : walls_of(league)) {
       b2PolygonShape box;
       box.SetAsBox(static_cast<float>(scale * wall.half.x()) - b2_polygonRadius,

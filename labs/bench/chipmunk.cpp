@@ -99,7 +99,7 @@ class Chipmunk {
     shapes_.push_back(cpSpaceAddShape(space_, shape));
   }
 
-  void add_walls(League league, const simulator::PerPair& e) {
+  void add_walls(RobotLeague league, const simulator::PerPair& e) {
     for (const WallBox& wall : walls_of(league)) {
       const Heading along = Heading::from_angle(wall.angle);
       cpVect corners[4];

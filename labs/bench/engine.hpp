@@ -21,7 +21,7 @@ inline constexpr double tick = 0.033;  // s: the control period
 
 // The state at the start of a scene. Every scene has a ball.
 struct Start {
-  std::optional<League> league;  // of the walls around the field; none: a plane without walls
+  std::optional<RobotLeague> league;  // of the walls around the field; none: a plane without walls
   simulator::Parameters parameters;
   std::vector<simulator::BodyState> robots;
   simulator::BallState ball;
@@ -69,7 +69,7 @@ struct WallBox {
 };
 // Returns the walls that a user of a general engine would build. The corner cuts are small, because
 // the axis-aligned box around a large tilted wall would meet every body on the field.
-std::vector<WallBox> walls_of(League league);
+std::vector<WallBox> walls_of(RobotLeague league);
 
 // Returns half the length and half the width of a robot: its outline is a rectangle in every scene.
 Vec2 half_size(const simulator::Parameters& parameters);

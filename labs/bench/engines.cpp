@@ -15,7 +15,7 @@ using simulator::Accuracy;
 class Own final : public Engine {
  public:
   Own(const Start& start, Accuracy accuracy)
-      : field_(field::make_field(start.league.value_or(League::small))),
+      : field_(field::make_field(start.league.value_or(RobotLeague::small))),
         world_(start.league ? &field_ : nullptr, start.parameters,
                simulator::tolerances_of(accuracy), static_cast<int>(start.robots.size()), true),
         period_(start.period) {
@@ -59,7 +59,7 @@ Vec2 half_size(const simulator::Parameters& p) {
   return half;
 }
 
-std::vector<WallBox> walls_of(League league) {
+std::vector<WallBox> walls_of(RobotLeague league) {
   constexpr double thick = 0.5;  // m
   const field::Field f = field::make_field(league);
   const double x = f.half_length, y = f.half_width;

@@ -175,7 +175,7 @@ Moments free_motion(int count) {
 Moments crowds(int count, double step) {
   constexpr int robots = 6;
   constexpr double half_crowd = 0.3;
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   const auto solids = test_support::solids_around(field);
   Random random(5);
   Moments moments;
@@ -184,7 +184,7 @@ Moments crowds(int count, double step) {
     Moment m;
     do {
       m.start = {};
-      m.start.league = League::small;
+      m.start.league = RobotLeague::small;
       const Vec2 centre = random_in(random, 0.5, 0.4);
       for (int k = 0; k < robots; ++k) {
         const Vec2 at = centre + random_in(random, half_crowd, half_crowd);

@@ -145,7 +145,7 @@ class Ode {
     return body;
   }
 
-  void add_walls(League league) {
+  void add_walls(RobotLeague league) {
     for (const WallBox& wall : walls_of(league)) {
       const dGeomID box = dCreateBox(space_, 2.0 * wall.half.x(), 2.0 * wall.half.y(), height);
       dMatrix3 turned;

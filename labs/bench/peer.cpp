@@ -18,7 +18,7 @@ constexpr double least_step = 1e-9;     // s, by which commands are looked up ea
 const Vec2 out_of_the_way{20.0, 20.0};  // m: of a ball that was not seen
 
 // Plays a window as pitch::Peer says.
-void play_window(const Contender& contender, const pitch::Recording& recording,
+void play_window(const Contender& contender, const pitch::CameraLog& recording,
                  const pitch::Footage& footage, const pitch::Guess& guess,
                  const pitch::Window& window, const std::vector<simulator::BodyState>& states,
                  const pitch::Peer::See& see) {

@@ -30,7 +30,7 @@ constexpr double pause = 1.0;          // s, without pictures
 // Robots in their halves and a ball that rolls, apart from each other and from the walls.
 bench::Start random_start(const simulator::Parameters& parameters, Random& random) {
   bench::Start start;
-  start.league = League::small;
+  start.league = RobotLeague::small;
   start.parameters = parameters;
   start.period = period;
   for (int i = 0; i < driven_robots; ++i) {
@@ -44,11 +44,11 @@ bench::Start random_start(const simulator::Parameters& parameters, Random& rando
   return start;
 }
 
-pitch::Recording recording_of(const bench::Contender& contender,
+pitch::CameraLog recording_of(const bench::Contender& contender,
                               const simulator::Parameters& parameters, double seconds,
                               std::uint64_t seed) {
   Random random(seed);
-  pitch::Recording recording;
+  pitch::CameraLog recording;
   recording.path = contender.engine;
   recording.robots = 1;
   recording.period = period;

@@ -19,10 +19,10 @@ constexpr double walking_wheels = 1.0 / 0.0225;  // rad/s: 1 m/s
 
 constexpr double circle_radius = 0.1;  // m
 
-League league_of(SceneKind kind) {
-  if (kind == SceneKind::game_5) return League::middle;
-  if (kind == SceneKind::game_11) return League::large;
-  return League::small;
+RobotLeague league_of(SceneKind kind) {
+  if (kind == SceneKind::game_5) return RobotLeague::middle;
+  if (kind == SceneKind::game_11) return RobotLeague::large;
+  return RobotLeague::small;
 }
 
 WheelSpeeds wheels_for(const simulator::Parameters& p, double forward, double turn) {

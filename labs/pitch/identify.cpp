@@ -189,11 +189,11 @@ void sharpen(Fit& fit, int unknown, const MatrixXd& information, const MatrixXd&
 }
 
 // Counts what cameras miss, and what is left out as an outlier before the fit.
-void count_sights(const std::vector<Recording>& recordings, const std::vector<Footage>& footages,
+void count_sights(const std::vector<CameraLog>& recordings, const std::vector<Footage>& footages,
                   Identified& result) {
   double all = 0.0, unseen = 0.0, left_out = 0.0;
   for (std::size_t k = 0; k < recordings.size(); ++k) {
-    const Recording& recording = recordings[k];
+    const CameraLog& recording = recordings[k];
     for (int body = 0; body < footages[k].bodies(); ++body) {
       for (int f = 0; f < footages[k].frames(); ++f) {
         const Frame& frame = recording.frames[f];
@@ -320,10 +320,10 @@ void identify_hits(const std::vector<Footage>& footages, const Fit& alone,
 
 }  // namespace
 
-Result<Identified> identify(const std::vector<Recording>& recordings, const Guess& start) {
+Result<Identified> identify(const std::vector<CameraLog>& recordings, const Guess& start) {
   std::vector<Footage> footages;
   footages.reserve(recordings.size());
-  for (const Recording& recording : recordings) footages.emplace_back(recording);
+  for (const CameraLog& recording : recordings) footages.emplace_back(recording);
   Guess guess = start;
   guess.parameters.turn_time_constant = guess.parameters.turn_lag();
   guess.parameters.brake_time_constant = guess.parameters.brake_lag();

@@ -15,7 +15,7 @@
 // because a hand moves a robot, are dropped and counted.
 #pragma once
 
-#include "labs/pitch/recording.hpp"
+#include "labs/pitch/camera_log.hpp"
 #include "labs/pitch/unknowns.hpp"
 
 #include <optional>
@@ -52,6 +52,6 @@ struct Identified {
 
 // Identifies a pitch from one or several recordings of it. The search begins at `start`.
 // Errc::input if no window has a body that moves by known commands or a ball that rolls.
-Result<Identified> identify(const std::vector<Recording>& recordings, const Guess& start);
+Result<Identified> identify(const std::vector<CameraLog>& recordings, const Guess& start);
 
 }  // namespace mirocup::pitch

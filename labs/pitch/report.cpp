@@ -98,8 +98,8 @@ Json to_json(const Validation& v) {
   return json;
 }
 
-Result<std::vector<Recording>> read_recordings(const std::vector<std::string>& paths) {
-  std::vector<Recording> recordings;
+Result<std::vector<CameraLog>> read_recordings(const std::vector<std::string>& paths) {
+  std::vector<CameraLog> recordings;
   for (const std::string& path : paths) {
     MIROCUP_TRY(auto recording, read_recording(path));
     recordings.push_back(std::move(recording));

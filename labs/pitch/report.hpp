@@ -39,6 +39,6 @@ struct ValidationReport {
 // Reads all files, validates and reports. Errors name the file. `peer` may be null.
 Result<ValidationReport> report_of(const ValidationRequest& request, const Peer* peer);
 
-Result<std::vector<Recording>> read_recordings(const std::vector<std::string>& paths);
+Result<std::vector<CameraLog>> read_recordings(const std::vector<std::string>& paths);
 
 }  // namespace mirocup::pitch

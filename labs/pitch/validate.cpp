@@ -112,13 +112,13 @@ EventKind kind_of_event(const Prediction& p, const Footage& footage, std::size_t
 
 // What predicts in one recording.
 struct Predictors {
-  const Recording& recording;
+  const CameraLog& recording;
   const Footage& footage;
   const Guess& pitch;
   const Peer* peer;
   Rerun own, paper;
 
-  Predictors(const Recording& r, const Footage& f, const Guess& guess, const Peer* other)
+  Predictors(const CameraLog& r, const Footage& f, const Guess& guess, const Peer* other)
       : recording(r),
         footage(f),
         pitch(guess),
@@ -162,13 +162,13 @@ std::optional<Prediction> predict(Predictors& by, int first, double sigma) {
   return p;
 }
 
-std::string body_text(const Recording& recording, int body) {
+std::string body_text(const CameraLog& recording, int body) {
   if (body == 2 * recording.robots) return "the ball";
   return (body < recording.robots ? "blue " : "yellow ") + std::to_string(body % recording.robots);
 }
 
 // Adds the errors of a prediction to the sums, and its tracks to the examples.
-void add_prediction(const Recording& recording, const Footage& footage, const Prediction& p,
+void add_prediction(const CameraLog& recording, const Footage& footage, const Prediction& p,
                     double sigma, SumTable& sums, std::vector<Track>& tracks) {
   for (std::size_t i = 0; i < p.window.bodies.size(); ++i) {
     const int body = p.window.bodies[i];
@@ -242,7 +242,7 @@ std::string objection(EventKind kind, int horizon, const std::string& yardstick,
 
 }  // namespace
 
-Validation validate(const std::vector<Recording>& recordings, const Guess& pitch,
+Validation validate(const std::vector<CameraLog>& recordings, const Guess& pitch,
                     const Peer* peer) {
   Validation result;
   if (peer != nullptr) result.peer = peer->name;
@@ -250,7 +250,7 @@ Validation validate(const std::vector<Recording>& recordings, const Guess& pitch
                                                   result.peer};
   SumTable sums;
   std::vector<Track> tracks;
-  for (const Recording& recording : recordings) {
+  for (const CameraLog& recording : recordings) {
     const Footage footage(recording);
     const double sigma = footage.position_noise();
     result.noise = std::max(result.noise, sigma);

@@ -13,7 +13,7 @@
 // twice, in the start of the prediction and in the picture ahead; both means are subtracted.
 #pragma once
 
-#include "labs/pitch/recording.hpp"
+#include "labs/pitch/camera_log.hpp"
 #include "labs/pitch/unknowns.hpp"
 #include "labs/pitch/windows.hpp"
 
@@ -67,13 +67,13 @@ struct Peer {
   // Sets the bodies to `start`, and calls see(frame, index in window.bodies, position) for each
   // body in each later frame of the window, in the order of frames and bodies.
   using See = std::function<void(int, std::size_t, const Vec2&)>;
-  std::function<void(const Recording&, const Footage&, const Guess&, const Window&,
+  std::function<void(const CameraLog&, const Footage&, const Guess&, const Window&,
                      const std::vector<simulator::BodyState>& start, const See&)>
       play;
 };
 
 // Validates a pitch. `peer` may be null.
-Validation validate(const std::vector<Recording>& recordings, const Guess& pitch,
+Validation validate(const std::vector<CameraLog>& recordings, const Guess& pitch,
                     const Peer* peer = nullptr);
 
 }  // namespace mirocup::pitch

@@ -32,7 +32,7 @@ double median_of(std::vector<double>& values) {
 
 }  // namespace
 
-Footage::Footage(const Recording& recording)
+Footage::Footage(const CameraLog& recording)
     : field_(field::make_field(recording.league)), period_(recording.usual_period()) {
   const int robots = 2 * recording.robots;
   const std::size_t frames = recording.frames.size();

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/simulator/world.hpp"
-#include "labs/pitch/recording.hpp"
+#include "labs/pitch/camera_log.hpp"
 #include "labs/pitch/unknowns.hpp"
 
 #include <Eigen/Core>
@@ -32,7 +32,7 @@ struct Window {
 // The recording in flat arrays for windows, without obvious outliers.
 class Footage {
  public:
-  explicit Footage(const Recording& recording);
+  explicit Footage(const CameraLog& recording);
 
   struct Sight {
     bool is_seen = false;

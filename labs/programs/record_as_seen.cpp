@@ -2,7 +2,7 @@
 //
 // mirocup record-as-seen: what a camera would have seen of a played match.
 #include "core/base/math.hpp"
-#include "labs/pitch/recording.hpp"
+#include "labs/pitch/camera_log.hpp"
 #include "labs/programs/commands.hpp"
 #include "programs/mirocup/output_folder.hpp"
 #include "record/match_record.hpp"

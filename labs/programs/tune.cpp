@@ -131,7 +131,7 @@ class Search {
     if (const auto* known = file_.find(key)) return *known;
     ComparisonRun run = options_.run;
     run.teams.front() = team;
-    run.league = *from_string<League>(options_.league);
+    run.league = *from_string<RobotLeague>(options_.league);
     run.seed = seed;
     run.max_fixtures = fixtures;
     run.plays_all = true;
@@ -263,7 +263,7 @@ Result<int> run_tune(const TuneOptions& options) {
   TuneOptions all = options;
   all.run.teams = {options.team};
   for (const std::string& opponent : options.against) all.run.teams.push_back(opponent);
-  all.run.league = *from_string<League>(options.league);
+  all.run.league = *from_string<RobotLeague>(options.league);
   system::Disk disk;
   MIROCUP_TRY(auto identity, comparison_identity(disk, all.run));
   identity.erase("seed");

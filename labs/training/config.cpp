@@ -117,7 +117,7 @@ Weights read_weights(const JsonReader& json) {
   return weights;
 }
 
-referee::Rules read_all_rules(const JsonReader& json, League league) {
+referee::Rules read_all_rules(const JsonReader& json, RobotLeague league) {
   const auto rules = json.find("rules");
   if (!rules) return referee::make_rules(referee::Preset::mirosot, league);
   if (rules->is_string()) return referee::make_rules(rules->name<referee::Preset>(), league);
@@ -294,7 +294,7 @@ StartRanges read_start(const JsonReader& json, const std::string& folder) {
   return start;
 }
 
-void check(const JsonReader& json, const StartRanges& start, League league, bool is_even) {
+void check(const JsonReader& json, const StartRanges& start, RobotLeague league, bool is_even) {
   Random random(1);
   const auto once = record::draw_situation(start.situation, league, random, start.name);
   if (!once) return json.complain(once.error().what);
@@ -335,7 +335,7 @@ Result<match::Setup> setup_of(const Config& config, std::uint64_t seed) {
   return setup;
 }
 
-std::vector<StartRanges> read_starts(const JsonReader& json, League league, bool is_even,
+std::vector<StartRanges> read_starts(const JsonReader& json, RobotLeague league, bool is_even,
                                      const std::string& folder) {
   std::vector<StartRanges> starts;
   const auto add = [&](const JsonReader& one) {
@@ -350,7 +350,7 @@ std::vector<StartRanges> read_starts(const JsonReader& json, League league, bool
   return starts;
 }
 
-Result<match::Start> draw_start(const std::vector<StartRanges>& starts, League league,
+Result<match::Start> draw_start(const std::vector<StartRanges>& starts, RobotLeague league,
                                 Random& random) {
   const StartRanges& start = starts[random.below(starts.size())];
   MIROCUP_TRY(auto situation, record::draw_situation(start.situation, league, random, start.name));

@@ -32,11 +32,11 @@ struct StartRanges {
 // or a drill. `folder` is the folder of the calling library; the drills are in share/mirocup/drills
 // in this folder or one or two folders above it. Complains about a start if its numbers cannot be
 // drawn, if it is for another league or, with `is_even`, if a team leads.
-std::vector<StartRanges> read_starts(const record::JsonReader& json, League league, bool is_even,
-                                     const std::string& folder);
+std::vector<StartRanges> read_starts(const record::JsonReader& json, RobotLeague league,
+                                     bool is_even, const std::string& folder);
 
 // Draws one of the starts, and its numbers. Precondition: `starts` is not empty.
-Result<match::Start> draw_start(const std::vector<StartRanges>& starts, League league,
+Result<match::Start> draw_start(const std::vector<StartRanges>& starts, RobotLeague league,
                                 Random& random);
 
 // A learner steers its whole team, or one robot of it.

@@ -10,7 +10,7 @@
 namespace mirocup::abi {
 
 // The core and strategy.h give these the same numbers.
-static_assert(static_cast<int>(League::large) == MIROCUP_LARGE);
+static_assert(static_cast<int>(RobotLeague::large) == MIROCUP_LARGE);
 static_assert(static_cast<int>(Team::yellow) == MIROCUP_YELLOW);
 static_assert(static_cast<int>(match::State::END) == MIROCUP_OVER);
 static_assert(static_cast<int>(referee::Phase::SECOND_HALF) == MIROCUP_SECOND_HALF);

@@ -294,10 +294,10 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
     if (is_busy || seconds_without_delay(asked_at_, delay_at_slice_) > limit.wall) {
       const TeamCall call = out_->team_call.load(std::memory_order_relaxed);
       child_.kill();
-      return Fault{limit.late, "the team used more than " +
-                                   (is_busy ? seconds_text(limit.cpu) + " of processor time "
-                                            : seconds_text(limit.wall) + " ") +
-                                   limit.doing + (moment_ ? text_of(call, *moment_) : "")};
+      return Fault{limit.fault, "the team used more than " +
+                                    (is_busy ? seconds_text(limit.cpu) + " of processor time "
+                                             : seconds_text(limit.wall) + " ") +
+                                    limit.doing + (moment_ ? text_of(call, *moment_) : "")};
     }
     if (until && WallClock::now() >= *until) {
       in_->is_awaited.store(0, std::memory_order_relaxed);
@@ -317,7 +317,7 @@ tl::expected<void, Answer> ProcessController::wait_until_ready() {
   const auto is_ready = [this] { return out_->load_state.load() == LoadState::ready; };
   const WaitLimit limit{.cpu = budget_.start_cpu,
                         .wall = budget_.start_wall,
-                        .late = FaultCode::start_timeout,
+                        .fault = FaultCode::start_timeout,
                         .doing = "to load its library and create its team"};
   if (auto problem = wait(is_ready, limit, std::nullopt)) return tl::unexpected(*problem);
   is_ready_ = true;
@@ -402,7 +402,7 @@ Answer ProcessController::collect() {
   };
   const WaitLimit limit{.cpu = budget_.tick_cpu + (is_placing_ ? budget_.place_cpu : 0.0),
                         .wall = budget_.tick_wall,
-                        .late = FaultCode::hang,
+                        .fault = FaultCode::hang,
                         .doing = is_placing_ ? "on one tick and place() and was stopped"
                                              : "on one tick and was stopped"};
   std::optional<WallClock::time_point> until;

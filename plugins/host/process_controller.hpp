@@ -145,7 +145,7 @@ class ProcessController final : public match::Controller {
   struct WaitLimit {
     double cpu = 0.0;
     double wall = 0.0;
-    match::FaultCode late = match::FaultCode::hang;
+    match::FaultCode fault = match::FaultCode::hang;
     const char* doing = "";
   };
 

@@ -200,7 +200,7 @@ void Tracker::saw(const Observation& now) {
 struct Simulator::Physics {
   Physics(const Setup& from, Precision precision)
       : setup(from),
-        field(core::field::make_field(static_cast<core::League>(setup.league))),
+        field(core::field::make_field(static_cast<core::RobotLeague>(setup.league))),
         world(&field, parameters_of(setup),
               simulator::tolerances_of(precision == Precision::match ? simulator::Accuracy::standard
                                                                      : simulator::Accuracy::coarse),

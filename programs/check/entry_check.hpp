@@ -72,7 +72,7 @@ struct EntryReport {
 
 // The kind of legs for which an entry is checked.
 struct EntryTerms {
-  League league = League::small;
+  RobotLeague league = RobotLeague::small;
   referee::Rules rules;  // the rules, with the length of a half in the league
   match::TeamParameters parameters;
   system::Processor processor = system::Processor::v3;  // of the oldest computer that plays

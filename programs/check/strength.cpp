@@ -16,7 +16,7 @@ constexpr double least_minutes = 4.0;  // shorter legs say nothing
 
 // Returns by how many spreads the legs are better than those of a rung: those against its team, or
 // if there are none, those against `striker`.
-double lead_over(const Rung& rung, const std::vector<LegStory>& legs, League league) {
+double lead_over(const Rung& rung, const std::vector<LegStory>& legs, RobotLeague league) {
   const std::string team = legs.back().opponent == "striker" ? "striker" : rung.team;
   const double usual = team == rung.team ? 0.0 : rung.lead[static_cast<std::size_t>(league)];
   double lead = 0.0;
@@ -31,7 +31,7 @@ double lead_over(const Rung& rung, const std::vector<LegStory>& legs, League lea
 
 }  // namespace
 
-Strength strength_of(const std::vector<LegStory>& legs, League league) {
+Strength strength_of(const std::vector<LegStory>& legs, RobotLeague league) {
   double minutes = 0.0;
   for (const LegStory& leg : legs) minutes += leg.minutes;
   if (minutes < least_minutes) return {};

@@ -35,6 +35,6 @@ struct Strength {
 
 // Judges an entry by its legs against house teams: some against `striker`, perhaps some against
 // each.
-Strength strength_of(const std::vector<LegStory>& legs, League league);
+Strength strength_of(const std::vector<LegStory>& legs, RobotLeague league);
 
 }  // namespace mirocup::app

@@ -253,7 +253,7 @@ void print(const std::vector<PairComparison>& pairs, const ComparisonRun& run,
 Result<int> run_compare(const CompareOptions& options) {
   system::Disk disk;
   ComparisonRun run = options.run;
-  run.league = *from_string<League>(options.league);
+  run.league = *from_string<RobotLeague>(options.league);
   run.all_pairs = run.plays_all = options.against == "all";
   if (options.most > 0) {
     run.max_fixtures = options.most;

@@ -38,7 +38,7 @@ class ServedLeague {
   void offer_hand_in() { takes_hand_ins_ = true; }
 
   // True if entries try drills: the league has the field of the drills.
-  bool has_drills() const { return store_.state().file.league == League::small; }
+  bool has_drills() const { return store_.state().file.league == RobotLeague::small; }
 
   // Calls league::hand_in_terms(). `now` is UTC.
   HandInTerms hand_in_terms(const std::string& team, const std::string& now);

@@ -45,7 +45,7 @@ std::optional<std::size_t> number_in(const std::string& path, std::string_view b
 
 // A round of a knockout changes the bracket, every other one the table.
 std::string standing_html(const Overview& o, const std::string& heading, bool is_of_knockout) {
-  const bool by_strength = o.state.file.format.takes_entries();
+  const bool by_strength = o.state.file.format.is_open_ended();
   Json rows = Json::array();
   for (const TableRow& row : o.table) {
     if (is_of_knockout) break;

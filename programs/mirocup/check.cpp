@@ -162,7 +162,7 @@ Result<int> run_check(const CheckOptions& options, const record::WriteAnswer& an
     (void)answer({{"step", number}, {"of", of}, {"name", name}});  // only to be looked at
   };
   EntryTerms terms;
-  terms.league = *from_string<League>(options.league);
+  terms.league = *from_string<RobotLeague>(options.league);
   terms.rules = referee::make_rules(*from_string<referee::Preset>(options.rules), terms.league);
   if (options.half_s) terms.rules.half_s = *options.half_s;
   terms.parameters = parameters;

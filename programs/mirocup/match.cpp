@@ -66,7 +66,7 @@ Result<void> read_start(const MatchOptions& options, match::Setup& setup) {
 
 Result<match::Setup> setup_of(const MatchOptions& options) {
   match::Setup setup;
-  if (!options.league.empty()) setup.league = *from_string<League>(options.league);
+  if (!options.league.empty()) setup.league = *from_string<RobotLeague>(options.league);
   MIROCUP_TRY_VOID(read_start(options, setup));
   MIROCUP_TRY(auto rules, record::rules_with_changes({{"preset", options.rules}},
                                                      options.rule_changes, setup.league));
@@ -380,7 +380,7 @@ void add_match(system::Commands& commands) {
       .option("--league", o.league,
               "Field and number of robots: small (3 a side), middle (5), large (11); default: "
               "small, or that of the situation")
-      .one_of(system::names_of<League>())
+      .one_of(system::names_of<RobotLeague>())
       .excludes(from);
   command.option("--rules", o.rules, "Preset of the rules")
       .one_of(system::names_of<referee::Preset>())

@@ -113,7 +113,7 @@ Drill read_drill(const JsonReader& json) {
   if (json.has("situation") && json.at("situation").expect_object()) {
     drill.situation = json.at("situation").json();
     const JsonReader situation = json.at("situation");
-    if (situation.has("league") && situation.at("league").name<League>() != drill.league) {
+    if (situation.has("league") && situation.at("league").name<RobotLeague>() != drill.league) {
       situation.at("league").complain("the situation must be of the drill's league");
     }
   }

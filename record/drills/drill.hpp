@@ -64,7 +64,7 @@ struct Drill {
   std::string title;
   std::string teaches;
   int version = 1;  // only scores of one version can be compared
-  League league = League::small;
+  RobotLeague league = RobotLeague::small;
   referee::Rules rules;
   match::Conditions conditions;
   nlohmann::ordered_json situation;  // numbers may be ranges

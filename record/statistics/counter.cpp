@@ -20,7 +20,7 @@ PlayTick LegWatcher::see(const match::Leg& leg) {
   decisions_ = leg.decisions().size();
   if (tick.is_play) {
     // The situation shows where the bodies were before a restart moved them.
-    const referee::Situation& judged = *leg.judged();
+    const referee::TickFacts& judged = *leg.judged();
     tick.ball = judged.ball;
     for (const Team team : both_teams) {
       const int end = index_of(team == before_.left ? End::left : End::right);

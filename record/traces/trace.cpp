@@ -164,7 +164,7 @@ void read_frames(const JsonReader& json, int robots, Trace& trace) {
 }
 
 // The names of presets may end with the number of robots.
-referee::Rules read_situation_rules(const JsonReader& json, League league) {
+referee::Rules read_situation_rules(const JsonReader& json, RobotLeague league) {
   auto preset = referee::Preset::mirosot;
   if (json.has("preset")) {
     const JsonReader name = json.at("preset");

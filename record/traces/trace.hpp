@@ -66,7 +66,7 @@ struct Attempt {
 
 struct Trace {
   std::string id;
-  League league = League::small;
+  RobotLeague league = RobotLeague::small;
   referee::Rules rules;
   TraceState state = TraceState::PLAY;
   referee::LegProgress progress;

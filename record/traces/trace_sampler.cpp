@@ -12,7 +12,7 @@ namespace mirocup::traces {
 namespace {
 
 using referee::RobotId;
-using referee::Situation;
+using referee::TickFacts;
 
 constexpr double time_tolerance = 1e-9;  // s
 constexpr double clearly_driving = 2.0;  // times the speed that counts as driving
@@ -26,7 +26,7 @@ Pose between(const Pose& a, const Pose& b, double share) {
 
 }  // namespace
 
-TraceSampler::TraceSampler(const Trace& trace, const referee::Pitch& pitch)
+TraceSampler::TraceSampler(const Trace& trace, const referee::JudgedField& pitch)
     : trace_(trace), pitch_(pitch) {
   const auto samples = [](double t) { return t / sample_period; };
   const double last = trace.frames.back().t;
@@ -83,10 +83,10 @@ Vec2 TraceSampler::first_seen(const Vec2& ball) const {
   return {std::clamp(ball.x(), -line, line), ball.y()};
 }
 
-Situation TraceSampler::sample(int k) const {
+TickFacts TraceSampler::sample(int k) const {
   const double t = k * sample_period;
   const Instant now = instant(t);
-  Situation s;
+  TickFacts s;
   s.duration = k == 0 ? 0.0 : sample_period;
   s.ball = now.ball;
   s.ball_before = k == 0 ? first_seen(now.ball) : instant(t - sample_period).ball;
@@ -112,7 +112,7 @@ Situation TraceSampler::sample(int k) const {
 
 // Without interpolation robots jump from frame to frame and have no speed. With it they have the
 // speed at the start of the sample's period.
-void TraceSampler::add_motion(double t, Situation& s) const {
+void TraceSampler::add_motion(double t, TickFacts& s) const {
   if (!trace_.is_interpolated) return;
   constexpr double moment = 1e-3;
   const double begin = t - sample_period;
@@ -127,7 +127,7 @@ void TraceSampler::add_motion(double t, Situation& s) const {
   }
 }
 
-void TraceSampler::add_contacts(const KeyFrame& frame, Situation& s) const {
+void TraceSampler::add_contacts(const KeyFrame& frame, TickFacts& s) const {
   if (!frame.contacts) {
     add_near_touches(pitch_, s);
     return;
@@ -142,7 +142,7 @@ void TraceSampler::add_contacts(const KeyFrame& frame, Situation& s) const {
 }
 
 // A drive is towards the opponent that the robot touches, or else that is nearest.
-void TraceSampler::add_drives(const KeyFrame& frame, Situation& s) const {
+void TraceSampler::add_drives(const KeyFrame& frame, TickFacts& s) const {
   for (const End end : both_ends) {
     const int e = index_of(end);
     for (int i = 0; i < pitch_.field.robots_per_team; ++i) {

@@ -276,7 +276,7 @@ class TraceJudge {
 
   const Trace& trace_;
   field::Field field_;
-  referee::Pitch pitch_;
+  referee::JudgedField pitch_;
   TraceSampler sampler_;
   referee::Referee referee_;
   std::size_t requests_answered_ = 0;

@@ -18,10 +18,10 @@ template <class E, class Wire>
 constexpr bool is_wire_value(E value, Wire number) {
   return static_cast<int>(value) == static_cast<int>(number);
 }
-static_assert(enum_names<League>.size() == 3 &&
-              is_wire_value(League::small, mirocup_v1_LEAGUE_SMALL) &&
-              is_wire_value(League::middle, mirocup_v1_LEAGUE_MIDDLE) &&
-              is_wire_value(League::large, mirocup_v1_LEAGUE_LARGE));
+static_assert(enum_names<RobotLeague>.size() == 3 &&
+              is_wire_value(RobotLeague::small, mirocup_v1_LEAGUE_SMALL) &&
+              is_wire_value(RobotLeague::middle, mirocup_v1_LEAGUE_MIDDLE) &&
+              is_wire_value(RobotLeague::large, mirocup_v1_LEAGUE_LARGE));
 static_assert(enum_names<Team>.size() == 2 && is_wire_value(Team::blue, mirocup_v1_COLOUR_BLUE) &&
               is_wire_value(Team::yellow, mirocup_v1_COLOUR_YELLOW));
 static_assert(enum_names<match::State>.size() == 3 &&
@@ -174,7 +174,7 @@ mirocup_v1_MatchInfo to_sample(const match::Briefing& briefing, std::uint64_t le
 
 bool from_sample(const mirocup_v1_Welcome& w, OwnedBriefing& owned) {
   if (w.facts.league > mirocup_v1_LEAGUE_LARGE || w.team > mirocup_v1_COLOUR_YELLOW) return false;
-  owned.field = field::make_field(static_cast<League>(w.facts.league));
+  owned.field = field::make_field(static_cast<RobotLeague>(w.facts.league));
   match::copy_bodies(w.facts, owned.parameters);
   const std::size_t named = std::min<std::size_t>(w.facts.named, mirocup_v1_MAX_NUMBERS);
   const auto read = [&](std::string_view name, auto& member) {

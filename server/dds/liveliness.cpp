@@ -11,7 +11,7 @@ constexpr std::size_t max_listed = 100;
 bool was_seen_after(double moment, const Presence& presence) {
   if (std::holds_alternative<Elsewhere>(presence)) return true;
   if (const auto* present = std::get_if<Present>(&presence)) return present->heard > moment;
-  if (const auto* late = std::get_if<Late>(&presence)) return late->heard > moment;
+  if (const auto* late = std::get_if<Owing>(&presence)) return late->heard > moment;
   return false;
 }
 
@@ -64,7 +64,7 @@ Standing Liveliness::standing(double now) const {
   } else if (away_since_) {
     presence = Away{*away_since_, present_.noticed};
   } else if (owes_) {
-    presence = Late{heard_};
+    presence = Owing{heard_};
   }
   return {presence, lost_at(now)};
 }

@@ -34,7 +34,7 @@ struct Elsewhere {};  // the team does not play over the network; its controller
 struct Present {
   double heard = 0.0;  // the time of the team's last command
 };
-struct Late {  // the team owes an answer, but is not yet away
+struct Owing {  // the team owes an answer, but is not yet away
   double heard = 0.0;
 };
 struct Away {  // the team has been silent for too long
@@ -45,7 +45,7 @@ struct Left {  // the team's process has left the network
   double since = 0.0;
   std::uint32_t tick = 0;
 };
-using Presence = std::variant<Elsewhere, Present, Late, Away, Left>;
+using Presence = std::variant<Elsewhere, Present, Owing, Away, Left>;
 
 struct Standing {
   Presence presence;

@@ -210,7 +210,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   match::Setup setup;
-  setup.league = enum_of<League>(argv[6]);
+  setup.league = enum_of<RobotLeague>(argv[6]);
   setup.rules = referee::make_rules(enum_of<referee::Preset>(argv[7]), setup.league);
   setup.rules.half_s = std::atof(argv[5]);
   setup.conditions = match::conditions_of(match::ConditionsPreset::hall);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int moments = 200;
 
-std::uint64_t hash_in(League league, referee::Preset preset, const std::string& library) {
+std::uint64_t hash_in(RobotLeague league, referee::Preset preset, const std::string& library) {
   match::Setup rules = test_support::short_setup(7, 60.0, league);
   rules.rules = referee::make_rules(preset, league);
   rules.control_period = match::control_period_of(preset);
@@ -44,7 +44,7 @@ int main(int count, char** arguments) {
   const char* before = "{";
   for (const auto& path : libraries) {
     StateHash all;
-    for (const League league : {League::small, League::middle}) {
+    for (const RobotLeague league : {RobotLeague::small, RobotLeague::middle}) {
       for (std::size_t preset = 0; preset < enum_names<referee::Preset>.size(); ++preset) {
         const std::uint64_t hash =
             hash_in(league, static_cast<referee::Preset>(preset), path.string());

@@ -154,7 +154,7 @@ double difference_of_slow_bounces() {
 // `standard` is from `reference` after 0.1 s, m. The wall must throw the first one back, though it
 // pressed before.
 double difference_of_bounces_off_a_press() {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   double worst = 0.0;
   for (const double speed : {0.02, 0.03, 0.04, 0.06, 0.08}) {
     Start s;
@@ -226,7 +226,7 @@ Bars first_impacts_of_levels(Size size) {
 // it. Catches energy from nothing, and a tick without end. Over its budget of events `standard`
 // steps the ball, which takes its energy.
 Bars mass_ratios(Size /*size*/) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   double gained = -1.0;
   double lost = 0.0;
   int most_events = 0;

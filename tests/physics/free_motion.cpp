@@ -82,7 +82,7 @@ Bars free_ball(Size size) {
 
 Bars bounce_trains(Size size) {
   Random random(2);
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   double worst = 0.0;
   for (int i = 0; i < cases(size, 200, 20000); ++i) {
     Start start;

@@ -44,7 +44,7 @@ Crowd random_crowd(const field::Field& field, Random& random) {
 // Catches limits that count impacts within a tick, or begin anew with each: then the tick's length
 // decides which bounces are dropped. A crowd in a hundred may be time-stepped in ticks of 33 ms.
 Bars tick_lengths(Size size) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Random random(21);
   std::vector<double> differences;
   for (int i = 0; i < cases(size, 200, 1000); ++i) {
@@ -72,7 +72,7 @@ Bars tick_lengths(Size size) {
 
 // Catches a level that drops bounces or steps free bodies, and thresholds that grow in a long tick.
 Bars elastic_energy(Size size) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Start s;
   s.field = &field;
   s.parameters = without_rolling_friction();
@@ -110,7 +110,7 @@ Bars elastic_energy(Size size) {
 // A row of robots that pushes at a wall, with the budget of `standard`, and with one that its first
 // hits exceed. Catches an island that is time-stepped for ever because it was once over its budget.
 Bars heap_at_rest(Size /*size*/) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   int stepped = 0;
   int events = 0;
   double fastest = 0.0;
@@ -153,7 +153,7 @@ Bars heap_at_rest(Size /*size*/) {
 // forces count. Catches a friction with another normal force or direction, and one that is held
 // over a step, and a slide that does not end where friction alone stops it.
 Bars sliding_along_a_wall(Size /*size*/) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Parameters p;
   p.contact_friction.robot_wall = 0.3;
   const double lag = p.motor_time_constant;

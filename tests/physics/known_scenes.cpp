@@ -190,7 +190,7 @@ Bars four_corners(Size /*size*/) {
 
 // A robot that spins by 67 degrees a tick right beside a wall, and one that is driven into it.
 Bars wheel_spin_at_wall(Size size) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Random random(8);
   double deepest = 0.0;
   double from_tiny = 0.0;
@@ -233,7 +233,7 @@ Bars wheel_spin_at_wall(Size size) {
 // bounces in a finite time, then rest. The ball is in the middle and the robot's face is along the
 // wall to the last bit: the bounces would multiply any deviation, and squeeze the ball out.
 Bars zeno_bounces(Size size) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Random random(9);
   double speed = 0.0;
   double deepest = 0.0;

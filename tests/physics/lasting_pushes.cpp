@@ -171,7 +171,7 @@ Bars motors_pushing(Size size) {
 
 Bars lasting_pushes(Size size) {
   const double duration = cases(size, 10, 60);
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Bars bars;
   std::vector<Push> pushes{head_on(0.0, 0.0),
                            head_on(0.7, 0.0),

@@ -22,7 +22,7 @@ constexpr double most_events_a_tick = 500.0;
 
 struct Crowd {
   const char* name;
-  League league;
+  RobotLeague league;
   int robots;
 };
 
@@ -199,8 +199,8 @@ double events_at_coarse(const Crowd& crowd) {
 
 Bars scrums(Size size) {
   Bars bars;
-  const Crowd crowds[] = {{"six robots on the ball", League::small, 6},
-                          {"22 robots on the ball", League::large, 22}};
+  const Crowd crowds[] = {{"six robots on the ball", RobotLeague::small, 6},
+                          {"22 robots on the ball", RobotLeague::large, 22}};
   for (const Crowd& crowd : crowds) {
     Measured m;
     const bool large = crowd.robots > 6;

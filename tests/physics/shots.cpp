@@ -52,7 +52,7 @@ bool runs_into_robot(const Parameters& p, const BallState& ball, const Outline& 
 
 Bars shots(Size size) {
   Random random(4);
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   const auto solids = test_support::solids_around(field);
   double deepest = 0.0;
   double deepest_own = 0.0;

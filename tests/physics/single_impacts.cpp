@@ -175,7 +175,7 @@ void add_bars(const PairKind& kind, const std::string& scene, const Parameters& 
               Bars& bars) {
   // From coarse to fine: the last one in which the impact is found bounds the error of its time.
   constexpr double windows[] = {1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14};
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Random random(mix_seed(static_cast<std::uint64_t>(kind.name[0] + 256 * kind.name[6])) +
                 (kind.ball ? 1 : 2));
   double worst_time = 0.0;
@@ -267,7 +267,7 @@ Bars motors_in_impacts(Size size) {
 // Free bodies, so that nothing but the impact changes energy and momentum.
 Bars conserved_in_impacts(Size size) {
   Random random(3);
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   double worst_energy = 0.0;
   double worst_momentum = 0.0;
   int found = 0;

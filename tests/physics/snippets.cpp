@@ -90,7 +90,7 @@ void add_crowds(const std::string& scene, const Parameters& parameters, Size siz
                 Bars& bars) {
   const double step = size == Size::small ? 2e-5 : 5e-6;
   Random random(5);
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   struct Errors {
     std::vector<double> simulator, reference;
   };

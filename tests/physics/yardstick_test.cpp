@@ -123,7 +123,7 @@ TEST(TinyWorld, TwoRobotsInARowAreOneBody) {
 
 // A ball against a wall: one impact, in closed form.
 TEST(TinyWorld, FindsTheTimeOfAnImpact) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Parameters p = without_rolling_friction();
   TinyWorld world(&field, p, 0, true, 1e-4);
   world.set_ball({{0.0, 0.5}, {0.0, 2.0}});
@@ -136,7 +136,7 @@ TEST(TinyWorld, FindsTheTimeOfAnImpact) {
 
 // A ball that is held between a robot and a wall stays there.
 TEST(TinyWorld, APinchedBallRests) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   const Parameters p;
   TinyWorld world(&field, p, 1, true, 1e-4);
   world.set_robot(0, {{0.0, 0.56}, Heading::from_angle(pi / 2), {}});

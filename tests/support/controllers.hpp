@@ -66,7 +66,7 @@ inline Scripted ball_hunter() {
 }
 
 inline match::Setup short_setup(std::uint64_t seed, double half_s = 3.0,
-                                League league = League::small) {
+                                RobotLeague league = RobotLeague::small) {
   match::Setup setup;
   setup.league = league;
   setup.rules.half_s = half_s;

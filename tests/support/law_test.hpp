@@ -17,7 +17,7 @@ namespace mirocup::test_support {
 class LawTest : public testing::TestWithParam<End> {
  protected:
   // Returns the situation at the end that is tested.
-  referee::Situation seen(const referee::Situation& s) const {
+  referee::TickFacts seen(const referee::TickFacts& s) const {
     return GetParam() == End::left ? s : half_turned(s);
   }
 
@@ -25,7 +25,7 @@ class LawTest : public testing::TestWithParam<End> {
   End at(End written) const { return GetParam() == End::left ? written : opposite(written); }
 
   // Returns a situation with the ball there, and all robots out of the way.
-  referee::Situation with_ball(const Vec2& ball) const {
+  referee::TickFacts with_ball(const Vec2& ball) const {
     return empty_situation(pitch_.field, ball);
   }
 
@@ -37,7 +37,7 @@ class LawTest : public testing::TestWithParam<End> {
   // Judges the situation tick after tick, by `judge`, until something is called. Returns the number
   // of that tick, counted from 1; 0 if nothing is called in 400 ticks (13.2 s).
   template <class Judge>
-  int ticks_until_called(const referee::Situation& s, Judge judge) {
+  int ticks_until_called(const referee::TickFacts& s, Judge judge) {
     for (int tick = 1; tick <= 400; ++tick) {
       called_ = judge(seen(s));
       if (called_) return tick;

@@ -3,19 +3,19 @@
 // Situations for the tests of the laws: a ball and some robots, all others out of the way.
 #pragma once
 
-#include "core/referee/pitch.hpp"
-#include "core/referee/situation.hpp"
+#include "core/referee/judged_field.hpp"
+#include "core/referee/tick_facts.hpp"
 
 #include <vector>
 
 namespace mirocup::test_support {
 
 struct TestPitch {
-  explicit TestPitch(League league = League::small,
+  explicit TestPitch(RobotLeague league = RobotLeague::small,
                      referee::Preset preset = referee::Preset::mirosot)
       : field(field::make_field(league)), rules(referee::make_rules(preset)) {}
 
-  referee::Pitch pitch() const {
+  referee::JudgedField pitch() const {
     return {.field = field, .rules = rules, .ball_radius = 0.02135, .robot_side = 0.075};
   }
 
@@ -25,8 +25,8 @@ struct TestPitch {
 
 // Returns a situation in which the ball lies still and the robots stand along the upper wall of
 // their own half.
-inline referee::Situation empty_situation(const field::Field& field, const Vec2& ball) {
-  referee::Situation s;
+inline referee::TickFacts empty_situation(const field::Field& field, const Vec2& ball) {
+  referee::TickFacts s;
   s.duration = 0.033;
   s.ball_before = s.ball = ball;
   for (const End end : both_ends) {
@@ -40,8 +40,8 @@ inline referee::Situation empty_situation(const field::Field& field, const Vec2&
 
 // Returns the situation turned by 180 degrees: what happened to the left team happens to the right
 // one.
-inline referee::Situation half_turned(const referee::Situation& s) {
-  referee::Situation t = s;
+inline referee::TickFacts half_turned(const referee::TickFacts& s) {
+  referee::TickFacts t = s;
   t.ball_before = -s.ball_before;
   t.ball = -s.ball;
   for (const End end : both_ends) {

@@ -19,7 +19,7 @@ namespace mirocup::test_support {
 
 class SkillField {
  public:
-  explicit SkillField(League league = League::small)
+  explicit SkillField(RobotLeague league = RobotLeague::small)
       : field_(field::make_field(league)),
         world_(&field_, parameters_, simulator::Tolerances{}, 1, true) {
     const referee::Rules rules;

@@ -30,7 +30,7 @@ struct Format {
 
   // True if the league also takes entries after the start. The table of a ladder or
   // a nightly league counts only results of present entries, and ranks by points per leg.
-  bool takes_entries() const { return kind == FormatKind::ladder || kind == FormatKind::nightly; }
+  bool is_open_ended() const { return kind == FormatKind::ladder || kind == FormatKind::nightly; }
   int swiss_rounds(int teams) const;
 };
 

@@ -149,7 +149,7 @@ std::string read_time(const JsonReader& json, const LeagueFile& file) {
 }
 
 // A leg without a time to play would never end, and one of no time has no football.
-referee::Rules read_rules_of(const JsonReader& json, League league) {
+referee::Rules read_rules_of(const JsonReader& json, RobotLeague league) {
   const referee::Rules rules = record::read_rules(json, league);
   if (json.has("half_s") &&
       !(rules.half_s >= record::min_half_s && rules.half_s <= record::max_half_s))

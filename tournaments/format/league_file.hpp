@@ -72,7 +72,7 @@ struct LeagueFile {
   std::string title = "League";
   int rules_version = current_rules;
   Format format;
-  League league = League::small;
+  RobotLeague league = RobotLeague::small;
   referee::Rules rules;
   std::optional<match::Conditions> conditions;  // empty: default_conditions() at the start
   std::optional<match::PitchSpec> pitch;        // empty: mirosot

@@ -76,7 +76,7 @@ struct Validator {
   }
 
   Result<void> operator()(const TeamJoined& e) const {
-    if (!state.file.format.takes_entries())
+    if (!state.file.format.is_open_ended())
       return fail(Errc::input, "no team joins a league of this format after its start");
     if (!is_good_name(e.team)) return fail(Errc::input, "\"" + e.team + "\" is no name of a team");
     if (state.find_team(e.team)) return fail(Errc::input, e.team + " is in the league already");

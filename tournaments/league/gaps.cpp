@@ -34,7 +34,7 @@ int cut_number(std::string& name) {
 // fixtures. In other formats, a result that was taken back may have made a fixture for a time.
 void look_at_records(const std::vector<std::string>& names, const LeagueState& state,
                      std::vector<std::string>& lost, std::vector<std::string>& not_booked) {
-  const bool lines_make_fixtures = !state.is_started || state.file.format.takes_entries();
+  const bool lines_make_fixtures = !state.is_started || state.file.format.is_open_ended();
   for (const std::string& name : names) {
     if (name.starts_with('.') || !name.ends_with(".json")) continue;
     std::string id = name.substr(0, name.size() - 5);

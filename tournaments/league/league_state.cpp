@@ -144,21 +144,21 @@ Ratings LeagueState::ratings(const std::vector<FixtureResults>& further) const {
     if (!played.empty()) fixtures_played.push_back(std::move(played));
   }
   fixtures_played.insert(fixtures_played.end(), further.begin(), further.end());
-  if (!file.format.takes_entries()) return rate(static_cast<int>(teams.size()), fixtures_played);
+  if (!file.format.is_open_ended()) return rate(static_cast<int>(teams.size()), fixtures_played);
   for (const LegResult& leg : results()) {
-    if (leg.counts_for_home) present[leg.home] = teams[leg.home].entry;
-    if (leg.counts_for_away) present[leg.away] = teams[leg.away].entry;
+    if (leg.home_entry_still_plays) present[leg.home] = teams[leg.home].entry;
+    if (leg.away_entry_still_plays) present[leg.away] = teams[leg.away].entry;
   }
   return rate_entries(present, std::move(fixtures_played), file.format.kind == FormatKind::ladder);
 }
 
 std::vector<TableRow> LeagueState::table() const {
-  return table(file.format.takes_entries() ? ratings() : Ratings());
+  return table(file.format.is_open_ended() ? ratings() : Ratings());
 }
 
 std::vector<TableRow> LeagueState::table(const Ratings& ratings) const {
   TableRules rules = file.table_rules();
-  rules.by_points_per_leg = file.format.takes_entries();
+  rules.by_points_per_leg = file.format.is_open_ended();
   rules.has_uneven_groups = file.format.kind == FormatKind::groups &&
                             static_cast<int>(teams.size()) % file.format.groups != 0;
   // Strengths that pages show as equal are equal.

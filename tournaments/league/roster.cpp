@@ -76,8 +76,8 @@ std::vector<CountedLegs> counted_legs(const LeagueState& state) {
     for (const LegState& leg : f.legs) {
       if (f.is_annulled || !leg.played) continue;
       const LegResult& result = leg.played->result;
-      add(*leg.played, result.home, result.counts_for_home);
-      add(*leg.played, result.away, result.counts_for_away);
+      add(*leg.played, result.home, result.home_entry_still_plays);
+      add(*leg.played, result.away, result.away_entry_still_plays);
     }
   }
   return teams;

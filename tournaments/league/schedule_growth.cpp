@@ -211,7 +211,7 @@ void ScheduleGrowth::team_joined(const TeamJoined& joined) {
 }
 
 void ScheduleGrowth::entry_booked(int team) {
-  if (!state_.file.format.takes_entries()) return;
+  if (!state_.file.format.is_open_ended()) return;
   ++state_.entries_;
   std::vector<int> others;
   for (int other = 0; other < static_cast<int>(state_.teams.size()); ++other) {
@@ -229,8 +229,8 @@ void ScheduleGrowth::entry_booked(int team) {
         continue;
       }
       PlayedLeg played = *f.legs[leg].played;
-      (f.fixture.home == team ? played.result.counts_for_home : played.result.counts_for_away) =
-          false;
+      (f.fixture.home == team ? played.result.home_entry_still_plays
+                              : played.result.away_entry_still_plays) = false;
       f.legs[leg].played = std::make_shared<const PlayedLeg>(played);
     }
     f.is_annulled = f.is_annulled || !is_played;

@@ -114,7 +114,7 @@ bool is_frozen(const LeagueState& state, const std::string& team, const std::str
 // `minds_deadline`: false for a file that is kept although it is late.
 std::string objection_to(const LeagueState& state, const std::string& team, const std::string& now,
                          bool minds_deadline) {
-  const bool takes_more = state.file.format.takes_entries();
+  const bool takes_more = state.file.format.is_open_ended();
   const auto known = state.find_team(team);
   if (state.is_closed) return "the league is closed";
   if (minds_deadline && is_frozen(state, team, now))

@@ -37,7 +37,7 @@ namespace mirocup::league {
 struct ComparisonRun {
   std::vector<std::string> teams;  // texts of compared_team(); at least two
   bool all_pairs = false;          // false: the first team against each other team
-  League league = League::small;
+  RobotLeague league = RobotLeague::small;
   double half_s = 0.0;             // length of a half, s; 0: as in the rules
   std::string conditions;          // a preset; "": the default of a match
   std::vector<std::string> terms;  // further options of `mirocup match`: the terms of a league

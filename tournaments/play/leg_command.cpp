@@ -31,7 +31,7 @@ std::vector<std::string> options_of(const std::string& preset_option, const std:
   return options;
 }
 
-std::vector<std::string> rule_options(const referee::Rules& rules, League league) {
+std::vector<std::string> rule_options(const referee::Rules& rules, RobotLeague league) {
   return options_of("--rules", "--rule", record::to_json(rules),
                     record::to_json(referee::make_rules(rules.preset, league)));
 }

@@ -107,8 +107,8 @@ Json bracket_json(const LeagueState& state) {
       const Status status = played != nullptr ? completed : fixture.has_both() ? ready : locked;
       Json home = side_of(fixture.home), away = side_of(fixture.away);
       if (played != nullptr) {
-        home = side_of(result, fixture.home, !is_knockout && result.counts_for_home);
-        away = side_of(result, fixture.away, !is_knockout && result.counts_for_away);
+        home = side_of(result, fixture.home, !is_knockout && result.home_entry_still_plays);
+        away = side_of(result, fixture.away, !is_knockout && result.away_entry_still_plays);
       }
       tables["match_game"].push_back({{"id", tables["match_game"].size()},
                                       {"stage_id", stage},
@@ -147,7 +147,7 @@ std::string table_csv(const Overview& o) {
       {"rank", "team", "played", "won", "drawn", "lost", "goals_for", "goals_against",
        "goal_difference", "points", "penalties", "separated_by", "strength=strength/value",
        "strength_low=strength/low", "strength_high=strength/high", "legs_to_tell"});
-  if (o.state.file.format.takes_entries())
+  if (o.state.file.format.is_open_ended())
     columns.insert(columns.end(), {"points_per_leg", "decided"});
   return csv_of(table_json(o)["table"], columns);
 }
@@ -250,7 +250,7 @@ Json table_json(const Overview& o) {
                       {"high", std::lround(strength.high)}}},
                     {"legs_to_tell", legs ? Json(*legs) : Json()}});
     if (row.rank == 0) rows.back()["strength"] = nullptr;
-    if (!o.state.file.format.takes_entries()) continue;
+    if (!o.state.file.format.is_open_ended()) continue;
     const auto decided = is_decided(o.state, o.ratings, row, next);
     rows.back()["points_per_leg"] =
         row.rank > 0 ? Json(std::round(1e3 * double(row.points) / row.played) / 1e3) : Json();

@@ -237,7 +237,7 @@ std::string front_html(const SiteContent& c) {
                                       [](const Json& row) { return row["is_open"]; });
   values["bracket"] = bracket_svg(o);
   values["groups"] = groups_values(o);
-  values["per_leg"] = o.state.file.format.takes_entries();
+  values["per_leg"] = o.state.file.format.is_open_ended();
   values["chart"] = strength_picture(o, c.history, no_team);
   values["worth"] = worth_watching(o);
   values["statistics"] = statistics_html(o, c.reports);

@@ -113,7 +113,7 @@ std::vector<Graded> all_graded(const Overview& o, const PeopleOfTeams& people) {
   std::vector<Graded> all;
   for (const bool is_out : {false, true}) {
     for (const TableRow& row : o.table) {
-      const bool is_last = !o.state.file.format.takes_entries() &&
+      const bool is_last = !o.state.file.format.is_open_ended() &&
                            o.state.teams[row.team].status == TeamStatus::withdrawn;
       if (is_last != is_out) continue;
       Graded one{

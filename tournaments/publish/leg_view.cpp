@@ -76,7 +76,8 @@ bool LegView::is_by_lot() const {
 
 bool LegView::counts_for(int team) const {
   return played != nullptr && !is_annulled && is_of(team) &&
-         (team == home ? played->result.counts_for_home : played->result.counts_for_away);
+         (team == home ? played->result.home_entry_still_plays
+                       : played->result.away_entry_still_plays);
 }
 
 char LegView::letter(int team) const {
@@ -198,7 +199,7 @@ std::string rank_in_words(const TableRow& row) {
 
 std::optional<bool> is_decided(const LeagueState& state, const Ratings& ratings,
                                const TableRow& row, const TableRow* next) {
-  if (!state.file.format.takes_entries() || next == nullptr || next->rank == 0 ||
+  if (!state.file.format.is_open_ended() || next == nullptr || next->rank == 0 ||
       row.separated_by == "withdrawn")
     return std::nullopt;
   return are_apart(ratings, row.team, next->team);

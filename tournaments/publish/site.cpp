@@ -15,7 +15,7 @@ namespace mirocup::league {
 
 std::string table_text(const LeagueState& state) {
   std::ostringstream out;
-  const bool by_strength = state.file.format.takes_entries();
+  const bool by_strength = state.file.format.is_open_ended();
   const auto line = [&](const std::string& rank, const std::string& team,
                         const std::string& numbers, const std::string& goals,
                         const std::string& points, const std::string& strength,

@@ -200,7 +200,7 @@ StrengthHistory strength_history(const Overview& o, const std::vector<RoundView>
     if (round.decided == 0 || (++number != played && number % step != 0)) continue;
     history.rounds.push_back(round.title);
     history.after.push_back(number == played ? o.ratings
-                            : o.state.file.format.takes_entries()
+                            : o.state.file.format.is_open_ended()
                                 ? rate_entries(present, results, is_ladder)
                                 : rate(static_cast<int>(teams), results));
   }

@@ -86,7 +86,7 @@ class Ranking {
   void add(std::size_t index) {
     const LegResult& r = results_[index];
     if (r.away < 0) {
-      if (!has(r.home) || !r.counts_for_home) return;
+      if (!has(r.home) || !r.home_entry_still_plays) return;
       add_bye(total_[r.home], rules_.points);
       legs_of_[r.home].push_back(index);
       return;
@@ -97,12 +97,12 @@ class Ranking {
       winners_goals_ += std::max(r.home_goals, r.away_goals);
       winners_difference_ += std::abs(r.difference(r.home));
     }
-    if (r.counts_for_home) {
+    if (r.home_entry_still_plays) {
       add_result(total_[r.home], r.home_goals, r.away_goals, r.home_penalties, r.both_lose,
                  rules_.points);
       legs_of_[r.home].push_back(index);
     }
-    if (r.counts_for_away) {
+    if (r.away_entry_still_plays) {
       add_result(total_[r.away], r.away_goals, r.home_goals, r.away_penalties, r.both_lose,
                  rules_.points);
       legs_of_[r.away].push_back(index);

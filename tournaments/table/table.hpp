@@ -25,8 +25,8 @@ struct LegResult {
   bool both_lose = false;  // a double forfeit
   int home_penalties = 0;  // penalties given against the home team
   int away_penalties = 0;
-  bool counts_for_home = true;  // false: the home team has replaced the entry that played
-  bool counts_for_away = true;
+  bool home_entry_still_plays = true;  // false: the home team has replaced the entry that played
+  bool away_entry_still_plays = true;
   int home_entry = 0;  // the number of the entry that played; 0: not known
   int away_entry = 0;
 

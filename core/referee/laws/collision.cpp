@@ -13,7 +13,7 @@ struct Meeting {
   double difference = 0.0;  // speed of the left robot minus that of the right robot, m/s
 };
 
-Meeting meeting_of(const Situation& s, const RobotId& left, const RobotId& right) {
+Meeting meeting_of(const TickFacts& s, const RobotId& left, const RobotId& right) {
   const Vec2 offset = s.pose(right).position - s.pose(left).position;
   const double length = std::sqrt(offset.squaredNorm());
   const Vec2& a = s.velocity[index_of(left.end)][left.index];
@@ -24,7 +24,7 @@ Meeting meeting_of(const Situation& s, const RobotId& left, const RobotId& right
 
 }  // namespace
 
-std::optional<Decision> judge_collision(const Pitch& pitch, const Situation& s,
+std::optional<Decision> judge_collision(const JudgedField& pitch, const TickFacts& s,
                                         CollisionMemory& memory) {
   const Rules& rules = pitch.rules;
   if (rules.collision_mps == off) return std::nullopt;

@@ -21,7 +21,7 @@ struct CollisionMemory {
 
 // Finds at most one collision in a tick. If several robots of the left end collide, the collision
 // of the robot with the lowest index counts.
-std::optional<Decision> judge_collision(const Pitch& pitch, const Situation& situation,
+std::optional<Decision> judge_collision(const JudgedField& pitch, const TickFacts& situation,
                                         CollisionMemory& memory);
 
 }  // namespace mirocup::referee

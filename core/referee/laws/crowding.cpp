@@ -71,7 +71,7 @@ constexpr std::array<Row, 4> rows{{
      .tells_ball = false},
 }};
 
-std::string reason_of(const Row& row, const Situation& s, const RobotSet& robots, double seconds) {
+std::string reason_of(const Row& row, const TickFacts& s, const RobotSet& robots, double seconds) {
   const std::string crowd =
       std::to_string(robots.count()) + row.text + fixed(seconds, 2) + " s, the ball ";
   if (!row.tells_ball) return crowd + "in it";
@@ -80,9 +80,9 @@ std::string reason_of(const Row& row, const Situation& s, const RobotSet& robots
 
 }  // namespace
 
-std::optional<Decision> judge_crowding(CrowdingLaw law, const Pitch& pitch, const Situation& s,
-                                       const Occupancy& occupancy, std::optional<End> goal_at,
-                                       CrowdingMemory& memory) {
+std::optional<Decision> judge_crowding(CrowdingLaw law, const JudgedField& pitch,
+                                       const TickFacts& s, const Occupancy& occupancy,
+                                       std::optional<End> goal_at, CrowdingMemory& memory) {
   const Row& row = rows[static_cast<std::size_t>(law)];
   MIROCUP_ASSERT(row.which == law);
   const int max_robots = pitch.rules.*row.max_robots;

@@ -40,8 +40,8 @@ struct CrowdingMemory {
 // Judges one of the four laws. `goal_at` is the end whose goal line the ball crosses in this tick:
 // for the laws about attackers such a ball counts as in the zone, wherever it came from. The calls
 // of the laws about defenders ignore the advantage: judge_play() lets them wait for it.
-std::optional<Decision> judge_crowding(CrowdingLaw law, const Pitch& pitch,
-                                       const Situation& situation, const Occupancy& occupancy,
+std::optional<Decision> judge_crowding(CrowdingLaw law, const JudgedField& pitch,
+                                       const TickFacts& situation, const Occupancy& occupancy,
                                        std::optional<End> goal_at, CrowdingMemory& memory);
 
 }  // namespace mirocup::referee

@@ -10,7 +10,7 @@ namespace mirocup::referee {
 namespace {
 
 // True if the ball cannot pass between the robot and the line of that goal.
-bool blocks(const Pitch& pitch, const Pose& robot, End goal) {
+bool blocks(const JudgedField& pitch, const Pose& robot, End goal) {
   const field::Field& field = pitch.field;
   const Vec2 on_line{-attack_sign(goal) * field.half_length,
                      std::clamp(robot.position.y(), -field.goal_half_width, field.goal_half_width)};
@@ -19,7 +19,7 @@ bool blocks(const Pitch& pitch, const Pose& robot, End goal) {
 
 }  // namespace
 
-std::optional<Decision> judge_fallen(const Pitch& pitch, const Situation& s) {
+std::optional<Decision> judge_fallen(const JudgedField& pitch, const TickFacts& s) {
   for (const End end : ends_from_ball(s)) {
     const RobotSet& fallen = s.fallen[index_of(end)];
     for (int i = 0; i < pitch.field.robots_per_team && fallen.any(); ++i) {

@@ -12,6 +12,6 @@
 
 namespace mirocup::referee {
 
-std::optional<Decision> judge_fallen(const Pitch& pitch, const Situation& situation);
+std::optional<Decision> judge_fallen(const JudgedField& pitch, const TickFacts& situation);
 
 }  // namespace mirocup::referee

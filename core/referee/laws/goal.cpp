@@ -5,7 +5,7 @@
 
 namespace mirocup::referee {
 
-std::optional<Decision> judge_goal(const Pitch& pitch, const Situation& s) {
+std::optional<Decision> judge_goal(const JudgedField& pitch, const TickFacts& s) {
   const double line = pitch.field.half_length + pitch.ball_radius;
   for (const End goal : both_ends) {
     // Outward distance, as if at the right end.

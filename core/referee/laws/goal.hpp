@@ -12,6 +12,6 @@ namespace mirocup::referee {
 // moment of the crossing, interpolated within the tick. A ball that ends the tick behind that line
 // and between the posts is also a goal, wherever its straight path crosses that line. The law has
 // no memory.
-std::optional<Decision> judge_goal(const Pitch& pitch, const Situation& situation);
+std::optional<Decision> judge_goal(const JudgedField& pitch, const TickFacts& situation);
 
 }  // namespace mirocup::referee

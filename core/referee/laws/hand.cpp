@@ -5,7 +5,7 @@
 
 namespace mirocup::referee {
 
-std::optional<Decision> judge_hand(const Pitch& pitch, const Situation& s) {
+std::optional<Decision> judge_hand(const JudgedField& pitch, const TickFacts& s) {
   if (!pitch.rules.hand_penalty) return std::nullopt;
   for (const End end : ends_from_ball(s)) {
     if (!s.hand[index_of(end)]) continue;

@@ -12,6 +12,6 @@
 
 namespace mirocup::referee {
 
-std::optional<Decision> judge_hand(const Pitch& pitch, const Situation& situation);
+std::optional<Decision> judge_hand(const JudgedField& pitch, const TickFacts& situation);
 
 }  // namespace mirocup::referee

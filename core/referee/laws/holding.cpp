@@ -5,11 +5,11 @@
 
 namespace mirocup::referee {
 
-bool hides_ball(const Pitch& pitch, const Situation& s, const RobotId& robot) {
+bool hides_ball(const JudgedField& pitch, const TickFacts& s, const RobotId& robot) {
   return s.touches_ball(robot) && ball_gap(pitch, s.ball, s.pose(robot)) < -pitch.rules.hide_m;
 }
 
-std::optional<Decision> judge_holding(const Pitch& pitch, const Situation& s,
+std::optional<Decision> judge_holding(const JudgedField& pitch, const TickFacts& s,
                                       const Occupancy& occupancy, HoldingMemory& memory) {
   std::optional<Decision> called;
   for (const End end : ends_from_ball(s)) {

@@ -22,9 +22,9 @@ struct HoldingMemory {
 
 // True if the robot touches the ball and hides more of it than the rules allow. The law about the
 // keeper's catch also uses it.
-bool hides_ball(const Pitch& pitch, const Situation& situation, const RobotId& robot);
+bool hides_ball(const JudgedField& pitch, const TickFacts& situation, const RobotId& robot);
 
-std::optional<Decision> judge_holding(const Pitch& pitch, const Situation& situation,
+std::optional<Decision> judge_holding(const JudgedField& pitch, const TickFacts& situation,
                                       const Occupancy& occupancy, HoldingMemory& memory);
 
 }  // namespace mirocup::referee

@@ -8,7 +8,7 @@ namespace mirocup::referee {
 namespace {
 
 // True if a team-mate of the keeper pushes the attacker, which does not push back.
-bool is_kept_there(const Pitch& pitch, const Situation& s, const RobotId& attacker,
+bool is_kept_there(const JudgedField& pitch, const TickFacts& s, const RobotId& attacker,
                    const RobotId& keeper) {
   for (int j = 0; j < pitch.field.robots_per_team; ++j) {
     const RobotId mate{keeper.end, j};
@@ -18,7 +18,7 @@ bool is_kept_there(const Pitch& pitch, const Situation& s, const RobotId& attack
   return false;
 }
 
-bool blocks(const Pitch& pitch, const Situation& s, const RobotId& attacker,
+bool blocks(const JudgedField& pitch, const TickFacts& s, const RobotId& attacker,
             const RobotId& keeper) {
   const Rules& rules = pitch.rules;
   const Pose& a = s.pose(attacker);
@@ -33,7 +33,7 @@ bool blocks(const Pitch& pitch, const Situation& s, const RobotId& attacker,
 
 }  // namespace
 
-std::optional<Decision> judge_keeper_block(const Pitch& pitch, const Situation& s,
+std::optional<Decision> judge_keeper_block(const JudgedField& pitch, const TickFacts& s,
                                            const Occupancy& occupancy, KeeperBlockMemory& memory) {
   const Rules& rules = pitch.rules;
   if (rules.block_s == off) return std::nullopt;

@@ -18,7 +18,7 @@ struct KeeperBlockMemory {
   ByEnd<std::array<Dwell, max_robots_per_team>> blocks;  // how long each attacker has blocked
 };
 
-std::optional<Decision> judge_keeper_block(const Pitch& pitch, const Situation& situation,
+std::optional<Decision> judge_keeper_block(const JudgedField& pitch, const TickFacts& situation,
                                            const Occupancy& occupancy, KeeperBlockMemory& memory);
 
 }  // namespace mirocup::referee

@@ -5,7 +5,7 @@
 
 namespace mirocup::referee {
 
-std::optional<Decision> judge_keeper_catch(const Pitch& pitch, const Situation& s,
+std::optional<Decision> judge_keeper_catch(const JudgedField& pitch, const TickFacts& s,
                                            const Occupancy& occupancy, KeeperCatchMemory& memory) {
   std::optional<Decision> called;
   for (const End end : ends_from_ball(s)) {

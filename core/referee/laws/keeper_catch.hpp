@@ -16,7 +16,7 @@ struct KeeperCatchMemory {
   ByEnd<Dwell> holds;  // how long each end's keeper has held the ball
 };
 
-std::optional<Decision> judge_keeper_catch(const Pitch& pitch, const Situation& situation,
+std::optional<Decision> judge_keeper_catch(const JudgedField& pitch, const TickFacts& situation,
                                            const Occupancy& occupancy, KeeperCatchMemory& memory);
 
 }  // namespace mirocup::referee

@@ -9,7 +9,8 @@ namespace mirocup::referee {
 namespace {
 
 // True if the ball lies between the two and touches one of them.
-bool ball_is_between(const Pitch& pitch, const Situation& s, const RobotId& a, const RobotId& b) {
+bool ball_is_between(const JudgedField& pitch, const TickFacts& s, const RobotId& a,
+                     const RobotId& b) {
   if (!s.touches_ball(a) && !s.touches_ball(b)) return false;
   const Vec2 from = s.pose(a).position;
   const Vec2 offset = s.pose(b).position - from;
@@ -20,13 +21,13 @@ bool ball_is_between(const Pitch& pitch, const Situation& s, const RobotId& a, c
   return (s.ball - nearest).squaredNorm() <= reach * reach;
 }
 
-bool is_near_enough(const Pitch& pitch, const Situation& s, End end) {
+bool is_near_enough(const JudgedField& pitch, const TickFacts& s, End end) {
   return pitch.rules.zone_depth_m > 0.0 ? ball_in_zone(pitch, s, end) : ball_in_half(s, end);
 }
 
 // Returns the closing speed along the line of centres, m/s; 0 if the keeper came at the attacker
 // faster than the attacker at the keeper.
-double closing_speed(const Situation& s, const RobotId& attacker, const RobotId& keeper) {
+double closing_speed(const TickFacts& s, const RobotId& attacker, const RobotId& keeper) {
   const Vec2 offset = s.pose(keeper).position - s.pose(attacker).position;
   const double length = std::sqrt(offset.squaredNorm());
   if (length == 0.0) return 0.0;
@@ -37,7 +38,7 @@ double closing_speed(const Situation& s, const RobotId& attacker, const RobotId&
 
 }  // namespace
 
-std::optional<Decision> judge_keeper_charge(const Pitch& pitch, const Situation& s,
+std::optional<Decision> judge_keeper_charge(const JudgedField& pitch, const TickFacts& s,
                                             const Occupancy& occupancy,
                                             KeeperChargeMemory& memory) {
   const Rules& rules = pitch.rules;

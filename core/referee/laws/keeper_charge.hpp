@@ -19,7 +19,7 @@ struct KeeperChargeMemory {
   ByRobot<bool> touched{};  // by attacker: it touched the keeper in the last tick
 };
 
-std::optional<Decision> judge_keeper_charge(const Pitch& pitch, const Situation& situation,
+std::optional<Decision> judge_keeper_charge(const JudgedField& pitch, const TickFacts& situation,
                                             const Occupancy& occupancy, KeeperChargeMemory& memory);
 
 }  // namespace mirocup::referee

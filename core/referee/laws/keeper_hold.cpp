@@ -5,7 +5,7 @@
 
 namespace mirocup::referee {
 
-std::optional<Decision> judge_keeper_hold(const Pitch& pitch, const Situation& s,
+std::optional<Decision> judge_keeper_hold(const JudgedField& pitch, const TickFacts& s,
                                           KeeperHoldMemory& memory) {
   const field::Field& field = pitch.field;
   for (const End end : both_ends) {

@@ -14,7 +14,7 @@ struct KeeperHoldMemory {
   ByEnd<Dwell> held;  // how long the ball has been uncontested in that end's goal area
 };
 
-std::optional<Decision> judge_keeper_hold(const Pitch& pitch, const Situation& situation,
+std::optional<Decision> judge_keeper_hold(const JudgedField& pitch, const TickFacts& situation,
                                           KeeperHoldMemory& memory);
 
 }  // namespace mirocup::referee

@@ -8,7 +8,7 @@ namespace mirocup::referee {
 
 namespace {
 
-PushInTick tick_of(const Pitch& pitch, const Situation& s, const RobotId& keeper,
+PushInTick tick_of(const JudgedField& pitch, const TickFacts& s, const RobotId& keeper,
                    std::optional<double> x_before) {
   const End end = keeper.end;
   const double towards_line = -attack_sign(end);
@@ -25,13 +25,13 @@ PushInTick tick_of(const Pitch& pitch, const Situation& s, const RobotId& keeper
 }
 
 // True if any corner of the robot is behind the goal line of that end.
-bool is_over_line(const Pitch& pitch, const Pose& robot, End end) {
+bool is_over_line(const JudgedField& pitch, const Pose& robot, End end) {
   const double h = pitch.robot_side / 2.0;
   const double corner = h * (std::abs(robot.heading.cos) + std::abs(robot.heading.sin));
   return -attack_sign(end) * robot.position.x() + corner > pitch.field.half_length;
 }
 
-void remember(const Pitch& pitch, const Situation& s, const Occupancy& occupancy,
+void remember(const JudgedField& pitch, const TickFacts& s, const Occupancy& occupancy,
               KeeperPushInMemory& memory) {
   for (const End end : both_ends) {
     const int e = index_of(end);
@@ -53,7 +53,7 @@ void remember(const Pitch& pitch, const Situation& s, const Occupancy& occupancy
 
 }  // namespace
 
-std::optional<Decision> judge_keeper_push_in(const Pitch& pitch, const Situation& s,
+std::optional<Decision> judge_keeper_push_in(const JudgedField& pitch, const TickFacts& s,
                                              const Occupancy& occupancy, std::optional<End> goal_at,
                                              KeeperPushInMemory& memory) {
   const Rules& rules = pitch.rules;

@@ -36,7 +36,7 @@ struct KeeperPushInMemory {
 
 // Called in every tick. It decides only in a tick in which the ball crosses the goal line at
 // `goal_at`.
-std::optional<Decision> judge_keeper_push_in(const Pitch& pitch, const Situation& situation,
+std::optional<Decision> judge_keeper_push_in(const JudgedField& pitch, const TickFacts& situation,
                                              const Occupancy& occupancy, std::optional<End> goal_at,
                                              KeeperPushInMemory& memory);
 

@@ -20,7 +20,7 @@ Vec2 leaves_circle(const Vec2& spot, double distance, const Vec2& from, const Ve
   return from + std::clamp(share, 0.0, 1.0) * step;
 }
 
-Decision violation(const Situation& s, const KickOffMemory& memory, std::string reason) {
+Decision violation(const TickFacts& s, const KickOffMemory& memory, std::string reason) {
   Decision d = decide(Verdict::KICK_OFF_VIOLATION, Law::kick_off, s, std::move(reason));
   d.team = memory.taker;
   d.restart = Restart::KICK_OFF;
@@ -30,7 +30,7 @@ Decision violation(const Situation& s, const KickOffMemory& memory, std::string 
 
 }  // namespace
 
-std::optional<Decision> judge_kick_off(const Pitch& pitch, const Situation& s,
+std::optional<Decision> judge_kick_off(const JudgedField& pitch, const TickFacts& s,
                                        KickOffMemory& memory) {
   if (!memory.is_pending) return std::nullopt;
   const Rules& rules = pitch.rules;

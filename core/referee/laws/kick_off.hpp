@@ -20,7 +20,7 @@ struct KickOffMemory {
   double waited_s = 0.0;  // since play was released
 };
 
-std::optional<Decision> judge_kick_off(const Pitch& pitch, const Situation& situation,
+std::optional<Decision> judge_kick_off(const JudgedField& pitch, const TickFacts& situation,
                                        KickOffMemory& memory);
 
 }  // namespace mirocup::referee

@@ -10,8 +10,8 @@
 
 #include "core/referee/decide.hpp"
 #include "core/referee/decision.hpp"
-#include "core/referee/pitch.hpp"
+#include "core/referee/judged_field.hpp"
 #include "core/referee/predicates.hpp"
-#include "core/referee/situation.hpp"
+#include "core/referee/tick_facts.hpp"
 
 #include <optional>

@@ -5,7 +5,7 @@
 
 namespace mirocup::referee {
 
-std::optional<Decision> judge_mercy(const Pitch& pitch, const ByEnd<int>& score,
+std::optional<Decision> judge_mercy(const JudgedField& pitch, const ByEnd<int>& score,
                                     const Decision& goal) {
   const int limit = pitch.rules.mercy_goal_diff;
   const int lead = std::abs(score[0] - score[1]);

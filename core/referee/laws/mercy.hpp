@@ -10,7 +10,7 @@ namespace mirocup::referee {
 
 // Called after a goal, with the score that includes it. The end of the match follows the goal in
 // the same tick. The law has no memory.
-std::optional<Decision> judge_mercy(const Pitch& pitch, const ByEnd<int>& score,
+std::optional<Decision> judge_mercy(const JudgedField& pitch, const ByEnd<int>& score,
                                     const Decision& goal);
 
 }  // namespace mirocup::referee

@@ -3,7 +3,7 @@
 
 namespace mirocup::referee {
 
-std::optional<std::string> judge_penalty_attempt(const Pitch& pitch, const Situation& s,
+std::optional<std::string> judge_penalty_attempt(const JudgedField& pitch, const TickFacts& s,
                                                  const Occupancy& occupancy, bool is_stalemate,
                                                  PenaltyAttemptMemory& memory) {
   const Rules& rules = pitch.rules;

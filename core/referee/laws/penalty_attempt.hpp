@@ -24,7 +24,8 @@ struct PenaltyAttemptMemory {
 
 // Returns why the attempt is over without a goal, or nothing while it continues. The caller ends
 // the attempt.
-std::optional<std::string> judge_penalty_attempt(const Pitch& pitch, const Situation& situation,
+std::optional<std::string> judge_penalty_attempt(const JudgedField& pitch,
+                                                 const TickFacts& situation,
                                                  const Occupancy& occupancy, bool is_stalemate,
                                                  PenaltyAttemptMemory& memory);
 

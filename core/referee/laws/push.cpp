@@ -11,7 +11,7 @@ namespace mirocup::referee {
 
 namespace {
 
-bool is_pushing(const Pitch& pitch, const Situation& s, const Occupancy& occupancy,
+bool is_pushing(const JudgedField& pitch, const TickFacts& s, const Occupancy& occupancy,
                 const RobotId& pusher, const RobotId& pushed) {
   return s.touch(pusher, pushed.index) && !s.touches_ball(pusher) &&
          occupancy.keeper[index_of(pushed.end)] != pushed && drives_at(pitch, s, pusher, pushed) &&
@@ -19,8 +19,8 @@ bool is_pushing(const Pitch& pitch, const Situation& s, const Occupancy& occupan
 }
 
 // True if the pushed robot was moved far enough, and away from the pusher.
-bool is_moved(const Pitch& pitch, const Situation& s, const RobotId& pusher, const RobotId& pushed,
-              const Vec2& from) {
+bool is_moved(const JudgedField& pitch, const TickFacts& s, const RobotId& pusher,
+              const RobotId& pushed, const Vec2& from) {
   const Vec2 moved = s.pose(pushed).position - from;
   const double limit = pitch.rules.push_dist_m;
   if (moved.squaredNorm() < limit * limit) return false;
@@ -30,7 +30,7 @@ bool is_moved(const Pitch& pitch, const Situation& s, const RobotId& pusher, con
 
 }  // namespace
 
-Decision call_push(const Pitch& pitch, const Situation& s, const RobotId& pusher,
+Decision call_push(const JudgedField& pitch, const TickFacts& s, const RobotId& pusher,
                    const RobotId& pushed, std::string reason) {
   const bool defends =
       ball_in_half(s, pusher.end) || (s.last_touch && s.last_touch->end == pushed.end);
@@ -54,7 +54,7 @@ Decision call_push(const Pitch& pitch, const Situation& s, const RobotId& pusher
   return d;
 }
 
-std::optional<Decision> judge_push(const Pitch& pitch, const Situation& s,
+std::optional<Decision> judge_push(const JudgedField& pitch, const TickFacts& s,
                                    const Occupancy& occupancy, PushMemory& memory) {
   const Rules& rules = pitch.rules;
   if (rules.push_dist_m == off) return std::nullopt;

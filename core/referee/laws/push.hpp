@@ -33,12 +33,12 @@ struct PushMemory {
 // Returns the decision about a push. The pusher's team defends if the ball is in its half or was
 // last touched by the pushed team. `reason` says what the pusher did; the function adds whether its
 // team defended or attacked.
-Decision call_push(const Pitch& pitch, const Situation& situation, const RobotId& pusher,
+Decision call_push(const JudgedField& pitch, const TickFacts& situation, const RobotId& pusher,
                    const RobotId& pushed, std::string reason);
 
 // Returns the call of at most one push. It ignores the advantage: judge_play() decides whether the
 // call of a push by the defending side waits.
-std::optional<Decision> judge_push(const Pitch& pitch, const Situation& situation,
+std::optional<Decision> judge_push(const JudgedField& pitch, const TickFacts& situation,
                                    const Occupancy& occupancy, PushMemory& memory);
 
 }  // namespace mirocup::referee

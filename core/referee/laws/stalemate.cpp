@@ -3,7 +3,7 @@
 
 namespace mirocup::referee {
 
-bool is_stalemate(const Pitch& pitch, const StalemateMemory& memory, double duration) {
+bool is_stalemate(const JudgedField& pitch, const StalemateMemory& memory, double duration) {
   return memory.still_s + duration / 2.0 >= pitch.rules.stalemate_s;
 }
 
@@ -13,7 +13,7 @@ bool judges_by_speed(const Rules& rules) {
   return rules.stalemate_speed_mps > 0.0;
 }
 
-bool has_moved(const Rules& rules, const Situation& s, const Vec2& anchor) {
+bool has_moved(const Rules& rules, const TickFacts& s, const Vec2& anchor) {
   if (judges_by_speed(rules)) {
     const double slow = rules.stalemate_speed_mps * s.duration;  // m in this tick
     return (s.ball - s.ball_before).squaredNorm() > slow * slow;
@@ -30,7 +30,8 @@ std::string reason_of(const Rules& rules, const StalemateMemory& memory) {
 }
 
 // VSSReferee's call for a ball that gets nowhere in a goal area.
-Decision in_goal_area_of(const Pitch& pitch, const Situation& s, End end, const std::string& why) {
+Decision in_goal_area_of(const JudgedField& pitch, const TickFacts& s, End end,
+                         const std::string& why) {
   if (is_contested(pitch, s, end) && is_contested(pitch, s, opposite(end))) {
     Decision d = decide(Verdict::FREE_BALL, Law::stalemate, s, why + ", robots of both at it");
     give_free_ball(pitch, s.ball, d);
@@ -42,7 +43,7 @@ Decision in_goal_area_of(const Pitch& pitch, const Situation& s, End end, const 
 
 }  // namespace
 
-std::optional<Decision> judge_stalemate(const Pitch& pitch, const Situation& s,
+std::optional<Decision> judge_stalemate(const JudgedField& pitch, const TickFacts& s,
                                         StalemateMemory& memory) {
   const field::Field& field = pitch.field;
   if (!memory.anchor) memory.anchor = s.ball_before;

@@ -17,9 +17,9 @@ struct StalemateMemory {
 };
 
 // True if `still_s` has reached the limit of the rules. `duration` is that of a tick, s.
-bool is_stalemate(const Pitch& pitch, const StalemateMemory& memory, double duration);
+bool is_stalemate(const JudgedField& pitch, const StalemateMemory& memory, double duration);
 
-std::optional<Decision> judge_stalemate(const Pitch& pitch, const Situation& situation,
+std::optional<Decision> judge_stalemate(const JudgedField& pitch, const TickFacts& situation,
                                         StalemateMemory& memory);
 
 }  // namespace mirocup::referee

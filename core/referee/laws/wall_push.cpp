@@ -8,12 +8,12 @@ namespace mirocup::referee {
 
 namespace {
 
-bool at_end_wall(const Pitch& pitch, const Situation& s, End end) {
+bool at_end_wall(const JudgedField& pitch, const TickFacts& s, End end) {
   const double from_wall = pitch.field.half_length + attack_sign(end) * s.ball.x();
   return from_wall <= pitch.rules.wall_ball_m && std::abs(s.ball.y()) > pitch.field.goal_half_width;
 }
 
-RobotSet at_ball(const Pitch& pitch, const Situation& s, End team) {
+RobotSet at_ball(const JudgedField& pitch, const TickFacts& s, End team) {
   const double reach = pitch.rules.wall_robot_m;
   RobotSet near;
   for (int i = 0; i < pitch.field.robots_per_team; ++i) {
@@ -24,7 +24,7 @@ RobotSet at_ball(const Pitch& pitch, const Situation& s, End team) {
 }
 
 // Returns the robot that shoves the ball along the wall while a team-mate touches it, or nothing.
-std::optional<RobotId> shover(const Pitch& pitch, const Situation& s, End team, RobotSet near,
+std::optional<RobotId> shover(const JudgedField& pitch, const TickFacts& s, End team, RobotSet near,
                               bool away_from_mouth) {
   const double from_mouth = (s.ball.y() > 0.0 ? 1.0 : -1.0) * (s.ball.y() - s.ball_before.y());
   if (away_from_mouth ? from_mouth <= 0.0 : from_mouth >= 0.0) return std::nullopt;
@@ -35,7 +35,8 @@ std::optional<RobotId> shover(const Pitch& pitch, const Situation& s, End team, 
   return std::nullopt;
 }
 
-Decision free_ball(const Pitch& pitch, const Situation& s, const Vec2& where, std::string reason) {
+Decision free_ball(const JudgedField& pitch, const TickFacts& s, const Vec2& where,
+                   std::string reason) {
   Decision d = decide(Verdict::FREE_BALL, Law::wall_push, s, std::move(reason));
   give_free_ball(pitch, where, d);
   return d;
@@ -43,7 +44,7 @@ Decision free_ball(const Pitch& pitch, const Situation& s, const Vec2& where, st
 
 }  // namespace
 
-std::optional<Decision> judge_wall_push(const Pitch& pitch, const Situation& s,
+std::optional<Decision> judge_wall_push(const JudgedField& pitch, const TickFacts& s,
                                         WallPushMemory& memory) {
   if (!pitch.rules.wall_push) return std::nullopt;
   for (const End end : both_ends) {

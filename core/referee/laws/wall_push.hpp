@@ -18,7 +18,7 @@ struct WallPushMemory {
   ByEnd<Dwell> pressed;  // how long both teams have pressed, by the end whose wall it is
 };
 
-std::optional<Decision> judge_wall_push(const Pitch& pitch, const Situation& situation,
+std::optional<Decision> judge_wall_push(const JudgedField& pitch, const TickFacts& situation,
                                         WallPushMemory& memory);
 
 }  // namespace mirocup::referee

@@ -104,16 +104,16 @@ double RestThresholds::restitution_threshold(const collision::Contact& contact, 
   const int i = find(contact);
   const Touched& known = memory_.touched[i < memory_.count ? i : 0];
   if (i == memory_.count || t - known.time > settings::rest_thresholds.contact_memory)
-    return tolerances_.first_restitution_threshold;
+    return tolerances_.first_touch_threshold;
   const double e = contact.material.restitution;
   const double height = (1.0 - e) / (e * e) * tolerances_.series_height;
   if (known.pressing > 0.0)
-    return std::max(tolerances_.restitution_threshold, std::sqrt(2.0 * known.pressing * height));
+    return std::max(tolerances_.pressing_threshold, std::sqrt(2.0 * known.pressing * height));
   const double of_series =
       (e + settings::rest_thresholds.series_margin * (1.0 - e)) * known.approach;
   const double flight = t - known.time;
   const bool is_low = of_series * flight < 4.0 * height;
-  return std::max(tolerances_.first_restitution_threshold,
+  return std::max(tolerances_.first_touch_threshold,
                   is_low ? std::min(of_series, settings::rest_thresholds.max_acceleration * flight)
                          : 4.0 * height / std::max(flight, 1e-300));
 }

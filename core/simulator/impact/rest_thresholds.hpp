@@ -11,7 +11,7 @@
 // stops the contact, which then presses with the mean force of the impacts that are left out. Every
 // other impact bounces: an approach that is faster than a series allows, a higher bounce, a first
 // touch, and any impact at e = 1. The exception: in a contact that presses, approaches up to
-// Tolerances::restitution_threshold count as rounding and do not bounce.
+// Tolerances::pressing_threshold count as rounding and do not bounce.
 //
 // The contacts of the last contact_memory seconds are remembered from tick to tick, so the end of a
 // tick does not interrupt a series.

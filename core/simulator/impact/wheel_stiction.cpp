@@ -63,7 +63,7 @@ void arrest_slow_slip(const collision::StaticWorld& world,
                       std::span<const solver::InverseMass> mass, std::span<BodyState> bodies,
                       solver::BoxQp& problem) {
   if (contacts.empty() || world.parameters.grip == infinite_grip) return;
-  const double first = world.tolerances.first_restitution_threshold;
+  const double first = world.tolerances.first_touch_threshold;
   const double braking = world.parameters.grip * gravity;
   const double slip_of_series = std::sqrt(2.0 * braking * world.tolerances.series_height);
   BodySet touching;

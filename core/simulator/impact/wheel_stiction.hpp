@@ -26,7 +26,7 @@ void arrest_slip(std::span<collision::Contact> contacts, std::span<const int> ro
 // wedge. Applies to every robot that has a contact and its wheels on the ground. To be called after
 // the impact of these contacts was resolved. The limit of a robot's slip comes from Tolerances:
 // - slow_motion if the impact did not hit the robot;
-// - first_restitution_threshold if it did;
+// - first_touch_threshold if it did;
 // - in a series of impacts, the slip that the ground would stop within series_height, but at most
 //   the approach speed of the impact. So an impact that only grazes stops no fast slip: its
 //   contact may open at once, and the impulse that stops the slip would press on the contact.

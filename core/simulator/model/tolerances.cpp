@@ -10,7 +10,7 @@ Tolerances tolerances_of(Accuracy accuracy) {
     case Accuracy::coarse:
       t.contact_gap = 5e-7;
       t.penetration = 1e-8;
-      t.restitution_threshold = 2e-3;
+      t.pressing_threshold = 2e-3;
       t.series_height = 1e-4;
       t.event_budget = 0;
       t.max_step = 34e-3;
@@ -22,7 +22,7 @@ Tolerances tolerances_of(Accuracy accuracy) {
       break;
     case Accuracy::reference:
       t.penetration = 1e-13;
-      t.restitution_threshold = 2e-5;
+      t.pressing_threshold = 2e-5;
       t.series_height = 1e-12;
       t.slow_motion = 1e-9;
       t.event_budget = 10'000'000;

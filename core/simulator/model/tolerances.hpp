@@ -26,10 +26,10 @@ struct Tolerances {
 
   // ---- restitution: a contact that approaches more slowly than its threshold does not bounce
   // m/s: the threshold of a contact that did not press before.
-  double first_restitution_threshold = 1e-10;
+  double first_touch_threshold = 1e-10;
   // m/s: the threshold of a contact that presses. It is larger than any speed that motors can give
   // a body on the distance `penetration`.
-  double restitution_threshold = 5e-4;
+  double pressing_threshold = 5e-4;
   // m: an impact ends its series if the bounces that would follow are not higher than this. The
   // wheels of a robot in a series lose at once a slip that would take them no further than this.
   double series_height = 3e-7;

@@ -2,7 +2,7 @@
 //
 // Reads any bytes as a recording of a camera: JSON lines if they begin with a brace, and otherwise
 // a table.
-#include "labs/pitch/recording.hpp"
+#include "labs/pitch/camera_log.hpp"
 #include "tests/security/fuzz/fuzz_target.hpp"
 
 MIROCUP_FUZZ_TARGET(recording) {

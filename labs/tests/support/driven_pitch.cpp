@@ -72,7 +72,7 @@ bool Driver::arrives(int i, const DrivenStates& robots) const {
     return gap < (speed + std::abs(other.twist.forward)) * lead_ + near;
   }
   if (mode_ != Mode::knock) return false;
-  static const field::Field field = field::make_field(League::small);
+  static const field::Field field = field::make_field(RobotLeague::small);
   const Vec2 way = robot.heading.to_world({std::copysign(1.0, wheels_[i].left), 0.0});
   const auto room = [](double half, double at, double along) {
     return (half - std::copysign(1.0, along) * at) / std::max(1e-6, std::abs(along));
@@ -121,19 +121,19 @@ pitch::Guess random_pitch(std::uint64_t seed) {
   return truth;
 }
 
-pitch::Recording recording_of(const DrivenPitch& driven, simulator::RunStatistics* statistics) {
+pitch::CameraLog recording_of(const DrivenPitch& driven, simulator::RunStatistics* statistics) {
   const simulator::Parameters& p = driven.truth.parameters;
   Random random(driven.seed);
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   simulator::World world(driven.has_walls ? &field : nullptr, p, simulator::Tolerances{},
                          driven_robots, true);
   world.set_statistics(statistics);
   world.set_robot(0, {{-0.3, 0.1}, Heading{}, {}});
   world.set_robot(1, {{0.3, -0.1}, Heading::from_angle(2.0), {}});
   world.set_ball({{0.0, 0.0}, {0.5, 0.3}});
-  pitch::Recording recording;
+  pitch::CameraLog recording;
   recording.path = "driven";
-  recording.league = League::small;
+  recording.league = RobotLeague::small;
   recording.robots = 1;
   recording.period = driven.period;
 

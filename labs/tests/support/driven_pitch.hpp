@@ -7,7 +7,7 @@
 
 #include "core/base/random.hpp"
 #include "core/simulator/statistics.hpp"
-#include "labs/pitch/recording.hpp"
+#include "labs/pitch/camera_log.hpp"
 #include "labs/pitch/unknowns.hpp"
 
 #include <array>
@@ -55,7 +55,7 @@ class Driver {
   double lead_ = 0.0;                           // s, before the hit
 };
 
-pitch::Recording recording_of(const DrivenPitch& driven,
+pitch::CameraLog recording_of(const DrivenPitch& driven,
                               simulator::RunStatistics* statistics = nullptr);
 
 }  // namespace mirocup::test_support

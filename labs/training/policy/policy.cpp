@@ -34,7 +34,7 @@ Policy read_spec(const JsonReader& json) {
   Policy policy;
   if (!json.expect_object()) return policy;
   json.expect_schema(spec_schema);
-  policy.league = json.at("league").name<League>();
+  policy.league = json.at("league").name<RobotLeague>();
   policy.sight = json.at("observation_kind").name<Sight>();
   policy.steering = json.at("action_kind").name<Steering>();
   policy.ticks_per_step = json.at("ticks_per_step").integer<int>(1, 1000);

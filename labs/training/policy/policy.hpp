@@ -39,7 +39,7 @@ struct Layer {
 };
 
 struct Policy {
-  League league = League::small;
+  RobotLeague league = RobotLeague::small;
   Sight sight = Sight::standard;
   Steering steering = Steering::wheels;
   int ticks_per_step = 1;                // control periods for which an action holds

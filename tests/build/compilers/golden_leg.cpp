@@ -35,8 +35,8 @@ test_support::Scripted with_requests(test_support::Scripted team, std::uint64_t 
 
 std::uint64_t hash_of(match::ConditionsPreset preset, bool requests) {
   StateHash all;
-  for (const League league : {League::small, League::middle, League::large}) {
-    auto setup = test_support::short_setup(7, league == League::large ? 6.0 : 20.0, league);
+  for (const RobotLeague league : {RobotLeague::small, RobotLeague::middle, RobotLeague::large}) {
+    auto setup = test_support::short_setup(7, league == RobotLeague::large ? 6.0 : 20.0, league);
     setup.conditions = match::conditions_of(preset);
     if (requests) setup.rules.stalemate_s = 0.5;  // many restarts, of every kind
     match::Leg match(setup);

@@ -36,7 +36,7 @@ void add(StateHash& hash, const simulator::World& world) {
 
 void play_scene(std::uint64_t seed, StateHash& hash) {
   Random random(seed);
-  const field::Field field = field::make_field(static_cast<League>(seed % 3));
+  const field::Field field = field::make_field(static_cast<RobotLeague>(seed % 3));
   const int robots = 2 * field.robots_per_team;
   simulator::World world(&field, simulator::Parameters{}, simulator::Tolerances{}, robots, true);
   const double speed = 0.5 * static_cast<double>(seed % 5);  // m/s, at most

@@ -68,14 +68,14 @@ test_support::Scripted restless(test_support::Scripted team, std::uint64_t seed,
 Setup setup_of(int number) {
   Random random(mix_seed(static_cast<std::uint64_t>(number)));
   Setup setup;
-  setup.league = static_cast<League>(number % 3);
+  setup.league = static_cast<RobotLeague>(number % 3);
   const auto preset = static_cast<referee::Preset>(number / 3 % 3);
   setup.rules = referee::make_rules(preset, setup.league);
   setup.stage = random.coin() ? referee::Stage::knockout : referee::Stage::group;
   setup.seed = random.next();
   setup.control_period = match::control_period_of(preset);
   // Short phases, so that every phase is reached, and short limits of time to match.
-  setup.rules.half_s = setup.league == League::large ? 3.0 : random.uniform(5.0, 15.0);
+  setup.rules.half_s = setup.league == RobotLeague::large ? 3.0 : random.uniform(5.0, 15.0);
   setup.rules.golden_goal_s = setup.rules.golden_goal_s > 0.0 ? 4.0 : 0.0;
   setup.rules.extra_halves_s = setup.rules.extra_halves_s > 0.0 ? 3.0 : 0.0;
   setup.rules.attempt_s = 3.0;
@@ -87,7 +87,7 @@ Setup setup_of(int number) {
 }
 
 void expect_legal(const Leg& leg) {
-  const referee::Pitch& pitch = leg.pitch();
+  const referee::JudgedField& pitch = leg.pitch();
   const Snapshot scene = leg.snapshot();
   std::vector<Pose> placed;
   for (const Team team : both_teams) {

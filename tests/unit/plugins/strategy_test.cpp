@@ -55,7 +55,7 @@ TEST(LawsOfATeam, HaveCountsAndLimitsAtTheirIndexes) {
   leg.rules.def_max = 1;
   leg.rules.pa_def_max = 2;
   leg.rules.att_max = 3;
-  const field::Field field = field::make_field(League::middle);
+  const field::Field field = field::make_field(RobotLeague::middle);
   const mirocup_setup setup =
       abi::to_setup({.field = &field, .parameters = &leg.parameters, .rules = &leg.rules});
   match::Observation seen;

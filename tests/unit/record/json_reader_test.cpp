@@ -33,7 +33,7 @@ TEST(JsonReader, ReadsEveryTypeThatAParserAsksFor) {
     std::uint64_t seed = 0;
     bool is_open = false;
     std::string title;
-    League league = League::small;
+    RobotLeague league = RobotLeague::small;
     std::vector<int> list;
   };
   const auto values = read_json<Values>(
@@ -46,7 +46,7 @@ TEST(JsonReader, ReadsEveryTypeThatAParserAsksFor) {
         v.seed = json.at("seed").as<std::uint64_t>();
         v.is_open = json.at("is_open").boolean();
         v.title = json.at("title").text();
-        v.league = json.at("league").name<League>();
+        v.league = json.at("league").name<RobotLeague>();
         for (const JsonReader& e : json.at("list").elements(1, 3)) v.list.push_back(e.as<int>());
         return v;
       });
@@ -56,7 +56,7 @@ TEST(JsonReader, ReadsEveryTypeThatAParserAsksFor) {
   EXPECT_EQ(values->seed, UINT64_MAX);
   EXPECT_TRUE(values->is_open);
   EXPECT_EQ(values->title, "t");
-  EXPECT_EQ(values->league, League::large);
+  EXPECT_EQ(values->league, RobotLeague::large);
   EXPECT_EQ(values->list, (std::vector<int>{1, -2, 3}));
 }
 
@@ -103,7 +103,7 @@ TEST(JsonReader, GivesNoValueOutOfItsRange) {
     EXPECT_EQ(json.at(3).number(1.0, 2.0), 1.0);
     EXPECT_EQ(json.at(4).number(0.0, 2.0), 2.0);
     EXPECT_EQ(json.at(7).text(), "") << "there is no such element";
-    EXPECT_EQ(json.at(3).name<League>(), League::small);
+    EXPECT_EQ(json.at(3).name<RobotLeague>(), RobotLeague::small);
   });
 }
 

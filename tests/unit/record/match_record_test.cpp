@@ -18,7 +18,7 @@ namespace {
 
 using test_support::MemoryFiles;
 
-MatchRecord played(std::uint64_t seed, League league = League::small) {
+MatchRecord played(std::uint64_t seed, RobotLeague league = RobotLeague::small) {
   match::Leg match(test_support::short_setup(seed, 8.0, league));
   auto blue = test_support::ball_hunter();
   auto yellow = test_support::random_team(seed);
@@ -37,9 +37,10 @@ MatchRecord played(std::uint64_t seed, League league = League::small) {
   return record;
 }
 
-class Leagues : public testing::TestWithParam<League> {};
+class Leagues : public testing::TestWithParam<RobotLeague> {};
 INSTANTIATE_TEST_SUITE_P(All, Leagues,
-                         testing::Values(League::small, League::middle, League::large));
+                         testing::Values(RobotLeague::small, RobotLeague::middle,
+                                         RobotLeague::large));
 
 TEST_P(Leagues, RecordsReadBackAsWrittenAndVerify) {
   MemoryFiles files;
@@ -114,7 +115,7 @@ TEST(MatchRecord, IsWrittenAfterItsReplayOrNotAtAll) {
 
 TEST(MatchRecord, StaysSmall) {
   MemoryFiles files;
-  match::Leg match(test_support::short_setup(5, 60.0, League::large));
+  match::Leg match(test_support::short_setup(5, 60.0, RobotLeague::large));
   auto blue = test_support::random_team(1);
   auto yellow = test_support::random_team(2);
   MatchRecord record = played(1);

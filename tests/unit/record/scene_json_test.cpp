@@ -31,7 +31,7 @@ ordered_json good() {
 TEST(SceneJson, ReadsEverything) {
   const auto scene = parse_scene(good().dump(), "s.json");
   ASSERT_TRUE(test_support::is_ok(scene));
-  EXPECT_EQ(scene->league, League::middle);
+  EXPECT_EQ(scene->league, RobotLeague::middle);
   EXPECT_EQ(scene->parameters.grip, simulator::infinite_grip);
   EXPECT_EQ(scene->parameters.rolling_friction, simulator::RollingFriction::per_axis);
   EXPECT_EQ(scene->parameters.k, 0.01);

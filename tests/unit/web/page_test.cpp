@@ -12,7 +12,7 @@
 namespace mirocup::web {
 namespace {
 
-record::MatchRecord played(double half_s, League league = League::small) {
+record::MatchRecord played(double half_s, RobotLeague league = RobotLeague::small) {
   match::Leg match(test_support::short_setup(3, half_s, league));
   auto blue = test_support::ball_hunter();
   auto yellow = test_support::random_team(3);
@@ -58,7 +58,7 @@ TEST(ReplayPage, RefusesARecordThatIsNotReproduced) {
   EXPECT_EQ(page.error().tick, 51u);
 }
 TEST(ReplayPage, GivesItsDataBack) {
-  const record::MatchRecord record = played(20.0, League::large);
+  const record::MatchRecord record = played(20.0, RobotLeague::large);
   const auto page = replay_page(record);
   ASSERT_TRUE(page);
   EXPECT_EQ(data_of_page(page->html), *replay_data(record));
@@ -80,7 +80,7 @@ TEST(ReplayPage, IsTheSameOnEveryMachineWithoutTimes) {
 // Forty seconds of the largest league, with random commands: a fifteenth of the 3 MB that the page
 // of ten minutes may have, and 80 kB for the script and the style.
 TEST(ReplayPage, StaysSmall) {
-  const auto page = replay_page(played(20.0, League::large));
+  const auto page = replay_page(played(20.0, RobotLeague::large));
   ASSERT_TRUE(page);
   EXPECT_LT(page->html.size(), 280'000u);
 }

@@ -18,7 +18,7 @@ TEST(SvgPath, IsInMillimetresWithYDownwards) {
 
 // The numbers are those of the rules: goal area 0.15 x 0.70 m with an arc over 0.20 m.
 TEST(Markings, MatchTheRulesInTheSmallLeague) {
-  const Markings marks = markings(field::make_field(League::small));
+  const Markings marks = markings(field::make_field(RobotLeague::small));
   EXPECT_NE(marks.lines.find("M750 350L600 350L600 -350L750 -350M600 -100A125 125 0 0 0 600 100"),
             std::string::npos)
       << marks.lines;
@@ -32,7 +32,7 @@ TEST(Markings, MatchTheRulesInTheSmallLeague) {
 }
 
 TEST(Picture, ShowsEveryBodyWhereItIs) {
-  const field::Field field = field::make_field(League::middle);
+  const field::Field field = field::make_field(RobotLeague::middle);
   Moment moment;
   moment.scene.left = Team::yellow;
   moment.scene.ball.position = {0.5, -0.25};

@@ -12,7 +12,7 @@ namespace mirocup::pitch {
 namespace {
 
 // Two robots for 40 s, one of each team: bodies 0 and 1, and the ball.
-Recording forty_seconds() {
+CameraLog forty_seconds() {
   test_support::DrivenPitch driven;
   driven.truth = test_support::random_pitch(10);
   driven.seconds = 40.0;
@@ -29,7 +29,7 @@ bool overlap(const Window& a, const Window& b) {
 // Catches hits that are left out because wheels slide before them, which most do: then a minute
 // tells no restitution of robots. And pictures that count twice.
 TEST(Cuts, HitsHaveWindowsWhetherWheelsHoldOrSlide) {
-  const Recording recording = forty_seconds();
+  const CameraLog recording = forty_seconds();
   const Footage footage(recording);
   const std::vector<Window> meet = meetings(footage, {});
   EXPECT_GT(meet.size(), 8U);
@@ -46,10 +46,10 @@ TEST(Cuts, HitsHaveWindowsWhetherWheelsHoldOrSlide) {
 }
 
 // Pictures of a robot that slides sideways at first.
-Recording sliding_robot(const simulator::Parameters& parameters) {
+CameraLog sliding_robot(const simulator::Parameters& parameters) {
   simulator::World world(nullptr, parameters, simulator::Tolerances{}, 1, false);
   world.set_robot(0, {{-0.3, 0.1}, Heading::from_angle(0.4), {0.5, 0.4, 1.0}});
-  Recording recording;
+  CameraLog recording;
   recording.path = "slide";
   recording.robots = 1;
   recording.period = 1.0 / 60.0;
@@ -75,7 +75,7 @@ TEST(Fit, FindsTheSidewaysSpeedOfASlide) {
   truth.parameters.grip = 0.5;
   truth.parameters.turn_time_constant = truth.parameters.turn_lag();
   truth.parameters.brake_time_constant = truth.parameters.brake_lag();
-  const Recording recording = sliding_robot(truth.parameters);
+  const CameraLog recording = sliding_robot(truth.parameters);
   const Footage footage(recording);
   double square[2];
   for (const bool may_slide : {false, true}) {

@@ -34,7 +34,7 @@ TEST(Identify, FindsThePitchOfARecording) {
 
 // Catches a number that the recording does not carry: of a ball that touches nothing.
 TEST(Identify, SaysWhatARecordingDoesNotTell) {
-  Recording recording;
+  CameraLog recording;
   recording.path = "roll";
   recording.robots = 1;
   const double a = 0.2;  // m/s^2
@@ -62,7 +62,7 @@ TEST(Identify, SaysNothingOfWallsThatNothingHits) {
   simulator::World world(nullptr, {}, simulator::Tolerances{}, 2, false);
   world.set_robot(0, {{-0.3, 0.0}, Heading{}, {}});
   world.set_robot(1, {{0.3, 0.0}, Heading::from_angle(1.0), {}});
-  Recording recording;
+  CameraLog recording;
   recording.path = "middle";
   recording.robots = 1;
   recording.period = 1.0 / 60.0;
@@ -97,7 +97,7 @@ TEST(Identify, SaysNothingOfWallsThatNothingHits) {
 TEST(Validate, SaysWhereTheSimulatorIsWorseThanGoingStraightOn) {
   test_support::DrivenPitch driven;
   driven.seconds = 25.0;
-  const Recording recording = test_support::recording_of(driven);
+  const CameraLog recording = test_support::recording_of(driven);
   const Validation right = validate({recording}, driven.truth);
   const ErrorCell& drives = right.cells[static_cast<std::size_t>(EventKind::drive)][4];
   ASSERT_GT(drives.count, 20);
@@ -111,9 +111,9 @@ TEST(Validate, SaysWhereTheSimulatorIsWorseThanGoingStraightOn) {
 TEST(Validate, SaysWhereAnotherEngineIsBetter) {
   test_support::DrivenPitch driven;
   driven.seconds = 25.0;
-  const Recording recording = test_support::recording_of(driven);
+  const CameraLog recording = test_support::recording_of(driven);
   const Peer peer{"oracle",
-                  [](const Recording&, const Footage& footage, const Guess&, const Window& window,
+                  [](const CameraLog&, const Footage& footage, const Guess&, const Window& window,
                      const std::vector<simulator::BodyState>& start, const Peer::See& see) {
                     std::vector<Vec2> at;
                     for (const simulator::BodyState& s : start) at.push_back(s.position);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "labs/pitch/recording.hpp"
-
+#include "labs/pitch/camera_log.hpp"
 #include "tests/support/is_ok.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +28,7 @@ TEST(PitchRecording, ReadsWhatItWrites) {
   EXPECT_TRUE(first.commands[1].empty());
   EXPECT_FALSE(recording->frames[1].ball);
   EXPECT_TRUE(recording->frames[1].robots[0][1]);
-  EXPECT_EQ(recording->league, League::small);
+  EXPECT_EQ(recording->league, RobotLeague::small);
   const auto again = parse_recording(print_recording(*recording), "again");
   ASSERT_TRUE(test_support::is_ok(again));
   EXPECT_EQ(print_recording(*again), print_recording(*recording));

@@ -24,7 +24,7 @@ Pose at(double x, double y, double angle = 0.0) {
 }
 
 TEST(Coverage, IsWholeInsideAndNothingOutside) {
-  const Field f = make_field(League::small);
+  const Field f = make_field(RobotLeague::small);
   EXPECT_EQ(part(f, f.goal_area, at(0.675, 0.2, 0.3)), 1.0);
   EXPECT_EQ(part(f, f.goal_area, at(0.4, 0.0)), 0.0);
   EXPECT_EQ(part(f, f.goal_area, at(-0.7, 0.0)), 0.0) << "the other end's";
@@ -33,14 +33,14 @@ TEST(Coverage, IsWholeInsideAndNothingOutside) {
 }
 
 TEST(Coverage, IsHalfOnAStraightLineAtAnyHeading) {
-  const Field f = make_field(League::middle);
+  const Field f = make_field(RobotLeague::middle);
   for (const double angle : {0.0, 0.1, 0.5, 0.785, 1.3}) {
     EXPECT_NEAR(part(f, f.goal_area, at(0.95, 0.1, angle)), 0.5, 1e-12) << angle;
   }
 }
 
 TEST(Coverage, IsAThirdWhereTheCentreIsJustInACorner) {
-  const Field f = make_field(League::small);
+  const Field f = make_field(RobotLeague::small);
   ASSERT_TRUE(f.inside(f.goal_area, End::right, {0.605, 0.345}));
   const double inside = (0.0375 + 0.005) / side;
   EXPECT_NEAR(part(f, f.goal_area, at(0.605, 0.345)), inside * inside, 1e-12);
@@ -49,7 +49,7 @@ TEST(Coverage, IsAThirdWhereTheCentreIsJustInACorner) {
 // Against counting points of a grid over the robot, anywhere around all areas of all leagues.
 TEST(Coverage, AgreesWithCountedPoints) {
   Random random(5);
-  for (const League league : {League::small, League::middle, League::large}) {
+  for (const RobotLeague league : {RobotLeague::small, RobotLeague::middle, RobotLeague::large}) {
     const Field f = make_field(league);
     for (int i = 0; i < 200; ++i) {
       const Area& area = f.penalty_area && random.coin() ? *f.penalty_area : f.goal_area;
@@ -72,7 +72,7 @@ TEST(Coverage, AgreesWithCountedPoints) {
 
 TEST(Coverage, IsTheSameAtBothEndsBitForBit) {
   Random random(6);
-  const Field f = make_field(League::large);
+  const Field f = make_field(RobotLeague::large);
   for (int i = 0; i < 500; ++i) {
     const Pose pose =
         at(random.uniform(1.1, 2.1), random.uniform(-0.8, 0.8), random.uniform(-3, 3));

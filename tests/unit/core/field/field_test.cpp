@@ -8,9 +8,10 @@
 namespace mirocup::field {
 namespace {
 
-class EveryField : public testing::TestWithParam<League> {};
+class EveryField : public testing::TestWithParam<RobotLeague> {};
 INSTANTIATE_TEST_SUITE_P(Leagues, EveryField,
-                         testing::Values(League::small, League::middle, League::large),
+                         testing::Values(RobotLeague::small, RobotLeague::middle,
+                                         RobotLeague::large),
                          [](const auto& league) { return std::string(to_string(league.param)); });
 
 TEST_P(EveryField, IsSymmetricUnderAHalfTurn) {
@@ -39,7 +40,7 @@ TEST_P(EveryField, ClearanceIsTheDistanceToTheNearestSolid) {
 }
 
 TEST(SmallField, HasTheArcOfTheRuleBook) {
-  const Field f = make_field(League::small);
+  const Field f = make_field(RobotLeague::small);
   EXPECT_NEAR(f.goal_area.arc_radius, 0.125, 1e-12);
   EXPECT_NEAR(f.goal_area.arc_centre, 0.675, 1e-12);
   EXPECT_TRUE(f.inside(f.goal_area, End::right, {0.551, 0.0}));
@@ -53,10 +54,10 @@ TEST(SmallField, HasTheArcOfTheRuleBook) {
 }
 
 TEST(LargerFields, HaveTheArcsOfTheRuleBook) {
-  const Field middle = make_field(League::middle);
+  const Field middle = make_field(RobotLeague::middle);
   EXPECT_NEAR(middle.penalty_area->arc_radius, 0.18125, 1e-12);
   EXPECT_NEAR(middle.penalty_area->arc_centre, 0.88125, 1e-12);
-  const Field large = make_field(League::large);
+  const Field large = make_field(RobotLeague::large);
   EXPECT_NEAR(large.penalty_area->arc_radius, 0.30, 1e-6);
   EXPECT_NEAR(large.penalty_area->arc_centre, 1.50, 1e-6);
 }

@@ -24,7 +24,7 @@ class GoalCredits : public testing::Test {
  protected:
   GoalCredit credit() const { return credit_of(goal, contacts, field, simulator::Parameters{}); }
 
-  field::Field field = field::make_field(League::small);
+  field::Field field = field::make_field(RobotLeague::small);
   BallContacts contacts;
   Goal goal{.scoring = Team::blue,
             .end = End::right,

@@ -82,11 +82,11 @@ TEST(Leg, TheScoreIsTheNumberOfGoalDecisions) {
 // degrees, bit for bit, under every condition. The rules have one exception, which is ruled out
 // here: a free ball for a ball on a centre line, whose quarter counts as negative at both ends.
 TEST(Leg, SwappedEndsPlayTheSameLegBitForBit) {
-  for (const auto& [league, preset] : {std::pair(League::small, ConditionsPreset::exact),
-                                       std::pair(League::middle, ConditionsPreset::exact),
-                                       std::pair(League::small, ConditionsPreset::hall),
-                                       std::pair(League::small, ConditionsPreset::camera),
-                                       std::pair(League::middle, ConditionsPreset::camera)}) {
+  for (const auto& [league, preset] : {std::pair(RobotLeague::small, ConditionsPreset::exact),
+                                       std::pair(RobotLeague::middle, ConditionsPreset::exact),
+                                       std::pair(RobotLeague::small, ConditionsPreset::hall),
+                                       std::pair(RobotLeague::small, ConditionsPreset::camera),
+                                       std::pair(RobotLeague::middle, ConditionsPreset::camera)}) {
     auto setup_a = short_setup(8, 20.0, league);
     setup_a.conditions = conditions_of(preset);
     setup_a.rules.stalemate_s = 1000.0;

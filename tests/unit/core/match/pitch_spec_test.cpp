@@ -14,7 +14,7 @@ TEST(PitchSpec, PresetsPlayLegs) {
   for (const PitchPreset preset :
        {PitchPreset::mirosot, PitchPreset::vsss, PitchPreset::simurosot}) {
     match::Setup setup;  // a test has a member of that name
-    setup.league = preset == PitchPreset::simurosot ? League::middle : League::small;
+    setup.league = preset == PitchPreset::simurosot ? RobotLeague::middle : RobotLeague::small;
     setup.rules.half_s = 5.0;
     set_pitch(setup, pitch_of(preset));
     EXPECT_EQ(problem_with(setup.parameters), "");

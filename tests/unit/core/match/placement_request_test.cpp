@@ -234,8 +234,8 @@ TEST(PlacementRequests, RequestsOutOfTurnByBothTeamsAreRecorded) {
 // Any numbers at all, in all leagues and at many restarts: every body stands legally, the leg goes
 // on, and it can be played again from its recording alone.
 TEST(PlacementRequests, AnyNumbersGiveALegalPlacement) {
-  for (const League league : {League::small, League::middle, League::large}) {
-    match::Setup setup = short_setup(5, league == League::large ? 4.0 : 10.0, league);
+  for (const RobotLeague league : {RobotLeague::small, RobotLeague::middle, RobotLeague::large}) {
+    match::Setup setup = short_setup(5, league == RobotLeague::large ? 4.0 : 10.0, league);
     setup.rules.stalemate_s = 0.5;
     Leg leg(setup);
     const auto wild = [](std::uint64_t seed) {
@@ -258,7 +258,7 @@ TEST(PlacementRequests, AnyNumbersGiveALegalPlacement) {
       });
     };
     Scripted blue = wild(1), yellow = wild(2);
-    const referee::Pitch& pitch = leg.pitch();
+    const referee::JudgedField& pitch = leg.pitch();
     while (!leg.is_over()) {
       leg.advance(blue, yellow);
       const Snapshot scene = leg.snapshot();

@@ -28,9 +28,9 @@ double farther_axis(const Vec2& off) {
 
 TEST(PutDown, EveryBodyIsALittleOffAndStandsLegally) {
   const Conditions hall = conditions_of(ConditionsPreset::hall);
-  for (const League league : {League::small, League::middle, League::large}) {
+  for (const RobotLeague league : {RobotLeague::small, RobotLeague::middle, RobotLeague::large}) {
     const Leg leg(short_setup(1, 3.0, league));
-    const referee::Pitch& pitch = leg.pitch();
+    const referee::JudgedField& pitch = leg.pitch();
     const int robots = pitch.field.robots_per_team;
     int exact = 0, all = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -63,7 +63,7 @@ TEST(PutDown, EveryBodyIsALittleOffAndStandsLegally) {
 
 TEST(PutDown, WhatNobodyTouchedStaysWhereItIs) {
   const Leg leg(short_setup(1));
-  const referee::Pitch& pitch = leg.pitch();
+  const referee::JudgedField& pitch = leg.pitch();
   Disturbances disturbances(conditions_of(ConditionsPreset::hall), 1, 3);
   referee::Decision restart;
   restart.restart = referee::Restart::KICK_OFF;

@@ -71,8 +71,8 @@ void expect_same_alone(Setup setup, std::initializer_list<std::uint64_t> seeds) 
   }
 }
 
-class SharedWorld
-    : public testing::TestWithParam<std::tuple<League, ConditionsPreset, simulator::Accuracy>> {};
+class SharedWorld : public testing::TestWithParam<
+                        std::tuple<RobotLeague, ConditionsPreset, simulator::Accuracy>> {};
 
 // Among these are legs of the middle and of the large league that went another way: redundant
 // contacts kept terms of their forces that an earlier leg had left.
@@ -86,7 +86,7 @@ TEST_P(SharedWorld, LegsThatTakeTurnsPlayAsAlone) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, SharedWorld,
-    testing::Combine(testing::Values(League::small, League::middle, League::large),
+    testing::Combine(testing::Values(RobotLeague::small, RobotLeague::middle, RobotLeague::large),
                      testing::Values(ConditionsPreset::exact, ConditionsPreset::hall,
                                      ConditionsPreset::camera),
                      testing::Values(simulator::Accuracy::coarse, simulator::Accuracy::standard,

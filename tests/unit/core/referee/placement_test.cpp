@@ -14,7 +14,7 @@ namespace mirocup::referee {
 namespace {
 
 struct Case {
-  League league;
+  RobotLeague league;
   Restart restart;
   End taker;
   Vec2 spot;
@@ -23,7 +23,7 @@ struct Case {
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  for (const League league : {League::small, League::middle, League::large}) {
+  for (const RobotLeague league : {RobotLeague::small, RobotLeague::middle, RobotLeague::large}) {
     const field::Field field = field::make_field(league);
     for (const End taker : both_ends) {
       for (const Restart restart :

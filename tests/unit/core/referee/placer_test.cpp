@@ -17,7 +17,7 @@ namespace mirocup::referee {
 namespace {
 
 struct Hall {
-  explicit Hall(League league = League::small)
+  explicit Hall(RobotLeague league = RobotLeague::small)
       : field(field::make_field(league)), rules(make_rules(Preset::mirosot)) {}
 
   Decision restart(Restart kind, End taker, const Vec2& spot = {0.0, 0.0}) const {
@@ -30,7 +30,7 @@ struct Hall {
 
   field::Field field;
   Rules rules;
-  Pitch pitch{field, rules, 0.02135, 0.075};
+  JudgedField pitch{field, rules, 0.02135, 0.075};
 };
 
 Pose at(double x, double y) {
@@ -144,7 +144,7 @@ Placement turned(Placement p) {
 TEST(Placer, MovesAsFewAsPossibleForBothEnds) {
   Random random(28);
   int moved = 0;
-  for (const League league : {League::small, League::middle}) {
+  for (const RobotLeague league : {RobotLeague::small, RobotLeague::middle}) {
     const Hall hall(league);
     for (int round = 0; round < 150; ++round) {
       const Restart kind = std::array{Restart::KICK_OFF, Restart::PENALTY_KICK, Restart::FREE_KICK,

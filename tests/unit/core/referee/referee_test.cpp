@@ -22,7 +22,7 @@ class ShootOutCourse : public testing::TestWithParam<End> {
 
   // Plays one attempt of the team whose turn it is. Returns what follows from it.
   std::optional<Decision> attempt(bool scored) {
-    Situation s = empty_situation(test_.field, {scored ? 0.80 : 0.4, 0.0});
+    TickFacts s = empty_situation(test_.field, {scored ? 0.80 : 0.4, 0.0});
     s.ball_before = {scored ? 0.76 : 0.4, 0.0};
     if (next_ == End::right) s = test_support::half_turned(s);
     std::optional<Decision> over;
@@ -37,7 +37,7 @@ class ShootOutCourse : public testing::TestWithParam<End> {
   }
 
   TestPitch test_;
-  Pitch pitch_;
+  JudgedField pitch_;
   Referee referee_;
   End next_ = GetParam();
 };
@@ -80,9 +80,9 @@ TEST_P(ShootOutCourse, IsDecidedByLotsAtLast) {
 
 TEST(Referee, PublishesTheCountsThatLeadToACall) {
   const TestPitch test;
-  const Pitch pitch = test.pitch();
+  const JudgedField pitch = test.pitch();
   Referee referee(pitch, {});
-  Situation s = empty_situation(test.field, {0.64, 0.1});
+  TickFacts s = empty_situation(test.field, {0.64, 0.1});
   s.robots[index_of(End::right)][0] = {{0.70, 0.0}, Heading{}};
   s.robots[index_of(End::right)][1] = {{0.66, 0.25}, Heading{}};
   for (int i = 0; i < 11; ++i) EXPECT_FALSE(referee.judge(s).decision);
@@ -103,7 +103,7 @@ TEST(Referee, PublishesTheCountsThatLeadToACall) {
 
 TEST(Referee, ChangesScoresAndTimeOutsWithTheEnds) {
   const TestPitch test;
-  const Pitch pitch = test.pitch();
+  const JudgedField pitch = test.pitch();
   Referee referee(pitch, {.score = {2, 1}, .time_outs_taken = {1, 0}});
   referee.start_half(Phase::SECOND_HALF);
   EXPECT_EQ(referee.score(), (ByEnd<int>{1, 2}));

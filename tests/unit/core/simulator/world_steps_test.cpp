@@ -50,7 +50,7 @@ std::array<WheelCommand, 6> whirl(int tick) {
 // Six robots whirl into each other around the ball. Catches a step that takes the gaps at its
 // start for those at its end: corners turn into neighbours by micrometres.
 TEST(World, TimeSteppedCrowdHasNoOverlaps) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   World world(&field, Parameters{}, without_event_budget(), 6, true);
   set_around_ball(world, 0.12, 0.0);
   int stepped = 0;
@@ -64,7 +64,7 @@ TEST(World, TimeSteppedCrowdHasNoOverlaps) {
 // Twenty-two robots side by side have more contacts within reach of a step than most crowds.
 // Catches a contact list that is too short for them.
 TEST(World, TimeSteppedCrowdOfAllRobotsHasNoOverlaps) {
-  const field::Field field = field::make_field(League::large);
+  const field::Field field = field::make_field(RobotLeague::large);
   World world(&field, Parameters{}, without_event_budget(), max_robots, true);
   const double side = world.parameters().robot_side + 1e-4;
   const auto place = [&](int i) { return Vec2{side * (i % 5 - 2), side * (i / 5 - 2)}; };
@@ -98,7 +98,7 @@ TEST(World, TickOfDurationZeroMovesNoSteppedBody) {
 
 // Catches a step that starts from the remembered forces of bodies that have been set since.
 TEST(World, BodiesThatAreSetPlayAsInANewWorld) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   World used(&field, Parameters{}, without_event_budget(), 6, true);
   World fresh(&field, Parameters{}, without_event_budget(), 6, true);
   const auto play = [](World& world) {
@@ -120,7 +120,7 @@ TEST(World, BodiesThatAreSetPlayAsInANewWorld) {
 // A robot shares steps with others and is alone later. Catches one that goes on as if it still
 // were in their step: it passes through a wall.
 TEST(World, RobotThatLeavesItsStepIslandStaysInsideTheWalls) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Tolerances tolerances;
   tolerances.event_budget = 1;
   World world(&field, Parameters{}, tolerances, 3, true);

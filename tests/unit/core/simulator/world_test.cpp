@@ -50,7 +50,7 @@ TEST(World, LiftedRobotSlidesAtAnyGripAndStopsWhenPutDown) {
 
 // Catches a rebound that is taken for rest because it is slow.
 TEST(World, ReboundAtATenthOfAMillimetrePerSecondIsNotTakenForRest) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Parameters parameters;
   parameters.restitution.ball_wall = 1e-4;
   parameters.rolling_resistance = 0.0;
@@ -89,7 +89,7 @@ TEST(World, BallPinchedByMirrorImagesStaysOnTheAxis) {
 // A goal post's corner in a robot's side: the post is the point's side of that contact, and no
 // body. Catches a correction that moves "body -1", which is the memory before the bodies.
 TEST(World, PostPushesAnOverlappingRobotOutAndChangesNoMasses) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   const Parameters parameters;
   World world(&field, parameters, Tolerances{}, 1, false);
   const double overlap = 1e-6;
@@ -111,7 +111,7 @@ TEST(World, PostPushesAnOverlappingRobotOutAndChangesNoMasses) {
 // A robot that walls with friction wedge: wheels and walls hold it from all sides. Catches a
 // contact that seems to slide by rounding, stops, and slides again, without end at `coarse`.
 TEST(World, WedgedRobotSticksAtEveryLevel) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Parameters parameters;
   parameters.contact_friction.robot_wall = 0.3;
   const WheelCommand command = WheelSpeeds{29.504676389409983, 44.126343720939829};

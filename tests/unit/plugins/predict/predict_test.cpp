@@ -40,7 +40,7 @@ namespace {
 // each team sees of it.
 class PushingLeg {
  public:
-  explicit PushingLeg(League league) : leg_(setup_of(league)) {
+  explicit PushingLeg(RobotLeague league) : leg_(setup_of(league)) {
     for (const mirocup::Team team : both_teams)
       setups_[index_of(team)] = abi::to_setup(leg_.briefing(team));
   }
@@ -95,7 +95,7 @@ class PushingLeg {
   }
 
  private:
-  static match::Setup setup_of(League league) {
+  static match::Setup setup_of(RobotLeague league) {
     match::Setup setup;
     setup.league = league;
     setup.seed = 3;
@@ -124,7 +124,7 @@ bool are_equal(const Scene& a, const Scene& b) {
   return equal;
 }
 
-class PredictedLeg : public testing::TestWithParam<League> {};
+class PredictedLeg : public testing::TestWithParam<RobotLeague> {};
 
 // Both teams predict each tick of play from their last prediction. In between, the same simulator
 // plays another scene. Catches a body in the wrong order, a frame that is mirrored, a command that
@@ -132,7 +132,7 @@ class PredictedLeg : public testing::TestWithParam<League> {};
 // without it, the same leg is not met.
 TEST_P(PredictedLeg, IsTheMatchBitForBit) {
   PushingLeg played(GetParam());
-  const int ticks = GetParam() == League::large ? 300 : 400;
+  const int ticks = GetParam() == RobotLeague::large ? 300 : 400;
   for (const mirocup::Team team : both_teams) {
     ASSERT_EQ(played.setup(team).team, index_of(team));
   }
@@ -174,17 +174,18 @@ TEST_P(PredictedLeg, IsTheMatchBitForBit) {
   EXPECT_GT(compared, ticks / 3);
   EXPECT_GT(touches, 20);
   // Eleven a side seldom press against each other for long.
-  if (GetParam() != League::large) {
+  if (GetParam() != RobotLeague::large) {
     EXPECT_GT(forgotten, 0);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(AllLeagues, PredictedLeg,
-                         testing::Values(League::small, League::middle, League::large));
+                         testing::Values(RobotLeague::small, RobotLeague::middle,
+                                         RobotLeague::large));
 
 // A small league, as a team is told of it.
 Setup small_league() {
-  static const PushingLeg leg(League::small);
+  static const PushingLeg leg(RobotLeague::small);
   return leg.setup(mirocup::Team::blue);
 }
 
@@ -292,7 +293,7 @@ TEST(Prediction, TheOpponentsSeeTheSceneTurned) {
 
 // Catches an allocation in a tick: a team rolls thousands of them.
 TEST(Prediction, ARolloutAllocatesNothing) {
-  PushingLeg played(League::middle);
+  PushingLeg played(RobotLeague::middle);
   Simulator simulator(played.setup(mirocup::Team::blue));
   while (played.is_ready()) played.advance();
   for (int t = 0; t < 60; ++t) played.advance();

@@ -33,7 +33,7 @@ TEST(Attack, ScoresFromEachSideOfTheBall) {
 
 // Catches supporters on top of each other, before the ball, or in their goal area.
 TEST(Attack, SupportersStandApartBehindTheBall) {
-  const SkillField field(League::middle);
+  const SkillField field(RobotLeague::middle);
   Observation now = field.observation();
   now.ball_x = 0.3;
   now.ball_y = 0.2;

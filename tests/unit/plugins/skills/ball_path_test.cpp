@@ -21,7 +21,7 @@ TEST(BallPath, IsThatOfTheSimulator) {
       {{0.6, -0.3}, {0.3, -1.8}}, {{-0.2, 0.1}, {2.0, 1.1}},  {{0.3, 0.0}, {0.05, 0.02}},
       {{0.5, 0.55}, {1.5, 0.4}},  {{0.0, -0.6}, {1.2, -0.3}},
   };
-  for (const League league : {League::small, League::middle}) {
+  for (const RobotLeague league : {RobotLeague::small, RobotLeague::middle}) {
     for (const MovingBall& start : starts) {
       SkillField field(league);
       field.put_robot({-0.6, -0.5}, 0.0);

@@ -55,7 +55,7 @@ TEST(Intercept, KnowsTheWalls) {
 
 // Catches a search that calls a ball reached which is too fast for the robot.
 TEST(Intercept, SaysThatTheBallIsTooFast) {
-  const SkillField field(League::large);
+  const SkillField field(RobotLeague::large);
   const Observation now = ball_at(field, {0.0, 0.0}, {3.0, 0.0});
   Robot robot{};
   robot.x = -1.0;

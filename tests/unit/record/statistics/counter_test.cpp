@@ -116,7 +116,7 @@ class Play {
   Vec2 turned(const Vec2& v) const { return view_.is_turned ? Vec2(-v) : v; }
 
   View view_;
-  field::Field field_ = field::make_field(League::small);
+  field::Field field_ = field::make_field(RobotLeague::small);
   Counter counter_;
   std::uint32_t tick_ = 0;
   Vec2 ball_{0.0, 0.0};
@@ -366,7 +366,7 @@ TEST_P(Views, AGoalTellsWhatCameBeforeIt) {
 
 // Catches attempts of a shoot-out that count as play.
 TEST(Counter, LeavesOutAShootOut) {
-  Counter counter(field::make_field(League::small), period);
+  Counter counter(field::make_field(RobotLeague::small), period);
   PlayTick tick;
   tick.phase = referee::Phase::SHOOT_OUT;
   tick.ball_velocity = {2.0, 0.0};
@@ -391,7 +391,7 @@ LegStatistics counted(match::Leg& leg) {
 // the referee's.
 TEST(Counter, SumsHoldInLegsOfEveryLeague) {
   int goals = 0;
-  for (const League league : {League::small, League::middle, League::large}) {
+  for (const RobotLeague league : {RobotLeague::small, RobotLeague::middle, RobotLeague::large}) {
     match::Setup setup = test_support::short_setup(7, 40.0, league);
     setup.rules.mercy_goal_diff = 0;
     match::Leg leg(setup);

@@ -18,7 +18,7 @@ static_assert(!std::is_move_constructible_v<OwnedBriefing> &&
               !std::is_move_assignable_v<OwnedBriefing>);
 
 mirocup_v1_Welcome some_welcome() {
-  const field::Field field = field::make_field(League::middle);
+  const field::Field field = field::make_field(RobotLeague::middle);
   simulator::Parameters parameters;
   parameters.grip = 0.625;
   referee::Rules rules;
@@ -38,7 +38,7 @@ TEST(OwnedBriefing, HasTheNumbersOfTheWelcomeAndPointsIntoItself) {
   EXPECT_EQ(owned.briefing.field, &owned.field);
   EXPECT_EQ(owned.briefing.parameters, &owned.parameters);
   EXPECT_EQ(owned.briefing.rules, &owned.rules);
-  EXPECT_EQ(owned.field.league, League::middle);
+  EXPECT_EQ(owned.field.league, RobotLeague::middle);
   EXPECT_EQ(owned.parameters.grip, 0.625);
   EXPECT_EQ(owned.rules.half_s, 123.0);
   EXPECT_EQ(owned.briefing.control_period, 0.033);

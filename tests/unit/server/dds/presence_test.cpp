@@ -46,7 +46,7 @@ TEST(FewWords, SayThatNoMoreFollow) {
 }
 
 TEST(Presence, LetsATeamBeAwayWithinItsLimit) {
-  for (const Presence& other : std::vector<Presence>{Elsewhere{}, Present{29.0}, Late{29.0},
+  for (const Presence& other : std::vector<Presence>{Elsewhere{}, Present{29.0}, Owing{29.0},
                                                      Away{25.0, 700}, Left{25.0, 700}}) {
     EXPECT_TRUE(std::holds_alternative<PlayOn>(judged({Away{25.0, 700}, {}}, {other, {}})));
     EXPECT_TRUE(std::holds_alternative<PlayOn>(judged({Left{25.0, 700}, {}}, {other, {}})));
@@ -56,12 +56,13 @@ TEST(Presence, LetsATeamBeAwayWithinItsLimit) {
 TEST(Presence, LosesForATeamThatIsAwayAlone) {
   EXPECT_EQ(losers(judged(gone, {Elsewhere{}, {}})), "one");
   EXPECT_EQ(losers(judged(gone, {Present{30.1}, {}})), "one");
-  EXPECT_EQ(losers(judged(gone, {Late{30.1}, {}})), "one");  // it answers too late, but it is there
+  EXPECT_EQ(losers(judged(gone, {Owing{30.1}, {}})),
+            "one");  // it answers too late, but it is there
 }
 
 // Catches a winner that died in the same moment and is noticed a little later.
 TEST(Presence, HasNoWinnerThatHasNotBeenSeenSince) {
-  for (const Presence& other : std::vector<Presence>{Present{29.9}, Late{29.9}, Present{0.0},
+  for (const Presence& other : std::vector<Presence>{Present{29.9}, Owing{29.9}, Present{0.0},
                                                      Away{29.9, 900}, Left{20.0, 600}}) {
     EXPECT_TRUE(std::holds_alternative<AwaitOther>(judged(gone, {other, {}})));
   }

@@ -196,7 +196,7 @@ TEST(Table, ComparesUnlikeNumbersOfLegsByTheirMean) {
   TableRules rules;
   rules.by_points_per_leg = true;
   LegResult old = leg_result(A, B, 0, 1);
-  old.counts_for_home = false;  // A has another entry since
+  old.home_entry_still_plays = false;  // A has another entry since
   const auto rows = make_table(
       all_teams(3), {old, leg_result(A, C, 1, 0), leg_result(B, C, 1, 0), leg_result(C, B, 1, 0)},
       rules);

@@ -18,7 +18,7 @@ class Collision : public test_support::LawTest {
 
   // The left robot 0 meets the right robot 0 at this speed, the ball in the left half.
   std::optional<Decision> meet(double speed) {
-    Situation s = with_ball({-0.3, 0.3});
+    TickFacts s = with_ball({-0.3, 0.3});
     s.robots[index_of(End::left)][0] = {{0.0, 0.0}, Heading{}};
     s.robots[index_of(End::right)][0] = {{0.08, 0.0}, Heading{}};
     s.velocity[index_of(End::left)][0] = {speed, 0.0};

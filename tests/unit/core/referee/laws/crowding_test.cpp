@@ -15,17 +15,17 @@ namespace {
 class Crowding : public test_support::LawTest {
  protected:
   // Robots of `team` in the area of the right end, the ball near it.
-  Situation crowd(End team, int robots, const Vec2& ball = {0.64, 0.1}) {
-    Situation s = with_ball(ball);
+  TickFacts crowd(End team, int robots, const Vec2& ball = {0.64, 0.1}) {
+    TickFacts s = with_ball(ball);
     for (int i = 0; i < robots; ++i) {
       s.robots[index_of(team)][i] = {{pitch_.field.half_length - 0.1, 0.1 * i - 0.15}, Heading{}};
     }
     return s;
   }
 
-  int judge(CrowdingLaw law, const Situation& s, std::optional<End> goal_at = std::nullopt) {
+  int judge(CrowdingLaw law, const TickFacts& s, std::optional<End> goal_at = std::nullopt) {
     if (goal_at) goal_at = at(*goal_at);
-    const auto in_tick = [&](const Situation& turned) {
+    const auto in_tick = [&](const TickFacts& turned) {
       update_occupancy(pitch_.pitch(), turned, occupancy_);
       return judge_crowding(law, pitch_.pitch(), turned, occupancy_, goal_at, memory_);
     };
@@ -63,7 +63,7 @@ TEST_P(Crowding, AGoalCountsAsABallInTheZoneForAttackersOnly) {
 }
 
 TEST_P(Crowding, ARobotPushedIntoTheAreaDoesNotCount) {
-  Situation s = crowd(End::right, 2);
+  TickFacts s = crowd(End::right, 2);
   s.robots[index_of(End::left)][0] = {s.robots[index_of(End::right)][1].position + Vec2{-0.08, 0.0},
                                       Heading{}};
   s.commanded[index_of(End::left)][0] = {0.3, 0.0};
@@ -73,7 +73,7 @@ TEST_P(Crowding, ARobotPushedIntoTheAreaDoesNotCount) {
 
 TEST_P(Crowding, FourDefendersCostAPenaltyWhereThereIsAPenaltyArea) {
   EXPECT_EQ(judge(CrowdingLaw::four_defenders, crowd(End::right, 3)), 0) << "the small league";
-  pitch_ = test_support::TestPitch(League::middle);
+  pitch_ = test_support::TestPitch(RobotLeague::middle);
   const Vec2 ball{0.80, 0.35};
   memory_ = {};
   EXPECT_EQ(judge(CrowdingLaw::four_defenders, crowd(End::right, 3, ball)), 0);
@@ -82,8 +82,8 @@ TEST_P(Crowding, FourDefendersCostAPenaltyWhereThereIsAPenaltyArea) {
 }
 
 TEST_P(Crowding, FourAttackersAreAllowedUnlessTheRulesLimitThem) {
-  pitch_ = test_support::TestPitch(League::middle);
-  const Situation s = crowd(End::left, 4, {0.80, 0.35});
+  pitch_ = test_support::TestPitch(RobotLeague::middle);
+  const TickFacts s = crowd(End::left, 4, {0.80, 0.35});
   EXPECT_EQ(judge(CrowdingLaw::four_attackers, s), 0) << "pa_att_max is 0";
   pitch_.rules.pa_att_max = 3;
   EXPECT_EQ(judge(CrowdingLaw::four_attackers, s), 11);

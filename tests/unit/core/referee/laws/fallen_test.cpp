@@ -13,7 +13,7 @@ namespace {
 class FallenRobot : public test_support::LawTest {
  protected:
   std::optional<Decision> judge(const Vec2& where, bool is_fallen) {
-    Situation s = with_ball({0.0, 0.0});
+    TickFacts s = with_ball({0.0, 0.0});
     s.robots[index_of(End::right)][1] = {where, Heading{}};
     s.fallen[index_of(End::right)][1] = is_fallen;
     return judge_fallen(pitch_.pitch(), seen(s));

@@ -15,7 +15,7 @@ class Goal : public test_support::LawTest {
  protected:
   std::optional<Decision> judge(const Vec2& from, const Vec2& to,
                                 std::optional<RobotId> last_touch = std::nullopt) {
-    Situation s = with_ball(to);
+    TickFacts s = with_ball(to);
     s.ball_before = from;
     s.last_touch = last_touch;
     s.begin = 60.0;

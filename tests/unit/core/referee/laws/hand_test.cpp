@@ -14,7 +14,7 @@ namespace {
 class HandOnTheField : public test_support::LawTest {
  protected:
   std::optional<Decision> judge(bool left, bool right) {
-    Situation s = with_ball({-0.3, 0.0});
+    TickFacts s = with_ball({-0.3, 0.0});
     s.hand = {left, right};
     return judge_hand(pitch_.pitch(), seen(s));
   }

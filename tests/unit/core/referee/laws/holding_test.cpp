@@ -15,10 +15,10 @@ class Holding : public test_support::LawTest {
  protected:
   // Judges while the left robot 1 has the ball this deep inside its front, m.
   int hold(double depth) {
-    Situation s = with_ball({0.0375 + 0.02135 - depth, 0.0});
+    TickFacts s = with_ball({0.0375 + 0.02135 - depth, 0.0});
     s.robots[index_of(End::left)][1] = {{0.0, 0.0}, Heading{}};
     s.touched_ball[index_of(End::left)].set(1);
-    return ticks_until_called(s, [&](const Situation& turned) {
+    return ticks_until_called(s, [&](const TickFacts& turned) {
       return judge_holding(pitch_.pitch(), turned, occupancy_, memory_);
     });
   }

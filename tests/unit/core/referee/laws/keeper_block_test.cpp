@@ -14,12 +14,12 @@ class KeeperBlock : public test_support::LawTest {
  protected:
   // The left robot 0 stands in front of the right keeper, which is commanded at this velocity.
   int block(double keeper_commanded, const Vec2& ball) {
-    Situation s = with_ball(ball);
+    TickFacts s = with_ball(ball);
     s.robots[index_of(End::right)][0] = {{0.70, 0.0}, Heading{}};
     s.robots[index_of(End::left)][0] = {{0.62, 0.0}, Heading{}};
     s.commanded[index_of(End::right)][0] = {keeper_commanded, 0.0};
     set_right_keeper();
-    return ticks_until_called(s, [&](const Situation& turned) {
+    return ticks_until_called(s, [&](const TickFacts& turned) {
       return judge_keeper_block(pitch_.pitch(), turned, occupancy_, memory_);
     });
   }

@@ -15,11 +15,11 @@ class KeeperCatch : public test_support::LawTest {
  protected:
   // The right keeper has the ball this deep inside its front, m.
   int catch_ball(double depth, double keeper_x = 0.70) {
-    Situation s = with_ball({keeper_x - 0.0375 - 0.02135 + depth, 0.2});
+    TickFacts s = with_ball({keeper_x - 0.0375 - 0.02135 + depth, 0.2});
     s.robots[index_of(End::right)][0] = {{keeper_x, 0.2}, Heading{}};
     s.touched_ball[index_of(End::right)].set(0);
     set_right_keeper();
-    return ticks_until_called(s, [&](const Situation& turned) {
+    return ticks_until_called(s, [&](const TickFacts& turned) {
       return judge_keeper_catch(pitch_.pitch(), turned, occupancy_, memory_);
     });
   }

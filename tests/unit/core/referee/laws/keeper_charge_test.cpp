@@ -15,7 +15,7 @@ class KeeperCharge : public test_support::LawTest {
  protected:
   // The left robot 0 touches the right keeper, driving at it and coming at these speeds.
   int charge(double commanded, double speed, const Vec2& ball, bool touches_ball = false) {
-    Situation s = with_ball(ball);
+    TickFacts s = with_ball(ball);
     s.robots[index_of(End::right)][0] = {{0.68, 0.0}, Heading{}};
     s.robots[index_of(End::left)][0] = {{0.60, 0.0}, Heading{}};
     s.commanded[index_of(End::left)][0] = {commanded, 0.0};
@@ -23,7 +23,7 @@ class KeeperCharge : public test_support::LawTest {
     s.touched_ball[index_of(End::left)][0] = touches_ball;
     set_touch(s, {End::left, 0}, {End::right, 0});
     set_right_keeper();
-    return ticks_until_called(s, [&](const Situation& turned) {
+    return ticks_until_called(s, [&](const TickFacts& turned) {
       return judge_keeper_charge(pitch_.pitch(), turned, occupancy_, memory_);
     });
   }

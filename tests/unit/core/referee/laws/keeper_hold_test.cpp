@@ -13,9 +13,9 @@ namespace {
 class KeeperHold : public test_support::LawTest {
  protected:
   int hold(const Vec2& ball, const Vec2& opponent) {
-    Situation s = with_ball(ball);
+    TickFacts s = with_ball(ball);
     s.robots[index_of(End::right)][2].position = opponent;
-    return ticks_until_called(s, [&](const Situation& turned) {
+    return ticks_until_called(s, [&](const TickFacts& turned) {
       return judge_keeper_hold(pitch_.pitch(), turned, memory_);
     });
   }

@@ -20,7 +20,7 @@ class KeeperPushIn : public test_support::LawTest {
     std::optional<Decision> called;
     for (int tick = 0; tick <= 10; ++tick) {
       EXPECT_FALSE(called) << "there is no goal yet";
-      Situation s = with_ball({0.76, 0.0});
+      TickFacts s = with_ball({0.76, 0.0});
       s.robots[index_of(End::right)][0] = {{0.66 + step * tick, 0.0}, Heading{}};
       s.commanded[index_of(End::right)][0] = {keeper_commanded, 0.0};
       s.touched_ball[index_of(End::right)].set(0);

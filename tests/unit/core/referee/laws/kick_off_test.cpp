@@ -19,7 +19,7 @@ class KickOff : public test_support::LawTest {
   }
 
   std::optional<Decision> roll(const Vec2& from, const Vec2& to, bool touch = true) {
-    Situation s = with_ball(to);
+    TickFacts s = with_ball(to);
     s.ball_before = from;
     s.touched_ball[index_of(End::left)][1] = touch;
     return judge_kick_off(pitch_.pitch(), seen(s), memory_);

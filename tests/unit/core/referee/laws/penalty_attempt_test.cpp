@@ -20,7 +20,7 @@ class PenaltyAttempt : public test_support::LawTest {
 
   // One tick with the ball there; the reason if the attempt is over.
   std::optional<std::string> tick(const Vec2& ball, bool keeper_touches = false) {
-    Situation s = with_ball(ball);
+    TickFacts s = with_ball(ball);
     s.touched_ball[index_of(End::right)][0] = keeper_touches;
     return judge_penalty_attempt(pitch_.pitch(), seen(s), occupancy_, false, memory_);
   }

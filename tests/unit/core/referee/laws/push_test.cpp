@@ -18,7 +18,7 @@ class Pushing : public test_support::LawTest {
   // after 0.2 m.
   std::optional<Decision> push(const Vec2& ball, double resistance = 0.0, bool plays_ball = false) {
     for (ticks_ = 0; ticks_ <= 20; ++ticks_) {
-      Situation s = with_ball(ball);
+      TickFacts s = with_ball(ball);
       const double x = -0.1 + 0.01 * ticks_;
       s.robots[index_of(End::left)][0] = {{x, 0.0}, Heading{}};
       s.robots[index_of(End::right)][1] = {{x + 0.076, 0.0}, Heading{}};

@@ -17,10 +17,10 @@ class RestingBall : public test_support::LawTest {
  protected:
   // Judges a ball that lies, or shakes, at a place until it is called.
   int wait(const Vec2& ball, double shake = 0.0, std::optional<Vec2> opponent = std::nullopt) {
-    Situation s = with_ball(ball);
+    TickFacts s = with_ball(ball);
     if (opponent) s.robots[index_of(End::right)][2].position = *opponent;
     StalemateMemory memory;
-    return ticks_until_called(s, [&, tick = 0](Situation turned) mutable {
+    return ticks_until_called(s, [&, tick = 0](TickFacts turned) mutable {
       turned.ball.x() += shake * std::sin(0.9 * tick++);
       return judge_stalemate(pitch_.pitch(), turned, memory);
     });
@@ -58,7 +58,7 @@ TEST(Stalemate, StartsAgainWhenTheBallHasMovedOn) {
   StalemateMemory memory;
   for (int tick = 0; tick < 363; ++tick) {  // 12 s
     const Vec2 ball{tick < 300 ? 0.20 : 0.28, -0.30};
-    const Situation s = test_support::empty_situation(pitch.field, ball);
+    const TickFacts s = test_support::empty_situation(pitch.field, ball);
     EXPECT_FALSE(judge_stalemate(pitch.pitch(), s, memory));
   }
 }

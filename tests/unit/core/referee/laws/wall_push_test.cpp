@@ -17,15 +17,15 @@ class WallPush : public test_support::LawTest {
   WallPush() { pitch_.rules.wall_push = true; }
 
   // The ball at the right end wall, above the goal, where it moved by `step` along the wall.
-  Situation at_wall(double step) const {
-    Situation s = with_ball({0.70, 0.40});
+  TickFacts at_wall(double step) const {
+    TickFacts s = with_ball({0.70, 0.40});
     s.ball_before = {0.70, 0.40 - step};
     return s;
   }
 
   // A robot of `team` moves the ball along the wall with a team-mate behind it.
   std::optional<Decision> shove(End team, double step) {
-    Situation s = at_wall(step);
+    TickFacts s = at_wall(step);
     s.robots[index_of(team)][0] = {{0.64, 0.40}, Heading{}};
     s.touched_ball[index_of(team)].set(0);
     set_touch(s, {team, 0}, {team, 1});
@@ -53,10 +53,10 @@ TEST_P(WallPush, ByAnAttackerTowardsTheGoalGivesAFreeBallInTheOtherHalf) {
 }
 
 TEST_P(WallPush, ByBothTeamsIsCalledAfterATime) {
-  Situation s = at_wall(0.0);
+  TickFacts s = at_wall(0.0);
   s.robots[index_of(End::left)][0] = {{0.64, 0.40}, Heading{}};
   s.robots[index_of(End::right)][0] = {{0.70, 0.46}, Heading{}};
-  const auto judge = [&](const Situation& turned) {
+  const auto judge = [&](const TickFacts& turned) {
     return judge_wall_push(pitch_.pitch(), turned, memory_);
   };
   EXPECT_EQ(ticks_until_called(s, judge), 26) << "0.825 s after the first";

@@ -55,7 +55,7 @@ TEST(ClampedGap, CornerBesideTheEdgeDoesNotPenetrate) {
 // A robot drives at 1 m/s against each kind of obstacle. Catches an obstacle that is taken for
 // another one, and one at which time stands still.
 TEST(ContactTime, IsTheDistanceDividedByTheSpeed) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   const StaticWorld world = make_static_world(&field, Parameters{}, Tolerances{}, 1, false);
   constexpr double distance = 0.01;  // m
   const double half = 0.5 * world.parameters.robot_side;
@@ -82,7 +82,7 @@ TEST(ContactTime, IsTheDistanceDividedByTheSpeed) {
 TEST(StaticWorld, EachKindOfPairHasItsOwnRestitution) {
   Parameters p;
   p.restitution = {.ball_wall = 0.1, .ball_robot = 0.2, .robot_wall = 0.3, .robot_robot = 0.4};
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   const StaticWorld world = make_static_world(&field, p, Tolerances{}, 2, true);
   EXPECT_EQ(restitution(world, pair_with_obstacle(2, 0)), 0.1);
   EXPECT_EQ(restitution(world, pair_of(0, 2)), 0.2);

@@ -20,7 +20,7 @@ namespace {
 using PairSet = std::set<std::pair<int, int>>;
 
 struct Crowd {
-  field::Field field = field::make_field(League::small);
+  field::Field field = field::make_field(RobotLeague::small);
   StaticWorld world = make_static_world(&field, Parameters{}, Tolerances{}, max_robots, true);
   std::vector<BodyState> bodies = std::vector<BodyState>(max_bodies);
   std::vector<trajectory::Box> boxes = std::vector<trajectory::Box>(max_bodies);

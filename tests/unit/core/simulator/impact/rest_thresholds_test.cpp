@@ -63,7 +63,7 @@ double longest_flight(double approach, double e) {
 // However slow: slow rebounds and approaches would be wrong by the threshold otherwise.
 TEST(RestThresholds, AFirstImpactBounces) {
   EXPECT_DOUBLE_EQ(fresh().restitution_threshold(contact_of(pair_of(0, 1)), 1e-3),
-                   tolerances.first_restitution_threshold);
+                   tolerances.first_touch_threshold);
 }
 
 // Catches thresholds that count the impacts of a body: another corner, and another body that hits
@@ -75,7 +75,7 @@ TEST(RestThresholds, KnowOneContactFromAnother) {
        {contact_of(pair_of(0, 1), 1), contact_of(pair_of(0, 2)), contact_of(pair_of(1, 2)),
         contact_of(pair_with_obstacle(1, 3))}) {
     EXPECT_DOUBLE_EQ(thresholds.restitution_threshold(other, 51e-6),
-                     tolerances.first_restitution_threshold);
+                     tolerances.first_touch_threshold);
   }
 }
 
@@ -115,10 +115,10 @@ TEST(RestThresholds, ElasticContactsAlwaysBounce) {
   const collision::Contact contact = contact_of(pair_of(0, 1), 0, 1.0);
   for (const double t : {0.0, 1e-15, 1e-6}) {
     EXPECT_DOUBLE_EQ(thresholds.restitution_threshold(contact, t),
-                     tolerances.first_restitution_threshold);
+                     tolerances.first_touch_threshold);
     hit(thresholds, contact, 0.5, t);
     EXPECT_DOUBLE_EQ(thresholds.restitution_threshold(contact, t),
-                     tolerances.first_restitution_threshold);
+                     tolerances.first_touch_threshold);
   }
 }
 
@@ -133,8 +133,7 @@ TEST(RestThresholds, APressingContactRestsBelowTheSameHeight) {
               (1.0 - restitution) * tolerances.series_height, 1e-12);
   contact.resting.force = 1e-6;
   thresholds.note_contact(contact, masses, 0.0);
-  EXPECT_DOUBLE_EQ(thresholds.restitution_threshold(contact, 1e-3),
-                   tolerances.restitution_threshold);
+  EXPECT_DOUBLE_EQ(thresholds.restitution_threshold(contact, 1e-3), tolerances.pressing_threshold);
 }
 
 // Catches a memory that depends on the ticks in which the time was played, and one that is not part

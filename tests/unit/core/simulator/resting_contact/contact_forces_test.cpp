@@ -89,7 +89,7 @@ TEST(ContactForces, BallAtRestHoldsAgainstAPushBelowItsRollingResistance) {
 // A robot with its face to a wall that its motors press on, and its slip to the left.
 struct AtAWall {
   Parameters p;
-  field::Field field = field::make_field(League::small);
+  field::Field field = field::make_field(RobotLeague::small);
   collision::StaticWorld world;
   std::array<BodyState, 1> bodies;
   collision::ContactList list;

@@ -83,7 +83,7 @@ TEST(TimeStepper, LateralSpeedOfRoundingCountsAsRolling) {
 // it is itself: forces of which bodies feel nothing stay, and would drive them apart where they
 // can move.
 TEST(TimeStepper, LongStepDoesNotStartWithTheForceOfAShortStop) {
-  const field::Field field = field::make_field(League::small);
+  const field::Field field = field::make_field(RobotLeague::small);
   Parameters p;
   p.robot_side = 2.0 * field.half_width;
   p.robot_corners = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "labs/pitch/recording.hpp"
+#include "labs/pitch/camera_log.hpp"
 
 #include "core/base/math.hpp"
 #include "core/base/random.hpp"
@@ -32,12 +32,12 @@ Error too_many_pictures(const std::string& where, std::size_t most) {
                            " pictures; cut it into several files"};
 }
 
-League league_of(int robots) {
-  return robots <= 3 ? League::small : robots <= 5 ? League::middle : League::large;
+RobotLeague league_of(int robots) {
+  return robots <= 3 ? RobotLeague::small : robots <= 5 ? RobotLeague::middle : RobotLeague::large;
 }
 
 // The first line.
-void read_header(const JsonReader& json, Recording& recording) {
+void read_header(const JsonReader& json, CameraLog& recording) {
   if (!json.expect_object({"schema", "period", "robots", "pitch", "league"})) return;
   json.expect_schema(recording_schema);
   recording.robots = json.at("robots").integer<int>(0, max_robots_per_team);
@@ -106,7 +106,7 @@ void for_each_line(std::string_view text, Visit visit) {
   }
 }
 
-Result<Recording> checked(Recording recording) {
+Result<CameraLog> checked(CameraLog recording) {
   std::stable_sort(recording.frames.begin(), recording.frames.end(),
                    [](const Frame& a, const Frame& b) { return a.t < b.t; });
   if (recording.frames.size() < 2) {
@@ -117,7 +117,7 @@ Result<Recording> checked(Recording recording) {
 
 }  // namespace
 
-double Recording::usual_period() const {
+double CameraLog::usual_period() const {
   std::vector<double> steps;
   for (std::size_t i = 1; i < frames.size(); ++i) {
     if (const double step = frames[i].t - frames[i - 1].t; step > 0.0) steps.push_back(step);
@@ -127,9 +127,9 @@ double Recording::usual_period() const {
   return steps[steps.size() / 2];
 }
 
-Result<Recording> parse_recording(std::string_view text, const std::string& path,
+Result<CameraLog> parse_recording(std::string_view text, const std::string& path,
                                   std::size_t most_pictures) {
-  Recording recording;
+  CameraLog recording;
   recording.path = path;
   std::optional<Error> error;
   bool is_first = true;
@@ -226,9 +226,9 @@ Frame frame_of(const Cells& cells, int robots) {
 
 }  // namespace
 
-Result<Recording> parse_csv(std::string_view text, const std::string& path,
+Result<CameraLog> parse_csv(std::string_view text, const std::string& path,
                             std::size_t most_pictures) {
-  Recording recording;
+  CameraLog recording;
   recording.path = path;
   std::vector<Column> columns;
   std::optional<Error> error;
@@ -280,12 +280,12 @@ Result<Recording> parse_csv(std::string_view text, const std::string& path,
   return checked(std::move(recording));
 }
 
-Result<Recording> read_recording(const std::string& path) {
+Result<CameraLog> read_recording(const std::string& path) {
   MIROCUP_TRY(const auto text, system::Disk().read_named(path, std::uint64_t{256} << 20));
   return path.ends_with(".csv") ? parse_csv(text, path) : parse_recording(text, path);
 }
 
-std::string print_recording(const Recording& recording) {
+std::string print_recording(const CameraLog& recording) {
   std::string text =
       record::json_text(Json{{"schema", recording_schema},
                              {"period", recording.period ? Json(*recording.period) : Json()},
@@ -325,7 +325,7 @@ double normal(Random& random) {
 
 }  // namespace
 
-void look_through(const CameraNoise& noise, Recording& recording) {
+void look_through(const CameraNoise& noise, CameraLog& recording) {
   Random random(noise.seed);
   const field::Field field = field::make_field(recording.league);
   const auto anywhere = [&] {
@@ -380,9 +380,9 @@ Frame frame_of(const match::Leg& leg, const match::ByTeam<match::DrivenCommand>&
 
 }  // namespace
 
-Result<Recording> as_seen(const replay::Recording& leg, const std::string& path) {
+Result<CameraLog> as_seen(const replay::Recording& leg, const std::string& path) {
   replay::Playback playback(leg);
-  Recording recording;
+  CameraLog recording;
   recording.path = path;
   recording.league = leg.setup.league;
   recording.robots = playback.leg().field().robots_per_team;

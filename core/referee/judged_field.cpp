@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/referee/pitch.hpp"
+#include "core/referee/judged_field.hpp"
 
 namespace mirocup::referee {
 

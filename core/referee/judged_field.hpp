@@ -9,7 +9,7 @@
 namespace mirocup::referee {
 
 // Lengths in metres. Field and rules belong to the caller and outlive the pitch.
-struct Pitch {
+struct JudgedField {
   const field::Field& field;
   const Rules& rules;
   double ball_radius = 0.0;

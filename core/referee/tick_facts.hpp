@@ -32,7 +32,7 @@ using ByEnd = std::array<T, 2>;
 template <class T>
 using ByRobot = ByEnd<std::array<T, max_robots_per_team>>;
 
-struct Situation {
+struct TickFacts {
   double begin = 0.0;     // clock of the phase at the start of the tick, s; set by the referee
   double duration = 0.0;  // of the tick, s; 0 for the first frame of a camera
 

@@ -2,7 +2,7 @@
 //
 // Catches velocities that a situation leaves uninitialised: laws would judge what was in memory
 // before.
-#include "core/referee/situation.hpp"
+#include "core/referee/tick_facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@ namespace mirocup::referee {
 namespace {
 
 TEST(Situations, RobotsAreAtRestUnlessSaidOtherwise) {
-  alignas(Situation) std::array<std::byte, sizeof(Situation)> memory;
+  alignas(TickFacts) std::array<std::byte, sizeof(TickFacts)> memory;
   memory.fill(std::byte{0x3f});
-  auto* situation = ::new (memory.data()) Situation;
+  auto* situation = ::new (memory.data()) TickFacts;
   for (const End end : both_ends) {
     for (int i = 0; i < max_robots_per_team; ++i) {
       EXPECT_EQ(situation->velocity[index_of(end)][i], (Vec2{0.0, 0.0})) << i;

@@ -36,9 +36,9 @@ struct Frame {
   match::ByTeam<std::vector<simulator::WheelSpeeds>> commands;  // empty: no command to the team
 };
 
-struct Recording {
+struct CameraLog {
   std::string path;  // for messages
-  League league = League::small;
+  RobotLeague league = RobotLeague::small;
   int robots = 0;                // number of listed robots of each team
   std::optional<double> period;  // time between two pictures, s; empty: it varies
   std::string pitch;             // the name of the pitch; "": not known
@@ -58,18 +58,18 @@ struct Recording {
 inline constexpr std::size_t max_pictures = 450'000;
 
 // Reads a recording. The error, Errc::input, names the file, the line, the key and the reason.
-Result<Recording> parse_recording(std::string_view text, const std::string& path,
+Result<CameraLog> parse_recording(std::string_view text, const std::string& path,
                                   std::size_t most_pictures = max_pictures);
-Result<Recording> read_recording(const std::string& path);
+Result<CameraLog> read_recording(const std::string& path);
 
 // Reads a recording from a table with commas and a first line of names: t, ball_x, ball_y, blue0_x,
 // blue0_y, blue0_heading, blue0_left, blue0_right, blue1_x, …, yellow0_x, …, in any order. An empty
 // field means that the camera did not see the body. read_recording() reads files that end in ".csv"
 // this way.
-Result<Recording> parse_csv(std::string_view text, const std::string& path,
+Result<CameraLog> parse_csv(std::string_view text, const std::string& path,
                             std::size_t most_pictures = max_pictures);
 
-std::string print_recording(const Recording& recording);
+std::string print_recording(const CameraLog& recording);
 
 struct CameraNoise {
   double position = 0.002;     // m, standard deviation of each coordinate
@@ -82,9 +82,9 @@ struct CameraNoise {
 // Plays a leg again and returns a recording with a picture at the start of each tick, as a camera
 // without noise would have made it. A frame has the commands that drive the robots in that tick;
 // while play is stopped, the commands are 0. Errc::damaged if the leg differs from its record.
-Result<Recording> as_seen(const replay::Recording& leg, const std::string& path);
+Result<CameraLog> as_seen(const replay::Recording& leg, const std::string& path);
 
 // Adds noise, gaps and outliers to every pose of the recording.
-void look_through(const CameraNoise& noise, Recording& recording);
+void look_through(const CameraNoise& noise, CameraLog& recording);
 
 }  // namespace mirocup::pitch
