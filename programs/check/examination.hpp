@@ -67,7 +67,7 @@ bool fail_with(Examination& e, Check failed);  // text and name follow from the 
 // Passes with the text, or fails with the fault of the leg and advice.
 Result<bool> judge(Examination& e, const TrialLeg& leg, const TrialTerms& terms, std::string text);
 
-// The terms of a leg of this entry as `team`, and those of its whole leg, against striker.
+// Returns the terms of a leg that this entry plays as `team`. A whole leg is against striker.
 TrialTerms trial(const Examination& e, Team team, const plugins::SealedEntry& opponent);
 TrialTerms whole_leg_terms(const Examination& e, Team team);
 // The knock-out leg, which has every phase of a match.

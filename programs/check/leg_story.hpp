@@ -11,7 +11,7 @@
 
 namespace mirocup::app {
 
-// What a team may do without knowing it: play_notes.cpp has a row for each but `touch`.
+// The habits of a team that may be mistakes. play_notes.cpp has a row for each but `touch`.
 enum class Habit { own_goal, wall, own_end, away, standing, turning, backwards, touch };
 
 struct HabitCount {
@@ -30,8 +30,8 @@ struct BadSpeeds {
   std::uint32_t tick = 0;
 };
 
-// What a team may have the wrong way round: if it plays well with this swapped, that is its
-// mistake.
+// The things that a team may have the wrong way round. If the team plays well with one of them
+// swapped, that one is its mistake.
 enum class Swap { none, ends, wheels, directions };
 
 struct LegStory {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What the whole legs show of a team that means to play well. Of a team that plays badly the worst
-// leg is begun again, each time with one thing swapped: the swap after which the team plays well
-// names its mistake.
+// Warnings from the whole legs of a team that has passed. If the team plays badly, its worst leg is
+// played again, each time with one thing swapped: the swap after which the team plays well names
+// the mistake.
 #include "core/field/field.hpp"
 #include "programs/check/examination.hpp"
 #include "system/text.hpp"
@@ -32,8 +32,8 @@ constexpr HabitRow habit_rows[] = {
 
 constexpr std::pair<Swap, const char*> swap_rows[] = {
     {Swap::ends, "own_goals"}, {Swap::wheels, "wrong_turn"}, {Swap::directions, "backwards"}};
-// The part of a leg that is played again, ticks, and the least gain by which a swap is told.
-constexpr std::uint32_t swapped_ticks = 4000;
+constexpr std::uint32_t swapped_ticks = 4000;  // that are played again with a swap
+// A swap is told if it adds at least this merit, goals a minute.
 constexpr double least_gain = 2.0;
 constexpr double least_merit = -3.5;  // a team that stands has -3.7
 constexpr int least_goals = 2;        // or the swap has only made a bad team harmless

@@ -28,9 +28,9 @@ constexpr plugins::ClockReadings other_clocks{
     .time_of_day = 1'234'567'891, .uptime_behind = 217, .between_calls = 33'000'000};
 // A clock that counts how often it was read.
 constexpr plugins::ClockReadings counting_clocks{.each_reading = 1000};
-// What memory that was never written holds: zeros, ones, an even pattern, and one that is odd,
-// negative, and no small number in any type. A mistake may be silent with some: a bool is true with
-// each but zeros. The knock-out leg, which is short, is played with the first three.
+// The bytes with which unwritten memory is filled: zeros, ones, an even pattern, and a pattern that
+// is odd, negative, and no small number in any type. Some mistakes show with one fill only: a bool
+// is false with zeros alone. The knock-out leg, which is short, is played with the first three.
 constexpr std::uint8_t fills_of_short_legs[] = {0x00, 0xFF, 0x5A};
 constexpr std::uint8_t other_fill = 0xC3;
 constexpr std::int32_t other_numbers = 4242;
