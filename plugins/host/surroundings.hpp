@@ -12,7 +12,7 @@
 namespace mirocup::plugins {
 
 struct Surroundings {
-  ClockReadings clocks;
+  ClockReadings clocks = {};
   // True: the stack, the heap and the libraries lie at the same addresses in every process.
   bool fixed_addresses = true;
   // The byte that fills unwritten memory of the team's heap and stack. Only mirocup-careful-host

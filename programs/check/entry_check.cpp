@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "programs/check/entry_check.hpp"
 
-#include "core/field/field.hpp"
 #include "plugins/host/sandbox/probe.hpp"
 #include "plugins/host/team_host.hpp"
 #include "plugins/host/team_log.hpp"
@@ -12,8 +11,6 @@
 #include "system/text.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -65,7 +62,7 @@ Result<void> judge_strength(Examination& e) {
 // Tells what is allowed but hardly meant.
 void warn(Examination& e) {
   for (const std::size_t kind : {0u, 1u}) {
-    const auto& [count, robot, is_left, tick] = e.bad_speeds[kind];
+    const auto& [count, robot, is_left, tick] = e.report.bad_speeds[kind];
     const std::string first = system::formatted("the %s wheel of robot %d in tick %u",
                                                 is_left ? "left" : "right", robot, tick);
     if (count > 0) note(e, kind == 0 ? "not_finite" : "too_large", std::to_string(count), first);
@@ -82,15 +79,14 @@ void warn(Examination& e) {
              std::string(to_string(e.needs)),
          std::string(to_string(e.terms.processor)));
   std::set<std::string> told;
-  std::istringstream lines(e.requests);
-  for (std::string line; std::getline(lines, line);) {
+  std::string line;
+  for (std::istringstream lines(e.requests); std::getline(lines, line);) {
     // Run-time libraries ask for variables of their own.
     if (line.rfind("variable OMP_", 0) == 0 || line.rfind("variable GOMP_", 0) == 0) continue;
     if (told.insert(line).second) note(e, "request", system::printable(line));
   }
-  std::istringstream log(e.report.log);
   constexpr std::string_view mark = plugins::line_of_host;
-  for (std::string line; std::getline(log, line);) {
+  for (std::istringstream log(e.report.log); std::getline(log, line);) {
     if (line.starts_with(mark) && told.insert(line).second)
       note(e, "told", system::printable(line.substr(mark.size())));
   }

@@ -14,6 +14,7 @@
 #include "programs/check/strength.hpp"
 #include "system/processor.hpp"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -53,7 +54,7 @@ struct EntryReport {
   std::size_t peak_memory = 0;               // bytes
   double used_seconds = 0.0;                 // use of the check, as CheckPlan counts
   match::TeamParameters unknown_parameters;  // given parameters for which the team never asked
-  int bad_values = 0;                        // values of commands that were zeroed or clamped
+  std::array<BadSpeeds, 2> bad_speeds;       // of all legs: not finite, and too large
   int moved_placements = 0;                  // requested places that were not legal
   std::vector<LegStory> legs;                // the whole legs against striker, as far as played
   std::vector<LegStory> ladder;              // short legs against each house team, if asked for

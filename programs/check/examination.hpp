@@ -12,7 +12,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -35,12 +34,11 @@ struct Examination {
   std::optional<plugins::SealedEntry> striker{};
   TrialLeg blue{};  // the leg as blue
   TrialLeg knockout{};
-  std::set<MetRestart> restarts{};        // restarts in the legs so far
-  double slept = 0.0;                     // the entry's sleep, scaled to a leg of full length, s
-  std::size_t grown = 0;                  // largest growth of the entry's memory in a leg, bytes
-  system::Processor needs{};              // as the instructions in the file say
-  std::string requests{};                 // lines of ProcessController::requests()
-  std::array<BadSpeeds, 2> bad_speeds{};  // of all legs: not finite, and too large
+  std::set<MetRestart> restarts{};  // restarts in the legs so far
+  double slept = 0.0;               // the entry's sleep, scaled to a leg of full length, s
+  std::size_t grown = 0;            // largest growth of the entry's memory in a leg, bytes
+  system::Processor needs{};        // as the instructions in the file say
+  std::string requests{};           // lines of ProcessController::requests()
   CheckPlan plan{};
   EntryReport report{};
 };

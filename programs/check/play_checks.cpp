@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace mirocup::app {
 
@@ -36,12 +37,6 @@ std::string seconds(double s) {
 
 std::string milliseconds(double ms) {
   return system::formatted("%.3f ms", ms);
-}
-
-// True if a few more ticks can be played before the legs that are repeated.
-bool has_room_for_moment(const Examination& e) {
-  const double tick = 1e-3 * e.report.mean_tick_ms;
-  return e.plan.has_room_for(restart_ticks * tick, repeated_legs, tick);
 }
 
 // Reckons what a leg of full length would take. The cheapest of the legs counts: what disturbs a
@@ -76,42 +71,35 @@ bool judge_time(Examination& e) {
   return pass(e, text);
 }
 
-// Plays restart_ticks as blue against idle. Returns false after a fault, which is added.
-Result<bool> play_from(Examination& e, const match::Start& start) {
-  if (!has_room_for_moment(e)) return true;
-  TrialTerms terms = trial(e, Team::blue, *e.idle);
-  terms.setup.start = start;
-  terms.max_ticks = restart_ticks;
-  MIROCUP_TRY(const auto leg, play(e, terms));
-  return leg.fault ? judge(e, leg, terms, "") : true;
-}
-
-// Returns false after a fault, which is added.
-Result<bool> play_missing_restarts(Examination& e) {
+// Returns starts from what no leg may have had so far: a restart, and a goal for each team.
+std::vector<match::Start> missing_moments(const Examination& e) {
   using referee::Restart;
+  std::vector<match::Start> starts;
   for (const Restart kind :
        {Restart::GOAL_KICK, Restart::PENALTY_KICK, Restart::FREE_KICK, Restart::FREE_BALL}) {
     for (const Team taker : both_teams) {
-      if (e.restarts.count({kind, taker == Team::blue}) != 0) continue;
-      match::Start start;
-      start.restart = match::RestartStart{kind, taker, {}};
-      const auto passed = play_from(e, start);
-      if (!passed || !*passed) return passed;
+      if (e.restarts.count({kind, taker == Team::blue}) == 0)
+        starts.emplace_back().restart = match::RestartStart{kind, taker, {}};
     }
   }
-  return true;
+  const double line = field::make_field(e.setup.league).half_length;
+  for (const double side : {-1.0, 1.0})
+    starts.emplace_back().ball = simulator::BallState{{side * (line - sure_goal_distance), 0.0},
+                                                      {side * sure_goal_speed, 0.0}};
+  return starts;
 }
 
-// Lets a goal fall for each team: in the legs before, none may have fallen. Returns false after a
-// fault, which is added.
-Result<bool> play_goals(Examination& e) {
-  const double line = field::make_field(e.setup.league).half_length;
-  for (const double side : {-1.0, 1.0}) {
-    match::Start start;
-    start.ball = simulator::BallState{{side * (line - sure_goal_distance), 0.0},
-                                      {side * sure_goal_speed, 0.0}};
-    const auto passed = play_from(e, start);
-    if (!passed || !*passed) return passed;
+// Plays restart_ticks from each as blue against idle, as long as time for the legs that are
+// repeated is left. Returns false after a fault, which is added.
+Result<bool> play_missing_moments(Examination& e) {
+  TrialTerms terms = trial(e, Team::blue, *e.idle);
+  terms.max_ticks = restart_ticks;
+  const double tick = 1e-3 * e.report.mean_tick_ms;
+  for (const match::Start& start : missing_moments(e)) {
+    if (!e.plan.has_room_for(restart_ticks * tick, repeated_legs, tick)) break;
+    terms.setup.start = start;
+    MIROCUP_TRY(const auto leg, play(e, terms));
+    if (leg.fault) return judge(e, leg, terms, "");
   }
   return true;
 }
@@ -175,8 +163,7 @@ Result<bool> play_knockout(Examination& e) {
   e.restarts.merge(leg.restarts);
   e.knockout = std::move(leg);
   if (!e.knockout.fault) {
-    auto passed = play_missing_restarts(e);
-    if (passed && *passed) passed = play_goals(e);
+    const auto passed = play_missing_moments(e);
     if (!passed || !*passed) return passed;
   }
   return judge(e, e.knockout, terms,

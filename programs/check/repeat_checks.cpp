@@ -64,8 +64,7 @@ Result<std::string> cause_of_difference(Examination& e, const TrialTerms& terms,
     return play(e, one);
   };
   MIROCUP_TRY(const auto plain, leg_in({}, false));
-  Surroundings counting;
-  counting.clocks = counting_clocks;
+  const Surroundings counting{.clocks = counting_clocks};
   if (first_difference(first, plain)) {
     MIROCUP_TRY(const auto counted, leg_in(counting, false));
     MIROCUP_TRY(const auto counted_again, leg_in(counting, false));
@@ -75,15 +74,11 @@ Result<std::string> cause_of_difference(Examination& e, const TrialTerms& terms,
                                            : "depends chance");
   }
 
-  Surroundings clocks, memory, numbers, addresses;
-  clocks.clocks = other_clocks;
-  memory.memory_fill = other_fill;
-  numbers.number_offset = other_numbers;
-  addresses.fixed_addresses = false;
-  const std::pair<Surroundings, const char*> changes[] = {{clocks, "depends clocks"},
-                                                          {memory, "depends memory"},
-                                                          {numbers, "depends numbers"},
-                                                          {addresses, "depends addresses"}};
+  const std::pair<Surroundings, const char*> changes[] = {
+      {{.clocks = other_clocks}, "depends clocks"},
+      {{.memory_fill = other_fill}, "depends memory"},
+      {{.number_offset = other_numbers}, "depends numbers"},
+      {{.fixed_addresses = false}, "depends addresses"}};
   MIROCUP_TRY(const auto careful, leg_in({}, true));
   for (const auto& [surroundings, cause] : changes) {
     if (!e.plan.has_room_for(CheckPlan::shortest, 0, 1e-3 * e.report.mean_tick_ms)) break;

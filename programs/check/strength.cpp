@@ -17,8 +17,10 @@ constexpr double least_minutes = 4.0;  // shorter legs say nothing
 // Returns by how many spreads the legs are better than those of a rung: those against its team, or
 // if there are none, those against `striker`.
 double lead_over(const Rung& rung, const std::vector<LegStory>& legs, RobotLeague league) {
-  const std::string team = legs.back().opponent == "striker" ? "striker" : rung.team;
-  const double usual = team == rung.team ? 0.0 : rung.lead[static_cast<std::size_t>(league)];
+  const bool have_met =
+      std::ranges::find(legs, std::string(rung.team), &LegStory::opponent) != legs.end();
+  const std::string team = have_met ? rung.team : "striker";
+  const double usual = have_met ? 0.0 : rung.lead[static_cast<std::size_t>(league)];
   double lead = 0.0;
   double goals = 1.0;
   for (const LegStory& leg : legs) {

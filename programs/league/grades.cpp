@@ -158,11 +158,7 @@ struct Marking {
     run.jobs = options.jobs;
     run.folder = folder.marks() + "/" + config.name + "-" + std::to_string(entry) + "-" + name;
     run.keeps_legs = true;
-    const auto is_kept = [&](int fixture) {
-      return files.exists(run.folder + "/1-2-" + std::to_string(fixture) + "b.json");
-    };
-    run.max_fixtures = options.decide ? options.most : 0;
-    while (!options.decide && is_kept(run.max_fixtures + 1)) ++run.max_fixtures;
+    run.max_fixtures = options.decide ? options.most : kept_fixtures(files, run, {0, 1});
     if (run.max_fixtures == 0) return ComparisonVerdict::undecided;
     MIROCUP_TRY_VOID(files.make_folder(folder.marks(), system::Readers::owner));
     MIROCUP_TRY_VOID(files.make_folder(run.folder, system::Readers::owner));
@@ -257,7 +253,7 @@ void add_grades(system::Commands& commands) {
             "Let each team see its mark, and the legs against the house teams of the scale, on "
             "its page of serve --hand-in")
       .needs(scale);
-  command.option("-o,--output DIR", o.output,
+  command.option("-o,--output FILE", o.output,
                  "File to write to, which only you can then read (default: standard output)");
 }
 

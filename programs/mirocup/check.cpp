@@ -88,7 +88,7 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
             {"leg_share", report.leg_share}}},
           {"peak_memory_bytes", report.peak_memory},
           {"unknown_parameters", record::to_json(report.unknown_parameters)},
-          {"bad_values", report.bad_values},
+          {"bad_values", report.bad_speeds[0].count + report.bad_speeds[1].count},
           {"moved_placements", report.moved_placements},
           {"warnings", warnings},
           {"log", report.log}};

@@ -290,12 +290,13 @@ web::Reply Portal::entry_replay(const Call& call) {
 
 // Returns what the host has released of a team's mark, that of the closing round if it has one;
 // null if nothing is released. `home` is the folder of the league that has the records.
-Json Portal::mark_of(const std::string& team) const {
+Json Portal::released_mark(const std::string& team) const {
   for (const Folder& league : {state_.folder.closing_round(), state_.folder}) {
     const auto text =
         state_.files.read(league.released_mark(team), {.max_size = system::size_limit::note});
     if (!text) continue;
     Json mark = record::parse_json(*text).value;
+    if (!mark.is_object()) continue;
     mark["home"] = league.path;
     return mark;
   }
@@ -304,7 +305,7 @@ Json Portal::mark_of(const std::string& team) const {
 
 // The replay of one of the legs that decide a team's mark.
 web::Reply Portal::mark_replay(const Call& call) {
-  Json mark = mark_of(call.team);
+  Json mark = released_mark(call.team);
   for (const Json& leg : mark["legs"]) {
     if (number_text(leg, "number", "%.0f") != call.parts.front()) continue;
     const std::string record = text_in(mark, "home") + "/" + text_in(leg, "record");
@@ -332,7 +333,7 @@ web::Reply Portal::team_page(const std::string& team, int before) {
     desk.playing = hand_ins.playing(team);
     desk.is_pinned = desk.playing > 0 && desk.playing == hand_ins.pinned(team);
   }
-  desk.mark = mark_of(team);
+  desk.mark = released_mark(team);
   desk.statistics = state_.options.statistics(team);
   desk.deadline = state_.terms_of(team).deadline;
   desk.time_in_words = state_.options.time_in_words;

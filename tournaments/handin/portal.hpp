@@ -75,7 +75,7 @@ class Portal {
   std::optional<web::Reply> admit(Call& call, bool is_page);
   std::optional<web::Reply> name_team(Call& call, About about);
   std::variant<Json, web::Reply> entry_of(const Call& call);
-  Json mark_of(const std::string& team) const;
+  Json released_mark(const std::string& team) const;
   web::Reply team_page(const std::string& team, int before);
   Json progress(const std::string& team, const Json& friendlies) const;
 

@@ -31,6 +31,14 @@ struct Leg {
   auto operator<=>(const Leg&) const = default;
 };
 
+// Returns the path of the record of a leg of two teams, counted as in Leg.
+std::string record_path(const ComparisonRun& run, const std::array<int, 2>& teams, int number) {
+  const auto [one, other] = teams;
+  return run.folder + "/" + std::to_string(one + 1) + "-" + std::to_string(other + 1) + "-" +
+         std::to_string(number / legs_per_fixture + 1) +
+         (number % legs_per_fixture == 1 ? "b" : "a") + ".json";
+}
+
 std::string digits(double number) {
   std::ostringstream text;
   text << number;
@@ -120,10 +128,7 @@ class Comparison {
   }
 
   std::string record_of(const Leg& leg) const {
-    const auto [one, other] = pairs_[leg.pair].teams;
-    return run_.folder + "/" + std::to_string(one + 1) + "-" + std::to_string(other + 1) + "-" +
-           std::to_string(leg.number / legs_per_fixture + 1) + (leg.is_swapped() ? "b" : "a") +
-           ".json";
+    return record_path(run_, pairs_[leg.pair].teams, leg.number);
   }
 
   std::string answer_of(const Leg& leg) const { return record_of(leg) + ".answer"; }
@@ -302,6 +307,12 @@ void count_fixture(PairComparison& pair, const std::array<ComparedLeg, 2>& legs,
   pair.is_of_copies = 2 * static_cast<int>(pair.courses.size()) < count;
   if (pair.is_of_copies || (run.plays_all && count < run.max_fixtures)) return;
   pair.verdict = pair.scores.verdict(run.test);
+}
+
+int kept_fixtures(system::Files& files, const ComparisonRun& run, const std::array<int, 2>& teams) {
+  int legs = 0;
+  while (files.exists(record_path(run, teams, legs))) ++legs;
+  return legs / legs_per_fixture;
 }
 
 bool is_over(const PairComparison& pair, const ComparisonRun& run) {

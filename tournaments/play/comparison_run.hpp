@@ -97,6 +97,10 @@ void count_fixture(PairComparison& pair, const std::array<ComparedLeg, 2>& legs,
 // cannot be read.
 Result<nlohmann::ordered_json> comparison_identity(system::Files& files, const ComparisonRun& run);
 
+// Returns the number of fixtures of two teams, from the first one on, of which the folder of the
+// run has both legs. `teams` are indices into ComparisonRun::teams.
+int kept_fixtures(system::Files& files, const ComparisonRun& run, const std::array<int, 2>& teams);
+
 // True if the pair needs no further fixtures.
 bool is_over(const PairComparison& pair, const ComparisonRun& run);
 
