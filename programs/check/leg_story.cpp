@@ -14,11 +14,13 @@ namespace {
 // A slower robot stands, or turns in place: m/s, rad/s.
 constexpr double least_speed = 0.03;
 constexpr double least_turn = 0.5;
-// A robot pushes if it is told to drive faster and is nearer to something solid, m/s, m.
-constexpr double least_push = 0.1;
-constexpr double wall_distance = 0.06;
-// The robot nearest to the ball leaves it, m/s.
+// A robot pushes if it is told to drive faster, m/s, and something keeps it from driving a quarter
+// as fast for more ticks than it takes to turn round.
+constexpr double least_push = 0.2;
+constexpr int ticks_to_turn_round = 15;
+// The robot nearest to the ball leaves it, m/s, or is far from it, m.
 constexpr double leaving_speed = 0.1;
+constexpr double far_from_ball = 0.3;
 // A habit that was not seen for this many ticks begins anew.
 constexpr std::uint32_t pause = 150;
 constexpr std::size_t told_ticks = 3;
@@ -103,17 +105,18 @@ void WatchedTeam::look_at_robots() {
     } else if (robot.twist.forward < -least_speed) {
       see(Habit::backwards, 1.0 / robots);
     }
-    // It pushes if something solid is near, and keeps it from driving half as fast as commanded.
-    const double told = leg_.setup().parameters.wheel_radius * std::abs(wheels.left + wheels.right);
-    if (told > 2.0 * least_push && 4.0 * std::abs(robot.twist.forward) < told &&
-        leg_.field().clearance(robot.position) < wall_distance)
-      see(Habit::wall, 1.0 / robots);
+    const double told =
+        0.5 * leg_.setup().parameters.wheel_radius * std::abs(wheels.left + wheels.right);
+    const bool is_held = told > least_push && 4.0 * std::abs(robot.twist.forward) < told;
+    held_[i] = is_held ? held_[i] + 1 : 0;
+    if (held_[i] > ticks_to_turn_round) see(Habit::wall, 1.0 / robots);
     const Vec2 to_ball = leg_.ball().position - robot.position;
     if (to_ball.norm() >= nearest) continue;
     nearest = to_ball.norm();
     is_leaving = robot.velocity().dot(to_ball) < -leaving_speed * nearest;
   }
   if (is_leaving) see(Habit::away, 1.0);
+  if (nearest > far_from_ball) see(Habit::far, 1.0);
 }
 
 LegStory WatchedTeam::story() const {

@@ -12,7 +12,7 @@
 namespace mirocup::app {
 
 // The habits of a team that may be mistakes. play_notes.cpp has a row for each but `touch`.
-enum class Habit { own_goal, wall, own_end, away, standing, turning, backwards, touch };
+enum class Habit { own_goal, wall, own_end, away, standing, turning, backwards, far, touch };
 
 struct HabitCount {
   double sum = 0.0;                  // LegStory::of() says of what
@@ -40,7 +40,7 @@ struct LegStory {
   std::array<int, 2> score{};  // goals for the entry, and against it
   double minutes = 0.0;        // simulated time
   int play_ticks = 0;          // ticks in which the ball was in play
-  std::array<HabitCount, 8> habits{};
+  std::array<HabitCount, 9> habits{};
   double fastest_wheel = 0.0;  // the fastest command of the entry, rad/s
   std::array<unsigned, 2>
       told_wheels{};  // bit i: a command turned the left, right wheel of robot i
@@ -78,7 +78,8 @@ class WatchedTeam final : public match::Controller {
   const match::Leg& leg_;
   Team team_;
   Swap swap_;
-  double ball_speed_ = 0.0;  // along x before the tick, m/s
+  double ball_speed_ = 0.0;                      // along x before the tick, m/s
+  std::array<int, max_robots_per_team> held_{};  // ticks for which something has held each robot
   LegStory story_;
 };
 

@@ -28,7 +28,7 @@ constexpr HabitRow habit_rows[] = {
     {Habit::own_goal, "own_goals", 10.0, 2.0}, {Habit::wall, "wall", 0.5, 0.3},
     {Habit::own_end, "own_end", never, 0.6},   {Habit::away, "away", never, 0.3},
     {Habit::standing, "stands", 0.9, 0.6},     {Habit::turning, "turns", 0.6, 0.4},
-    {Habit::backwards, "backwards", 0.8, 0.6}};
+    {Habit::backwards, "backwards", 0.8, 0.6}, {Habit::far, "far", never, 0.4}};
 
 constexpr std::pair<Swap, const char*> swap_rows[] = {
     {Swap::ends, "own_goals"}, {Swap::wheels, "wrong_turn"}, {Swap::directions, "backwards"}};
@@ -59,9 +59,9 @@ std::string text_of(const HabitRow& row, const LegStory& leg) {
 }
 
 // Plays the leg again, each time with one thing swapped. Returns the warning if the team then plays
-// well, or "".
-Result<Note> mistake_by_swaps(Examination& e, const LegStory& leg) {
-  Note found;
+// well.
+Result<std::vector<Note>> mistake_by_swaps(Examination& e, const LegStory& leg) {
+  std::vector<Note> found;
   double most = std::max(merit(leg) + least_gain, least_merit);
   for (const auto& [swap, code] : swap_rows) {
     TrialTerms terms = whole_leg_terms(e, leg.team);
@@ -71,7 +71,7 @@ Result<Note> mistake_by_swaps(Examination& e, const LegStory& leg) {
     const LegStory& other = swapped.story;
     if (merit(other) < most || other.score[0] < least_goals) continue;
     most = merit(other);
-    found = {code, sentence(std::string("swapped ") + code, score_of(other))};
+    found = {{code, sentence(std::string("swapped ") + code, score_of(other))}};
   }
   return found;
 }
@@ -101,12 +101,13 @@ bool note_commands(Examination& e) {
   return false;
 }
 
-// Returns a note for each habit that the leg shows. A weak team is suspected earlier.
+// Returns a note for each habit that the leg shows. A weak team is suspected earlier. Where its
+// robots are is told only if no other habit says why.
 std::vector<Note> habits_of(const LegStory& leg, bool is_weak) {
   std::vector<Note> notes;
   for (const HabitRow& row : habit_rows) {
-    if (leg.of(row.habit) >= (is_weak ? row.suspected : row.told))
-      notes.push_back({row.code, text_of(row, leg)});
+    if (leg.of(row.habit) < (is_weak ? row.suspected : row.told)) continue;
+    if (row.habit != Habit::far || notes.empty()) notes.push_back({row.code, text_of(row, leg)});
   }
   return notes;
 }
@@ -114,17 +115,18 @@ std::vector<Note> habits_of(const LegStory& leg, bool is_weak) {
 // Adds one note about a team that loses more than one that stands, with the likely causes.
 Result<void> note_weak(Examination& e, const LegStory& worst) {
   std::vector<Note> causes = habits_of(worst, true);
-  std::string text = ". Likely causes, the first one first: ";
   // Where a goal falls each second, robots have no time for a habit.
   if (causes.empty()) {
     TrialTerms terms = trial(e, worst.team, *e.idle);
     terms.max_ticks = swapped_ticks;
     MIROCUP_TRY(const auto calm, play(e, terms));
     causes = habits_of(calm.story, true);
-    text = ". Against a team that stands: ";
+    for (Note& cause : causes) cause.text = "against a team that stands, " + cause.text;
   }
-  for (const Note& cause : causes) text += (&cause == &causes.front() ? "" : "; ") + cause.text;
-  note(e, "weak", score_of(worst), causes.empty() ? "" : text);
+  std::string text;
+  for (const Note& cause : causes)
+    text += (text.empty() ? ". Likely causes, the first one first: " : "; ") + cause.text;
+  note(e, "weak", score_of(worst), text);
   return {};
 }
 
@@ -136,17 +138,13 @@ Result<void> note_play(Examination& e) {
   const LegStory& worst = *std::ranges::min_element(legs, {}, &LegStory::lead);
   const bool is_weak =
       e.report.strength.is_below_idle || strength_of({worst}, e.setup.league).is_below_idle;
-  Note mistake;
-  if (is_weak || e.report.strength.may_be_idle) {
-    MIROCUP_TRY(mistake, mistake_by_swaps(e, worst));
+  std::vector<Note> found;
+  if (is_weak || e.report.strength.is_below_keeper) {
+    MIROCUP_TRY(found, mistake_by_swaps(e, worst));
   }
-  std::vector<Note>& notes = e.report.notes;
-  if (!mistake.text.empty()) {
-    notes.push_back(std::move(mistake));
-    return {};
-  }
-  if (is_weak) return note_weak(e, worst);
-  for (Note& habit : habits_of(worst, false)) notes.push_back(std::move(habit));
+  if (found.empty() && is_weak) return note_weak(e, worst);
+  if (found.empty()) found = habits_of(worst, false);
+  for (Note& told : found) e.report.notes.push_back(std::move(told));
   return {};
 }
 

@@ -34,10 +34,8 @@ constexpr plugins::ClockReadings counting_clocks{.each_reading = 1000};
 constexpr std::uint8_t fills_of_short_legs[] = {0x00, 0xFF, 0x5A};
 constexpr std::uint8_t other_fill = 0xC3;
 constexpr std::int32_t other_numbers = 4242;
-constexpr Surroundings all_other{.clocks = other_clocks,
-                                 .fixed_addresses = false,
-                                 .memory_fill = other_fill,
-                                 .number_offset = other_numbers};
+constexpr Surroundings all_other{
+    .clocks = other_clocks, .fixed_addresses = false, .number_offset = other_numbers};
 
 // Returns the first tick in which the two legs differ; the hashes differ if the team asks for other
 // poses at a restart.
@@ -99,25 +97,22 @@ Result<bool> repeat_leg(Examination& e, TrialTerms terms, std::uint8_t fill,
   if (again.fault && is_memory_mistake(again.fault->fault)) return judge(e, again, terms, "");
   const auto tick = first_difference(first, again);
   // The last tick of a leg that ended by a fault has no answer.
-  if (again.fault && (!tick || *tick + 1 >= std::ssize(again.log))) {
-    if (again.ticks() >= first.ticks()) return judge(e, again, terms, "");
-    terms.max_ticks = again.ticks() + ticks_after_difference;
-    MIROCUP_TRY(const auto cause, cause_of_difference(e, terms, first));
-    note_use(e, again, terms);
-    return fail_with(e, {.what = again.fault->fault.text + " (" +
-                                 std::string(to_string(again.fault->fault.code)) +
-                                 "), but not when the same leg was played before",
-                         .where = "tick " + std::to_string(again.ticks()),
-                         .cure = cause});
-  }
-  if (!tick) return true;
-  terms.max_ticks = static_cast<std::uint32_t>(*tick) + ticks_after_difference;
+  const bool is_fault = again.fault && (!tick || *tick + 1 >= std::ssize(again.log));
+  if (is_fault && again.ticks() >= first.ticks()) return judge(e, again, terms, "");
+  if (!is_fault && !tick) return true;
+  const std::uint32_t at = is_fault ? again.ticks() : static_cast<std::uint32_t>(*tick);
+  terms.max_ticks = at + ticks_after_difference;
   MIROCUP_TRY(const auto cause, cause_of_difference(e, terms, first));
-  pass(e, "writes only to memory of its own");
-  const std::string number = std::to_string(*tick);
-  return fail_with(e, {.what = "to the same observations it answers differently in tick " + number,
-                       .where = "tick " + number,
-                       .cure = cause});
+  const std::string where = "tick " + std::to_string(at);
+  std::string what = "to the same observations it answers differently in " + where;
+  if (is_fault) {
+    note_use(e, again, terms);
+    what = again.fault->fault.text + " (" + std::string(to_string(again.fault->fault.code)) +
+           "), but not when the same leg was played before";
+  } else {
+    pass(e, "writes only to memory of its own");
+  }
+  return fail_with(e, {.what = what, .where = where, .cure = cause});
 }
 
 }  // namespace

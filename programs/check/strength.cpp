@@ -38,24 +38,29 @@ Strength strength_of(const std::vector<LegStory>& legs, RobotLeague league) {
   for (const LegStory& leg : legs) minutes += leg.minutes;
   if (minutes < least_minutes) return {};
   const Rung* like = nullptr;
-  const Rung* weakest = nullptr;
+  const Rung* below = nullptr;    // the strongest that is clearly weaker
+  const Rung* weakest = nullptr;  // of those that may be as strong
   const Rung* strongest = nullptr;
   double nearest = 1e9;
   for (const Rung& rung : ladder) {
-    const double lead = std::abs(lead_over(rung, legs, league));
-    if (lead < nearest) nearest = lead, like = &rung;
-    if (lead > likely) continue;
+    const double lead = lead_over(rung, legs, league);
+    if (std::abs(lead) < nearest) nearest = std::abs(lead), like = &rung;
+    if (lead > likely) below = &rung;
+    if (std::abs(lead) > likely) continue;
     if (weakest == nullptr) weakest = &rung;
     strongest = &rung;
   }
-  if (lead_over(ladder.front(), legs, league) < -likely)
+  if (below == &ladder.back()) return {"stronger than `planner`"};
+  if (below == nullptr && weakest == nullptr)
     return {"weaker than `idle`: it loses more than a team that stands", true, true};
-  if (lead_over(ladder.back(), legs, league) > likely) return {"stronger than `planner`"};
   std::string text = system::formatted("about as strong as `%s`", like->team);
-  if (weakest != strongest)
+  if (weakest == nullptr)
+    text = system::formatted("stronger than `%s` and weaker than `%s`", below->team,
+                             (below + 1)->team);
+  else if (weakest != strongest)
     text +=
         system::formatted(", and probably between `%s` and `%s`", weakest->team, strongest->team);
-  return {.text = text, .may_be_idle = weakest == &ladder.front()};
+  return {.text = text, .is_below_keeper = lead_over(ladder[1], legs, league) < -likely};
 }
 
 }  // namespace mirocup::app

@@ -30,7 +30,7 @@ inline constexpr std::array<Rung, 7> ladder{{{"idle", {-3.6, -3.45, -3.05}},
 struct Strength {
   std::string text;  // a sentence; "" if the legs are too short to tell
   bool is_below_idle = false;
-  bool may_be_idle = false;  // true: not clearly stronger than a team that stands
+  bool is_below_keeper = false;  // true: clearly weaker than the weakest house team that plays
 };
 
 // Judges an entry by its legs against house teams: some against `striker`, perhaps some against

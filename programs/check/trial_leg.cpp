@@ -67,6 +67,7 @@ double own_seconds() {
 Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms& terms) {
   const double own_before = own_seconds();
   const double delay_before = own_delay();
+  TrialLeg played;
   match::Leg leg(terms.setup);
   MIROCUP_TRY(const Seats seats, start_teams(entry, leg, terms));
   plugins::ProcessController& own = *seats[index_of(terms.team)];
@@ -80,7 +81,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
     if (seat.get() != &own) return fail(Errc::host, std::get<match::Fault>(ready.error()).text);
     fault = std::get<match::Fault>(ready.error());
   }
-  const std::size_t memory_at_start = own.peak_memory();
+  played.memory_at_start = own.peak_memory();
   const auto processor = [&] {
     return own_seconds() - own_before + seats[0]->cpu_seconds() + seats[1]->cpu_seconds();
   };
@@ -94,7 +95,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   double delay = own_delay() - delay_before;
   for (const auto& seat : seats) delay += seat->processor_delay().value_or(0.0);
   const double slept_to_start = std::max(0.0, own.start_seconds() - own.cpu_seconds() - delay);
-  const double used_to_start = processor() + slept_to_start;
+  played.used_to_start = processor() + slept_to_start;
   pace::SteadyWallClock clock;
   const double start = clock.now();
   // An entry that slept has taken at least as long on the clock, so that is looked at first.
@@ -105,7 +106,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   };
   WatchedTeam watched(own, leg, terms.team, terms.swap);
   match::Controller& other = *seats[1 - index_of(terms.team)];
-  const bool has_begun = !fault && terms.max_ticks > 0;
+  played.has_begun = !fault && terms.max_ticks > 0;
   while (!fault && !leg.is_over() && leg.tick() < terms.max_ticks && !is_over_time()) {
     terms.team == Team::blue ? leg.advance(watched, other) : leg.advance(other, watched);
     watched.look();
@@ -119,10 +120,8 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
     }
   }
 
-  TrialLeg played;
   played.requests = own.requests();
   if (fault) played.fault = FaultEvidence{*fault, own.exit_report(), played.requests};
-  played.has_begun = has_begun;
   played.log = leg.log();
   if (leg.is_over() && terms.is_recorded) played.recording = replay::record(leg);
   played.story = watched.story();
@@ -137,9 +136,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   played.places = own.placements_asked();
   played.slept_seconds = slept();
   played.used_seconds = processor() + slept_to_start + played.slept_seconds;
-  played.used_to_start = used_to_start;
   played.is_whole = leg.is_over();
-  played.memory_at_start = memory_at_start;
   played.peak_memory = own.peak_memory();
   played.output = own.output();
   played.asked_parameters = own.asked_parameters();

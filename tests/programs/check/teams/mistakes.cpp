@@ -205,6 +205,11 @@ void Mistakes::make_mistake(const Observation& now, Command& command) {
         command.wheels[i] = end < 0.0 ? w : Wheels{w.right, w.left};
       }
       return;
+    case Mistake::targets_outside:
+      for (int i = 0; i < now.robots; ++i)
+        command.wheels[i] =
+            drive_to(setup(), now.own[i], {setup().half_length + 0.5, now.own[i].y});
+      return;
     case Mistake::never_moves:
       command = {};
       return;

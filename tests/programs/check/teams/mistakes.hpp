@@ -58,6 +58,7 @@ enum class Mistake {
   not_finite,
   wheels_exchanged,
   wrong_end,
+  targets_outside,
   never_moves,
   illegal_places,
   tries_a_file,
