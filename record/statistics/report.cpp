@@ -66,7 +66,8 @@ std::string place_of(const LegReport& leg, std::uint32_t tick) {
 std::string advice_text(const std::vector<LegReport>& legs, const TeamTotals& team) {
   std::string text;
   for (const Advice& advice : advice_for(legs, team))
-    text += "  mirocup drill " + advice.drill + " TEAM  # " + advice.why + "\n";
+    text += "  mirocup drill " + advice.drill + " TEAM  # " + advice.why +
+            (advice.moments.empty() ? "" : ": " + advice.moments) + "\n";
   return text;
 }
 
@@ -167,26 +168,21 @@ static std::string numbers_text(const std::vector<LegReport>& legs) {
   for (const auto name : enum_names<GoalOrigin>) kinds[0].emplace_back(name);
   std::string fouls;
   std::string advice;
+  const auto number = [](int count) { return std::to_string(count); };
   for (const TeamTotals& team : totals_of(legs)) {
     const std::string lines = advice_text(legs, team);
     if (!lines.empty()) advice += "\n" + name_of(team) + " could practise:\n" + lines;
     const TeamStatistics& own = team.own;
-    std::vector<std::string> row{
-        name_of(team), std::to_string(team.legs),
-        std::to_string(own.all_goals()) + " : " + std::to_string(team.against.all_goals())};
-    for (const int number :
-         {own.shots, own.shots_on_goal, own.saves, own.passes, own.interceptions}) {
-      row.push_back(std::to_string(number));
-    }
-    row.push_back(percent(share(own.possession_s, team.against.possession_s)));
-    row.push_back(percent(share(own.opponent_half_s, team.against.opponent_half_s)));
-    row.push_back(std::to_string(own.all_losses()));
-    row.push_back(std::to_string(own.duels_won) + " of " + std::to_string(team.duels));
-    row.push_back(std::to_string(own.all_fouls()));
-    rows.push_back(row);
-    std::vector<std::string> kind{name_of(team)};
-    for (const int goals : own.goals) kind.push_back(std::to_string(goals));
-    kinds.push_back(kind);
+    rows.push_back({name_of(team), number(team.legs),
+                    number(own.all_goals()) + " : " + number(team.against.all_goals()),
+                    number(own.shots), number(own.shots_on_goal), number(own.saves),
+                    number(own.passes), number(own.interceptions),
+                    percent(share(own.possession_s, team.against.possession_s)),
+                    percent(share(own.opponent_half_s, team.against.opponent_half_s)),
+                    number(own.all_losses()), number(own.duels_won) + " of " + number(team.duels),
+                    number(own.all_fouls())});
+    auto& kind = kinds.emplace_back(1, name_of(team));
+    for (const int goals : own.goals) kind.push_back(number(goals));
     fouls += "fouls of " + name_of(team) + ": " + names_text<referee::Law>(own.fouls) + "\n";
   }
   return text + table_text(rows) + "\n" + table_text(kinds) + "\n" + fouls + advice;

@@ -222,7 +222,7 @@ Json report_json(const std::vector<LegReport>& legs) {
     Json& json = teams.emplace_back(to_json(team));
     json["advice"] = Json::array();
     for (const Advice& one : advice_for(legs, team))
-      json["advice"].push_back({{"drill", one.drill}, {"why", one.why}});
+      json["advice"].push_back({{"drill", one.drill}, {"why", one.why}, {"moments", one.moments}});
   }
   return {{"schema", schema}, {"legs", list}, {"teams", teams}};
 }
