@@ -80,7 +80,7 @@ set(doc_folder share/doc/mirocup-doc)
 install(DIRECTORY examples DESTINATION ${doc_folder} COMPONENT mirocup-doc USE_SOURCE_PERMISSIONS
   PATTERN pitch EXCLUDE)  # it needs the source tree
 install(DIRECTORY docs DESTINATION ${doc_folder} COMPONENT mirocup-doc PATTERN "*.py" EXCLUDE)
-install(FILES README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${doc_folder} COMPONENT mirocup-doc)
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md CITATION.cff DESTINATION ${doc_folder} COMPONENT mirocup-doc)
 install(FILES plugins/host/README.md DESTINATION ${doc_folder}/plugins/host COMPONENT mirocup-doc)
 install(FILES record/schema.md record/scene.md DESTINATION ${doc_folder}/record COMPONENT mirocup-doc)
 install(FILES server/dds/README.md DESTINATION ${doc_folder}/server/dds COMPONENT mirocup-doc)
