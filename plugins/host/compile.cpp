@@ -327,12 +327,13 @@ std::string place_of_error(std::string_view words) {
          "line " + std::string(words.substr(file + 1, line - file - 1));
 }
 
-// Returns what to do about the compiler's words, after a colon; "" if they say so themselves.
+// Returns what to do about the compiler's first error, after a colon; "" if it says so itself.
 std::string advice_on(std::string_view words) {
+  const std::size_t first = std::min(words.find(": error: "), words.find(": fatal error: "));
+  words.remove_prefix(std::min(first, words.size()));
+  words = words.substr(0, words.find(": error: ", 1));
   constexpr const char* the_macro =
       ": the macro is MIROCUP_EXPORT_TEAM(YourClass, \"name\"), once, after the class";
-  constexpr const char* no_header =
-      ": write #include \"mirocup/strategy.hpp\" at the top, in C #include \"mirocup/skills.h\"";
   constexpr const char* look_alike =
       ": a character only looks like a blank, a quote or a sign: type that line again";
   constexpr const char* decide =
@@ -343,8 +344,9 @@ std::string advice_on(std::string_view words) {
       {"-fmodules-ts", ": modules of C++20 are not taken, so write headers"},
       {"stray '\\", look_alike},
       {"extended character", look_alike},
-      {"'mirocup'", no_header},  // is not known
-      {"unknown type name 'mirocup_", no_header},
+      {"'mirocup'", ": write #include \"mirocup/strategy.hpp\" at the top"},  // is not known
+      {"unknown type name 'mirocup_", ": write #include \"mirocup/strategy.h\" at the top"},
+      {"expected ';' before", ": the line before lacks its semicolon"},
       {"redefinition of 'const mirocup_strategy* mirocup_entry",
        ": a library has one team, so write MIROCUP_EXPORT_TEAM() once"},
       {"identifier before string constant", the_macro},

@@ -28,7 +28,6 @@
 #include <cstring>
 #include <malloc.h>
 #include <string>
-#include <string_view>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>

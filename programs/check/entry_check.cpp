@@ -74,9 +74,7 @@ void warn(Examination& e) {
   if (e.grown > told_growth) note(e, "memory", system::mebibytes(e.grown));
   constexpr const char* sets[] = {"", "SSE4", "AVX", "AVX-512"};
   if (e.needs > e.terms.processor)
-    note(e, "processor",
-         std::string(sets[static_cast<std::size_t>(e.needs)]) + ", which are for processors of " +
-             std::string(to_string(e.needs)),
+    note(e, "processor", sets[static_cast<std::size_t>(e.needs)],
          std::string(to_string(e.terms.processor)));
   std::set<std::string> told;
   std::string line;

@@ -11,7 +11,6 @@
 #include "programs/check/trial_leg.hpp"
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <set>
 #include <string>

@@ -44,7 +44,7 @@ void HabitCount::add(std::uint32_t tick, double amount) {
 }
 
 double LegStory::of(Habit habit) const {
-  const double all = habit == Habit::own_goal  ? 1.0
+  const double all = habit == Habit::own_goal  ? minutes
                      : habit == Habit::own_end ? count(Habit::touch).sum
                                                : static_cast<double>(play_ticks);
   return all > 0.0 ? count(habit).sum / all : 0.0;
@@ -99,17 +99,18 @@ void WatchedTeam::look_at_robots() {
   for (int i = 0; i < robots; ++i) {
     const auto robot = leg_.robot(team_, i);
     const auto wheels = leg_.answers()[index_of(team_)].speeds(i);
-    if (std::hypot(robot.twist.forward, robot.twist.left) < least_speed) {
+    const double told =
+        0.5 * leg_.setup().parameters.wheel_radius * std::abs(wheels.left + wheels.right);
+    const bool is_held = told > least_push && 4.0 * std::abs(robot.twist.forward) < told;
+    held_[i] = is_held ? held_[i] + 1 : 0;
+    if (held_[i] > ticks_to_turn_round) {
+      see(Habit::wall, 1.0 / robots);
+    } else if (std::hypot(robot.twist.forward, robot.twist.left) < least_speed) {
       see(std::abs(robot.twist.omega) < least_turn ? Habit::standing : Habit::turning,
           1.0 / robots);
     } else if (robot.twist.forward < -least_speed) {
       see(Habit::backwards, 1.0 / robots);
     }
-    const double told =
-        0.5 * leg_.setup().parameters.wheel_radius * std::abs(wheels.left + wheels.right);
-    const bool is_held = told > least_push && 4.0 * std::abs(robot.twist.forward) < told;
-    held_[i] = is_held ? held_[i] + 1 : 0;
-    if (held_[i] > ticks_to_turn_round) see(Habit::wall, 1.0 / robots);
     const Vec2 to_ball = leg_.ball().position - robot.position;
     if (to_ball.norm() >= nearest) continue;
     nearest = to_ball.norm();
@@ -134,7 +135,7 @@ LegStory WatchedTeam::story() const {
 }
 
 std::string text_of(const LegStory& story) {
-  const int own = static_cast<int>(story.of(Habit::own_goal));
+  const int own = static_cast<int>(story.count(Habit::own_goal).sum);
   const std::string own_goals =
       own == 0 ? "" : system::formatted(", %d own goal%s", own, own == 1 ? "" : "s");
   return system::formatted(

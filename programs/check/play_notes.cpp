@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace mirocup::app {
 
@@ -25,7 +24,7 @@ struct HabitRow {
 };
 constexpr double never = 1e9;
 constexpr HabitRow habit_rows[] = {
-    {Habit::own_goal, "own_goals", 10.0, 2.0}, {Habit::wall, "wall", 0.5, 0.3},
+    {Habit::own_goal, "own_goals", 0.9, 0.3},  {Habit::wall, "wall", 0.5, 0.3},
     {Habit::own_end, "own_end", never, 0.6},   {Habit::away, "away", never, 0.3},
     {Habit::standing, "stands", 0.9, 0.6},     {Habit::turning, "turns", 0.6, 0.4},
     {Habit::backwards, "backwards", 0.8, 0.6}, {Habit::far, "far", never, 0.4}};
@@ -54,8 +53,9 @@ std::string text_of(const HabitRow& row, const LegStory& leg) {
   std::string ticks;
   for (const std::uint32_t tick : leg.count(row.habit).begun)
     ticks += (ticks.empty() ? " (from tick " : ", ") + std::to_string(tick);
-  const double unit = row.habit == Habit::own_goal ? 1.0 : 100.0;
-  return sentence(row.code, std::to_string(std::lround(unit * leg.of(row.habit))), ticks + ")");
+  const double number =
+      row.habit == Habit::own_goal ? leg.count(row.habit).sum : 100.0 * leg.of(row.habit);
+  return sentence(row.code, std::to_string(std::lround(number)), ticks + ")");
 }
 
 // Plays the leg again, each time with one thing swapped. Returns the warning if the team then plays
@@ -76,8 +76,8 @@ Result<std::vector<Note>> mistake_by_swaps(Examination& e, const LegStory& leg) 
   return found;
 }
 
-// Adds notes about the commands of all legs. Returns false if the robots hardly move, which
-// explains all that a leg shows.
+// Adds notes about the commands of all legs. Returns false if the robots hardly move, or speeds were
+// not finite, which explains all that a leg shows.
 bool note_commands(Examination& e) {
   std::array<unsigned, 2> told{};
   double fastest = 0.0;
@@ -85,29 +85,33 @@ bool note_commands(Examination& e) {
     for (const std::size_t side : {0u, 1u}) told[side] |= leg.told_wheels[side];
     fastest = std::max(fastest, leg.fastest_wheel);
   }
-  if (fastest == 0.0) {
-    note(e, "never_moved");
+  // Bit 0 and 1: left and right wheels of these robots, of which at least one was turned.
+  const auto turned = [&told](unsigned robots) {
+    return ((told[0] & robots) != 0 ? 1 : 0) + ((told[1] & robots) != 0 ? 2 : 0);
+  };
+  constexpr int both = 3;
+  if (const int of_all = turned(~0U); of_all != both) {
+    constexpr const char* codes[] = {"never_moved", "silent_right", "silent_left"};
+    note(e, codes[of_all]);
     return false;
   }
   for (int i = 0; i < field::make_field(e.setup.league).robots_per_team; ++i) {
-    const unsigned bit = 1U << static_cast<unsigned>(i);
-    const char* wheel = (told[0] & bit) != 0   ? "its right"
-                        : (told[1] & bit) != 0 ? "its left"
-                                               : "a";
-    if ((told[0] & told[1] & bit) == 0) note(e, "silent_robot", std::to_string(i), wheel);
+    constexpr const char* wheels[] = {"a", "its right", "its left"};
+    const int of_one = turned(1U << static_cast<unsigned>(i));
+    if (of_one != both) note(e, "silent_robot", std::to_string(i), wheels[of_one]);
   }
-  if (fastest >= told_wheel) return true;
-  note(e, "slow_wheels", std::to_string(fastest).substr(0, 4));
-  return false;
+  if (fastest < told_wheel) note(e, "slow_wheels", std::to_string(fastest).substr(0, 4));
+  return fastest >= told_wheel && e.report.bad_speeds[0].count == 0;
 }
 
 // Returns a note for each habit that the leg shows. A weak team is suspected earlier. Where its
-// robots are is told only if no other habit says why.
+// robots are, and the ball goes, is told only if no other habit says why.
 std::vector<Note> habits_of(const LegStory& leg, bool is_weak) {
   std::vector<Note> notes;
   for (const HabitRow& row : habit_rows) {
     if (leg.of(row.habit) < (is_weak ? row.suspected : row.told)) continue;
-    if (row.habit != Habit::far || notes.empty()) notes.push_back({row.code, text_of(row, leg)});
+    if ((row.habit != Habit::far && row.habit != Habit::own_end) || notes.empty())
+      notes.push_back({row.code, text_of(row, leg)});
   }
   return notes;
 }

@@ -54,7 +54,7 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
       rows.push_back({{"colour", to_string(leg.team)},
                       {"opponent", leg.opponent},
                       {"score", leg.score},
-                      {"own_goals", static_cast<int>(leg.of(Habit::own_goal))},
+                      {"own_goals", static_cast<int>(leg.count(Habit::own_goal).sum)},
                       {"standing", leg.of(Habit::standing)},
                       {"turning", leg.of(Habit::turning)},
                       {"backwards", leg.of(Habit::backwards)}});
