@@ -10,10 +10,14 @@ namespace mirocup::match {
 
 Camera::Camera(const Conditions& conditions, std::uint64_t seed, int robots, double period)
     : conditions_(conditions), robots_(robots), period_(period), pictures_{}, bodies_{} {
+  redraw(seed);
+}
+
+void Camera::redraw(std::uint64_t seed) {
   ball_.noise = draws_of_ball(seed, Draw::sight);
   ball_.loss = draws_of_ball(seed, Draw::loss_of_sight);
   for (const Team team : both_teams) {
-    for (int i = 0; i < robots; ++i) {
+    for (int i = 0; i < robots_; ++i) {
       Body& body = bodies_[index_of(team)][i];
       body.noise = draws_of_robot(seed, Draw::sight, team, i);
       body.loss = draws_of_robot(seed, Draw::loss_of_sight, team, i);

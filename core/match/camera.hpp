@@ -21,6 +21,9 @@ class Camera {
   // `robots` is the number of robots of a team; `period` is the control period, s.
   Camera(const Conditions& conditions, std::uint64_t seed, int robots, double period);
 
+  // Draws from another seed from now on.
+  void redraw(std::uint64_t seed);
+
   // Takes the picture of a tick. To be called once a tick with the truth. `were_placed` is true if
   // bodies were put down since the last picture, so that changes since that picture are not motion.
   void look(const Snapshot& truth, bool were_placed);

@@ -46,18 +46,28 @@ Random draws_of_ball(std::uint64_t seed, Draw kind) {
 }
 
 Disturbances::Disturbances(const Conditions& conditions, std::uint64_t seed, int robots)
-    : conditions_(conditions), ball_placing_(draws_of_ball(seed, Draw::placing)), robots_{} {
+    : conditions_(conditions), robots_in_team_(robots), robots_{} {
+  redraw(seed);
   Random rolling = draws_of_ball(seed, Draw::rolling);
   rolling_factor_ = factor(rolling, conditions_.rolling_sigma);
   for (const Team team : both_teams) {
     for (int i = 0; i < robots; ++i) {
       Random gain = draws_of_robot(seed, Draw::gain, team, i);
       Robot& robot = robots_[index_of(team)][i];
+      robot.left_gain = factor(gain, conditions_.wheel_gain_sigma);
+      robot.right_gain = factor(gain, conditions_.wheel_gain_sigma);
+    }
+  }
+}
+
+void Disturbances::redraw(std::uint64_t seed) {
+  ball_placing_ = draws_of_ball(seed, Draw::placing);
+  for (const Team team : both_teams) {
+    for (int i = 0; i < robots_in_team_; ++i) {
+      Robot& robot = robots_[index_of(team)][i];
       robot.placing = draws_of_robot(seed, Draw::placing, team, i);
       robot.jitter = draws_of_robot(seed, Draw::jitter, team, i);
       robot.radio = draws_of_robot(seed, Draw::radio, team, i);
-      robot.left_gain = factor(gain, conditions_.wheel_gain_sigma);
-      robot.right_gain = factor(gain, conditions_.wheel_gain_sigma);
     }
   }
 }

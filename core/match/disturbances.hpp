@@ -43,6 +43,10 @@ class Disturbances {
   // `robots` is the number of robots of a team.
   Disturbances(const Conditions& conditions, std::uint64_t seed, int robots);
 
+  // Draws from another seed from now on. What the leg has drawn for all its ticks stays: the gains
+  // of the wheels and the floor.
+  void redraw(std::uint64_t seed);
+
   // Returns the factor of the ball's rolling resistance in this leg.
   double rolling_factor() const { return rolling_factor_; }
 
@@ -71,6 +75,7 @@ class Disturbances {
   };
 
   Conditions conditions_;
+  int robots_in_team_;
   Random ball_placing_;
   double rolling_factor_ = 1.0;
   ByTeam<std::array<Robot, max_robots_per_team>> robots_;

@@ -195,6 +195,11 @@ void Leg::on_placement_request(Team team, const PlacementRequest& poses) {
   requested_placement_ = requested_placement(standing(), end_of(team), shown, *requested_, robots);
 }
 
+void Leg::redraw(std::uint64_t seed) {
+  if (disturbances_) disturbances_->redraw(seed);
+  if (camera_) camera_->redraw(seed);
+}
+
 void Leg::simulate() {
   std::array<simulator::WheelCommand, simulator::max_robots> wheels;
   for (const Team team : both_teams) {

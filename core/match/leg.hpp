@@ -164,6 +164,11 @@ class Leg {
   // Plays one tick with answers that are known already, such as recorded ones; nothing is observed.
   void advance(const ByTeam<Answer>& answers);
 
+  // Lets everything that is drawn tick by tick be drawn from another seed from now on: what a robot
+  // makes of a command, what the camera sees and the radio loses, and how a hand puts bodies down.
+  // The leg is then another future of the same moment, on the same floor with the same robots.
+  void redraw(std::uint64_t seed);
+
   // Ends the leg without a winner, because the machine failed.
   void declare_void(std::string why);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs mirocup stats as its users do.
+// Runs mirocup stats and mirocup coach as their users do.
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
@@ -88,6 +88,34 @@ TEST_F(StatsCommand, ReportsDamageMissingFilesAndWrongUsage) {
   const Outcome both = stats({records_[0], folder_ / ""});
   EXPECT_EQ(both.exit_code, 2) << "a folder and a record";
   EXPECT_EQ(stats({folder_ / ""}).exit_code, 2) << "a folder without a league";
+}
+
+// Catches a goal that is left out, an answer of the search that another run does not give, a team
+// that decides otherwise than in its record, and a library that plays here though nobody trusts it.
+TEST_F(StatsCommand, CoachSaysUntilWhenEachGoalCouldBePrevented) {
+  const std::string record = folder_ / "lost.json";
+  run_mirocup({"match", "--blue", "striker", "--yellow", "idle", "--half", "12", "--seed", "3",
+               "--record", record, "--trusted"});
+  const std::vector<std::string> asked{"coach",  record, "--team", "yellow",
+                                       "--goal", "1",    "--json"};
+  const Outcome first = run_mirocup(asked);
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_EQ(run_mirocup(asked).out, first.out);
+  const Json goals = Json::parse(first.out)["goals"];
+  ASSERT_EQ(goals.size(), 1u);
+  for (const Json& goal : goals) {
+    EXPECT_TRUE(goal["decides"]["blue"] && goal["decides"]["yellow"]) << goal;
+    EXPECT_LE(goal["hopeless"]["tick"], goal["tick"]);
+    if (goal["prevention"].is_null()) continue;
+    EXPECT_LT(goal["prevention"]["tick"], goal["hopeless"]["tick"]);
+    EXPECT_GE(goal["prevention"]["without_goal"], 80);
+  }
+  std::vector<std::string> wrong{"coach", record, "--team", "yellow", "--goal", "3"};
+  EXPECT_EQ(run_mirocup(wrong).exit_code, 2);
+  const std::string library = folder_ / "mine.so";
+  std::filesystem::copy(program("house/chaser.so"), library);
+  wrong = {"coach", record, "--team", "yellow", "--substitute", library};
+  EXPECT_NE(run_mirocup(wrong).err.find("--trusted"), std::string::npos);
 }
 
 }  // namespace

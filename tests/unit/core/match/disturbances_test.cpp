@@ -52,6 +52,20 @@ TEST(Disturbances, ThatAreOffChangeNoOtherDraw) {
   EXPECT_NE(with.rolling_factor(), 1.0);
 }
 
+// Catches a future that is drawn with other robots, or as the leg was.
+TEST(Disturbances, ThatAreDrawnAnewKeepGainsAndFloor) {
+  Disturbances leg(conditions_of(ConditionsPreset::hall), 5, 3);
+  Disturbances future = leg;
+  future.redraw(6);
+  EXPECT_EQ(future.rolling_factor(), leg.rolling_factor());
+  EXPECT_NE(future.drive(Team::blue, 0, {40.0, 40.0}).left,
+            leg.drive(Team::blue, 0, {40.0, 40.0}).left);
+  future.redraw(5);
+  Disturbances again(conditions_of(ConditionsPreset::hall), 5, 3);
+  EXPECT_EQ(future.drive(Team::blue, 0, {40.0, 40.0}).left,
+            again.drive(Team::blue, 0, {40.0, 40.0}).left);
+}
+
 TEST(Disturbances, AWheelHasOneGainForTheLegAndANewJitterInEveryTick) {
   Conditions c;
   c.wheel_gain_sigma = 0.01;

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "programs/coach/rehearsal.hpp"
+
+#include "core/replay/recorded.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace mirocup::coach {
+
+namespace {
+
+constexpr double recorded_s = 0.3;  // that a team which is not at hand drives as recorded
+
+Result<server::TeamSeat> seat(const server::TeamChoice& choice, const match::Leg& leg, Team team) {
+  MIROCUP_TRY(auto seat, server::TeamSeat::take_trusted(choice, leg.briefing(team)));
+  const auto ready = seat.wait_until_ready();
+  if (ready) return seat;
+  const auto* fault = std::get_if<match::Fault>(&ready.error());
+  return fail(Errc::input,
+              choice.library + ": " + (fault != nullptr ? fault->text : "it cannot be started"));
+}
+
+match::Answer ask(server::TeamSeat& seat, const match::Observation& observation) {
+  seat.controller().post(observation);
+  return seat.controller().collect();
+}
+
+}  // namespace
+
+Rehearsal::Rehearsal(const record::MatchRecord& record, Team team)
+    : recording_(record.recording),
+      team_(team),
+      leg_(record.recording.setup, match::TickLogs::dropped) {}
+
+Result<std::unique_ptr<Rehearsal>> Rehearsal::begin(const record::MatchRecord& record,
+                                                    const Cast& cast) {
+  std::unique_ptr<Rehearsal> all(new Rehearsal(record, cast.team));
+  for (const Team team : both_teams) {
+    const int i = index_of(team);
+    if (cast.own[i]) {
+      MIROCUP_TRY(all->own_[i], seat(*cast.own[i], all->leg_, team));
+    }
+    MIROCUP_TRY(all->stand_in_[i], seat(cast.stand_in, all->leg_, team));
+  }
+  MIROCUP_TRY(all->substitute_, seat(cast.substitute, all->leg_, cast.team));
+  if (cast.keeper) {
+    MIROCUP_TRY(all->keeper_, seat(*cast.keeper, all->leg_, cast.team));
+  }
+  return all;
+}
+
+void Rehearsal::follow(std::uint32_t tick) {
+  const int robots = leg_.field().robots_per_team;
+  const double limit = leg_.setup().parameters.wheel_speed_limit;
+  const auto end = std::min<std::size_t>(tick, recording_.ticks.size());
+  while (leg_.tick() < end && !leg_.is_over()) {
+    const match::Snapshot now = leg_.view();
+    for (const Team team : both_teams) {
+      const int i = index_of(team);
+      if (!decides(team)) continue;
+      const match::Answer answer = ask(*own_[i], observe(now, team, robots));
+      const auto* command = std::get_if<match::Command>(&answer);
+      has_differed_[i] = command == nullptr || check(*command, robots, limit).command !=
+                                                   recording_.ticks[leg_.tick()].commands[i];
+    }
+    leg_.advance(replay::recorded_answers(recording_, leg_.tick()));
+  }
+}
+
+bool Rehearsal::is_without_goal(std::optional<int> robot, std::uint64_t seed, const Span& span) {
+  const std::uint32_t from = leg_.tick();
+  const std::size_t before = leg_.decisions().size();
+  const int keeper = leg_.snapshot().counts[index_of(team_)].keeper;
+  leg_.redraw(seed);
+  while (leg_.state() == match::State::PLAY && leg_.tick() < span.end) {
+    auto commands = decide(from, span);
+    if (!commands) return false;
+    if (robot) {
+      const auto wheels = substitute(*robot, std::max(keeper, 0));
+      if (!wheels) return false;
+      (*commands)[index_of(team_)].wheels[*robot] = *wheels;
+    }
+    leg_.advance({(*commands)[0], (*commands)[1]});
+  }
+  const auto& decisions = leg_.decisions();
+  return std::none_of(
+      decisions.begin() + static_cast<std::ptrdiff_t>(before), decisions.end(),
+      [&](const match::LoggedDecision& d) {
+        const bool is_goal = d.decision.verdict == referee::Verdict::GOAL && d.team != team_;
+        const bool is_penalty =
+            d.decision.restart == referee::Restart::PENALTY_KICK && d.taker != team_;
+        return is_goal || is_penalty;
+      });
+}
+
+std::optional<match::ByTeam<match::Command>> Rehearsal::decide(std::uint32_t from,
+                                                               const Span& span) {
+  const match::Snapshot now = leg_.view();
+  const auto recorded_ticks =
+      static_cast<std::uint32_t>(recorded_s / leg_.setup().control_period + 0.5);
+  const bool is_recorded = now.tick < std::min(from + recorded_ticks, span.recorded_end);
+  match::ByTeam<match::Answer> answers;
+  if (is_recorded) answers = replay::recorded_answers(recording_, now.tick);
+  match::ByTeam<match::Command> commands;
+  for (const Team team : both_teams) {
+    const int i = index_of(team);
+    if (decides(team) || !is_recorded) {
+      answers[i] = ask(decides(team) ? *own_[i] : *stand_in_[i],
+                       observe(now, team, leg_.field().robots_per_team));
+    }
+    const auto* command = std::get_if<match::Command>(&answers[i]);
+    if (command == nullptr) return std::nullopt;
+    commands[i] = *command;
+  }
+  return commands;
+}
+
+std::optional<simulator::WheelSpeeds> Rehearsal::substitute(int robot, int in_goal) {
+  match::Observation seen = observe(leg_.view(), team_, leg_.field().robots_per_team);
+  const bool is_keeper = keeper_ && robot == in_goal;
+  int number = robot;
+  if (keeper_) {
+    std::swap(seen.own[0], seen.own[in_goal]);
+    const auto renumbered = [&](int n) { return n == in_goal ? 0 : n == 0 ? in_goal : n; };
+    seen.own_counts.keeper = renumbered(seen.own_counts.keeper);
+    number = renumbered(robot);
+  }
+  const match::Answer answer = ask(is_keeper ? *keeper_ : *substitute_, seen);
+  const auto* command = std::get_if<match::Command>(&answer);
+  return command != nullptr ? std::optional(command->wheels[number]) : std::nullopt;
+}
+
+}  // namespace mirocup::coach

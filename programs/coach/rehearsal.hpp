@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+//
+// A recorded leg that is brought to a moment together with its teams, and from there played
+// otherwise: a substitute decides for one robot, and everything that is drawn is drawn anew.
+//
+// To the moment, the leg follows its record: the recorded commands are driven, and each team that
+// is at hand observes what it observed then, so that it remembers what it remembered. From the
+// moment on the teams decide. One future uses a rehearsal up: futures are played in copies of the
+// process (process_copy.hpp).
+#pragma once
+
+#include "core/match/leg.hpp"
+#include "record/match_record.hpp"
+#include "server/seats.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace mirocup::coach {
+
+// Who decides in the futures of a leg. All play in this process, without protection from them.
+struct Cast {
+  Team team = Team::blue;  // whose robots get a substitute
+  // The teams of the record. A team that is missing, or whose commands in the record were others,
+  // drives its recorded commands for 0.3 s at most, and then as `stand_in` decides.
+  match::ByTeam<std::optional<server::TeamChoice>> own;
+  server::TeamChoice stand_in;
+  server::TeamChoice substitute;
+  // Decides for the robot in the goal. These two then know the robot in the goal as number 0, as
+  // house teams expect. Empty: the substitute decides for every robot, by its own number.
+  std::optional<server::TeamChoice> keeper;
+};
+
+class Rehearsal {
+ public:
+  // Brings the teams to the start of the leg. The record outlives the rehearsal. Errc::input names
+  // a team that cannot be loaded. Precondition: the record is reproduced (replay::verify()).
+  static Result<std::unique_ptr<Rehearsal>> begin(const record::MatchRecord& record,
+                                                  const Cast& cast);
+  Rehearsal(const Rehearsal&) = delete;
+  Rehearsal& operator=(const Rehearsal&) = delete;
+
+  const match::Leg& leg() const { return leg_; }
+  // True if the team decides in futures: it is at hand, and gave the recorded commands so far.
+  bool decides(Team team) const {
+    return own_[index_of(team)].has_value() && !has_differed_[index_of(team)];
+  }
+
+  // Follows the record up to the start of a tick, or to its end.
+  void follow(std::uint32_t tick);
+
+  // The moments of a future. Play that stops ends it before `end`.
+  struct Span {
+    std::uint32_t recorded_end = 0;  // no recorded command from here on: the goal fell
+    std::uint32_t end = 0;
+  };
+  // Plays a future from here, with a substitute for this robot of the team; without one if empty.
+  // Returns true if its team neither concedes a goal nor has a penalty kick given against it.
+  // A team that fails in a future prevents nothing.
+  bool is_without_goal(std::optional<int> robot, std::uint64_t seed, const Span& span);
+
+ private:
+  Rehearsal(const record::MatchRecord& record, Team team);
+
+  // The answers of the own teams in a future that began at `from`; empty if a team has failed.
+  std::optional<match::ByTeam<match::Command>> decide(std::uint32_t from, const Span& span);
+  // What the substitute commands to the robot; empty if it has failed.
+  std::optional<simulator::WheelSpeeds> substitute(int robot, int in_goal);
+
+  const replay::Recording& recording_;
+  Team team_;
+  match::Leg leg_;
+  match::ByTeam<std::optional<server::TeamSeat>> own_;
+  match::ByTeam<std::optional<server::TeamSeat>> stand_in_;
+  std::optional<server::TeamSeat> substitute_;
+  std::optional<server::TeamSeat> keeper_;
+  match::ByTeam<bool> has_differed_{};
+};
+
+}  // namespace mirocup::coach

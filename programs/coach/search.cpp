@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "programs/coach/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirocup::coach {
+
+namespace {
+
+constexpr int most_futures = 50;  // of a test
+
+// Logarithms of ratios of likelihoods, in thousandths: ln(0.9 / 0.7) of a future that speaks for
+// the likely end of the zone, ln(0.3 / 0.1) of one that speaks against it, ln(0.95 / 0.05) to
+// decide.
+constexpr int likely = 251;
+constexpr int unlikely = 1099;
+constexpr int enough = 2944;
+
+}  // namespace
+
+Interval interval_of(const Share& share) {
+  constexpr double z = 1.959963984540054;
+  if (share.futures == 0) return {};
+  const double n = share.futures;
+  const double p = share.value();
+  const double middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
+  const double half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n)) / (1.0 + z * z / n);
+  return {std::max(middle - half, 0.0), std::min(middle + half, 1.0)};
+}
+
+void SequentialTest::add(bool is_without_goal) {
+  ++share_.futures;
+  share_.without += is_without_goal ? 1 : 0;
+}
+
+std::optional<bool> SequentialTest::answer() const {
+  const int without = share_.without;
+  const int with = share_.futures - without;
+  const int weight = question_ == Question::prevention ? likely * without - unlikely * with
+                                                       : unlikely * without - likely * with;
+  if (weight >= enough) return true;
+  if (weight <= -enough) return false;
+  if (share_.futures < most_futures) return std::nullopt;
+  return share_.value() >= limit_of(question_);
+}
+
+std::optional<std::uint32_t> last_yes(std::uint32_t first, std::uint32_t end, std::uint32_t stride,
+                                      const std::function<bool(std::uint32_t)>& ask) {
+  if (first >= end) return std::nullopt;
+  std::uint32_t no = end;
+  std::uint32_t yes = end - 1;
+  while (!ask(yes)) {
+    if (yes == first) return std::nullopt;
+    no = yes;
+    yes -= std::min(stride, yes - first);
+  }
+  while (no - yes > 1) {
+    const std::uint32_t middle = yes + (no - yes) / 2;
+    (ask(middle) ? yes : no) = middle;
+  }
+  for (std::uint32_t tick = no + 1; tick < end && tick <= yes + stride; ++tick) {
+    if (ask(tick)) yes = tick;
+  }
+  return yes;
+}
+
+}  // namespace mirocup::coach
