@@ -21,6 +21,13 @@ namespace {
 struct Marks {
   std::map<std::string, std::map<std::string, std::string>> of_team;
   std::vector<std::string> drills;
+
+  // Returns "" if the team has no score in the drill.
+  std::string score(const std::string& team, const std::string& drill) const {
+    const auto scores = of_team.find(team);
+    if (scores == of_team.end() || !scores->second.contains(drill)) return "";
+    return scores->second.at(drill);
+  }
 };
 
 std::string with_digits(double value, int digits) {
@@ -28,20 +35,24 @@ std::string with_digits(double value, int digits) {
 }
 
 Result<Marks> read_drill_marks(std::string_view text, const std::string& path) {
-  const std::vector<std::string> titles{"team", "drill", "score"};
+  constexpr std::size_t titles = 3;
+  const auto is_titles = [](const std::vector<std::string>& cells) {
+    return cells.size() >= titles && cells[0] == "team" && cells[2] == "score" &&
+           (cells[1] == "drill" || cells[1] == "sheet");
+  };
   const auto table = system::read_csv(text);
   if (!table) return fail(Errc::input, path + ": " + table.error().what);
-  if (table->rows.empty() || table->rows[0].cells.size() < titles.size() ||
-      !std::equal(titles.begin(), titles.end(), table->rows[0].cells.begin()))
-    return fail(Errc::input, path + ": it is not what mirocup drill --csv prints");
+  if (table->rows.empty() || !is_titles(table->rows[0].cells))
+    return fail(Errc::input, path + ": it is not what mirocup drill or grade --csv prints");
   Marks marks;
-  bool is_joined = false;  // of several outputs, each with an "all" of its own drills
+  // Of several outputs, each with an "all" of its own drills; the output of a sheet has none.
+  bool is_joined = table->rows[0].cells[1] == "sheet";
   std::set<std::string> drills;
   for (std::size_t i = 1; i < table->rows.size(); ++i) {
     const std::vector<std::string>& cells = table->rows[i].cells;
     const std::string at = path + ": line " + std::to_string(table->rows[i].line);
-    if (cells.size() < titles.size()) return fail(Errc::input, at + " has no score");
-    if (std::equal(titles.begin(), titles.end(), cells.begin())) {
+    if (cells.size() < titles) return fail(Errc::input, at + " has no score");
+    if (is_titles(cells)) {
       is_joined = true;
       continue;
     }
@@ -133,7 +144,7 @@ std::vector<Graded> all_graded(const Overview& o, const PeopleOfTeams& people) {
 // A row for each student, for a program that knows students by mail and number.
 Result<std::string> students(const Overview& o, const std::vector<Graded>& all,
                              const std::vector<std::string>& columns, GradesLayout layout,
-                             const MarksOfTeams& marks) {
+                             const MarksOfTeams& marks, const Marks& drills) {
   const std::string mail = heading_of("mail", columns);
   const std::string number = heading_of("number", columns);
   if (mail.empty() && number.empty()) {
@@ -151,6 +162,7 @@ Result<std::string> students(const Overview& o, const std::vector<Graded>& all,
     const std::string score =
         !marks.empty()
             ? (one.team && marks[*one.team] ? with_digits(marks[*one.team]->value, 2) : "")
+        : !drills.of_team.empty() ? drills.score(one.name, "all")
         : one.row.played == 0
             ? ""
             : with_digits(best > 0.0 ? 100.0 * static_cast<double>(one.row.points) / best : 0.0, 2);
@@ -227,7 +239,7 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
       });
   if (!any_is_known) return fail(Errc::input, path + ": it has no team of this league");
   if (layout == GradesLayout::moodle || layout == GradesLayout::gradescope) {
-    MIROCUP_TRY(auto text, students(o, all, columns, layout, of_scale));
+    MIROCUP_TRY(auto text, students(o, all, columns, layout, of_scale, marks));
     return SiteFile{layout == GradesLayout::moodle ? "moodle.csv" : "gradescope.csv",
                     std::move(text)};
   }
@@ -270,11 +282,7 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
                state_of(o, one.team),
                entry > 0 ? std::to_string(entry) : ""};
       for (const std::string& column : columns) cells.push_back(one.more(column, member));
-      const auto of_team = marks.of_team.find(one.name);
-      for (const std::string& drill : marks.drills) {
-        const bool has_mark = of_team != marks.of_team.end() && of_team->second.count(drill) != 0;
-        cells.push_back(has_mark ? of_team->second.at(drill) : "");
-      }
+      for (const std::string& drill : marks.drills) cells.push_back(marks.score(one.name, drill));
       if (!of_scale.empty()) {
         const auto mark = one.team ? of_scale[*one.team] : std::nullopt;
         for (double ScaleMark::*part : {&ScaleMark::value, &ScaleMark::low, &ScaleMark::high})

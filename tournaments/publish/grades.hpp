@@ -36,14 +36,15 @@ enum class GradesLayout {
 //                                        league
 // then the further columns of the class list, and the team's score in each drill and in all drills
 // together. If a cell of the class list has as many parts between semicolons as the team has
-// members, each member's row gets one part. `drills_csv` is the output of `mirocup drill … --csv`,
-// read from `path`; "": there are no drills. Its teams are matched by their names, and a missing
-// mark is an empty cell. For Moodle and Gradescope, the score of a team is its points in per cent
-// of the points that it would have if it had won all its legs. Students are named by their mail and
-// number, further columns of the class list. A team for which the list has no members, mails and
-// numbers has no row. Errc::input if `drills_csv` is not such an output or names no team of the
-// league, if the class list lacks both columns, mails and numbers, or if it gives a member neither
-// a mail nor a number.
+// members, each member's row gets one part. `drills_csv` is the output of `mirocup drill … --csv`
+// or `mirocup grade … --csv`, or several of them, read from `path`; "": there are no drills. Its
+// teams are matched by their names, and a missing mark is an empty cell. For Moodle and Gradescope,
+// the score of a team is that in all drills; without drills, its points in per cent of the points
+// that it would have if it had won all its legs. Students are named by their mail and number,
+// further columns of the class list. A team for which the list has no members, mails and numbers
+// has no row. Errc::input if `drills_csv` is not such an output or names no team of the league, if
+// the class list lacks both columns, mails and numbers, or if it gives a member neither a mail nor
+// a number.
 //
 // `marks`, by team, adds the columns mark, mark_low, mark_high, mark_decided and mark_legs at the
 // end; for Moodle the mark is the score. Empty: the staff has no scale.

@@ -68,6 +68,10 @@ TEST(Grades, JoinTheOutputsOfSeveralDrills) {
   expect_part(text, ",1.0,,\r\n");  // a drill is missing
   EXPECT_EQ(csv(league_of_two(), {}, first + first),
             "d.csv: line 7: alpha has a score in x already");
+  // Sheets have a line for each team, and no "all".
+  const std::string sheets =
+      "team,sheet,score,low\nalpha,x,50.0,1\nteam,sheet,score,low\nalpha,y,21.0,";
+  expect_part(csv(league_of_two(), {}, sheets), ",50.0,21.0,35.5\r\n");
 }
 
 // Catches a list that names the beaten for the winner, or a team that is no house team; and members
@@ -143,6 +147,11 @@ TEST(Grades, HaveARowForEachStudent) {
             "Email address,ID number,spring\r\ncy@x,,\r\nada@x,,\r\nbo@x,,\r\n")
       << "no leg is no score";
   expect_part(csv(state, people, "", GradesLayout::gradescope), "\r\nBo,bo@x,,,100\r\n");
+  const std::string sheet = "team,sheet,score\nalpha,driving,61.5\n";
+  EXPECT_EQ(csv(state, people, sheet, GradesLayout::gradescope),
+            "Name,Email,SID,Total Score,Max Points\r\nCy,cy@x,,,100\r\n"
+            "Ada,ada@x,,61.5,100\r\nBo,bo@x,,61.5,100\r\n");
+  expect_part(csv(state, people, sheet, GradesLayout::moodle), "\r\nbo@x,,61.5\r\n");
   people["alpha"].more[0].second = "ada@x";
   EXPECT_FALSE(grades(overview(state), people, "", "", GradesLayout::moodle))
       << "whose mail is it?";
