@@ -19,6 +19,7 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/browser/node_modules/fzstd DESTINATION s
   COMPONENT mirocup OPTIONAL FILES_MATCHING PATTERN index.js PATTERN package.json PATTERN LICENSE PATTERN esm EXCLUDE PATTERN umd EXCLUDE)
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team COMPONENT mirocup USE_SOURCE_PERMISSIONS)
 install(DIRECTORY plugins/drills DESTINATION share/mirocup COMPONENT mirocup PATTERN teams EXCLUDE)
+install(DIRECTORY examples/course DESTINATION share/mirocup COMPONENT mirocup)
 # The manual and what shells complete: made by the programs themselves, from their options.
 install(DIRECTORY ${PROJECT_BINARY_DIR}/share/man/man1 DESTINATION share/man COMPONENT mirocup OPTIONAL)
 install(FILES ${PROJECT_BINARY_DIR}/share/completions/mirocup.bash
@@ -78,6 +79,7 @@ endif()
 # mirocup-doc: pages, examples.
 set(doc_folder share/doc/mirocup-doc)
 install(DIRECTORY examples DESTINATION ${doc_folder} COMPONENT mirocup-doc USE_SOURCE_PERMISSIONS
+  PATTERN course EXCLUDE  # it is in share/mirocup
   PATTERN pitch EXCLUDE)  # it needs the source tree
 install(DIRECTORY docs DESTINATION ${doc_folder} COMPONENT mirocup-doc PATTERN "*.py" EXCLUDE)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md CITATION.cff DESTINATION ${doc_folder} COMPONENT mirocup-doc)
@@ -93,7 +95,8 @@ export(TARGETS mirocup mirocup_strategy mirocup_predict mirocup_team NAMESPACE m
   FILE ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-targets.cmake)
 configure_file(cmake/mirocup-config.cmake ${PROJECT_BINARY_DIR}/lib/cmake/mirocup/mirocup-config.cmake COPYONLY)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include ${PROJECT_BINARY_DIR}/share/mirocup)
-foreach(link plugins/include/mirocup:include/mirocup plugins/template:share/mirocup/team plugins/drills:share/mirocup/drills)
+foreach(link plugins/include/mirocup:include/mirocup plugins/template:share/mirocup/team plugins/drills:share/mirocup/drills
+    examples/course:share/mirocup/course)
   string(REPLACE ":" ";" ends ${link})
   list(GET ends 0 from)
   list(GET ends 1 to)

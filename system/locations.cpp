@@ -70,6 +70,10 @@ std::string drill_folder() {
   return (fs::path(team_kit().prefix) / "share" / "mirocup" / "drills").string();
 }
 
+std::string course_folder() {
+  return (fs::path(team_kit().prefix) / "share" / "mirocup" / "course").string();
+}
+
 std::string drill_folder(const std::string& folder) {
   // Beside the library in a build tree; in a prefix, one or two folders above it.
   std::error_code none;
@@ -100,12 +104,11 @@ std::vector<std::string> house_teams() {
 
 std::string house_team(const std::string& name, const std::string& folder) {
   if (name.empty() || name.find('/') != std::string::npos) return "";
-  constexpr std::string_view of_drills = "drill:";
-  const bool is_of_drills = name.starts_with(of_drills);
-  const fs::path file =
-      is_of_drills ? fs::path("drill") / name.substr(of_drills.size()) : fs::path(name);
+  // drill:NAME and course:NAME are in folders of their own.
+  std::string file = name;
+  if (name.starts_with("drill:") || name.starts_with("course:")) file[name.find(':')] = '/';
   for (const fs::path& teams : house_folders(folder)) {
-    const fs::path library = teams / (file.string() + ".so");
+    const fs::path library = teams / (file + ".so");
     if (is_there(library)) return library.string();
   }
   return "";

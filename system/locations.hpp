@@ -30,6 +30,8 @@ TeamKit team_kit();
 std::string drill_folder();
 // Like the function above, for a library in another program. `folder` is the library's folder.
 std::string drill_folder(const std::string& folder);
+// Returns the folder of the sheets of exercises that come with mirocup.
+std::string course_folder();
 
 // Returns the folder of the module for browsers, which is not always built.
 std::string browser_folder();

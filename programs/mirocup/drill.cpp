@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup drill: tries situations many times and gives marks.
-#include "plugins/host/sandbox/probe.hpp"
 #include "programs/mirocup/commands.hpp"
-#include "programs/mirocup/drill_report.hpp"
+#include "programs/mirocup/tested_teams.hpp"
 #include "record/team_parameters_json.hpp"
-#include "system/child_process.hpp"
 #include "system/locations.hpp"
-#include "system/text.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <list>
-#include <unistd.h>
 
 namespace mirocup::app {
 
@@ -95,134 +90,22 @@ void print_list(const std::vector<drills::Drill>& drills, bool as_json) {
   if (as_json) print_json({{"drills", list}});
 }
 
-// `text` is a team, or NAME=TEAM: the entries of a league all have the same file name. `what`
-// stands before `text` in the sentence about a team that is on the network.
-Result<server::TeamChoice> choose(const std::string& text, const std::string& what) {
-  const std::size_t equals = text.find('=');
-  const bool is_named = equals != std::string::npos && equals < text.find('/');
-  auto choice = server::choose_team(is_named ? text.substr(equals + 1) : text);
-  if (choice && is_named) choice->info.name = text.substr(0, equals);
-  if (choice && record::is_on_network(choice->info.kind)) {
-    return fail(Errc::input, what + text + ": drills are for libraries and house teams");
-  }
-  return choice;
-}
-
-// Returns the name of the team in a report and in the names of files: that of NAME=TEAM, else its
-// own, else that of its file.
-Result<std::string> name_of(const std::string& team) {
-  MIROCUP_TRY(const auto choice, choose(team, "TEAM "));
-  const std::string& known = choice.info.name;
-  if (choice.info.kind != record::TeamKind::plugin || team.starts_with(known + "=")) return known;
-  MIROCUP_TRY(const auto isolation, plugins::strongest_isolation());
-  plugins::ProcessTerms terms;
-  terms.isolation = isolation;
-  const match::Leg leg(match::Setup{});
-  MIROCUP_TRY(auto seat,
-              server::TeamSeat::take_in_process(choice, leg.briefing(drills::tested), terms));
-  const std::string own = seat.wait_until_ready() ? seat.own_name() : "";
-  return own.empty() || own.find('/') != std::string::npos ? known : own;
-}
-
-Result<DrillTeams> teams_of(const drills::Drill& drill, const std::string& team,
-                            const std::string& name, const match::TeamParameters& parameters) {
-  MIROCUP_TRY(auto tested, choose(team, "TEAM "));
-  DrillTeams teams{.tested = std::move(tested), .opponent = {}, .mates = std::nullopt};
-  teams.tested.info.name = name;
-  teams.tested.info.parameters = drill.parameters;
-  for (const auto& [key, value] : parameters) teams.tested.info.parameters[key] = value;
-  const auto choose_in_drill = [&drill](const std::string& text, const char* key) {
-    return choose(text, "").map_error([&](const Error& error) {
-      return Error{error.code, drill.name + ": " + key + ": " + error.what};
-    });
-  };
-  MIROCUP_TRY(teams.opponent, choose_in_drill(drill.opponent, "/opponent"));
-  if (drill.mates.empty()) return teams;
-  MIROCUP_TRY(teams.mates, choose_in_drill(drill.mates, "/mates"));
-  return teams;
-}
-
-// Returns NAME=TEAM for the present entry of each team of a league, in the order of its teams. Only
-// mirocup-league can read a league.
-Result<std::vector<std::string>> entries_of(const std::string& league) {
-  const std::string program = system::sibling_program("mirocup-league");
-  MIROCUP_TRY(const auto answer,
-              system::ask({program, "status", league, "--entries", "--json"}, {.seconds = 60.0}));
-  const std::string last = system::last_line(answer.output);
-  if (answer.code > exit_no) return fail(Errc::input, system::replaced(last, "mirocup: ", ""));
-  return record::read_json<std::vector<std::string>>(
-      last, league, Errc::input, [&](const record::JsonReader& json) {
-        std::vector<std::string> teams;
-        for (const record::JsonReader& team : json.at("teams").elements()) {
-          const std::string name = team.at("team").text();
-          const record::JsonReader playing = team.at("plays_with");
-          const record::JsonReader entry = playing.is_null() ? team.at("last_accepted") : playing;
-          if (entry.is_null()) std::cerr << "mirocup: " << name << " has no entry\n";
-          if (!entry.is_null())
-            teams.push_back(name + '=' + league + "/entries/" + name + '/' +
-                            std::to_string(entry.as<int>()) + "/strategy.so");
-        }
-        return teams;
-      });
-}
-
-// On a terminal, a line that counts.
-class Progress {
- public:
-  explicit Progress(int all) : all_(all), is_shown_(isatty(STDERR_FILENO) != 0) {}
-  ~Progress() { clear(); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  void clear() {
-    if (is_shown_ && shown_ >= 0) std::cerr << "\r\033[K" << std::flush;
-    shown_ = -1;
-  }
-
-  void show(int done) {
-    if (!is_shown_ || done == shown_) return;
-    shown_ = done;
-    std::cerr << "\r" << done << " of " << all_ << " tries" << std::flush;
-  }
-
- private:
-  int all_;
-  int shown_ = -1;
-  bool is_shown_;
-};
-
-// Tries all drills with one team.
-Result<DrillReport> test_team(const std::string& team, const std::string& name,
-                              const std::vector<drills::Drill>& drills, const DrillOptions& options,
-                              const match::TeamParameters& parameters,
-                              const std::function<void(int)>& progress) {
-  DrillReport report;
-  report.team = name;
-  std::list<DrillTeams> teams;  // tasks point to its elements
-  std::vector<DrillTask> tasks;
-  for (const drills::Drill& drill : drills) {
-    MIROCUP_TRY(auto of_this, teams_of(drill, team, name, parameters));
-    teams.push_back(std::move(of_this));
-    tasks.push_back({&drill, &teams.back(), options.tries.value_or(drill.tries)});
-    report.drills.push_back(&drill);
-  }
-  MIROCUP_TRY(report.tries, play_drills(tasks, options, progress));
-  return report;
-}
-
 // The files of tries are named after the team, so two may not have one name.
-Result<std::vector<std::string>> names_of_teams(const DrillOptions& options) {
-  std::vector<std::string> names;
-  for (const std::string& team : options.teams) {
-    MIROCUP_TRY(auto name, name_of(team));
-    const bool is_new = std::find(names.begin(), names.end(), name) == names.end();
+Result<std::vector<TestedTeam>> tested_teams(const DrillOptions& options) {
+  std::vector<TestedTeam> teams;
+  for (const std::string& text : options.teams) {
+    MIROCUP_TRY(auto team, tested_team(text, NamedAfter::itself));
+    team.fault = "";  // --replay has a page of each try
+    const bool is_new = std::none_of(teams.begin(), teams.end(), [&](const TestedTeam& other) {
+      return other.name == team.name;
+    });
     if (!is_new && !options.replay_folder.empty())
-      return fail(Errc::input, "TEAM " + team + ": another team is called \"" + name +
+      return fail(Errc::input, "TEAM " + text + ": another team is called \"" + team.name +
                                    "\", too, and its replays would have the same files: NAME=TEAM "
                                    "gives a team another name");
-    names.push_back(std::move(name));
+    teams.push_back(std::move(team));
   }
-  return names;
+  return teams;
 }
 
 Result<int> run_drill(DrillOptions options, const record::WriteAnswer& answer) {
@@ -232,32 +115,17 @@ Result<int> run_drill(DrillOptions options, const record::WriteAnswer& answer) {
     return exit_yes;
   }
   if (!options.league.empty()) {
-    MIROCUP_TRY(const auto entries, entries_of(options.league));
-    options.teams.insert(options.teams.end(), entries.begin(), entries.end());
+    MIROCUP_TRY(const auto entries, entries_of_league(options.league));
+    for (const auto& [team, path] : entries) {
+      if (path.empty()) std::cerr << "mirocup: " << team << " has no entry\n";
+      if (!path.empty()) options.teams.push_back(team + '=' + path);
+    }
   }
   if (options.teams.empty()) return fail(Errc::input, "a team is needed: mirocup drill DRILL TEAM");
   MIROCUP_TRY(const auto parameters,
               record::parameters_with_changes({}, options.parameters, "--param"));
-  MIROCUP_TRY(const auto names, names_of_teams(options));
-  system::Disk disk;
-  if (!options.replay_folder.empty()) MIROCUP_TRY_VOID(disk.make_folder(options.replay_folder));
-
-  int all_tries = 0;
-  for (const drills::Drill& drill : drills) all_tries += options.tries.value_or(drill.tries);
-  Progress progress(all_tries * static_cast<int>(options.teams.size()));
-  std::vector<DrillReport> reports;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto show = [&](int done) { progress.show(static_cast<int>(i) * all_tries + done); };
-    MIROCUP_TRY(auto report,
-                test_team(options.teams[i], names[i], drills, options, parameters, show));
-    reports.push_back(std::move(report));
-  }
-  progress.clear();
-  if (!options.replay_folder.empty()) {
-    const std::string list = options.replay_folder + "/index.html";
-    MIROCUP_TRY_VOID(disk.write(list, failed_page(reports)));
-    std::cerr << list << " lists the failed tries\n";
-  }
+  MIROCUP_TRY(const auto teams, tested_teams(options));
+  MIROCUP_TRY(const auto reports, try_drills(teams, drills, options.tries, parameters, options));
   MIROCUP_TRY_VOID(answer(json_of(reports)));
   if (options.json) {
     print_json(json_of(reports));

@@ -47,20 +47,6 @@ Json json_of(const DrillReport& report) {
   return {{"team", report.team}, {"drills", drills}, {"score", to_a_tenth(report.score())}};
 }
 
-// The faults of a team, each once.
-std::string faults_text(const DrillReport& report) {
-  std::vector<std::string> faults;
-  for (const auto& tries : report.tries) {
-    for (const PlayedTry& one : tries) {
-      const bool is_new = std::find(faults.begin(), faults.end(), one.fault) == faults.end();
-      if (!one.fault.empty() && is_new) faults.push_back(one.fault);
-    }
-  }
-  std::string text;
-  for (const std::string& fault : faults) text += "  fault: " + system::printable(fault) + "\n";
-  return text;
-}
-
 }  // namespace
 
 Score score_of(const std::vector<PlayedTry>& tries) {
@@ -82,6 +68,17 @@ double DrillReport::score() const {
   return sum / static_cast<double>(tries.size());
 }
 
+std::vector<std::string> faults_of(const DrillReport& report) {
+  std::vector<std::string> faults;
+  for (const auto& tries : report.tries) {
+    for (const PlayedTry& one : tries) {
+      const bool is_new = std::find(faults.begin(), faults.end(), one.fault) == faults.end();
+      if (!one.fault.empty() && is_new) faults.push_back(one.fault);
+    }
+  }
+  return faults;
+}
+
 std::string text_of(const DrillReport& report) {
   std::string text = system::printable(report.team) + "\n";
   for (std::size_t i = 0; i < report.drills.size(); ++i) {
@@ -96,7 +93,9 @@ std::string text_of(const DrillReport& report) {
     text += "\n";
   }
   if (report.drills.size() > 1) text += formatted("  %-28s %5.1f\n", "all", report.score());
-  return text + faults_text(report);
+  for (const std::string& fault : faults_of(report))
+    text += "  fault: " + system::printable(fault) + "\n";
+  return text;
 }
 
 Json json_of(const std::vector<DrillReport>& reports) {
@@ -131,7 +130,8 @@ std::string failed_page(const std::vector<DrillReport>& reports) {
   for (const DrillReport& report : reports) {
     for (std::size_t k = 0; k < report.drills.size(); ++k) {
       for (const PlayedTry& one : report.tries[k]) {
-        if (one.result.passed) continue;
+        const bool is_untried = one.result.why.empty();
+        if (one.result.passed || is_untried) continue;
         const std::string seed = std::to_string(one.seed);
         const std::string& drill = report.drills[k]->name;
         tries.push_back({{"team", system::printable(report.team)},

@@ -32,6 +32,9 @@ struct DrillReport {
   double score() const;  // the mean score of the drills
 };
 
+// Returns the faults of the team, each once.
+std::vector<std::string> faults_of(const DrillReport& report);
+
 std::string text_of(const DrillReport& report);
 
 // Returns {"team", "drills", "score"} for one team, {"teams": [an object like this for each team]}

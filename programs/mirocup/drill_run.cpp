@@ -100,7 +100,7 @@ class Try {
     if (!match_.is_over()) return "";
     for (const match::TeamFault& fault : match_.outcome().faults) {
       if (fault.team != drills::tested) continue;
-      return std::string(to_string(fault.fault.code)) + ": " + fault.fault.text;
+      return fault_text(fault.fault);
     }
     return "";
   }
@@ -251,6 +251,10 @@ class Crew {
 };
 
 }  // namespace
+
+std::string fault_text(const match::Fault& fault) {
+  return std::string(to_string(fault.code)) + ": " + fault.text;
+}
 
 Result<std::vector<std::vector<PlayedTry>>> play_drills(const std::vector<DrillTask>& tasks,
                                                         const DrillTerms& terms,

@@ -33,6 +33,9 @@ struct PlayedTry {
   std::string fault;  // fault of the tested team; "": none
 };
 
+// Returns the code of a fault and its sentence.
+std::string fault_text(const match::Fault& fault);
+
 struct DrillTerms {
   std::uint64_t first_seed = 1;
   int jobs = 0;               // tries at once; 0: one for each processor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Runs mirocup drill as its users do.
+#include "system/csv.hpp"
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
@@ -14,10 +15,13 @@ namespace {
 using namespace test_support;
 using Json = nlohmann::ordered_json;
 
-Outcome drill(const std::vector<std::string>& more) {
-  std::vector<std::string> words{program("mirocup"), "drill"};
+Outcome drill(const std::vector<std::string>& more, const char* command = "drill") {
+  std::vector<std::string> words{program("mirocup"), command};
   words.insert(words.end(), more.begin(), more.end());
   return run(words);
+}
+Outcome grade(const std::vector<std::string>& more) {
+  return drill(more, "grade");
 }
 
 constexpr const char* own_drill =
@@ -82,31 +86,23 @@ TEST(DrillCommand, WritesAReplayOfEachFailedTry) {
   }
 }
 
-// Catches a team that spoils the tries of others, or ends the program.
+// Catches a team that spoils the tries of others, or ends the program, and a name of a team that
+// becomes a formula in the computer of whoever grades.
 TEST(DrillCommand, GradesSeveralTeamsIntoOneCsvEvenIfOneDies) {
   const TemporaryFolder folder;
   std::ofstream(folder / "mine.json") << own_drill;
   const Outcome tried =
-      drill({folder / "mine.json", "class=chaser", program("teams/gives_up.so"), "--csv"});
+      drill({folder / "mine.json", "+x=chaser", program("teams/gives_up.so"), "--csv"});
   ASSERT_EQ(tried.exit_code, 0) << tried.err;
   std::istringstream lines(tried.out);
   std::vector<std::string> rows;
   for (std::string line; std::getline(lines, line);) rows.push_back(line);
   ASSERT_EQ(rows.size(), 5u) << tried.out;
   EXPECT_EQ(rows[0], "team,drill,score,low,high,tries,failed_seeds,version");
-  EXPECT_EQ(rows[1].rfind("class,mine,", 0), 0u);
+  EXPECT_EQ(rows[1].rfind("'+x,mine,", 0), 0u);
   EXPECT_TRUE(rows[1].ends_with(",5")) << "the drill's version: " << rows[1];
-  EXPECT_EQ(rows[2].rfind("class,all,", 0), 0u);
+  EXPECT_EQ(rows[2].rfind("'+x,all,", 0), 0u);
   EXPECT_EQ(rows[3].rfind("gives up,mine,0.0,", 0), 0u) << rows[3];
-}
-
-// Catches a name of a team that becomes a formula in the computer of whoever grades.
-TEST(DrillCommand, WritesNoFormulaIntoCsv) {
-  const TemporaryFolder folder;
-  std::ofstream(folder / "mine.json") << own_drill;
-  const Outcome tried = drill({folder / "mine.json", "+x=idle", "--tries", "1", "--csv"});
-  EXPECT_NE(tried.out.find("\n'+x,mine,"), std::string::npos) << tried.out << tried.err;
-  EXPECT_EQ(tried.out.find('\r'), std::string::npos);
 }
 
 // The library of each project of `mirocup new` is team.so. Catches reports and replays that are
@@ -146,9 +142,68 @@ TEST(DrillCommand, TriesTheEntriesOfALeague) {
       << "the last entry: " << tried.out;
   EXPECT_LT(tried.out.find("\nb,touch-"), tried.out.find("\na,touch-")) << "in the league's order";
   EXPECT_EQ(tried.err, "mirocup: c has no entry\n");
+  write_file(temporary / "s.json", R"({"schema": "mirocup/sheet/1", "title": "S", "start": "idle",
+    "reference": "striker", "drills": [{"drill": "touch-the-ball", "change": {"tries": 4}}]})");
+  const std::string graded = grade({temporary / "s.json", folder, "--csv"}).out;
+  EXPECT_NE(graded.find("\nb,s,100.0,"), std::string::npos) << graded;
+  EXPECT_NE(graded.find("\nc,s,0.0,"), std::string::npos) << "no entry: " << graded;
   const Outcome wrong = drill({"touch-the-ball", "--league", temporary / "x"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.err.find("is not a league"), std::string::npos) << wrong.err;
+}
+
+// Catches a scale that does not run from start to reference, weights that do not count, a broken
+// entry that stops others, and a secret that draws the public tries.
+TEST(Grade, RunsFromStartToReferenceWhateverIsBroken) {
+  const TemporaryFolder folder;
+  write_file(folder / "mine.json", own_drill);
+  const auto sheet = [&](const std::string& reference) {
+    write_file(folder / "s.json", R"({"schema": "mirocup/sheet/1", "title": "S", "start": "idle",
+      "reference": ")" + reference + R"(", "drills": [{"drill": "mine.json", "weight": 3},
+      {"drill": "touch-the-ball", "change": {"tries": 8, "seconds": 2}}]})");
+    return folder / "s.json";
+  };
+  write_file(folder / "secret", "sixteen bytes or more");
+  write_file(folder / "bad.so", "nothing");
+  std::vector<std::string> words{sheet("striker"),  "idle",     "striker",
+                                 "b=chaser",        "--csv",    program("teams/gives_up.so"),
+                                 folder / "bad.so", "x=none.so"};
+  const Outcome graded = grade(words);
+  EXPECT_EQ(graded.exit_code, 1) << graded.err;
+  const auto rows = system::read_csv(graded.out)->rows;
+  ASSERT_EQ(rows.size(), 7u) << graded.out;
+  EXPECT_EQ(rows[2].cells[2], "100.0");
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const auto number = [&](std::size_t cell) { return std::stod(rows[i].cells[cell]); };
+    EXPECT_EQ(rows[i].cells[5].empty(), i < 4) << graded.out;
+    EXPECT_NEAR(number(2), 0.75 * number(6) + 0.25 * number(7), 0.11);
+    if (i > 3) EXPECT_EQ(number(2), 0.0);
+  }
+  words.insert(words.end(), {"--seed-file", folder / "secret"});
+  EXPECT_NE(grade(words).out, graded.out);
+  words.back() = folder / "bad.so";
+  EXPECT_EQ(grade(words).exit_code, 2) << "a secret of seven bytes";
+  const Outcome wrong = grade({sheet("idle"), "chaser"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("s.json: /drills/0: "), std::string::npos) << wrong.err;
+}
+
+// Catches a start or a reference that decides otherwise in Python than in C++.
+TEST(Grade, GivesBothLanguagesOneScore) {
+  const TemporaryFolder folder;
+  for (const Json& sheet : Json::parse(grade({"list", "--json"}).out)["sheets"]) {
+    const auto sources = sheet["sources"].get<std::string>();
+    const std::string cpp = "course:" + sheet["name"].get<std::string>();
+    Json few = read_json(sources + ".json");
+    for (Json& one : few["drills"]) one["change"]["tries"] = 6;
+    write_file(folder / "few.json", few.dump());
+    const Outcome outcome = grade({folder / "few.json", cpp + "-start", sources + "/start.py",
+                                   cpp + "-reference", sources + "/reference.py", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+    const Json teams = Json::parse(outcome.out)["teams"];
+    for (const std::size_t i : {0u, 2u}) EXPECT_EQ(teams[i]["drills"], teams[i + 1]["drills"]);
+    EXPECT_EQ(teams[3]["score"], 100.0);
+  }
 }
 
 TEST(DrillCommand, SaysWhatIsWrong) {

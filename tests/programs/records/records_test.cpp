@@ -77,10 +77,11 @@ TEST(Records, FilesThatPeopleWriteFitTheirSchema) {
   std::vector<std::string> words{source + "/tests/programs/records/schema.py"};
   for (const char* file :
        {"record/files.schema.json", "tournaments/format/league_file.cpp", "record/drills/drill.cpp",
-        "record/pitch_json.cpp", "record/parameters_json.cpp", "record/situation_json.cpp",
-        "docs/hosting-file.md", "docs/drills.md", "docs/pitches.md"})
+        "record/drills/sheet.cpp", "record/pitch_json.cpp", "record/parameters_json.cpp",
+        "record/situation_json.cpp", "docs/hosting-file.md", "docs/drills.md", "docs/exercises.md",
+        "docs/pitches.md"})
     words.push_back(source + "/" + file);
-  for (const char* folder : {"/plugins/drills", "/tournaments/examples"}) {
+  for (const char* folder : {"/plugins/drills", "/examples/course", "/tournaments/examples"}) {
     for (const auto& file : std::filesystem::recursive_directory_iterator(source + folder))
       if (file.path().extension() == ".json") words.push_back(file.path());
   }
