@@ -11,6 +11,7 @@
 #include "record/replay_file.hpp"
 #include "record/rules_json.hpp"
 #include "record/situation_json.hpp"
+#include "record/statistics/advice.hpp"
 
 #include <utility>
 
@@ -66,7 +67,9 @@ constexpr std::pair<std::string_view, Entry> entries[]{
 #undef HOUSE_TEAM
     {"drill:attacker", mirocup_entry_drill_attacker},
     {"drill:crowd", mirocup_entry_drill_crowd},
-    {"drill:keeper", mirocup_entry_drill_keeper}};
+    {"drill:keeper", mirocup_entry_drill_keeper},
+    {"mine", [] { return outside_team(true); }},
+    {"mine, without place()", [] { return outside_team(false); }}};
 
 }  // namespace
 
@@ -293,6 +296,18 @@ Json Game::status(std::size_t first) const {
                        {"why", result.why}};
   }
   return status;
+}
+
+Json Game::advice(Team team) const {
+  Json all = Json::array();
+  const auto leg = statistics::count_leg("", record());
+  if (!leg) return all;
+  for (const statistics::TeamTotals& totals : statistics::totals_of({*leg})) {
+    if (totals.name != statistics::counted_name(*leg, team)) continue;
+    for (const auto& [drill, why, weight] : statistics::advice_for({*leg}, totals))
+      all.push_back({{"drill", drill}, {"why", why}});
+  }
+  return all;
 }
 
 record::MatchRecord Game::record() const {

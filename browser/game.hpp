@@ -20,11 +20,16 @@
 
 namespace mirocup::browser {
 
-// The teams of a leg in the module. A team is a house team, a recorded team, or none. A person may
-// drive each robot by hand.
+// The teams of a leg in the module. A team is a house team, a recorded team, a team outside of the
+// module, or none. A person may drive each robot by hand.
 
-// Returns the house or drill team with a name; null if the module has no such team.
+// Returns the house or drill team with a name, or a team outside: "mine", "mine, without place()".
+// Null if the module has no such team.
 const mirocup_strategy* house_team(std::string_view name);
+
+// Returns the team that the program around the module plays, by the module's imports. Without
+// place() its robots stand in the default places at restarts.
+const mirocup_strategy* outside_team(bool has_place);
 
 // Steers one team. The constructor's arguments must outlive the object.
 class Driver final : public match::Controller {
@@ -126,6 +131,10 @@ class Game {
   // robots from 0 on, then yellow's, then the ball; -1 is a wall. `impacts` and `pressing` are
   // empty unless the leg is watched.
   Json status(std::size_t first) const;
+
+  // Returns why a team of a leg that is over did not do better, as `mirocup stats` advises it:
+  // [{drill, why}], the greatest reason first.
+  Json advice(Team team) const;
 
   // Returns the record of a leg that is over. It names the replay file leg.replay.zst.
   record::MatchRecord record() const;

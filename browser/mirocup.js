@@ -17,18 +17,20 @@ const teamNumber = (team) => ['blue', 'yellow'].indexOf(team);
 const magic = new TextEncoder().encode('mirocup/replay/2\n');
 const maxPlain = 1 << 30;  // bytes of an unpacked replay
 
-// Loads the module. `source`: bytes or a WebAssembly.Module.
-export async function loadMirocup(source) {
+// Loads the module. `source`: bytes or a WebAssembly.Module. `teams` plays the team 'mine': {create, decide, destroy, place} of
+// browser/outside.cpp, each with the module's memory before the arguments. Without it that team refuses to play.
+export async function loadMirocup(source, teams = {}) {
   const module = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
   const imports = {};
+  let exports;
   for (const { module: from, name } of WebAssembly.Module.imports(module)) {
-    // The C library calls these functions of a system. They answer 0, because there is no clock, file or argument here.
-    (imports[from] ??= {})[name] = () => {
+    // The C library calls the other functions of a system. They answer 0, because there is no clock, file or argument here.
+    (imports[from] ??= {})[name] = (...values) => {
       if (name === 'proc_exit') throw new Error('the module has ended');
-      return 0;
+      return from === 'outside' && teams[name] ? teams[name](exports.memory.buffer, ...values) : 0;
     };
   }
-  const { exports } = await WebAssembly.instantiate(module, imports);
+  ({ exports } = await WebAssembly.instantiate(module, imports));
   exports._initialize();
   return new Mirocup(exports);
 }
@@ -125,6 +127,9 @@ export class Leg {
   // {tick, time, clock, state, phase, left, score, over, keepers, counts, impacts, pressing, decisions from number `first` on,
   // result, drill}; browser/game.hpp describes them.
   status(first = 0) { return this.#mirocup.answer(this.#m.leg_status(this.#leg, first)); }
+
+  // Why a team of a leg that is over did not do better: [{drill, why}], as `mirocup stats` advises.
+  advice(team) { return this.#mirocup.answer(this.#m.leg_advice(this.#leg, teamNumber(team))); }
 
   // The bodies: [x, y of the ball, then x, y, heading of each of blue's robots and of yellow's].
   bodies() { return new Float64Array(this.#mirocup.bytes(this.#m.leg_bodies(this.#leg)).buffer); }
@@ -263,6 +268,67 @@ export class Session {
   }
 
   free() { this.leg.free(); }
+}
+
+// What a page can ask of a worker that plays (web/page/play.js): onmessage = answering(handActs()).
+export function handActs(load = loadMirocup) {
+  let mirocup;
+  let session;
+  let told;
+  const bodies = () => [session.leg.tick, ...session.leg.bodies()];
+  const look = (more) => {
+    const status = session.leg.status(told);
+    told += status.decisions.length;
+    return { frames: [bodies()], status, teams: session.teams, thoughts: ['blue', 'yellow'].map((team) => session.leg.thoughts(team)), ...more };
+  };
+  const lookAnew = (more) => {
+    told = 0;
+    return look({ isNew: true, period: session.leg.setup().pitch.control_period, league: session.leg.setup().league, ...more });
+  };
+  return {
+    async load({ wasm }) { mirocup = await load(wasm); },
+    begin({ start }) {
+      const next = new Session(mirocup, start);
+      session?.free();
+      session = next;
+      return lookAnew();
+    },
+    play({ ticks, hand }) {
+      session.hold(hand);
+      const frames = [];
+      while (frames.length < ticks && session.play(1) === 1) frames.push(bodies());
+      return look({ frames });
+    },
+    back({ ticks }) {
+      const { teams } = session;
+      if (!session.back(Math.max(1, Math.min(ticks, session.leg.tick)))) return look();
+      if (JSON.stringify(session.teams) !== JSON.stringify(teams)) session.seat(teams);
+      return lookAnew({ isBack: true });
+    },
+    seat({ teams }) {
+      session.seat(teams);
+      return look();
+    },
+    move({ body }) {
+      session.move(body);
+      return lookAnew();
+    },
+    save({ name }) { return session.save(name); },
+    situation() { return session.leg.situation(); },
+    hash() { return session.leg.hash; },
+    advice({ team }) { return session.leg.advice(team); },
+  };
+}
+
+// A worker's onmessage that answers {act, …} by one of `acts`.
+export function answering(acts) {
+  return async ({ data }) => {
+    try {
+      postMessage({ answer: await acts[data.act](data) });
+    } catch (error) {
+      postMessage({ problem: error.message });
+    }
+  };
 }
 
 // Packs a replay as blocks of zstd that are not compressed (RFC 8878, section 3.1.1).

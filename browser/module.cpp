@@ -124,6 +124,9 @@ MIROCUP_EXPORT(leg_hash) std::uint64_t leg_hash(const Game* game) {
 MIROCUP_EXPORT(leg_status) Text* leg_status(const Game* game, std::size_t first) {
   return answer(game->status(first));
 }
+MIROCUP_EXPORT(leg_advice) Text* leg_advice(const Game* game, int team) {
+  return answer(game->advice(both_teams[team]));
+}
 MIROCUP_EXPORT(leg_situation) Text* leg_situation(const Game* game) {
   return new Text(record::json_text(game->situation(), 1));
 }

@@ -29,8 +29,8 @@ inline constexpr const char* for_shells = "Shells";
 // Each declares its subcommand.
 using Add = void(system::Commands& commands);
 Add add_match, add_drill, add_grade, add_check, add_compile, add_hand_in, add_join, add_new,
-    add_verify, add_rerun, add_replay, add_stats, add_coach, add_playground, add_scene, add_referee,
-    add_completion;
+    add_verify, add_rerun, add_replay, add_stats, add_coach, add_playground, add_workbench,
+    add_scene, add_referee, add_completion;
 
 // Returns the script that a shell reads to complete the words after `mirocup`: "bash", "zsh" or
 // "fish"; it is the file of that name in completion/. The script runs `mirocup complete WORD…`, so

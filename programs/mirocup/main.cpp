@@ -93,7 +93,7 @@ static Result<int> run(int argc, char** argv) {
                             "mirocup help COMMAND explains a command, with examples.");
   for (Add* const add :
        {add_match, add_drill, add_grade, add_check, add_compile, add_hand_in, add_join, add_new,
-        add_verify, add_rerun, add_replay, add_playground, add_stats, add_coach})
+        add_verify, add_rerun, add_replay, add_playground, add_workbench, add_stats, add_coach})
     add(commands);
   commands.add_other(
       {"league",

@@ -9,59 +9,6 @@ import { by, element, minutes, words } from './text.js';
 import { ThoughtsCanvas, unpackBytes } from './thoughts.js';
 import { Track } from './track.js';
 
-// The worker runs the module's script, which is here as a text, and this.
-const handWork = `
-let mirocup, session, told;
-const bodies = () => [session.leg.tick, ...session.leg.bodies()];
-function look(more) {
-  const status = session.leg.status(told);
-  told += status.decisions.length;
-  return { frames: [bodies()], status, teams: session.teams, thoughts: ['blue', 'yellow'].map((team) => session.leg.thoughts(team)), ...more };
-}
-function lookAnew(more) {
-  told = 0;
-  return look({ isNew: true, period: session.leg.setup().pitch.control_period, league: session.leg.setup().league, ...more });
-}
-const acts = {
-  async load({ wasm }) { mirocup = await loadMirocup(wasm); },
-  begin({ start }) {
-    const next = new Session(mirocup, start);
-    session?.free();
-    session = next;
-    return lookAnew();
-  },
-  play({ ticks, hand }) {
-    session.hold(hand);
-    const frames = [];
-    while (frames.length < ticks && session.play(1) === 1) frames.push(bodies());
-    return look({ frames });
-  },
-  back({ ticks }) {
-    const { teams } = session;
-    if (!session.back(Math.max(1, Math.min(ticks, session.leg.tick)))) return look();
-    if (JSON.stringify(session.teams) !== JSON.stringify(teams)) session.seat(teams);
-    return lookAnew({ isBack: true });
-  },
-  seat({ teams }) {
-    session.seat(teams);
-    return look();
-  },
-  move({ body }) {
-    session.move(body);
-    return lookAnew();
-  },
-  save({ name }) { return session.save(name); },
-  situation() { return session.leg.situation(); },
-  hash() { return session.leg.hash; },
-};
-onmessage = async ({ data }) => {
-  try {
-    postMessage({ answer: await acts[data.act](data) });
-  } catch (error) {
-    postMessage({ problem: error.message });
-  }
-};`;
-
 export const houseTeams = ['idle', 'chaser', 'striker', 'navigator', 'tactician', 'planner', 'keeper'];  // from weak to strong; keeper defends
 const colours = ['blue', 'yellow'];
 const handSpeed = 65;  // rad/s of a wheel: house teams drive as fast
@@ -169,12 +116,15 @@ export class Play {
     }
   }
 
+  // Starts the worker, which has handActs() of browser/mirocup.js.
+  async connect(module) {
+    this.worker = await startWorker(module, 'onmessage = answering(handActs());');
+    await this.ask({ act: 'load', wasm: await unpackBytes(module.wasm) });
+  }
+
   // Starts a leg: Session of browser/mirocup.js.
   async begin(module, start) {
-    if (!this.worker) {
-      this.worker = await startWorker(module, handWork);
-      await this.ask({ act: 'load', wasm: await unpackBytes(module.wasm) });
-    }
+    if (!this.worker) await this.connect(module);
     this.pause();
     this.#take(await this.ask({ act: 'begin', start }));
     this.isOn = true;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The playground: legs by house teams and by hand, without a server.
+// The playground: legs by house teams and by hand, without a server. In the workbench, workbench.js comes after this.
 import { FieldView, nameEnds } from './field.js';
 import { Layers } from './layers.js';
 import { Play } from './play.js';
 import { by } from './text.js';
 
-const given = JSON.parse(by('playground').textContent);  // {module, leagues: {small: {robots, zones}…}, drills: {NAME: drill}}
+export const given = JSON.parse(by('playground').textContent);  // {module, leagues: {small: {robots, zones}…}, drills: {NAME: drill}}
 const views = {};
 let file = null;  // the JSON of a situation or a drill
 
@@ -21,14 +21,14 @@ function viewOf(league) {
   return views[league];
 }
 
-const play = new Play(viewOf, (left) => {
+export const play = new Play(viewOf, (left) => {
   const nameOf = (colour) => [play.teams[colour], play.driven === colour && 'you'].filter(Boolean).join(' and ') || 'nobody';
   const names = { blue: nameOf('blue'), yellow: nameOf('yellow') };
   nameEnds(left, names);
   for (const team of ['blue', 'yellow']) by(`${team}_name`).textContent = names[team];
 });
 
-function optionsOf(teams) {
+export function optionsOf(teams) {
   const common = { seed: Number(by('seed').value), teams };
   const drill = file?.schema === 'mirocup/drill/1' ? file : given.drills[by('start').value];
   by('teaches').textContent = drill ? `${drill.title}. ${drill.teaches ?? ''} You are blue, and have ${drill.seconds} s.` : '';
@@ -49,6 +49,9 @@ async function start() {
   await play.begin(given.module, { options: optionsOf(teams) });
 }
 
+// Begins a leg, and follows a changed option.
+export const acts = { start, choose: start };
+
 async function openFile() {
   const [chosen] = by('file').files;
   try {
@@ -56,20 +59,20 @@ async function openFile() {
   } catch {
     throw new Error(`${chosen.name} is not a situation or a drill of mirocup`);
   }
-  await start();
+  await acts.choose();
 }
 
 for (const [name, drill] of Object.entries(given.drills)) by('start').append(new Option(`drill: ${drill.title}`, name));
 by('options').addEventListener('submit', (event) => {
   event.preventDefault();
-  play.try(start);
+  play.try(acts.start);
   by('hand_play').focus();  // so that the next key plays
   document.querySelector('figure').scrollIntoView({ block: 'nearest' });
 });
 by('start').addEventListener('change', () => {
   file = null;
   by('file').value = '';
-  play.try(start);
+  play.try(acts.choose);
 });
 by('file').addEventListener('change', () => play.try(openFile));
 for (const name of ['trails', 'velocities', 'zones', 'keepers']) {
@@ -78,5 +81,8 @@ for (const name of ['trails', 'velocities', 'zones', 'keepers']) {
     play.show();
   });
 }
-by('pitch_small').hidden = by('hand').hidden = false;  // at once, before the module is there
-play.try(start);
+by('pitch_small').hidden = false;  // at once, before the module is there
+if (given.module) {
+  by('hand').hidden = false;
+  play.try(start);
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// node pack.mjs FOLDER HEADERS: makes what `mirocup workbench` copies, from the packages of npm in FOLDER/node_modules, the
+// headers of teams, and the files beside this script: FOLDER/clang, which changes with the compiler only, and FOLDER/parts.
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+
+const [folder, headers] = process.argv.slice(2);
+const mostBytes = 1 << 20;  // of a file, so that a server need not hold much for a slow browser
+const here = dirname(fileURLToPath(import.meta.url));
+const [clang, ace] = [join(folder, 'node_modules/@yowasp/clang'), join(folder, 'node_modules/ace-builds')];
+
+// A folder as an object, for the compiler's file system.
+const tree = (path) => Object.fromEntries(readdirSync(path).sort().map((name) => {
+  const inside = join(path, name);
+  return [name, statSync(inside).isDirectory() ? tree(inside) : readFileSync(inside, 'utf8')];
+}));
+
+for (const part of ['clang', 'parts']) {
+  rmSync(join(folder, part), { recursive: true, force: true });
+  mkdirSync(join(folder, part));
+}
+const pieces = {};  // how many files have a part of the compiler
+for (const name of readdirSync(join(clang, 'gen'))) {
+  const bytes = readFileSync(join(clang, 'gen', name));
+  if (name.endsWith('.js')) {
+    writeFileSync(join(folder, 'clang', name), bytes);
+    continue;
+  }
+  const packed = gzipSync(bytes);
+  pieces[name] = Math.ceil(packed.length / mostBytes);
+  for (let i = 0; i < pieces[name]; ++i) writeFileSync(join(folder, 'clang', `${name}.${i}`), packed.subarray(i * mostBytes, (i + 1) * mostBytes));
+}
+writeFileSync(join(folder, 'clang', 'pieces.json'), JSON.stringify(pieces));
+for (const name of ['ace', 'mode-c_cpp', 'theme-chrome', 'theme-one_dark', 'ext-searchbox']) {
+  copyFileSync(join(ace, 'src-min-noconflict', `${name}.js`), join(folder, 'parts', `${name}.js`));
+}
+copyFileSync(join(ace, 'LICENSE'), join(folder, 'parts', 'LICENSE.ace'));
+for (const name of ['compile.js', 'leg.js', 'teams.js', 'seat.cpp']) copyFileSync(join(here, name), join(folder, 'parts', name));
+writeFileSync(join(folder, 'parts', 'headers.json'), JSON.stringify(tree(headers)));
