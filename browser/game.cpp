@@ -304,8 +304,9 @@ Json Game::advice(Team team) const {
   if (!leg) return all;
   for (const statistics::TeamTotals& totals : statistics::totals_of({*leg})) {
     if (totals.name != statistics::counted_name(*leg, team)) continue;
-    for (const auto& [drill, why, weight] : statistics::advice_for({*leg}, totals))
-      all.push_back({{"drill", drill}, {"why", why}});
+    for (const statistics::Advice& one : statistics::advice_for({*leg}, totals))
+      all.push_back({{"drill", one.drill},
+                     {"why", one.why + (one.moments.empty() ? "" : ":" + one.moments)}});
   }
   return all;
 }
