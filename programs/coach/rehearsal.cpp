@@ -69,66 +69,45 @@ void Rehearsal::follow(std::uint32_t tick) {
 }
 
 bool Rehearsal::is_without_goal(std::optional<int> robot, std::uint64_t seed, const Span& span) {
-  const std::uint32_t from = leg_.tick();
+  const auto recorded = static_cast<std::uint32_t>(recorded_s / leg_.setup().control_period + 0.5);
+  const std::uint32_t recorded_end = std::min(leg_.tick() + recorded, span.recorded_end);
   const std::size_t before = leg_.decisions().size();
-  const int keeper = leg_.snapshot().counts[index_of(team_)].keeper;
+  const int in_goal = std::max(leg_.snapshot().counts[index_of(team_)].keeper, 0);
   leg_.redraw(seed);
   while (leg_.state() == match::State::PLAY && leg_.tick() < span.end) {
-    auto commands = decide(from, span);
-    if (!commands) return false;
-    if (robot) {
-      const auto wheels = substitute(*robot, std::max(keeper, 0));
-      if (!wheels) return false;
-      (*commands)[index_of(team_)].wheels[*robot] = *wheels;
+    const bool is_recorded = leg_.tick() < recorded_end;
+    match::ByTeam<match::Answer> answers;
+    if (is_recorded) answers = replay::recorded_answers(recording_, leg_.tick());
+    for (const Team team : both_teams) {
+      const int i = index_of(team);
+      const match::Observation seen = observe(leg_.view(), team, leg_.field().robots_per_team);
+      if (decides(team) || !is_recorded)
+        answers[i] = ask(decides(team) ? *own_[i] : *stand_in_[i], seen);
+      if (robot && team == team_) substitute(*robot, in_goal, seen, answers[i]);
+      if (!std::holds_alternative<match::Command>(answers[i])) return false;
     }
-    leg_.advance({(*commands)[0], (*commands)[1]});
+    leg_.advance(answers);
   }
   const auto& decisions = leg_.decisions();
   return std::none_of(
       decisions.begin() + static_cast<std::ptrdiff_t>(before), decisions.end(),
       [&](const match::LoggedDecision& d) {
-        const bool is_goal = d.decision.verdict == referee::Verdict::GOAL && d.team != team_;
-        const bool is_penalty =
-            d.decision.restart == referee::Restart::PENALTY_KICK && d.taker != team_;
-        return is_goal || is_penalty;
+        return (d.decision.verdict == referee::Verdict::GOAL && d.team != team_) ||
+               (d.decision.restart == referee::Restart::PENALTY_KICK && d.taker != team_);
       });
 }
 
-std::optional<match::ByTeam<match::Command>> Rehearsal::decide(std::uint32_t from,
-                                                               const Span& span) {
-  const match::Snapshot now = leg_.view();
-  const auto recorded_ticks =
-      static_cast<std::uint32_t>(recorded_s / leg_.setup().control_period + 0.5);
-  const bool is_recorded = now.tick < std::min(from + recorded_ticks, span.recorded_end);
-  match::ByTeam<match::Answer> answers;
-  if (is_recorded) answers = replay::recorded_answers(recording_, now.tick);
-  match::ByTeam<match::Command> commands;
-  for (const Team team : both_teams) {
-    const int i = index_of(team);
-    if (decides(team) || !is_recorded) {
-      answers[i] = ask(decides(team) ? *own_[i] : *stand_in_[i],
-                       observe(now, team, leg_.field().robots_per_team));
-    }
-    const auto* command = std::get_if<match::Command>(&answers[i]);
-    if (command == nullptr) return std::nullopt;
-    commands[i] = *command;
-  }
-  return commands;
-}
-
-std::optional<simulator::WheelSpeeds> Rehearsal::substitute(int robot, int in_goal) {
-  match::Observation seen = observe(leg_.view(), team_, leg_.field().robots_per_team);
-  const bool is_keeper = keeper_ && robot == in_goal;
-  int number = robot;
-  if (keeper_) {
-    std::swap(seen.own[0], seen.own[in_goal]);
-    const auto renumbered = [&](int n) { return n == in_goal ? 0 : n == 0 ? in_goal : n; };
-    seen.own_counts.keeper = renumbered(seen.own_counts.keeper);
-    number = renumbered(robot);
-  }
-  const match::Answer answer = ask(is_keeper ? *keeper_ : *substitute_, seen);
-  const auto* command = std::get_if<match::Command>(&answer);
-  return command != nullptr ? std::optional(command->wheels[number]) : std::nullopt;
+void Rehearsal::substitute(int robot, int in_goal, match::Observation seen, match::Answer& answer) {
+  const auto number = [&](int n) { return !keeper_ || (n != in_goal && n != 0) ? n : in_goal - n; };
+  std::swap(seen.own[0], seen.own[number(0)]);
+  seen.own_counts.keeper = number(seen.own_counts.keeper);
+  const match::Answer other = ask(keeper_ && robot == in_goal ? *keeper_ : *substitute_, seen);
+  auto* own = std::get_if<match::Command>(&answer);
+  const auto* command = std::get_if<match::Command>(&other);
+  if (own != nullptr && command != nullptr)
+    own->wheels[robot] = command->wheels[number(robot)];
+  else
+    answer = match::Fault{};
 }
 
 }  // namespace mirocup::coach

@@ -62,10 +62,9 @@ class Rehearsal {
  private:
   Rehearsal(const record::MatchRecord& record, Team team);
 
-  // The answers of the own teams in a future that began at `from`; empty if a team has failed.
-  std::optional<match::ByTeam<match::Command>> decide(std::uint32_t from, const Span& span);
-  // What the substitute commands to the robot; empty if it has failed.
-  std::optional<simulator::WheelSpeeds> substitute(int robot, int in_goal);
+  // Puts what the substitute commands to the robot into the answer of its team; a fault if one of
+  // them has failed. `in_goal` is the robot in the goal.
+  void substitute(int robot, int in_goal, match::Observation seen, match::Answer& answer);
 
   const replay::Recording& recording_;
   Team team_;

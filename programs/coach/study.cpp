@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <unistd.h>
 
@@ -16,9 +17,14 @@ constexpr double stride_s = 0.3;
 constexpr double after_goal_s = 1.0;
 constexpr int counted_futures = 100;  // of a share that is told
 constexpr int first_counted = 1000;   // their numbers; those of the tests are lower
+constexpr int at_once = 3;            // futures; a clear test needs 3 or 12
 
 // Sets the draws of futures apart from the other uses of a leg's seed.
 constexpr std::uint64_t domain = 0x636f616368000000ULL;
+
+std::uint32_t ticks_of(double seconds, const match::Leg& leg) {
+  return static_cast<std::uint32_t>(std::ceil(seconds / leg.setup().control_period - 1e-9));
+}
 
 // Runs `work` in a copy and waits. Of a copy's copies: without their answer it has none either.
 template <class Work>
@@ -31,116 +37,124 @@ auto in_a_copy(Work&& work) {
 // The search for the last moments before one goal, from where a rehearsal stands. Everything that
 // moves the rehearsal runs in a copy of the process.
 class GoalSearch {
- private:
-  // Asks about all robots at once.
-  template <class Work>
-  auto of_each_robot(Work work) {
-    const int robots = rehearsal_.leg().field().robots_per_team;
-    using T = std::invoke_result_t<Work, int>;
-    std::vector<Copy<T>> copies;
-    for (int robot = 0; robot < robots; ++robot) copies.emplace_back([&] { return work(robot); });
-    std::vector<T> answers;
-    for (Copy<T>& copy : copies) {
-      const auto answer = copy.wait();
-      if (!answer) _exit(1);
-      answers.push_back(*answer);
-    }
-    return answers;
-  }
-
  public:
   GoalSearch(Rehearsal& rehearsal, Team team, std::uint32_t goal)
-      : rehearsal_(rehearsal), team_(team), first_(rehearsal.leg().tick()), goal_(goal) {}
+      : rehearsal_(rehearsal),
+        team_(team),
+        first_(rehearsal.leg().tick()),
+        goal_(goal),
+        ends_(static_cast<std::size_t>(rehearsal.leg().field().robots_per_team), goal) {}
 
+  // A test may err about one of the many ticks that it is asked about: other futures confirm it.
   std::optional<Prevention> last_prevention() {
-    std::optional<Prevention> best;
-    const auto rank = [](const Prevention& p) { return std::tuple(p.tick, p.share.without); };
-    for (const auto& one : of_each_robot([&](int robot) { return last_prevention_by(robot); })) {
-      if (one && (!best || rank(*one) > rank(*best))) best = one;
+    while (const auto latest = latest_yes(Question::prevention, first_)) {
+      Prevention found = in_a_copy([&] { return with_facts(*latest); });
+      if (found.share.value() >= limit_of(Question::prevention)) {
+        found.as_played =
+            in_a_copy([&] { return count(found.tick, std::nullopt, counted_futures); });
+        return found;
+      }
+      ends_[static_cast<std::size_t>(found.robot)] = found.tick;
     }
-    if (best) best->as_played = in_a_copy([&] { return count(best->tick, std::nullopt); });
-    return best;
+    return std::nullopt;
   }
 
   // Returns the first tick from `first` on after which no robot has hope.
   std::uint32_t hopeless_from(std::uint32_t first) {
-    const auto last_hopes = of_each_robot([&](int robot) {
-      const auto last = last_yes_of(robot, Question::hope, first, goal_);
-      return last ? *last + 1 : first;
-    });
-    return *std::max_element(last_hopes.begin(), last_hopes.end());
+    std::fill(ends_.begin(), ends_.end(), goal_);
+    const auto latest = latest_yes(Question::hope, first);
+    return latest ? latest->tick + 1 : first;
   }
 
  private:
-  std::uint32_t ticks_of(double seconds) const {
-    return static_cast<std::uint32_t>(
-        std::ceil(seconds / rehearsal_.leg().setup().control_period - 1e-9));
-  }
-  std::uint32_t end_of_goal() const { return goal_ + ticks_of(after_goal_s); }
-
   // Plays one future from where the rehearsal stands.
   bool play(std::optional<int> robot, int number) {
     const std::uint64_t seed = mix_seed(mix_seed(rehearsal_.leg().setup().seed ^ domain) + goal_);
     return rehearsal_.is_without_goal(
         robot, mix_seed(seed + static_cast<std::uint64_t>(number)),
         {.recorded_end = goal_,
-         .end = std::max(rehearsal_.leg().tick() + ticks_of(studied_s), end_of_goal())});
+         .end = std::max(rehearsal_.leg().tick() + ticks_of(studied_s, rehearsal_.leg()),
+                         goal_ + ticks_of(after_goal_s, rehearsal_.leg()))});
   }
 
-  // These two run in a copy, which they bring to the tick.
+  // Plays futures from a number on, some at once, until `counts` wants no more. It gets them in
+  // the order of their numbers.
+  template <class Counts>
+  void play_from(int number, std::optional<int> robot, Counts counts) {
+    for (bool goes_on = true; goes_on; number += at_once) {
+      std::vector<Copy<bool>> futures;
+      for (int i = 0; i < at_once; ++i)
+        futures.emplace_back([&] { return play(robot, number + i); });
+      for (Copy<bool>& future : futures) {
+        const auto is_without_goal = future.wait();
+        if (!is_without_goal) _exit(1);
+        goes_on = goes_on && counts(*is_without_goal);
+      }
+    }
+  }
+
+  // These three run in a copy, which they bring to the tick.
   bool test(std::uint32_t tick, int robot, Question question) {
     rehearsal_.follow(tick);
     SequentialTest test(question);
-    while (!test.answer()) test.add(in_a_copy([&] { return play(robot, test.share().futures); }));
+    play_from(0, robot, [&](bool is_without_goal) {
+      test.add(is_without_goal);
+      return !test.answer();
+    });
     return *test.answer();
   }
-  Share count(std::uint32_t tick, std::optional<int> robot) {
+  // Stops early if more than `most_goals` futures have the goal.
+  Share count(std::uint32_t tick, std::optional<int> robot, int most_goals) {
     rehearsal_.follow(tick);
     Share share;
-    for (; share.futures < counted_futures; ++share.futures)
-      share.without += in_a_copy([&] { return play(robot, first_counted + share.futures); });
+    play_from(first_counted, robot, [&](bool is_without_goal) {
+      ++share.futures;
+      share.without += is_without_goal ? 1 : 0;
+      return share.futures < counted_futures && share.futures - share.without <= most_goals;
+    });
     return share;
   }
-
-  std::optional<std::uint32_t> last_yes_of(int robot, Question question, std::uint32_t first,
-                                           std::uint32_t end) {
-    return last_yes(first, end, ticks_of(stride_s), [&](std::uint32_t tick) {
-      return in_a_copy([&] { return test(tick, robot, question); });
-    });
+  Prevention with_facts(Prevention found) {
+    const double most_goals = (1.0 - limit_of(Question::prevention)) * counted_futures;
+    found.share = count(found.tick, found.robot, static_cast<int>(most_goals + 0.5));
+    const match::Leg& leg = rehearsal_.leg();
+    const Vec2 ball = leg.ball().position;
+    found.to_ball = (leg.robot(team_, found.robot).position - ball).norm();
+    found.ball = team_frame(leg.end_of(team_), ball);
+    return found;
   }
 
-  // A test may err about one of the many ticks that it is asked about: other futures confirm it.
-  std::optional<Prevention> last_prevention_by(int robot) {
-    std::uint32_t end = goal_;
-    while (const auto tick = last_yes_of(robot, Question::prevention, first_, end)) {
-      const Prevention found = in_a_copy([&] {
-        const Share share = count(*tick, robot);
-        const match::Leg& leg = rehearsal_.leg();
-        const Vec2 ball = leg.ball().position;
-        return Prevention{.robot = robot,
-                          .tick = *tick,
-                          .share = share,
-                          .as_played = {},
-                          .to_ball = (leg.robot(team_, robot).position - ball).norm(),
-                          .ball = team_frame(leg.end_of(team_), ball)};
-      });
-      if (found.share.value() >= limit_of(Question::prevention)) return found;
-      end = *tick;
+  // Returns robot and tick of the latest moment with a yes; of two robots with the same moment the
+  // one with the lower number. A robot is asked about moments before its end, and not about those
+  // before a moment of another robot.
+  std::optional<Prevention> latest_yes(Question question, std::uint32_t first) {
+    std::optional<Prevention> latest;
+    for (int robot = 0; robot < static_cast<int>(ends_.size()); ++robot) {
+      const auto tick =
+          last_yes(latest ? latest->tick + 1 : first, ends_[static_cast<std::size_t>(robot)],
+                   ticks_of(stride_s, rehearsal_.leg()), [&](std::uint32_t asked) {
+                     const auto [known, is_new] = answers_.try_emplace({question, robot, asked});
+                     if (is_new)
+                       known->second = in_a_copy([&] { return test(asked, robot, question); });
+                     return known->second;
+                   });
+      if (tick) latest = Prevention{.robot = robot, .tick = *tick};
     }
-    return std::nullopt;
+    return latest;
   }
 
   Rehearsal& rehearsal_;
   Team team_;
   std::uint32_t first_;
   std::uint32_t goal_;
+  std::vector<std::uint32_t> ends_;  // for each robot, the tick before which moments are sought
+  std::map<std::tuple<Question, int, std::uint32_t>, bool> answers_;  // of tests
 };
 
 // Brings the rehearsal to the moment at which the study of a goal begins: 3 s before it, but play
 // has begun after the last restart.
 void go_before(Rehearsal& rehearsal, const replay::Recording& recording, std::uint32_t goal) {
-  const double window = std::ceil(studied_s / recording.setup.control_period - 1e-9);
-  auto tick = static_cast<std::uint32_t>(std::max(goal - window, 0.0));
+  std::uint32_t tick = goal - std::min(goal, ticks_of(studied_s, rehearsal.leg()));
   for (const match::LoggedDecision& d : recording.decisions) {
     if (d.tick < goal && d.decision.restart != referee::Restart::none)
       tick = std::max(tick, d.tick + 1);

@@ -13,12 +13,13 @@ using coach::GoalStudy;
 using system::formatted;
 
 struct CoachOptions {
-  std::string record;
-  std::string team;                      // a colour
+  std::vector<std::string> records;
+  std::string team;                      // a colour, or a name
   std::optional<int> goal;               // the number of one goal
   std::string substitute;                // library or house team; "": striker and keeper
   match::ByTeam<std::string> libraries;  // of the teams of the record; "": not given
   bool trusted = false;
+  bool all = false;  // the habits in all goals of all records
   bool json = false;
 };
 
@@ -32,7 +33,13 @@ Result<server::TeamChoice> choose(const CoachOptions& options, const std::string
 }
 
 Result<coach::Cast> cast_of(const CoachOptions& options, const record::MatchRecord& record) {
-  coach::Cast cast{.team = *from_string<Team>(options.team)};
+  coach::Cast cast;
+  cast.team = from_string<Team>(options.team)
+                  .value_or(record.teams[1].name == options.team ? Team::yellow : Team::blue);
+  if (!from_string<Team>(options.team) && record.teams[index_of(cast.team)].name != options.team)
+    return fail(Errc::input, "--team " + options.team +
+                                 ": neither blue nor yellow, and no team of "
+                                 "this name played the leg");
   for (const Team team : both_teams) {
     const record::TeamInfo& info = record.teams[index_of(team)];
     const std::string& given = options.libraries[index_of(team)];
@@ -97,40 +104,83 @@ record::Json json_of(const GoalStudy& study, double period) {
 std::string text_of_others(const record::MatchRecord& record, const std::vector<GoalStudy>& goals) {
   std::string text;
   for (const Team team : both_teams) {
-    const int i = index_of(team);
-    const bool decides =
-        std::all_of(goals.begin(), goals.end(), [&](const auto& goal) { return goal.decides[i]; });
-    text += system::printable(record.teams[i].name) + " (" + std::string(to_string(team)) +
-            (decides ? ") decides for its other robots, with its memory.\n"
-                     : ") is not at hand as it played: its other robots drive as recorded for "
+    bool decides = true;
+    for (const GoalStudy& goal : goals) decides = decides && goal.decides[index_of(team)];
+    text += system::printable(record.teams[index_of(team)].name) +
+            (decides ? " decides for its other robots, with its memory.\n"
+                     : " is not at hand as it played: its other robots drive as recorded for "
                        "0.3 s, then navigator decides.\n");
   }
   return text;
 }
 
+// A kind of goal that a team concedes again and again.
+struct Habit {
+  std::string what;
+  std::vector<std::string> goals;  // "leg.json goal 2"
+};
+
+std::string habit_of(const GoalStudy& study, const match::Setup& setup) {
+  if (!study.prevention) return "no robot alone could prevent it";
+  const double seconds = (study.tick - study.prevention->tick) * setup.control_period;
+  const double third = study.prevention->ball.x() / field::make_field(setup.league).half_length;
+  return formatted("robot %d could prevent it until %s s before, with the ball in the %s third",
+                   study.prevention->robot,
+                   seconds < 0.5   ? "less than 0.5"
+                   : seconds < 1.5 ? "0.5 to 1.5"
+                                   : "more than 1.5",
+                   3.0 * third < -1.0  ? "own"
+                   : 3.0 * third > 1.0 ? "opponents'"
+                                       : "middle");
+}
+
+// Prints the three most frequent habits.
+void print_habits(std::vector<Habit> habits, std::size_t goals) {
+  std::stable_sort(habits.begin(), habits.end(),
+                   [](const Habit& a, const Habit& b) { return a.goals.size() > b.goals.size(); });
+  habits.resize(std::min<std::size_t>(habits.size(), 3));
+  for (const Habit& habit : habits)
+    std::cout << habit.goals.size() << " of " << goals << " goals: " << habit.what << ": "
+              << system::joined(habit.goals, ", ") << '\n';
+}
+
 Result<int> run_coach(const CoachOptions& options) {
+  if (options.records.size() > 1 && !options.all)
+    return fail(Errc::input, "several records: give --all, which groups their goals");
   system::Disk disk;
-  MIROCUP_TRY(const auto record, record::load(disk, options.record));
-  if (const auto differs = replay::verify(record.recording))
-    return not_reproduced(options.record, record, *differs, "studied");
-  MIROCUP_TRY(const auto cast, cast_of(options, record));
-  const auto conceded = coach::goals_against(record.recording, cast.team).size();
-  if (options.goal && static_cast<std::size_t>(*options.goal) > conceded)
-    return fail(Errc::input, formatted("--goal %d: the ", *options.goal) + options.team +
-                                 " team conceded " + std::to_string(conceded) + " goals in " +
-                                 options.record);
-  MIROCUP_TRY(const auto goals, coach::study_goals(record, cast, options.goal));
-  const double period = record.recording.setup.control_period;
-  if (options.json) {
-    record::Json json{{"record", options.record}, {"team", options.team}};
-    json["goals"] = record::Json::array();
-    for (const auto& goal : goals) json["goals"].push_back(json_of(goal, period));
-    print_json(json);
-    return exit_yes;
+  std::vector<Habit> habits;
+  record::Json json{{"team", options.team}, {"goals", record::Json::array()}};
+  for (const std::string& path : options.records) {
+    MIROCUP_TRY(const auto record, record::load(disk, path));
+    if (const auto differs = replay::verify(record.recording))
+      return not_reproduced(path, record, *differs, "studied");
+    MIROCUP_TRY(const auto cast, cast_of(options, record));
+    const auto conceded = coach::goals_against(record.recording, cast.team).size();
+    if (options.goal && static_cast<std::size_t>(*options.goal) > conceded)
+      return fail(
+          Errc::input,
+          formatted("--goal %d: the team conceded %zu goals in ", *options.goal, conceded) + path);
+    MIROCUP_TRY(const auto goals, coach::study_goals(record, cast, options.goal));
+    const match::Setup& setup = record.recording.setup;
+    for (const GoalStudy& goal : goals) {
+      json["goals"].push_back(json_of(goal, setup.control_period));
+      json["goals"].back()["record"] = path;
+      const std::string what = habit_of(goal, setup);
+      json["goals"].back()["habit"] = what;
+      auto habit = std::find_if(habits.begin(), habits.end(),
+                                [&](const Habit& one) { return one.what == what; });
+      if (habit == habits.end()) habit = habits.insert(habit, {what, {}});
+      habit->goals.push_back(path + formatted(" goal %d", goal.number));
+      if (!options.all && !options.json) std::cout << text_of(goal, setup.control_period);
+    }
+    if (!options.all && !options.json && !goals.empty()) std::cout << text_of_others(record, goals);
   }
-  for (const auto& goal : goals) std::cout << text_of(goal, period);
-  std::cout << (goals.empty() ? "The " + options.team + " team conceded no goal.\n"
-                              : text_of_others(record, goals));
+  if (options.json)
+    print_json(json);
+  else if (json["goals"].empty())
+    std::cout << "The team conceded no goal.\n";
+  else if (options.all)
+    print_habits(std::move(habits), json["goals"].size());
   return exit_yes;
 }
 
@@ -141,10 +191,10 @@ void add_coach(system::Commands& commands) {
       run_coach, "coach", after_a_leg,
       "Find until when the goals against a team could have been prevented, and by which robot",
       {"mirocup coach leg.json --team blue",
-       "mirocup coach leg.json --team blue --goal 2 --substitute mine.so --trusted"});
-  command.option("RECORD", o.record, "Match record").required();
-  command.option("--team", o.team, "Team that conceded the goals")
-      .one_of(system::names_of<Team>())
+       "mirocup coach leg.json --team blue --goal 2 --substitute mine.so --trusted",
+       "mirocup coach --all legs/*.json --team mine"});
+  command.option("RECORD", o.records, "Match record; several with --all").required();
+  command.option("--team TEAM", o.team, "Team that conceded the goals: blue, yellow, or its name")
       .required();
   command.option("--goal NUMBER", o.goal, "Only this one of the goals that the team conceded")
       .between(1, 1000);
@@ -155,6 +205,9 @@ void add_coach(system::Commands& commands) {
   command.option("--yellow LIBRARY", o.libraries[1], "Library of the yellow team of the record");
   command.flag("--trusted", o.trusted,
                "Let the given libraries play in this process, without protection from them");
+  command.flag("--all", o.all,
+               "Group the goals of all records by who could prevent them, how early and where the "
+               "ball was, and print the three most frequent groups");
   command.flag("--json", o.json, "Print the answer as one JSON object");
 }
 

@@ -68,6 +68,9 @@ std::string advice_text(const std::vector<LegReport>& legs, const TeamTotals& te
   for (const Advice& advice : advice_for(legs, team))
     text += "  mirocup drill " + advice.drill + " TEAM  # " + advice.why +
             (advice.moments.empty() ? "" : ": " + advice.moments) + "\n";
+  if (const int goals = team.against.all_goals(); goals > 0)
+    text += "  mirocup coach --all RECORD --team TEAM  # until when each of the " +
+            std::to_string(goals) + " goals against it could have been prevented\n";
   return text;
 }
 
