@@ -58,7 +58,7 @@ Result<coach::Cast> cast_of(const CoachOptions& options, const record::MatchReco
 
 std::string text_of(const GoalStudy& study, double period) {
   const auto before = [&](std::uint32_t tick) {
-    return formatted("%.1f s before", (study.tick - tick) * period);
+    return formatted("%.2f s before", (study.tick - tick) * period);
   };
   std::string text = formatted("Goal %d, ", study.number) + in_words(study.clock) + ": ";
   if (const auto& found = study.prevention) {
@@ -72,6 +72,7 @@ std::string text_of(const GoalStudy& study, double period) {
                 found->as_played.futures);
   } else {
     text += "no robot alone could prevent it from " + before(study.first) + " on";
+    if (study.hopeless == study.first) return text + '\n';
   }
   return text + "; from " + before(study.hopeless) + ", nobody could\n";
 }
