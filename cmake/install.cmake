@@ -17,6 +17,8 @@ install(FILES ${PROJECT_BINARY_DIR}/browser/mirocup.wasm browser/mirocup.js brow
   DESTINATION share/mirocup/browser COMPONENT mirocup OPTIONAL)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/browser/node_modules/fzstd DESTINATION share/mirocup/browser/node_modules
   COMPONENT mirocup OPTIONAL FILES_MATCHING PATTERN index.js PATTERN package.json PATTERN LICENSE PATTERN esm EXCLUDE PATTERN umd EXCLUDE)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/browser/workbench/parts ${PROJECT_BINARY_DIR}/browser/workbench/clang
+  DESTINATION share/mirocup/browser/workbench COMPONENT mirocup OPTIONAL)
 install(DIRECTORY plugins/template/ DESTINATION share/mirocup/team COMPONENT mirocup USE_SOURCE_PERMISSIONS)
 install(DIRECTORY plugins/drills DESTINATION share/mirocup COMPONENT mirocup PATTERN teams EXCLUDE)
 install(DIRECTORY examples/course DESTINATION share/mirocup COMPONENT mirocup)

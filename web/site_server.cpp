@@ -66,7 +66,9 @@ Reply SiteServer::answer(Request request, const Body& body) {
   if (request.path.starts_with(live)) return of_match(request.path.substr(live.size()));
   auto page = site_.page(request.path);
   if (!page) return {.status = 404};
-  Reply reply{.type = std::move(page->type), .bytes = std::move(page->bytes)};
+  Reply reply{.type = std::move(page->type),
+              .bytes = std::move(page->bytes),
+              .is_for_ever = page->is_for_ever};
   if (!page->policy.empty())
     reply.headers.emplace_back("Content-Security-Policy", std::move(page->policy));
   return reply;

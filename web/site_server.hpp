@@ -22,6 +22,7 @@ struct Page {
   std::string type;    // MIME
   std::string policy;  // content security policy; "": the page contains its policy
   std::string bytes;
+  bool is_for_ever = false;  // true: the path never has other bytes
 };
 
 // The content of a site. Several threads call its functions at the same time.

@@ -32,6 +32,9 @@ constexpr std::chrono::nanoseconds longest_rest = 5s;
 constexpr const char* policy =
     "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'";
 
+constexpr const char* worker_policy =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'";
+
 std::string type_of(const std::string& path) {
   const std::string end = std::filesystem::path(path).extension();
   if (end == ".html") return "text/html; charset=utf-8";
@@ -60,11 +63,15 @@ void name_teams(record::MatchRecord& record, const Json& part) {
   }
 }
 
-std::string with_script(std::string html, bool takes_hand_ins, const std::string& root) {
+std::string with_script(std::string html, bool takes_hand_ins, bool has_workbench,
+                        const std::string& root) {
   constexpr std::string_view title_end = "</h1>\n";
   const std::size_t title = html.find(title_end);
   if (takes_hand_ins && title != std::string::npos)
-    html.insert(title + title_end.size(), "<p>" + hand_in_link(root) + "</p>\n");
+    html.insert(title + title_end.size(),
+                "<p>" + hand_in_link(root) +
+                    (has_workbench ? " <a href=\"" + root + "workbench\">Workbench</a>" : "") +
+                    "</p>\n");
   const std::size_t end = html.rfind("</body>");
   if (end == std::string::npos) return html;
   return html.insert(end, "<script type=\"module\" src=\"" + root + "league.js\"></script>\n");
@@ -204,9 +211,9 @@ const web::Page* ServedLeague::page_of_site(const std::string& path) {
   const std::string type = type_of(name);
   const bool is_html = type.starts_with("text/html") && name != playground_name;
   return &(pages_[path] = {type, is_html ? policy : "",
-                           is_html
-                               ? with_script(std::move(*bytes), takes_hand_ins_, web::root_of(path))
-                               : *bytes});
+                           is_html ? with_script(std::move(*bytes), takes_hand_ins_,
+                                                 !workbench().empty(), web::root_of(path))
+                                   : *bytes});
 }
 
 std::optional<web::Page> ServedLeague::page(const std::string& path) {
@@ -220,6 +227,7 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
     const std::lock_guard lock(mutex_);
     poll();
     if (const web::Page* made = page_of_site(path)) return *made;
+    if (path.starts_with("/workbench")) return workbench_page(path.substr(1));
     if (path.starts_with("/module/")) return module_page(path.substr(1));
     if (path.starts_with("/final/site/") && !site_->state().closing_round.empty())
       return page_of_closing_round(path.substr(std::string_view("/final/site/").size()));
@@ -278,6 +286,30 @@ std::optional<web::Page> ServedLeague::page_of_closing_round(const std::string& 
   const std::string type = type_of(name);
   return web::Page{type, type.starts_with("text/html") && !has_own_script ? policy : "",
                    std::move(*bytes)};
+}
+
+// Requires mutex_. Returns the files of the workbench; none if it was not built.
+const std::vector<web::WorkbenchFile>& ServedLeague::workbench() {
+  if (workbench_.empty())
+    workbench_ = web::workbench_files(files_, "workbench/", takes_hand_ins_)
+                     .value_or(std::vector<web::WorkbenchFile>{});
+  return workbench_;
+}
+
+// Requires mutex_. The page has its policy inside, but for frames. Its workers run what is
+// compiled, and get nothing from elsewhere.
+std::optional<web::Page> ServedLeague::workbench_page(const std::string& name) {
+  const auto& files = workbench();
+  const auto found = std::find_if(files.begin(), files.end(),
+                                  [&name](const auto& file) { return file.name == name; });
+  if (found == files.end()) return std::nullopt;
+  auto bytes = web::bytes_of(files_, *found);
+  if (!bytes) return std::nullopt;
+  const bool is_page = found == files.begin();
+  return web::Page{.type = type_of(is_page ? "workbench.html" : name),
+                   .policy = is_page ? "frame-ancestors 'none'" : worker_policy,
+                   .bytes = std::move(*bytes),
+                   .is_for_ever = !is_page};
 }
 
 // Returns the commands of a leg for its page.

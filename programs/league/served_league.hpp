@@ -12,6 +12,7 @@
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "web/page.hpp"
+#include "web/playground.hpp"
 #include "web/site_server.hpp"
 
 #include <nlohmann/json.hpp>
@@ -105,6 +106,8 @@ class ServedLeague {
   Json part_of(const std::string& record);
   std::optional<std::string> page_with_own(const std::string& record, const record::Whose& whose,
                                            const Json& part, const std::string& root);
+  const std::vector<web::WorkbenchFile>& workbench();
+  std::optional<web::Page> workbench_page(const std::string& name);
   std::optional<web::Page> module_page(const std::string& name);
   std::optional<web::Page> commands_page(const std::string& stem);
   std::optional<web::Page> page_of_closing_round(const std::string& name);
@@ -129,9 +132,10 @@ class ServedLeague {
   std::string shown_;           // differs after each change of what the site shows
   std::string said_;            // the texts of teams.json and notice.txt
   KnownLegs legs_;
-  std::map<int, std::string> statistics_;   // HTML of teams whose statistics were requested
-  std::map<std::string, web::Page> pages_;  // pages of site_ that were asked for, by path
-  std::set<std::string> records_;           // names of records without .json
+  std::map<int, std::string> statistics_;      // HTML of teams whose statistics were requested
+  std::map<std::string, web::Page> pages_;     // pages of site_ that were asked for, by path
+  std::set<std::string> records_;              // names of records without .json
+  std::vector<web::WorkbenchFile> workbench_;  // empty before the first request
 
   std::mutex replaying_;  // held while a replay page is made; pages are made one at a time
   std::once_flag module_made_;

@@ -36,10 +36,11 @@ bool is_number(const std::string& text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-std::string status_line(int status) {
+std::string status_line(int status, bool is_for_ever = false) {
   const auto reason = http::obsolete_reason(http::int_to_status(static_cast<unsigned>(status)));
   return "HTTP/1.1 " + std::to_string(status) + " " + std::string(reason.data(), reason.size()) +
-         "\r\nConnection: close\r\nCache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\n";
+         "\r\nConnection: close\r\nX-Content-Type-Options: nosniff\r\nCache-Control: " +
+         (is_for_ever ? "max-age=31536000, immutable\r\n" : "no-store\r\n");
 }
 
 }  // namespace
@@ -166,7 +167,7 @@ bool Exchange::receive_body(const std::function<bool(std::string_view part)>& ta
 }
 
 bool Exchange::send(const Reply& reply) {
-  std::string text = status_line(reply.status);
+  std::string text = status_line(reply.status, reply.is_for_ever);
   if (!reply.bytes.empty()) text += "Content-Type: " + reply.type + "\r\n";
   text += "Content-Length: " + std::to_string(reply.bytes.size()) + "\r\n";
   for (const auto& [name, value] : reply.headers) text += name + ": " + value + "\r\n";

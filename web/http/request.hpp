@@ -63,6 +63,7 @@ struct Reply {
   std::string type = "text/plain; charset=utf-8";
   std::string bytes = {};
   std::vector<std::pair<std::string, std::string>> headers = {};
+  bool is_for_ever = false;  // true: the path never has other bytes, so browsers may keep them
 
   // If set, the reply is a stream of events instead of `bytes`. The server calls this function
   // about 30 times a second.

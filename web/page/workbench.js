@@ -8,6 +8,7 @@ import { by, element } from './text.js';
 
 const bench = given.workbench;  // {parts, clang: folders beside the page, bytes: of the packed compiler, team: the first text}
 const compileLimit = 120;  // s without a sign of progress
+const nearlyAll = 0.98;  // of the bytes of the compiler; the rest are scripts
 const answerLimit = 20;  // s for a question to the leg
 const chunk = 300;  // ticks in a question, if the leg is played to its end
 const seeds = 10;
@@ -69,6 +70,7 @@ async function compile(source) {
         if (!data.loaded) return resolve(data);
         loaded += data.loaded;
         by('loaded').value = loaded / bench.bytes;
+        if (loaded > nearlyAll * bench.bytes) tell('Compiling, for the first time …');
         return again();
       };
       compiler.onerror = (event) => reject(new Error(`the compiler ended: ${event.message || 'is there enough memory?'}`));
