@@ -21,7 +21,6 @@ constexpr int enough = 2944;
 
 Interval interval_of(const Share& share) {
   constexpr double z = 1.959963984540054;
-  if (share.futures == 0) return {};
   const double n = share.futures;
   const double p = share.value();
   const double middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);

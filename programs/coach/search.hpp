@@ -21,7 +21,7 @@ struct Share {
   double value() const { return futures > 0 ? static_cast<double>(without) / futures : 0.0; }
 };
 
-// An interval of 95 % for the chance that a future has no goal, by Wilson.
+// An interval of 95 % for the chance that a future has no goal, by Wilson. There is a future.
 struct Interval {
   double low = 0.0;
   double high = 1.0;

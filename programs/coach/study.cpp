@@ -179,7 +179,6 @@ Result<std::vector<GoalStudy>> study_goals(const record::MatchRecord& record, co
                                            std::optional<int> only) {
   MIROCUP_TRY(const auto rehearsal, Rehearsal::begin(record, cast));
   const match::Leg& leg = rehearsal->leg();
-  const Error failed{Errc::host, "a copy of this process, which played futures, did not end"};
   std::vector<GoalStudy> goals;
   int number = 0;
   for (const match::LoggedDecision& goal : goals_against(record.recording, cast.team)) {
@@ -200,7 +199,8 @@ Result<std::vector<GoalStudy>> study_goals(const record::MatchRecord& record, co
                              study.prevention ? study.prevention->tick + 1 : study.first);
                          return study;
                        }).wait();
-    if (!found) return tl::unexpected(failed);
+    if (!found)
+      return fail(Errc::host, "a copy of this process, which played futures, did not end");
     goals.push_back(*found);
   }
   return goals;

@@ -20,8 +20,8 @@ inline constexpr double studied_s = 3.0;
 struct Prevention {
   int robot = 0;
   std::uint32_t tick = 0;  // from which the substitute decides
-  Share share;             // of 100 futures, which the search has not used
-  Share as_played;         // of 100 futures without a substitute, from the same tick
+  Share share = {};        // of 100 futures, which the search has not used
+  Share as_played = {};    // of 100 futures without a substitute, from the same tick
   double to_ball = 0.0;    // distance of the robot from the ball, m
   Vec2 ball{0.0, 0.0};     // in the frame of the team, which attacks +x
 };

@@ -5,6 +5,8 @@
 #include "programs/mirocup/commands.hpp"
 #include "system/text.hpp"
 
+#include <map>
+
 namespace mirocup::app {
 
 namespace {
@@ -50,17 +52,23 @@ Result<coach::Cast> cast_of(const CoachOptions& options, const record::MatchReco
   MIROCUP_TRY(cast.stand_in, server::choose_team("navigator"));
   const bool is_given = !options.substitute.empty();
   MIROCUP_TRY(cast.substitute, choose(options, is_given ? options.substitute : "striker"));
-  if (!is_given) {
-    MIROCUP_TRY(cast.keeper, server::choose_team("keeper"));
-  }
+  MIROCUP_TRY(auto keeper, server::choose_team("keeper"));
+  if (!is_given) cast.keeper = std::move(keeper);
   return cast;
+}
+
+// The moment of the answer in the address of a replay page.
+std::string link_of(const GoalStudy& study, double period) {
+  return formatted(" (#t=%.3f)",
+                   period * (study.prevention ? study.prevention->tick : study.first));
 }
 
 std::string text_of(const GoalStudy& study, double period) {
   const auto before = [&](std::uint32_t tick) {
     return formatted("%.2f s before", (study.tick - tick) * period);
   };
-  std::string text = formatted("Goal %d, ", study.number) + in_words(study.clock) + ": ";
+  std::string text =
+      formatted("Goal %d, ", study.number) + in_words(study.clock) + link_of(study, period) + ": ";
   if (const auto& found = study.prevention) {
     const coach::Interval interval = coach::interval_of(found->share);
     text += "until " + before(found->tick) +
@@ -84,8 +92,7 @@ record::Json json_of(const GoalStudy& study, double period) {
   record::Json json{{"number", study.number},         {"tick", study.tick},
                     {"clock", in_words(study.clock)}, {"first", moment(study.first)},
                     {"prevention", nullptr},          {"hopeless", moment(study.hopeless)}};
-  for (const Team team : both_teams)
-    json["decides"][to_string(team)] = study.decides[index_of(team)];
+  json["decides"] = {{"blue", study.decides[0]}, {"yellow", study.decides[1]}};
   if (const auto& found = study.prevention) {
     const coach::Interval interval = coach::interval_of(found->share);
     json["prevention"] = moment(found->tick);
@@ -115,11 +122,8 @@ std::string text_of_others(const record::MatchRecord& record, const std::vector<
   return text;
 }
 
-// A kind of goal that a team concedes again and again.
-struct Habit {
-  std::string what;
-  std::vector<std::string> goals;  // "leg.json goal 2"
-};
+// For each kind of goal, its goals: "leg.json goal 2".
+using Habits = std::map<std::string, std::vector<std::string>>;
 
 std::string habit_of(const GoalStudy& study, const match::Setup& setup) {
   if (!study.prevention) return "no robot alone could prevent it";
@@ -136,20 +140,21 @@ std::string habit_of(const GoalStudy& study, const match::Setup& setup) {
 }
 
 // Prints the three most frequent habits.
-void print_habits(std::vector<Habit> habits, std::size_t goals) {
-  std::stable_sort(habits.begin(), habits.end(),
-                   [](const Habit& a, const Habit& b) { return a.goals.size() > b.goals.size(); });
-  habits.resize(std::min<std::size_t>(habits.size(), 3));
-  for (const Habit& habit : habits)
-    std::cout << habit.goals.size() << " of " << goals << " goals: " << habit.what << ": "
-              << system::joined(habit.goals, ", ") << '\n';
+void print_habits(const Habits& habits, std::size_t goals) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> all(habits.begin(), habits.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
+  all.erase(all.begin() + std::min<std::ptrdiff_t>(habits.size(), 3), all.end());
+  for (const auto& [what, of_it] : all)
+    std::cout << of_it.size() << " of " << goals << " goals: " << what << ": "
+              << system::joined(of_it, ", ") << '\n';
 }
 
 Result<int> run_coach(const CoachOptions& options) {
   if (options.records.size() > 1 && !options.all)
     return fail(Errc::input, "several records: give --all, which groups their goals");
   system::Disk disk;
-  std::vector<Habit> habits;
+  Habits habits;
   record::Json json{{"team", options.team}, {"goals", record::Json::array()}};
   for (const std::string& path : options.records) {
     MIROCUP_TRY(const auto record, record::load(disk, path));
@@ -168,10 +173,8 @@ Result<int> run_coach(const CoachOptions& options) {
       json["goals"].back()["record"] = path;
       const std::string what = habit_of(goal, setup);
       json["goals"].back()["habit"] = what;
-      auto habit = std::find_if(habits.begin(), habits.end(),
-                                [&](const Habit& one) { return one.what == what; });
-      if (habit == habits.end()) habit = habits.insert(habit, {what, {}});
-      habit->goals.push_back(path + formatted(" goal %d", goal.number));
+      habits[what].push_back(path + formatted(" goal %d", goal.number) +
+                             link_of(goal, setup.control_period));
       if (!options.all && !options.json) std::cout << text_of(goal, setup.control_period);
     }
     if (!options.all && !options.json && !goals.empty()) std::cout << text_of_others(record, goals);
@@ -181,7 +184,7 @@ Result<int> run_coach(const CoachOptions& options) {
   else if (json["goals"].empty())
     std::cout << "The team conceded no goal.\n";
   else if (options.all)
-    print_habits(std::move(habits), json["goals"].size());
+    print_habits(habits, json["goals"].size());
   return exit_yes;
 }
 
