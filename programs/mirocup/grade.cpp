@@ -22,6 +22,8 @@ struct GradeOptions : DrillTerms {
   std::string sheet;                 // "list", a name, or a path
   std::vector<std::string> entries;  // teams, and folders of leagues
   std::string seed_file;             // "": the public tries
+  std::string until;                 // the deadline of leagues; "": none
+  std::vector<std::string> except;   // TEAM=TIME, other deadlines
   bool json = false;
   bool csv = false;
   bool gradescope = false;
@@ -35,19 +37,15 @@ Result<drills::Sheet> read_sheet(const std::string& path) {
   return drills::parse_sheet(text, path);
 }
 
-Result<int> list_sheets(bool as_json) {
+Result<int> list_sheets() {
   const std::string folder = system::course_folder();
   MIROCUP_TRY(const auto names, system::Disk().names_in(folder));
-  record::Json sheets = record::Json::array();
   for (const std::string& name : names) {
     if (!name.ends_with(".json")) continue;
     MIROCUP_TRY(const auto sheet, read_sheet(folder + "/" + name));
-    const std::string sources = folder + "/" + sheet.name;
-    sheets.push_back({{"name", sheet.name}, {"title", sheet.title}, {"sources", sources}});
-    if (!as_json)
-      std::cout << sheet.name << "  " << sheet.title << "; start in " << sources << '\n';
+    std::cout << sheet.name << "  " << sheet.title << "; start in " << folder << '/' << sheet.name
+              << '\n';
   }
-  if (as_json) print_json({{"sheets", sheets}});
   return exit_yes;
 }
 
@@ -71,11 +69,7 @@ Result<std::vector<drills::Drill>> read_drills_of(const drills::Sheet& sheet,
     const std::string file =
         own != one.drill ? own : (fs::path(system::drill_folder()) / (own + ".json")).string();
     const std::string at = path + ": /drills/" + std::to_string(drills.size()) + ": ";
-    const auto named = [&at](const Error& error) { return Error{error.code, at + error.what}; };
-    if (!system::Disk().exists(file))
-      return fail(Errc::input, at + "\"" + one.drill +
-                                   "\" is neither a file beside the sheet nor a drill; mirocup "
-                                   "drill list prints all names of drills");
+    const auto named = [&at](const Error& error) { return Error{Errc::input, at + error.what}; };
     MIROCUP_TRY(const auto text,
                 system::Disk().read_named(file, system::size_limit::note).map_error(named));
     MIROCUP_TRY(auto drill, drills::parse_changed_drill(text, file, one).map_error(named));
@@ -114,6 +108,10 @@ Result<TestedTeam> entry_of(const std::string& text) {
 }
 
 Result<std::vector<TestedTeam>> entries_of(const GradeOptions& options) {
+  std::vector<std::string> deadlines;
+  if (!options.until.empty()) deadlines = {"--until", options.until};
+  for (const std::string& one : options.except)
+    deadlines.insert(deadlines.end(), {"--except", one});
   std::vector<TestedTeam> entries;
   for (const std::string& word : options.entries) {
     if (!is_league(word)) {
@@ -121,9 +119,9 @@ Result<std::vector<TestedTeam>> entries_of(const GradeOptions& options) {
       entries.push_back(std::move(entry));
       continue;
     }
-    MIROCUP_TRY(const auto of_league, entries_of_league(word));
+    MIROCUP_TRY(const auto of_league, entries_of_league(word, deadlines));
     for (const auto& [team, path] : of_league) {
-      entries.push_back({"", team, "there is no entry"});
+      entries.push_back({"", team, "no entry was accepted"});
       if (path.empty()) continue;
       MIROCUP_TRY(entries.back(), entry_of(team + "=" + path));
     }
@@ -134,6 +132,10 @@ Result<std::vector<TestedTeam>> entries_of(const GradeOptions& options) {
       return fail(Errc::input, "two entries are called \"" + entry.name +
                                    "\": NAME=ENTRY gives an entry another name");
   }
+  for (const std::string& one : options.except) {
+    if (!names.contains(one.substr(0, one.find('='))))
+      return fail(Errc::input, "--except " + one + ": there is no such team");
+  }
   return entries;
 }
 
@@ -142,11 +144,8 @@ Result<std::uint64_t> first_seed(const GradeOptions& options, const std::string&
   MIROCUP_TRY(const auto secret,
               system::Disk().read_named(options.seed_file, system::size_limit::note));
   if (secret.size() < shortest_secret)
-    return fail(Errc::input,
-                options.seed_file +
-                    ": at least 16 bytes are needed, so that nobody guesses the tries; "
-                    "for example: head -c 24 /dev/urandom | base64 > " +
-                    options.seed_file);
+    return fail(Errc::input, options.seed_file + ": at least 16 bytes are needed: " +
+                                 "head -c 24 /dev/urandom | base64");
   // 52 bits, which all readers of JSON keep. Each sheet has tries of its own, so seeds of a sheet
   // may be published when it is over.
   return std::stoull(system::sha256(sheet + "\n" + secret).substr(0, 13), nullptr, 16);
@@ -162,9 +161,11 @@ Result<int> print_by_student(const std::string& league, const std::string& csv) 
 }
 
 Result<int> run_grade(const GradeOptions& options) {
-  if (options.sheet == "list") return list_sheets(options.json);
+  if (options.sheet == "list") return list_sheets();
   if (options.entries.empty())
     return fail(Errc::input, "an entry is needed: mirocup grade SHEET ENTRY");
+  if (options.gradescope && !is_league(options.entries.front()))
+    return fail(Errc::input, "--gradescope is for a league, whose class list has the students");
   const std::string own = system::course_folder() + "/" + options.sheet + ".json";
   const bool is_own = options.sheet.find('/') == std::string::npos && system::Disk().exists(own);
   const std::string path = is_own ? own : options.sheet;
@@ -180,15 +181,10 @@ Result<int> run_grade(const GradeOptions& options) {
   MIROCUP_TRY(const auto scale, measured_scale(sheet, path, drills, terms));
   MIROCUP_TRY(const auto reports, try_drills(entries, drills, {}, {}, terms));
   const record::Json json = sheet_json(sheet, terms.first_seed, scale, reports);
-  if (options.gradescope && is_league(options.entries.front()))
-    return print_by_student(options.entries.front(), sheet_csv(json));
-  if (options.json) {
-    print_json(json);
-  } else {
-    std::cout << (options.csv          ? sheet_csv(json)
-                  : options.gradescope ? sheet_gradescope_csv(json)
-                                       : sheet_text(json));
-  }
+  if (options.gradescope) return print_by_student(options.entries.front(), sheet_csv(json));
+  std::cout << (options.csv    ? sheet_csv(json)
+                : options.json ? record::json_text(json) + "\n"
+                               : sheet_text(json));
   const bool all_played = std::all_of(reports.begin(), reports.end(),
                                       [](const auto& report) { return faults_of(report).empty(); });
   return all_played ? exit_yes : exit_no;
@@ -210,6 +206,14 @@ void add_grade(system::Commands& commands) {
   command.option("--seed-file FILE", o.seed_file,
                  "File from whose bytes the seeds of the tries are drawn, which students must not "
                  "know (default: the public tries, the seeds from 1)");
+  const system::Option until =
+      command.option("--until TIME", o.until,
+                     "Grade the entries of a league that were handed in by this time, in the "
+                     "league's zone: \"2026-12-18 18:00\" (default: the present entries)");
+  command
+      .option("--except TEAM=TIME", o.except,
+              "Another deadline for one team; may be given several times")
+      .needs(until);
   command.jobs(o.jobs, "tries");
   command.option("--replay DIR", o.replay_folder,
                  "Folder to write files to: a record and a page of each failed try, and "
@@ -219,7 +223,7 @@ void add_grade(system::Commands& commands) {
   json.excludes(csv);
   command
       .flag("--gradescope", o.gradescope,
-            "Print CSV in Gradescope's columns; for a league, a row for each student")
+            "Print CSV in Gradescope's columns, for a league: a row for each student")
       .excludes(csv)
       .excludes(json);
 }

@@ -57,12 +57,6 @@ Json entry_json(const drills::Sheet& sheet, const SheetScale& scale, const Drill
   return json;
 }
 
-std::string csv_lines(const Json& rows, const std::vector<std::string>& columns) {
-  std::string text = record::csv_of(rows, columns);
-  std::erase(text, '\r');
-  return text;
-}
-
 }  // namespace
 
 Json sheet_json(const drills::Sheet& sheet, std::uint64_t first_seed, const SheetScale& scale,
@@ -83,14 +77,9 @@ std::string sheet_csv(const Json& json) {
   for (std::size_t i = 0; i < drills.size(); ++i)
     columns.push_back(record::text_in(drills[i], "name") + "=drills/" + std::to_string(i) +
                       "/score");
-  return csv_lines(rows, columns);
-}
-
-std::string sheet_gradescope_csv(const Json& json) {
-  Json rows = json["teams"];
-  for (Json& row : rows) row["most"] = 100;
-  return csv_lines(
-      rows, {"Name=team", "Email=mail", "SID=number", "Total Score=score", "Max Points=most"});
+  std::string text = record::csv_of(rows, columns);
+  std::erase(text, '\r');
+  return text;
 }
 
 std::string sheet_text(const Json& json) {

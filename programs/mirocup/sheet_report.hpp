@@ -32,10 +32,8 @@ nlohmann::ordered_json sheet_json(const drills::Sheet& sheet, std::uint64_t firs
                                   const SheetScale& scale, const std::vector<DrillReport>& entries);
 
 // These return the JSON of sheet_json() as a line for each team (team, sheet, score, low, high,
-// note, and the score in each drill), as a line for each team in Gradescope's columns, and as text
-// for a person.
+// note, and the score in each drill), and as text for a person.
 std::string sheet_csv(const nlohmann::ordered_json& json);
-std::string sheet_gradescope_csv(const nlohmann::ordered_json& json);
 std::string sheet_text(const nlohmann::ordered_json& json);
 
 }  // namespace mirocup::app

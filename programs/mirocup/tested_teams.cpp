@@ -100,10 +100,12 @@ Result<TestedTeam> tested_team(const std::string& text, NamedAfter named_after) 
 }
 
 // Only mirocup-league can read a league.
-Result<std::vector<LeagueEntry>> entries_of_league(const std::string& league) {
-  const std::string program = system::sibling_program("mirocup-league");
-  MIROCUP_TRY(const auto answer,
-              system::ask({program, "status", league, "--entries", "--json"}, {.seconds = 60.0}));
+Result<std::vector<LeagueEntry>> entries_of_league(const std::string& league,
+                                                   const std::vector<std::string>& deadlines) {
+  std::vector<std::string> words{system::sibling_program("mirocup-league"), "status", league,
+                                 "--entries", "--json"};
+  words.insert(words.end(), deadlines.begin(), deadlines.end());
+  MIROCUP_TRY(const auto answer, system::ask(words, {.seconds = 60.0}));
   const std::string last = system::last_line(answer.output);
   if (answer.code > exit_no) return fail(Errc::input, system::replaced(last, "mirocup: ", ""));
   return record::read_json<std::vector<LeagueEntry>>(
@@ -112,7 +114,9 @@ Result<std::vector<LeagueEntry>> entries_of_league(const std::string& league) {
         for (const record::JsonReader& team : json.at("teams").elements()) {
           entries.push_back({.team = team.at("team").text(), .path = {}});
           const record::JsonReader playing = team.at("plays_with");
-          const record::JsonReader entry = playing.is_null() ? team.at("last_accepted") : playing;
+          const record::JsonReader entry = team.has("by_deadline") ? team.at("by_deadline")
+                                           : playing.is_null()     ? team.at("last_accepted")
+                                                                   : playing;
           if (!entry.is_null())
             entries.back().path = league + "/entries/" + entries.back().team + '/' +
                                   std::to_string(entry.as<int>()) + "/strategy.so";

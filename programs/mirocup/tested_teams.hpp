@@ -29,14 +29,17 @@ enum class NamedAfter { file, itself };
 // or a team on the network.
 Result<TestedTeam> tested_team(const std::string& text, NamedAfter named_after);
 
-// The present entry of a team of a league.
+// An entry of a team of a league.
 struct LeagueEntry {
   std::string team;
   std::string path;  // of its library; "": the team has no entry
 };
 
-// Returns the present entries of a league, in the order of its teams.
-Result<std::vector<LeagueEntry>> entries_of_league(const std::string& league);
+// Returns the present entries of a league, in the order of its teams. `deadlines` are the options
+// --until and --except of `mirocup grade`: with them the entries are the last accepted ones that
+// were handed in by the deadlines.
+Result<std::vector<LeagueEntry>> entries_of_league(const std::string& league,
+                                                   const std::vector<std::string>& deadlines = {});
 
 // Tries all drills with each team, and returns a report for each. A team with a fault has this
 // fault in each try, and is not started. On a terminal, a line counts the

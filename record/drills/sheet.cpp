@@ -2,7 +2,6 @@
 #include "record/drills/sheet.hpp"
 
 #include "record/json_reader.hpp"
-#include "system/text.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -23,10 +22,6 @@ SheetDrill read_sheet_drill(const record::JsonReader& json) {
   drill.drill = json.at("drill").text();
   drill.name = stem_of(drill.drill);
   json.read_if_present("name", drill.name);
-  // The files of tries are named after it.
-  if (!std::all_of(drill.name.begin(), drill.name.end(), system::is_plain))
-    json.at(json.has("name") ? "name" : "drill")
-        .complain("a drill's name has only letters, digits, \"-\", \"_\" and \".\"");
   if (json.has("weight")) drill.weight = json.at("weight").positive_number();
   drill.change = nlohmann::ordered_json::object();
   if (json.has("change") && json.at("change").expect_object())

@@ -132,8 +132,8 @@ TEST(DrillCommand, TriesTheEntriesOfALeague) {
     return run(words);
   };
   league({"init", folder, "--format", "nightly"});
-  for (const std::string team : {"b", "a"}) league({"submit", folder, team, "house:striker"});
-  league({"submit", folder, "a", "house:idle"});
+  league({"submit", folder, "b", program("house/striker.so")});
+  league({"submit", folder, "a", program("house/idle.so")});
   write_file(temporary / "c.csv", "team\nc\n");
   league({"team", folder, "--csv", temporary / "c.csv"});
   const Outcome tried = drill({"touch-the-ball", "--tries", "2", "--csv", "--league", folder});
@@ -144,9 +144,10 @@ TEST(DrillCommand, TriesTheEntriesOfALeague) {
   EXPECT_EQ(tried.err, "mirocup: c has no entry\n");
   write_file(temporary / "s.json", R"({"schema": "mirocup/sheet/1", "title": "S", "start": "idle",
     "reference": "striker", "drills": [{"drill": "touch-the-ball", "change": {"tries": 4}}]})");
-  const std::string graded = grade({temporary / "s.json", folder, "--csv"}).out;
-  EXPECT_NE(graded.find("\nb,s,100.0,"), std::string::npos) << graded;
-  EXPECT_NE(graded.find("\nc,s,0.0,"), std::string::npos) << "no entry: " << graded;
+  const Outcome graded = grade({temporary / "s.json", folder, "--csv", "--until",
+                                "2020-01-01 00:00", "--except", "b=2099-01-01 00:00"});
+  EXPECT_NE(graded.out.find("\nb,s,100.0,"), std::string::npos) << graded.out << graded.err;
+  EXPECT_NE(graded.out.find("no entry was accepted,0.0\nc,s,"), std::string::npos) << "of a";
   const Outcome wrong = drill({"touch-the-ball", "--league", temporary / "x"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.err.find("is not a league"), std::string::npos) << wrong.err;
@@ -183,17 +184,16 @@ TEST(Grade, RunsFromStartToReferenceWhateverIsBroken) {
   EXPECT_NE(grade(words).out, graded.out);
   words.back() = folder / "bad.so";
   EXPECT_EQ(grade(words).exit_code, 2) << "a secret of seven bytes";
-  const Outcome wrong = grade({sheet("idle"), "chaser"});
-  EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.err.find("s.json: /drills/0: "), std::string::npos) << wrong.err;
+  EXPECT_NE(grade({sheet("idle"), "chaser"}).err.find("s.json: /drills/0: "), std::string::npos);
 }
 
 // Catches a start or a reference that decides otherwise in Python than in C++.
 TEST(Grade, GivesBothLanguagesOneScore) {
   const TemporaryFolder folder;
-  for (const Json& sheet : Json::parse(grade({"list", "--json"}).out)["sheets"]) {
-    const auto sources = sheet["sources"].get<std::string>();
-    const std::string cpp = "course:" + sheet["name"].get<std::string>();
+  for (const std::string sheet : {"driving"}) {
+    const std::string sources = program("share/mirocup/course/" + sheet);
+    const std::string cpp = "course:" + sheet;
+    EXPECT_NE(grade({"list"}).out.find("start in " + sources + "\n"), std::string::npos);
     Json few = read_json(sources + ".json");
     for (Json& one : few["drills"]) one["change"]["tries"] = 6;
     write_file(folder / "few.json", few.dump());
