@@ -190,7 +190,7 @@ TEST(Grade, RunsFromStartToReferenceWhateverIsBroken) {
 // Catches a start or a reference that decides otherwise in Python than in C++.
 TEST(Grade, GivesBothLanguagesOneScore) {
   const TemporaryFolder folder;
-  for (const std::string sheet : {"driving"}) {
+  for (const std::string sheet : {"driving", "ball", "roles"}) {
     const std::string sources = program("share/mirocup/course/" + sheet);
     const std::string cpp = "course:" + sheet;
     EXPECT_NE(grade({"list"}).out.find("start in " + sources + "\n"), std::string::npos);
