@@ -138,8 +138,8 @@ Result<std::vector<WorkbenchFile>> workbench_files(system::Files& files, const s
   page.data["workbench"] = {
       {"parts", own.first}, {"clang", clang.first}, {"bytes", clang.second}, {"team", team}};
   Json scripts = Json::array();
-  for (const char* name :
-       {"ace", "mode-c_cpp", "theme-chrome", "theme-one_dark", "ext-searchbox", "page"})
+  for (const char* name : {"ace", "mode-c_cpp", "theme-chrome", "theme-one_dark",
+                           "ext-language_tools", "ext-searchbox", "page"})
     scripts.push_back(own.first + "/" + name + ".js");
   all.front() = {
       folder.empty() ? "index.html" : folder.substr(0, folder.size() - 1),

@@ -34,9 +34,19 @@ for (const name of readdirSync(join(clang, 'gen'))) {
   for (let i = 0; i < pieces[name]; ++i) writeFileSync(join(folder, 'clang', `${name}.${i}`), packed.subarray(i * mostBytes, (i + 1) * mostBytes));
 }
 writeFileSync(join(folder, 'clang', 'pieces.json'), JSON.stringify(pieces));
-for (const name of ['ace', 'mode-c_cpp', 'theme-chrome', 'theme-one_dark', 'ext-searchbox']) {
+for (const name of ['ace', 'mode-c_cpp', 'theme-chrome', 'theme-one_dark', 'ext-language_tools', 'ext-searchbox']) {
   copyFileSync(join(ace, 'src-min-noconflict', `${name}.js`), join(folder, 'parts', `${name}.js`));
 }
 copyFileSync(join(ace, 'LICENSE'), join(folder, 'parts', 'LICENSE.ace'));
 for (const name of ['compile.js', 'leg.js', 'teams.js', 'seat.cpp']) copyFileSync(join(here, name), join(folder, 'parts', name));
 writeFileSync(join(folder, 'parts', 'headers.json'), JSON.stringify(tree(headers)));
+
+// The functions of the headers in C++ with their comments, which the editor shows: {name: text}.
+const texts = (inside) => Object.entries(inside).flatMap(([name, one]) => (typeof one !== 'string' ? texts(one) : name.endsWith('.hpp') ? [one] : []));
+const functions = {};
+for (const text of texts(tree(headers))) {
+  for (const [, comment, head, name] of text.matchAll(/((?:^ *\/\/ .*\n)+)^ *((?:[\w:<>&*]+ )+\*?&?(\w+)\((?:[^;{]|\{\})*?\))(?: const)? ?[;{]/gm)) {
+    functions[name] ??= `${head.replace(/\s+/g, ' ').replace('inline ', '')}\n\n${comment.replace(/^ *\/\/ ?/gm, '').trim()}`;
+  }
+}
+writeFileSync(join(folder, 'parts', 'functions.json'), JSON.stringify(functions));

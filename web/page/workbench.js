@@ -95,6 +95,24 @@ function makeEditor() {
 }
 const editor = makeEditor();
 
+// Completion and hints for the functions that a team may call, with their comments.
+async function describeFunctions() {
+  const functions = await (await fetch(addressOf(bench.parts, 'functions.json'))).json();
+  const rows = Object.entries(functions).map(([name, docText]) => ({ value: name, meta: 'mirocup', docText }));
+  editor.setOptions({
+    enableBasicAutocompletion: [{ getCompletions: (of, session, place, prefix, done) => done(null, rows) }], enableLiveAutocompletion: true,
+  });
+  const { HoverTooltip } = globalThis.ace.require('ace/tooltip');
+  const hint = new HoverTooltip();
+  hint.setDataProvider((event) => {
+    const place = event.getDocumentPosition();
+    const range = editor.session.getWordRange(place.row, place.column);
+    const text = functions[editor.session.getTextRange(range)];
+    if (text) hint.showForRange(editor, range, element('pre', 'hint', text), event);
+  });
+  hint.addToEditor(editor);
+}
+
 // Shows what the compiler says, each message at its line.
 function showMessages(text) {
   const found = [...text.matchAll(/^team\.cpp:([0-9]+):([0-9]+): (?:fatal )?(error|warning): (.*)$/gm)];
@@ -258,6 +276,9 @@ by('again').addEventListener('click', () => editor.setValue(bench.team, -1));  /
 if (isOnDisk) {
   by('run').disabled = true;
   tell('Run needs a web server: a browser starts no compiler from a disk. Put this folder on any web server, or call “python3 -m http.server” in it. To play by hand, open playground.html.');
-} else if (navigator.deviceMemory < leastMemory) {
+} else {
+  describeFunctions();
+}
+if (navigator.deviceMemory < leastMemory) {
   tell('This device has little memory, and the compiler may end before it is done. You can still read, change and export the team.');
 }
