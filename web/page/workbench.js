@@ -258,7 +258,11 @@ acts.choose = async () => optionsOf({});
 for (const team of houseTeams) by('opponent').append(new Option(team, team, team === 'chaser', team === 'chaser'));
 by('run').addEventListener('click', run);
 by('play_seeds').addEventListener('click', playSeeds);
-by('stop').addEventListener('click', () => stop());
+by('stop').addEventListener('click', () => {
+  stop();
+  play.pause();
+  tell('The leg ended: it was stopped.');
+});
 by('finish').addEventListener('click', finish);
 by('scrub').addEventListener('input', () => {
   play.time = Number(by('scrub').value) * play.track.period;
