@@ -24,6 +24,8 @@ constexpr double far_from_ball = 0.3;
 // A habit that was not seen for this many ticks begins anew.
 constexpr std::uint32_t pause = 150;
 constexpr std::size_t told_ticks = 3;
+// Own goals of a shorter leg are counted as if it had this length.
+constexpr double shortest_leg = 5.0;  // minutes
 
 // The scene as it looks from the other end.
 match::Observation turned(match::Observation scene) {
@@ -44,7 +46,7 @@ void HabitCount::add(std::uint32_t tick, double amount) {
 }
 
 double LegStory::of(Habit habit) const {
-  const double all = habit == Habit::own_goal  ? minutes
+  const double all = habit == Habit::own_goal  ? std::max(minutes, shortest_leg)
                      : habit == Habit::own_end ? count(Habit::touch).sum
                                                : static_cast<double>(play_ticks);
   return all > 0.0 ? count(habit).sum / all : 0.0;
