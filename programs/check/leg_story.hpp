@@ -47,8 +47,8 @@ struct LegStory {
   std::array<BadSpeeds, 2> bad_speeds{};  // not finite; too large
 
   const HabitCount& count(Habit habit) const { return habits[static_cast<std::size_t>(habit)]; }
-  // Returns the own goals a minute; for own_end, the part towards the own end of the speeds along x that its
-  // touches gave the ball; for others, the part of play_ticks, as a mean over the robots.
+  // Returns the own goals a minute; for own_end, the part towards the own end of the speeds along x
+  // that its touches gave the ball; for others, the part of play_ticks, as a mean over the robots.
   double of(Habit habit) const;
   int lead() const { return score[0] - score[1]; }  // in goals
 };

@@ -76,8 +76,8 @@ Result<std::vector<Note>> mistake_by_swaps(Examination& e, const LegStory& leg) 
   return found;
 }
 
-// Adds notes about the commands of all legs. Returns false if the robots hardly move, or speeds were
-// not finite, which explains all that a leg shows.
+// Adds notes about the commands of all legs. Returns false if the robots hardly move, or speeds
+// were not finite, which explains all that a leg shows.
 bool note_commands(Examination& e) {
   std::array<unsigned, 2> told{};
   double fastest = 0.0;
