@@ -29,8 +29,8 @@ struct DrillTask {
 
 struct PlayedTry {
   std::uint64_t seed = 0;
-  drills::TryResult result;
-  std::string fault;  // fault of the tested team; "": none
+  drills::TryResult result = {};
+  std::string fault = {};  // fault of the tested team; "": none
 };
 
 // Returns the code of a fault and its sentence.
