@@ -306,7 +306,7 @@ Json Game::advice(Team team) const {
     if (totals.name != statistics::counted_name(*leg, team)) continue;
     for (const statistics::Advice& one : statistics::advice_for({*leg}, totals))
       all.push_back({{"drill", one.drill},
-                     {"why", one.why + (one.moments.empty() ? "" : ":" + one.moments)}});
+                     {"why", one.why + (one.moments.empty() ? "" : ": " + one.moments)}});
   }
   return all;
 }

@@ -270,7 +270,8 @@ export class Session {
   free() { this.leg.free(); }
 }
 
-// What a page can ask of a worker that plays (web/page/play.js): onmessage = answering(handActs()).
+// Returns the functions of a worker that plays, by the name under which a page (web/page/play.js) asks for them. A worker sets
+// onmessage = answering(handActs()).
 export function handActs(load = loadMirocup) {
   let mirocup;
   let session;

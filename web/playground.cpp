@@ -5,6 +5,7 @@
 #include "record/json_reader.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
+#include "system/text.hpp"
 #include "web/design/template.hpp"
 #include "web/picture.hpp"
 
@@ -133,10 +134,11 @@ Result<std::vector<WorkbenchFile>> workbench_files(system::Files& files, const s
               move_to_hashed_folder(files, folder + "parts", std::move(parts), all));
   MIROCUP_TRY(auto team, files.read_named(system::team_kit().templates + "/c++/team.cpp",
                                           system::size_limit::note));
-  if (const auto at = team.find("@NAME@"); at != team.npos) team.replace(at, 6, "mine");
   MIROCUP_TRY(auto page, common_parts(files));
-  page.data["workbench"] = {
-      {"parts", own.first}, {"clang", clang.first}, {"bytes", clang.second}, {"team", team}};
+  page.data["workbench"] = {{"parts", own.first},
+                            {"clang", clang.first},
+                            {"bytes", clang.second},
+                            {"team", system::replaced(std::move(team), "@NAME@", "mine")}};
   Json scripts = Json::array();
   for (const char* name : {"ace", "mode-c_cpp", "theme-chrome", "theme-one_dark",
                            "ext-language_tools", "ext-searchbox", "page"})

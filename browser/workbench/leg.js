@@ -22,7 +22,7 @@ onmessage = answering({
     await acts.load({ wasm: await game });
     return teams.name;
   },
-  // Plays a whole leg that nobody watches, and answers its status.
+  // Plays a whole leg without drawing it. Returns the leg's status.
   result({ options }) {
     const leg = mirocup.leg(options);
     leg.play(2 ** 31 - 1);

@@ -100,7 +100,7 @@ class Team {
   }
 }
 
-// What loadMirocup() takes as `teams`. A leg that is played again gets a new instance of the team.
+// The argument `teams` of loadMirocup(). Each leg gets an instance of the team of its own.
 export class Teams {
   #module;
   #teams = new Map();  // what create() returned -> Team
@@ -150,7 +150,7 @@ export class Teams {
     team.give(3, game, places, team.sizes.placement);
   }
 
-  // What the teams drew in the last tick, by colour, and what they have printed since they were asked last.
+  // Returns the teams' drawings of the last tick, by colour, and the lines that they have printed since the last call.
   look(thoughts) {
     const drawn = [...thoughts];
     for (const { colour, shapes } of this.#teams.values()) drawn[colour] = shapes.join('\n');

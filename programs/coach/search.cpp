@@ -2,7 +2,6 @@
 #include "programs/coach/search.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace mirocup::coach {
 
@@ -18,15 +17,6 @@ constexpr int unlikely = 1099;
 constexpr int enough = 2944;
 
 }  // namespace
-
-Interval interval_of(const Share& share) {
-  constexpr double z = 1.959963984540054;
-  const double n = share.futures;
-  const double p = share.value();
-  const double middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
-  const double half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n)) / (1.0 + z * z / n);
-  return {std::max(middle - half, 0.0), std::min(middle + half, 1.0)};
-}
 
 void SequentialTest::add(bool is_without_goal) {
   ++share_.futures;

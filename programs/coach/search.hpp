@@ -21,13 +21,6 @@ struct Share {
   double value() const { return futures > 0 ? static_cast<double>(without) / futures : 0.0; }
 };
 
-// An interval of 95 % for the chance that a future has no goal, by Wilson. There is a future.
-struct Interval {
-  double low = 0.0;
-  double high = 1.0;
-};
-Interval interval_of(const Share& share);
-
 // The two questions about a moment: whether the goal can be prevented, in at least 8 of 10 futures,
 // and whether there is hope, in more than 2 of 10.
 enum class Question { prevention, hope };

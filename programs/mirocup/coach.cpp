@@ -3,6 +3,7 @@
 // mirocup coach RECORD: until when the goals that a team conceded could have been prevented.
 #include "programs/coach/study.hpp"
 #include "programs/mirocup/commands.hpp"
+#include "record/wilson.hpp"
 #include "system/text.hpp"
 
 #include <map>
@@ -70,7 +71,7 @@ std::string text_of(const GoalStudy& study, double period) {
   std::string text =
       formatted("Goal %d, ", study.number) + in_words(study.clock) + link_of(study, period) + ": ";
   if (const auto& found = study.prevention) {
-    const coach::Interval interval = coach::interval_of(found->share);
+    const auto interval = record::wilson_interval(found->share.value(), found->share.futures);
     text += "until " + before(found->tick) +
             formatted(
                 ", robot %d (%.1f m from the ball) could prevent it: %d of %d futures "
@@ -94,7 +95,7 @@ record::Json json_of(const GoalStudy& study, double period) {
                     {"prevention", nullptr},          {"hopeless", moment(study.hopeless)}};
   json["decides"] = {{"blue", study.decides[0]}, {"yellow", study.decides[1]}};
   if (const auto& found = study.prevention) {
-    const coach::Interval interval = coach::interval_of(found->share);
+    const auto interval = record::wilson_interval(found->share.value(), found->share.futures);
     json["prevention"] = moment(found->tick);
     json["prevention"].update({{"robot", found->robot},
                                {"to_ball", found->to_ball},

@@ -3,6 +3,7 @@
 
 #include "record/csv_rows.hpp"
 #include "record/json_fields.hpp"
+#include "record/wilson.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
 #include "web/design/template.hpp"
@@ -17,8 +18,6 @@ namespace {
 
 using system::formatted;
 using Json = nlohmann::ordered_json;
-
-constexpr double z = 1.959963984540054;  // of an interval of 95 %
 
 double to_a_tenth(double value) {
   return std::round(10.0 * value) / 10.0;
@@ -54,11 +53,8 @@ Score score_of(const std::vector<PlayedTry>& tries) {
   double sum = 0.0;
   for (const PlayedTry& one : tries) sum += one.result.marks;
   const double p = sum / n;
-  const double middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
-  const double reach = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
-  return {.value = 100.0 * p,
-          .low = 100.0 * std::max(0.0, middle - reach),
-          .high = 100.0 * std::min(1.0, middle + reach)};
+  const record::Interval interval = record::wilson_interval(p, n);
+  return {.value = 100.0 * p, .low = 100.0 * interval.low, .high = 100.0 * interval.high};
 }
 
 double DrillReport::score() const {

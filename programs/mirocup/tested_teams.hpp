@@ -42,8 +42,8 @@ Result<std::vector<LeagueEntry>> entries_of_league(const std::string& league,
                                                    const std::vector<std::string>& deadlines = {});
 
 // Tries all drills with each team, and returns a report for each. A team with a fault has this
-// fault in each try, and is not started. On a terminal, a line counts the
-// tries. With a folder for replays, writes index.html into it, which lists the failed tries.
+// fault in each try, and is not started. On a terminal, a line counts the tries. With a folder for
+// replays, writes index.html into it, which lists the failed tries.
 // `tries`: of each drill; empty: as each drill says. `drills` must outlive the reports. An error is
 // a team of a drill that is not there, or one of play_drills().
 Result<std::vector<DrillReport>> try_drills(const std::vector<TestedTeam>& teams,

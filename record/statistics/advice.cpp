@@ -64,7 +64,7 @@ Events find(const std::vector<LegReport>& legs, const TeamTotals& team,
   for (const LegReport& leg : legs) {
     const Team colour = counted_name(leg, Team::blue) == team.name ? Team::blue : Team::yellow;
     if (counted_name(leg, colour) != team.name) continue;
-    std::string record = system::printable(leg.record) + " ";
+    std::string record = leg.record.empty() ? "" : system::printable(leg.record) + " ";
     for (const Event& event : leg.statistics.*events) {
       if (!is_meant(event, colour) || found.count++ >= most) continue;
       found.moments += (found.count > 1 ? ", " : "") + record +

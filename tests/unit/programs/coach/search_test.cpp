@@ -5,6 +5,7 @@
 #include "programs/coach/search.hpp"
 
 #include "core/base/random.hpp"
+#include "record/wilson.hpp"
 
 #include <gtest/gtest.h>
 
@@ -58,7 +59,7 @@ TEST(CoachSearch, TestErrsAsSeldomAsItSays) {
   EXPECT_EQ(clear, 3);
   EXPECT_EQ(yes_share(Question::prevention, 1.0, clear), 1.0);
   EXPECT_EQ(clear, 12);
-  const Interval of_83 = interval_of({.without = 83, .futures = 100});
+  const record::Interval of_83 = record::wilson_interval(0.83, 100);
   EXPECT_NEAR(of_83.low, 0.745, 0.001);  // Wilson, as R's binom.confint() has it
   EXPECT_NEAR(of_83.high, 0.891, 0.001);
 }
