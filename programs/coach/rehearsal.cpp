@@ -4,13 +4,22 @@
 #include "core/replay/recorded.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace mirocup::coach {
 
 namespace {
 
-constexpr double recorded_s = 0.3;  // that a team which is not at hand drives as recorded
+constexpr double recorded_s = 0.3;    // that a team which is not at hand drives as recorded
+constexpr double after_goal_s = 1.0;  // that a future goes on at least
+
+// Sets the draws of futures apart from the other uses of a leg's seed.
+constexpr std::uint64_t domain = 0x636f616368000000ULL;
+
+std::uint32_t ticks_of(double seconds, const match::Leg& leg) {
+  return static_cast<std::uint32_t>(std::ceil(seconds / leg.setup().control_period - 1e-9));
+}
 
 Result<server::TeamSeat> seat(const server::TeamChoice& choice, const match::Leg& leg, Team team) {
   MIROCUP_TRY(auto seat, server::TeamSeat::take_trusted(choice, leg.briefing(team)));
@@ -64,17 +73,30 @@ void Rehearsal::follow(std::uint32_t tick) {
       has_differed_[i] = command == nullptr || check(*command, robots, limit).command !=
                                                    recording_.ticks[leg_.tick()].commands[i];
     }
-    leg_.advance(replay::recorded_answers(recording_, leg_.tick()));
+    advance(replay::recorded_answers(recording_, leg_.tick()));
   }
 }
 
-bool Rehearsal::is_without_goal(std::optional<int> robot, std::uint64_t seed, const Span& span) {
+void Rehearsal::go_before(std::uint32_t goal) {
+  std::uint32_t tick = goal - std::min(goal, ticks_of(studied_s, leg_));
+  for (const match::LoggedDecision& d : recording_.decisions) {
+    if (d.tick < goal && d.decision.restart != referee::Restart::none)
+      tick = std::max(tick, d.tick + 1);
+  }
+  follow(tick);
+  while (leg_.state() != match::State::PLAY && leg_.tick() < goal) follow(leg_.tick() + 1);
+}
+
+bool Rehearsal::is_without_goal(std::uint32_t goal, std::optional<int> robot, int number) {
   const auto recorded = static_cast<std::uint32_t>(recorded_s / leg_.setup().control_period + 0.5);
-  const std::uint32_t recorded_end = std::min(leg_.tick() + recorded, span.recorded_end);
+  const std::uint32_t recorded_end = std::min(leg_.tick() + recorded, goal);
+  const std::uint32_t end =
+      std::max(leg_.tick() + ticks_of(studied_s, leg_), goal + ticks_of(after_goal_s, leg_));
   const std::size_t before = leg_.decisions().size();
   const int in_goal = std::max(leg_.snapshot().counts[index_of(team_)].keeper, 0);
-  leg_.redraw(seed);
-  while (leg_.state() == match::State::PLAY && leg_.tick() < span.end) {
+  leg_.redraw(mix_seed(mix_seed(mix_seed(leg_.setup().seed ^ domain) + goal) +
+                       static_cast<std::uint64_t>(number)));
+  while (leg_.state() == match::State::PLAY && leg_.tick() < end) {
     const bool is_recorded = leg_.tick() < recorded_end;
     match::ByTeam<match::Answer> answers;
     if (is_recorded) answers = replay::recorded_answers(recording_, leg_.tick());
@@ -86,7 +108,7 @@ bool Rehearsal::is_without_goal(std::optional<int> robot, std::uint64_t seed, co
       if (robot && team == team_) substitute(*robot, in_goal, seen, answers[i]);
       if (!std::holds_alternative<match::Command>(answers[i])) return false;
     }
-    leg_.advance(answers);
+    advance(answers);
   }
   const auto& decisions = leg_.decisions();
   return std::none_of(
@@ -108,6 +130,16 @@ void Rehearsal::substitute(int robot, int in_goal, match::Observation seen, matc
     own->wheels[robot] = command->wheels[number(robot)];
   else
     answer = match::Fault{};
+}
+
+void Rehearsal::show_in(web::ColumnEncoder& film) {
+  film_ = &film;
+  film.add(web::frame_of(leg_.snapshot(), leg_.field().robots_per_team, film.last()));
+}
+
+void Rehearsal::advance(const match::ByTeam<match::Answer>& answers) {
+  leg_.advance(answers);
+  if (film_ != nullptr) show_in(*film_);
 }
 
 }  // namespace mirocup::coach

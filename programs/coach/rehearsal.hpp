@@ -12,11 +12,15 @@
 #include "core/match/leg.hpp"
 #include "record/match_record.hpp"
 #include "server/seats.hpp"
+#include "web/track_encoder.hpp"
 
 #include <memory>
 #include <optional>
 
 namespace mirocup::coach {
+
+// How long before a goal its study begins, and how long a future is at least, s.
+inline constexpr double studied_s = 3.0;
 
 // Who decides in the futures of a leg. All play in this process, without protection from them.
 struct Cast {
@@ -49,15 +53,19 @@ class Rehearsal {
   // Follows the record up to the start of a tick, or to its end.
   void follow(std::uint32_t tick);
 
-  // The moments of a future. Play that stops ends it before `end`.
-  struct Span {
-    std::uint32_t recorded_end = 0;  // no recorded command from here on: the goal fell
-    std::uint32_t end = 0;
-  };
-  // Plays a future from here, with a substitute for this robot of the team; without one if empty.
-  // Returns true if its team neither concedes a goal nor has a penalty kick given against it.
-  // A team that fails in a future prevents nothing.
-  bool is_without_goal(std::optional<int> robot, std::uint64_t seed, const Span& span);
+  // Follows the record to 3 s before a goal, or to where play began after the restart before it.
+  void go_before(std::uint32_t goal);
+
+  // Plays a future of a recorded goal from here, with a substitute for this robot of the team;
+  // without one if empty. `number` tells the futures of a goal apart. A future lasts 3 s, and at
+  // least until 1 s after the goal, because a goal that falls a little later is not prevented; play
+  // that stops ends it. Returns true if the team neither concedes a goal nor has a penalty kick
+  // given against it. A team that fails in a future prevents nothing.
+  bool is_without_goal(std::uint32_t goal, std::optional<int> robot, int number);
+
+  // Adds the frame of the present tick, and of each tick from now on, to a film, which outlives the
+  // rehearsal.
+  void show_in(web::ColumnEncoder& film);
 
  private:
   Rehearsal(const record::MatchRecord& record, Team team);
@@ -65,6 +73,8 @@ class Rehearsal {
   // Puts what the substitute commands to the robot into the answer of its team; a fault if one of
   // them has failed. `in_goal` is the robot in the goal.
   void substitute(int robot, int in_goal, match::Observation seen, match::Answer& answer);
+
+  void advance(const match::ByTeam<match::Answer>& answers);
 
   const replay::Recording& recording_;
   Team team_;
@@ -74,6 +84,7 @@ class Rehearsal {
   std::optional<server::TeamSeat> substitute_;
   std::optional<server::TeamSeat> keeper_;
   match::ByTeam<bool> has_differed_{};
+  web::ColumnEncoder* film_ = nullptr;
 };
 
 }  // namespace mirocup::coach

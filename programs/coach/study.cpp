@@ -14,16 +14,12 @@ namespace mirocup::coach {
 namespace {
 
 constexpr double stride_s = 0.3;
-constexpr double after_goal_s = 1.0;
 constexpr int counted_futures = 100;  // of a share that is told
-constexpr int first_counted = 1000;   // their numbers; those of the tests are lower
 constexpr int at_once = 3;            // futures; a clear test needs 3 or 12
 
-// Sets the draws of futures apart from the other uses of a leg's seed.
-constexpr std::uint64_t domain = 0x636f616368000000ULL;
-
-std::uint32_t ticks_of(double seconds, const match::Leg& leg) {
-  return static_cast<std::uint32_t>(std::ceil(seconds / leg.setup().control_period - 1e-9));
+// The step of the search back from a goal, in ticks.
+std::uint32_t stride_of(const match::Leg& leg) {
+  return static_cast<std::uint32_t>(std::ceil(stride_s / leg.setup().control_period - 1e-9));
 }
 
 // Runs `work` in a copy and waits. Of a copy's copies: without their answer it has none either.
@@ -67,16 +63,6 @@ class GoalSearch {
   }
 
  private:
-  // Plays one future from where the rehearsal stands.
-  bool play(std::optional<int> robot, int number) {
-    const std::uint64_t seed = mix_seed(mix_seed(rehearsal_.leg().setup().seed ^ domain) + goal_);
-    return rehearsal_.is_without_goal(
-        robot, mix_seed(seed + static_cast<std::uint64_t>(number)),
-        {.recorded_end = goal_,
-         .end = std::max(rehearsal_.leg().tick() + ticks_of(studied_s, rehearsal_.leg()),
-                         goal_ + ticks_of(after_goal_s, rehearsal_.leg()))});
-  }
-
   // Plays futures from a number on, some at once, until `counts` wants no more. It gets them in
   // the order of their numbers.
   template <class Counts>
@@ -84,7 +70,7 @@ class GoalSearch {
     for (bool goes_on = true; goes_on; number += at_once) {
       std::vector<Copy<bool>> futures;
       for (int i = 0; i < at_once; ++i)
-        futures.emplace_back([&] { return play(robot, number + i); });
+        futures.emplace_back([&] { return rehearsal_.is_without_goal(goal_, robot, number + i); });
       for (Copy<bool>& future : futures) {
         const auto is_without_goal = future.wait();
         if (!is_without_goal) _exit(1);
@@ -125,22 +111,27 @@ class GoalSearch {
   }
 
   // Returns robot and tick of the latest moment with a yes; of two robots with the same moment the
-  // one with the lower number. A robot is asked about moments before its end, and not about those
-  // before a moment of another robot.
+  // one with the lower number. A robot is asked about moments before its end. Goes back for all
+  // robots together, so that none is asked about moments long before that of another.
   std::optional<Prevention> latest_yes(Question question, std::uint32_t first) {
+    const std::uint32_t stride = stride_of(rehearsal_.leg());
     std::optional<Prevention> latest;
-    for (int robot = 0; robot < static_cast<int>(ends_.size()); ++robot) {
-      const auto tick =
-          last_yes(latest ? latest->tick + 1 : first, ends_[static_cast<std::size_t>(robot)],
-                   ticks_of(stride_s, rehearsal_.leg()), [&](std::uint32_t asked) {
-                     const auto [known, is_new] = answers_.try_emplace({question, robot, asked});
-                     if (is_new)
-                       known->second = in_a_copy([&] { return test(asked, robot, question); });
-                     return known->second;
-                   });
-      if (tick) latest = Prevention{.robot = robot, .tick = *tick};
+    if (first >= goal_) return latest;
+    for (std::uint32_t from = goal_ - 1;; from -= std::min(stride, from - first)) {
+      for (int robot = 0; robot < static_cast<int>(ends_.size()); ++robot) {
+        const auto tick =
+            last_yes(latest ? latest->tick + 1 : from, ends_[static_cast<std::size_t>(robot)],
+                     stride, [&](std::uint32_t asked) { return answer(question, robot, asked); });
+        if (tick) latest = Prevention{.robot = robot, .tick = *tick};
+      }
+      if (latest || from == first) return latest;
     }
-    return latest;
+  }
+
+  bool answer(Question question, int robot, std::uint32_t tick) {
+    const auto [known, is_new] = answers_.try_emplace({question, robot, tick});
+    if (is_new) known->second = in_a_copy([&] { return test(tick, robot, question); });
+    return known->second;
   }
 
   Rehearsal& rehearsal_;
@@ -150,19 +141,6 @@ class GoalSearch {
   std::vector<std::uint32_t> ends_;  // for each robot, the tick before which moments are sought
   std::map<std::tuple<Question, int, std::uint32_t>, bool> answers_;  // of tests
 };
-
-// Brings the rehearsal to the moment at which the study of a goal begins: 3 s before it, but play
-// has begun after the last restart.
-void go_before(Rehearsal& rehearsal, const replay::Recording& recording, std::uint32_t goal) {
-  std::uint32_t tick = goal - std::min(goal, ticks_of(studied_s, rehearsal.leg()));
-  for (const match::LoggedDecision& d : recording.decisions) {
-    if (d.tick < goal && d.decision.restart != referee::Restart::none)
-      tick = std::max(tick, d.tick + 1);
-  }
-  rehearsal.follow(tick);
-  while (rehearsal.leg().state() != match::State::PLAY && rehearsal.leg().tick() < goal)
-    rehearsal.follow(rehearsal.leg().tick() + 1);
-}
 
 }  // namespace
 
@@ -184,7 +162,7 @@ Result<std::vector<GoalStudy>> study_goals(const record::MatchRecord& record, co
   for (const match::LoggedDecision& goal : goals_against(record.recording, cast.team)) {
     ++number;
     if (only && *only != number) continue;
-    go_before(*rehearsal, record.recording, goal.tick);
+    rehearsal->go_before(goal.tick);
     GoalSearch search(*rehearsal, cast.team, goal.tick);
     GoalStudy study{.number = number,
                     .tick = goal.tick,

@@ -11,10 +11,8 @@
 
 namespace mirocup::coach {
 
-// How long before a goal the search begins, and how long a future is at least, s. A future lasts
-// also until 1 s after the moment at which the goal fell, because a goal that falls a little later
-// is not prevented.
-inline constexpr double studied_s = 3.0;
+// The number of the first of the futures that an answer counts. Those of the search are lower.
+inline constexpr int first_counted = 1000;
 
 // The last moment at which a substitute of one robot prevents the goal in at least 8 of 10 futures.
 struct Prevention {

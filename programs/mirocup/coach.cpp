@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // mirocup coach RECORD: until when the goals that a team conceded could have been prevented.
-#include "programs/coach/study.hpp"
+#include "programs/coach/page.hpp"
 #include "programs/mirocup/commands.hpp"
 #include "record/wilson.hpp"
 #include "system/text.hpp"
@@ -24,6 +24,7 @@ struct CoachOptions {
   bool trusted = false;
   bool all = false;  // the habits in all goals of all records
   bool json = false;
+  std::string page;  // file; "": none
 };
 
 // A team in a sandbox cannot be copied with what it remembers.
@@ -154,6 +155,8 @@ void print_habits(const Habits& habits, std::size_t goals) {
 Result<int> run_coach(const CoachOptions& options) {
   if (options.records.size() > 1 && !options.all)
     return fail(Errc::input, "several records: give --all, which groups their goals");
+  if (options.records.size() > 1 && !options.page.empty())
+    return fail(Errc::input, "--output: a page shows the goals of one record");
   system::Disk disk;
   Habits habits;
   record::Json json{{"team", options.team}, {"goals", record::Json::array()}};
@@ -169,16 +172,22 @@ Result<int> run_coach(const CoachOptions& options) {
           formatted("--goal %d: the team conceded %zu goals in ", *options.goal, conceded) + path);
     MIROCUP_TRY(const auto goals, coach::study_goals(record, cast, options.goal));
     const match::Setup& setup = record.recording.setup;
+    std::vector<coach::PageGoal> shown;
     for (const GoalStudy& goal : goals) {
+      shown.push_back({goal, text_of(goal, setup.control_period)});
       json["goals"].push_back(json_of(goal, setup.control_period));
       json["goals"].back()["record"] = path;
       const std::string what = habit_of(goal, setup);
       json["goals"].back()["habit"] = what;
       habits[what].push_back(path + formatted(" goal %d", goal.number) +
                              link_of(goal, setup.control_period));
-      if (!options.all && !options.json) std::cout << text_of(goal, setup.control_period);
+      if (!options.all && !options.json) std::cout << shown.back().text;
     }
-    if (!options.all && !options.json && !goals.empty()) std::cout << text_of_others(record, goals);
+    const std::string others = text_of_others(record, goals);
+    if (!options.all && !options.json && !goals.empty()) std::cout << others;
+    if (options.page.empty()) continue;
+    MIROCUP_TRY(const auto page, coach::page_of(record, cast, shown, others));
+    MIROCUP_TRY_VOID(disk.write(options.page, page));
   }
   if (options.json)
     print_json(json);
@@ -197,6 +206,7 @@ void add_coach(system::Commands& commands) {
       "Find until when the goals against a team could have been prevented, and by which robot",
       {"mirocup coach leg.json --team blue",
        "mirocup coach leg.json --team blue --goal 2 --substitute mine.so --trusted",
+       "mirocup coach leg.json --team blue -o goals.html",
        "mirocup coach --all legs/*.json --team mine"});
   command.option("RECORD", o.records, "Match record; several with --all").required();
   command.option("--team TEAM", o.team, "Team that conceded the goals: blue, yellow, or its name")
@@ -214,6 +224,8 @@ void add_coach(system::Commands& commands) {
                "Group the goals of all records by who could prevent them, how early and where the "
                "ball was, and print the three most frequent groups");
   command.flag("--json", o.json, "Print the answer as one JSON object");
+  command.option("-o,--output PAGE", o.page,
+                 "Also write a page: each goal beside a future without it");
 }
 
 }  // namespace mirocup::app

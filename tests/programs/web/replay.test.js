@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { closeBrowser, evil, folder, inAllViews, match, openPage, readJson, run, violations } from './support.js';
+import { closeBrowser, evil, folder, inAllViews, match, openPage, readJson, run, sticksOut, violations } from './support.js';
 
 const record = join(folder, 'leg.json');
 const address = `file://${join(folder, 'leg.html')}`;
@@ -47,11 +47,11 @@ test('a link to the second of a goal shows it, and the score after it', async ()
 });
 
 test('bodies stand where a picture of the moment has them', async () => {
+  const page = await openPage(address);
   for (const tick of [0, 7, 200, 333]) {
-    const time = seconds(tick + 0.01);
+    await page.goto(`${address}#t=${seconds(tick + 0.01)}`);
     const file = join(folder, 'moment.svg');
     run('replay', record, '--at', seconds(tick - 0.01 > 0 ? tick - 0.01 : 0), '--svg', '-o', file);
-    const page = await openPage(`${address}#t=${time}`);
     const places = (source) => [...source.matchAll(/class="(?:robot \w+|ball"[^>]*)"?[^>]*translate\((\S+) (\S+)\)/g)]
       .map((found) => [Number(found[1]), Number(found[2])]);
     const still = places(readFileSync(file, 'utf8'));
@@ -61,7 +61,6 @@ test('bodies stand where a picture of the moment has them', async () => {
     shown.forEach(([x, y], i) => {
       assert.ok(Math.hypot(x - still[i][0], y - still[i][1]) < 1.5, `tick ${tick}, body ${i}: ${x} ${y}, not ${still[i]}`);
     });
-    await page.close();
   }
 });
 
@@ -94,8 +93,9 @@ test('keys, buttons and the time line move the time', async () => {
 // Catches a saved situation that is refused, is that of another tick, or has the wrong score, and a
 // command for another moment.
 test('a moment is played on from, by a command or by a saved situation', async () => {
+  const page = await openPage(address);
   for (const tick of [0, goal.tick - 20, goal.tick + 3, goal.tick + 60]) {
-    const page = await openPage(`${address}#t=${seconds(tick + 0.01)}`);
+    await page.goto(`${address}#t=${seconds(tick + 0.01)}`);
     await page.locator('#play-on').click();
     assert.match(await text(page, 'command'), new RegExp(`^mirocup match --from leg\\.json --tick ${tick} `));
     if (await page.locator('#hand').count() > 0) {  // the page plays on, too, and goes back
@@ -115,7 +115,6 @@ test('a moment is played on from, by a command or by a saved situation', async (
     const ball = /translate\((\S+) (\S+)\)/.exec(await page.locator('.ball').first().evaluate((ball) => ball.outerHTML));
     assert.ok(Math.hypot(situation.ball.position[0] * 1e3 - ball[1], situation.ball.position[1] * 1e3 + Number(ball[2])) < 1);
     assert.deepEqual(page.problems, []);
-    await page.close();
   }
 });
 
@@ -195,7 +194,7 @@ test('the page saves the last seconds as a video', async () => {
 
 test('mirocup replay --clip writes a video, and says what is wrong with a span', () => {
   const gif = join(folder, 'goal.gif');
-  run('replay', record, '--clip', '3:4', '-o', gif);
+  run('replay', record, '--clip', '3:3.4', '-o', gif);
   assert.equal(readFileSync(gif).subarray(0, 4).toString(), 'GIF8');
   assert.ok(statSync(gif).size > 5_000);
   for (const span of ['4:3', '4', 'a:b', '0:61', '-1:3']) {
@@ -272,10 +271,29 @@ class Printer(Team):
   await others.close();
 });
 
+test('the page of the coach has each goal beside a future without it', async () => {
+  const file = join(folder, 'goals.html');
+  run('coach', record, '--team', goal.team === 'blue' ? 'yellow' : 'blue', '--goal', '1', '-o', file);
+  const page = await openPage(`file://${file}`);
+  const place = async (film) => /\((\S+) /.exec(await page.locator(`.${film} .ball`).getAttribute('transform'))[1];
+  const [{ marks }] = JSON.parse(await page.locator('#goals').textContent());
+  assert.equal(await place('played'), await place('other'), 'until the substitute decides');
+  await page.locator('.scrub').fill(String(marks.goal));
+  assert.match(await page.locator('.time').textContent(), /^0.00 s/);
+  assert.notEqual(await place('played'), await place('other'));
+  await page.click('.play');
+  await page.locator('.play', { hasText: 'Play' }).waitFor();  // to the end
+  assert.deepEqual(page.problems, []);
+  await inAllViews(`file://${file}`, async (view, how) => {
+    assert.deepEqual(await violations(view), [], how);
+    assert.equal(await sticksOut(view), false, how);
+  });
+});
+
 test('axe finds nothing, and the keyboard reaches every control', async () => {
   await inAllViews(address, async (page, how) => {
     assert.deepEqual(await violations(page), [], how);
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > innerWidth), false, how);
+    assert.equal(await sticksOut(page), false, how);
   });
   const page = await openPage(address);
   const wanted = await page.locator('button:visible:not([tabindex="-1"]), select:visible, input:visible').evaluateAll((all) => all.length);
