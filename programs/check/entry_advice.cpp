@@ -3,8 +3,6 @@
 
 #include "system/text.hpp"
 
-#include <csignal>
-
 namespace mirocup::app {
 
 namespace {
@@ -19,23 +17,9 @@ bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
 }
 
-const char* key_of_signal(const LastWords& words) {
-  if (words.signal == SIGILL) return "illegal_instruction";
-  if (words.signal == SIGFPE) return "division";
-  if (words.signal == SIGABRT) return "abort";
-  switch (words.address) {
-    case AddressKind::null:
-      return "null_pointer";
-    case AddressKind::end_of_stack:
-      return "full_stack";
-    case AddressKind::observation:
-      return "observation";
-    case AddressKind::lost:
-      return "lost_stack";
-    default:
-      return "crash bad_pointer";
-  }
-}
+// The keys of the kinds of addresses, in their order.
+constexpr const char* key_of_address[] = {"crash bad_pointer", "null_pointer", "full_stack",
+                                          "crash bad_pointer", "observation",  "lost_stack"};
 
 std::string advice_on_crash(const FaultEvidence& evidence) {
   const LastWords words = evidence.words.value_or(LastWords());
@@ -55,9 +39,10 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
     return (known.empty() ? sentence("thrown") : known) +
            "; gdb stops at the throw with catch throw: " + std::string(in_a_debugger);
   }
-  if (cause != "command" && cause != "memory" && words.signal != 0)
-    return sentence(key_of_signal(words));
-  return "";
+  if (cause == "command" || cause == "memory" || words.signal == 0) return "";
+  const std::string of_signal = sentence("signal " + std::to_string(words.signal));
+  return of_signal.empty() ? sentence(key_of_address[static_cast<std::size_t>(words.address)])
+                           : of_signal;
 }
 
 }  // namespace

@@ -5,21 +5,14 @@
 #pragma once
 
 #include "core/base/error.hpp"
-#include "core/field/league.hpp"
 #include "core/match/team_parameters.hpp"
 #include "core/referee/rules.hpp"
 #include "core/replay/recording.hpp"
 #include "plugins/host/sandbox/isolation.hpp"
-#include "programs/check/leg_story.hpp"
 #include "programs/check/strength.hpp"
 #include "system/processor.hpp"
 
-#include <array>
-#include <cstddef>
-#include <functional>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace mirocup::app {
 
@@ -29,9 +22,7 @@ struct Check {
   std::optional<bool> passed = {};  // empty: not run, because an earlier check failed
   std::string text = {};            // the finding; after a failure, a sentence with a remedy
   // After a failure: the finding, the place in the file or the leg, and the remedy.
-  std::string what = {};
-  std::string where = {};
-  std::string cure = {};
+  std::string what = {}, where = {}, cure = {};
   std::string cause = {};  // match::Fault::cause, if the entry's process has failed
 };
 

@@ -10,11 +10,6 @@
 #include "programs/check/entry_check.hpp"
 #include "programs/check/trial_leg.hpp"
 
-#include <array>
-#include <optional>
-#include <set>
-#include <string>
-
 namespace mirocup::app {
 
 // The names of all checks, in the order in which they run.
@@ -28,11 +23,8 @@ struct Examination {
   const OnCheck& on_check;
   const OnStep& on_step;
   match::Setup setup{};  // the setup of the trial legs
-  std::optional<plugins::SealedEntry> entry{};
-  std::optional<plugins::SealedEntry> idle{};
-  std::optional<plugins::SealedEntry> striker{};
-  TrialLeg blue{};  // the leg as blue
-  TrialLeg knockout{};
+  std::optional<plugins::SealedEntry> entry{}, idle{}, striker{};
+  TrialLeg blue{}, knockout{};      // the leg as blue, and the knock-out leg
   std::set<MetRestart> restarts{};  // restarts in the legs so far
   double slept = 0.0;               // the entry's sleep, scaled to a leg of full length, s
   std::size_t grown = 0;            // largest growth of the entry's memory in a leg, bytes

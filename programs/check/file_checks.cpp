@@ -11,15 +11,12 @@
 #include "system/printable.hpp"
 
 #include <algorithm>
-#include <array>
-#include <filesystem>
+#include <unistd.h>
 #include <utility>
 
 namespace mirocup::app {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // True if the dynamic loader finds a library of that name in the sandbox.
 bool is_on_this_system(const std::string& name) {
@@ -29,26 +26,19 @@ bool is_on_this_system(const std::string& name) {
     // The cache holds paths that end with a zero.
     if (cache->find('/' + name + '\0') != std::string::npos) return true;
   }
-  return std::any_of(std::begin(plugins::library_folders), std::end(plugins::library_folders),
-                     [&](const char* folder) {
-                       std::error_code unknown;  // of a name that no file can have, for example
-                       return fs::exists(fs::path(folder) / name, unknown);
-                     });
+  return std::ranges::any_of(plugins::library_folders, [&](const std::string folder) {
+    return access((folder + '/' + name).c_str(), F_OK) == 0;
+  });
 }
 
 // Returns the sanitizer that the library was built with, or "".
-std::string sanitizer_of(const plugins::SharedLibrary& library, std::string_view bytes) {
-  constexpr std::array<std::pair<const char*, const char*>, 4> sanitizers{
-      {{"asan", "address"}, {"tsan", "thread"}, {"msan", "memory"}, {"ubsan", "undefined"}}};
-  for (const auto& [name, option] : sanitizers) {
-    const std::string file = "lib" + std::string(name) + ".so";
-    for (const std::string& needed : library.needed) {
-      if (needed.rfind(file, 0) == 0) return option;
-    }
-    // clang links its run-time library into the program and not into a library.
-    for (const char* function : {"_init", "_handle_"}) {
-      if (bytes.find("__" + std::string(name) + function) != std::string_view::npos) return option;
-    }
+std::string sanitizer_of(std::string_view bytes) {
+  constexpr std::pair<const char*, const char*> functions[] = {{"__asan_init", "address"},
+                                                               {"__tsan_init", "thread"},
+                                                               {"__msan_init", "memory"},
+                                                               {"__ubsan_handle_", "undefined"}};
+  for (const auto& [function, option] : functions) {
+    if (bytes.find(function) != std::string_view::npos) return option;
   }
   return "";
 }
@@ -89,7 +79,7 @@ Result<bool> examine_file(Examination& e) {
   if (!library->exports_entry)
     return fail_with_advice(e, plugins::advice_on_missing_entry(e.entry->bytes()));
   pass(e, "exports mirocup_entry()");
-  if (const std::string tool = sanitizer_of(*library, e.entry->bytes()); !tool.empty())
+  if (const std::string tool = sanitizer_of(e.entry->bytes()); !tool.empty())
     return fail_with(e, {.what = sentence("sanitizer", tool), .cure = sentence("no_sanitizer")});
   std::string names;
   for (const std::string& name : library->needed) {

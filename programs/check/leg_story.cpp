@@ -18,24 +18,14 @@ constexpr double least_turn = 0.5;
 // as fast for more ticks than it takes to turn round.
 constexpr double least_push = 0.2;
 constexpr int ticks_to_turn_round = 15;
-// The robot nearest to the ball leaves it, m/s, or is far from it, m.
-constexpr double leaving_speed = 0.1;
-constexpr double far_from_ball = 0.3;
+// A robot that is nearer to the ball, or to the own goal, is near, m.
+constexpr double near = 0.3;
 // A habit that was not seen for this many ticks begins anew.
 constexpr std::uint32_t pause = 150;
 constexpr std::size_t told_ticks = 3;
 // Own goals of a shorter leg are counted as if it had this length.
 constexpr double shortest_leg = 5.0;  // minutes
-
-// The scene as it looks from the other end.
-match::Observation turned(match::Observation scene) {
-  scene.ball = -scene.ball;
-  scene.ball_velocity = -scene.ball_velocity;
-  for (auto* robots : {&scene.own, &scene.opponent}) {
-    for (match::ObservedRobot& robot : *robots) robot = match::team_frame(End::right, robot);
-  }
-  return scene;
-}
+constexpr int few_goals = 5;          // fewer open goals may be chance
 
 }  // namespace
 
@@ -46,14 +36,18 @@ void HabitCount::add(std::uint32_t tick, double amount) {
 }
 
 double LegStory::of(Habit habit) const {
-  const double all = habit == Habit::own_goal  ? std::max(minutes, shortest_leg)
-                     : habit == Habit::own_end ? count(Habit::touch).sum
-                                               : static_cast<double>(play_ticks);
-  return all > 0.0 ? count(habit).sum / all : 0.0;
+  const double all = is_counted(habit)           ? std::max(minutes, shortest_leg)
+                     : habit == Habit::open_goal ? std::max(score[1], few_goals)
+                                                 : std::max(play_ticks, 1);
+  return count(habit).sum / all;
 }
 
 void WatchedTeam::post(const match::Observation& observation) {
-  controller_.post(swap_ == Swap::ends ? turned(observation) : observation);
+  if (observation.opponent_score > goals_against_ && !has_keeper_) see(Habit::open_goal, 1.0);
+  goals_against_ = observation.opponent_score;
+  match::Observation shown = observation;
+  if (trick_.show) trick_.show(shown);
+  controller_.post(shown);
 }
 
 match::Answer WatchedTeam::collect() {
@@ -64,10 +58,9 @@ match::Answer WatchedTeam::collect() {
     auto& wheels = command->wheels[i];
     note_speed(i, true, wheels.left);
     note_speed(i, false, wheels.right);
-    if (swap_ == Swap::wheels) std::swap(wheels.left, wheels.right);
-    if (swap_ == Swap::directions) wheels = {-wheels.left, -wheels.right};
+    if (trick_.drive) trick_.drive(wheels);
   }
-  if (swap_ == Swap::ends) command->placement.reset();
+  if (trick_.show) command->placement.reset();
   return answer;
 }
 
@@ -82,22 +75,12 @@ void WatchedTeam::note_speed(int robot, bool is_left, double speed) {
 }
 
 void WatchedTeam::look() {
-  const double ahead = leg_.end_of(team_) == End::left ? 1.0 : -1.0;
-  const double given = ahead * leg_.ball().velocity.x() - ball_speed_;
-  ball_speed_ += given;
   if (leg_.state() != match::State::PLAY) return;
   ++story_.play_ticks;
-  look_at_robots();
-  const auto touch = leg_.last_touch();
-  if (!touch || touch->team != team_) return;
-  see(Habit::touch, std::abs(given));
-  if (given < 0.0) see(Habit::own_end, -given);
-}
-
-void WatchedTeam::look_at_robots() {
   const int robots = leg_.field().robots_per_team;
-  double nearest = 1e9;
-  bool is_leaving = false;
+  const double end = leg_.end_of(team_) == End::left ? -1.0 : 1.0;
+  const Vec2 own_goal(end * leg_.field().half_length, 0.0);
+  double to_ball = 1e9, to_goal = 1e9;
   for (int i = 0; i < robots; ++i) {
     const auto robot = leg_.robot(team_, i);
     const auto wheels = leg_.answers()[index_of(team_)].speeds(i);
@@ -106,20 +89,17 @@ void WatchedTeam::look_at_robots() {
     const bool is_held = told > least_push && 4.0 * std::abs(robot.twist.forward) < told;
     held_[i] = is_held ? held_[i] + 1 : 0;
     if (held_[i] > ticks_to_turn_round) {
-      see(Habit::wall, 1.0 / robots);
+      see(Habit::wall, ++pushes_[i] > story_.count(Habit::wall).sum ? 1.0 : 0.0);
     } else if (std::hypot(robot.twist.forward, robot.twist.left) < least_speed) {
-      see(std::abs(robot.twist.omega) < least_turn ? Habit::standing : Habit::turning,
-          1.0 / robots);
+      see(std::abs(robot.twist.omega) < least_turn ? Habit::stand : Habit::turn, 1.0 / robots);
     } else if (robot.twist.forward < -least_speed) {
       see(Habit::backwards, 1.0 / robots);
     }
-    const Vec2 to_ball = leg_.ball().position - robot.position;
-    if (to_ball.norm() >= nearest) continue;
-    nearest = to_ball.norm();
-    is_leaving = robot.velocity().dot(to_ball) < -leaving_speed * nearest;
+    to_ball = std::min(to_ball, (leg_.ball().position - robot.position).norm());
+    to_goal = std::min(to_goal, (own_goal - robot.position).norm());
   }
-  if (is_leaving) see(Habit::away, 1.0);
-  if (nearest > far_from_ball) see(Habit::far, 1.0);
+  has_keeper_ = to_goal < near;
+  if (to_ball > near) see(Habit::far, 1.0);
 }
 
 LegStory WatchedTeam::story() const {
@@ -131,7 +111,9 @@ LegStory WatchedTeam::story() const {
   for (const match::LoggedDecision& logged : leg_.decisions()) {
     const auto& credit = logged.credit;
     if (credit && credit->own_goal && credit->scorer && credit->scorer->team == team_)
-      story.habits[static_cast<std::size_t>(Habit::own_goal)].add(logged.tick, 1.0);
+      story.count(Habit::own_goal).add(logged.tick, 1.0);
+    if (logged.decision.verdict == referee::Verdict::KICK_OFF_VIOLATION && logged.team == team_)
+      story.count(Habit::kick_off).add(logged.tick, 1.0);
   }
   return story;
 }
@@ -144,7 +126,7 @@ std::string text_of(const LegStory& story) {
       "%d : %d against %.40s as %s%s; its robots stood in %.0f %% of play, turned in "
       "place in %.0f %%, drove backwards in %.0f %%",
       story.score[0], story.score[1], story.opponent.c_str(), to_string(story.team).data(),
-      own_goals.c_str(), 100.0 * story.of(Habit::standing), 100.0 * story.of(Habit::turning),
+      own_goals.c_str(), 100.0 * story.of(Habit::stand), 100.0 * story.of(Habit::turn),
       100.0 * story.of(Habit::backwards));
 }
 

@@ -6,13 +6,15 @@
 #include "core/match/leg.hpp"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace mirocup::app {
 
-// The habits of a team that may be mistakes. play_notes.cpp has a row for each but `touch`.
-enum class Habit { own_goal, wall, own_end, away, standing, turning, backwards, far, touch };
+// The habits of a team that may be mistakes. play_notes.cpp has a row for each. A goal is open if
+// no robot is near the own goal when a goal falls. The first two are counted.
+enum class Habit { own_goal, kick_off, open_goal, wall, stand, turn, backwards, far };
 
 struct HabitCount {
   double sum = 0.0;                  // LegStory::of() says of what
@@ -30,9 +32,11 @@ struct BadSpeeds {
   std::uint32_t tick = 0;
 };
 
-// The things that a team may have the wrong way round. If the team plays well with one of them
-// swapped, that one is its mistake.
-enum class Swap { none, ends, wheels, directions };
+// What is changed in a trial: the observation that the entry gets, and the wheels of each robot.
+struct Trick {
+  std::function<void(match::Observation&)> show = {};
+  std::function<void(simulator::WheelSpeeds&)> drive = {};
+};
 
 struct LegStory {
   Team team = Team::blue;      // the colour of the entry
@@ -40,24 +44,27 @@ struct LegStory {
   std::array<int, 2> score{};  // goals for the entry, and against it
   double minutes = 0.0;        // simulated time
   int play_ticks = 0;          // ticks in which the ball was in play
-  std::array<HabitCount, 9> habits{};
+  std::array<HabitCount, 8> habits{};
   double fastest_wheel = 0.0;  // the fastest command of the entry, rad/s
-  std::array<unsigned, 2>
-      told_wheels{};  // bit i: a command turned the left, right wheel of robot i
+  // Left and right; bit i: a command turned that wheel of robot i.
+  std::array<unsigned, 2> told_wheels{};
   std::array<BadSpeeds, 2> bad_speeds{};  // not finite; too large
 
   const HabitCount& count(Habit habit) const { return habits[static_cast<std::size_t>(habit)]; }
-  // Returns the own goals a minute; for own_end, the part towards the own end of the speeds along x
-  // that its touches gave the ball; for others, the part of play_ticks, as a mean over the robots.
+  HabitCount& count(Habit habit) { return habits[static_cast<std::size_t>(habit)]; }
+  // Returns the number a minute of own goals and of fouls at kick-offs; of open goals, the part of
+  // all goals against the team; of others, the part of play_ticks: of the
+  // robot that pushed most for a wall, as a mean over the robots for others.
   double of(Habit habit) const;
+  static bool is_counted(Habit habit) { return habit <= Habit::kick_off; }
   int lead() const { return score[0] - score[1]; }  // in goals
 };
 
 // A team in a leg, watched tick by tick.
 class WatchedTeam final : public match::Controller {
  public:
-  WatchedTeam(match::Controller& team, const match::Leg& leg, Team colour, Swap swap)
-      : controller_(team), leg_(leg), team_(colour), swap_(swap) {}
+  WatchedTeam(match::Controller& team, const match::Leg& leg, Team colour, Trick trick)
+      : controller_(team), leg_(leg), team_(colour), trick_(std::move(trick)) {}
 
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
@@ -69,17 +76,16 @@ class WatchedTeam final : public match::Controller {
 
  private:
   void note_speed(int robot, bool is_left, double speed);
-  void look_at_robots();
-  void see(Habit habit, double amount) {
-    story_.habits[static_cast<std::size_t>(habit)].add(leg_.tick(), amount);
-  }
+  void see(Habit habit, double amount) { story_.count(habit).add(leg_.tick(), amount); }
 
   match::Controller& controller_;
   const match::Leg& leg_;
   Team team_;
-  Swap swap_;
-  double ball_speed_ = 0.0;                      // along x before the tick, m/s
-  std::array<int, max_robots_per_team> held_{};  // ticks for which something has held each robot
+  Trick trick_;
+  // Ticks for which something has held each robot now, and for which it has pushed in all.
+  std::array<int, max_robots_per_team> held_{}, pushes_{};
+  int goals_against_ = 0;
+  bool has_keeper_ = true;  // a robot is near the own goal
   LegStory story_;
 };
 

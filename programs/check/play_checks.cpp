@@ -2,13 +2,11 @@
 //
 // The checks in which the entry plays: a first answer, whole legs, a knock-out leg.
 #include "core/field/field.hpp"
-#include "programs/check/entry_advice.hpp"
 #include "programs/check/examination.hpp"
 #include "system/text.hpp"
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace mirocup::app {
 

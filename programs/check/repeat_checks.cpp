@@ -40,13 +40,11 @@ constexpr Surroundings all_other{
 // Returns the first tick in which the two legs differ; the hashes differ if the team asks for other
 // poses at a restart.
 std::optional<std::ptrdiff_t> first_difference(const TrialLeg& one, const TrialLeg& other) {
-  const auto differs =
-      std::mismatch(one.log.begin(), one.log.end(), other.log.begin(), other.log.end(),
-                    [](const match::TickLog& a, const match::TickLog& b) {
-                      return a.commands == b.commands && a.hash == b.hash;
-                    });
-  if (differs.first == one.log.end() || differs.second == other.log.end()) return std::nullopt;
-  return differs.first - one.log.begin();
+  for (std::size_t i = 0; i < std::min(one.log.size(), other.log.size()); ++i) {
+    if (one.log[i].commands != other.log[i].commands || one.log[i].hash != other.log[i].hash)
+      return static_cast<std::ptrdiff_t>(i);
+  }
+  return std::nullopt;
 }
 
 // A team that differs from itself where nothing has changed draws its own chance. Otherwise one

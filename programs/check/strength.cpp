@@ -38,28 +38,24 @@ Strength strength_of(const std::vector<LegStory>& legs, RobotLeague league) {
   for (const LegStory& leg : legs) minutes += leg.minutes;
   if (minutes < least_minutes) return {};
   const Rung* like = nullptr;
-  const Rung* below = nullptr;    // the strongest that is clearly weaker
-  const Rung* weakest = nullptr;  // of those that may be as strong
-  const Rung* strongest = nullptr;
+  const Rung* below = nullptr;     // the strongest that is clearly weaker
+  std::vector<const Rung*> equal;  // those that may be as strong
   double nearest = 1e9;
   for (const Rung& rung : ladder) {
     const double lead = lead_over(rung, legs, league);
     if (std::abs(lead) < nearest) nearest = std::abs(lead), like = &rung;
     if (lead > likely) below = &rung;
-    if (std::abs(lead) > likely) continue;
-    if (weakest == nullptr) weakest = &rung;
-    strongest = &rung;
+    if (std::abs(lead) <= likely) equal.push_back(&rung);
   }
   if (below == &ladder.back()) return {"stronger than `planner`"};
-  if (below == nullptr && weakest == nullptr)
+  if (below == nullptr && equal.empty())
     return {"weaker than `idle`: it loses more than a team that stands", true, true};
-  std::string text = system::formatted("about as strong as `%s`", like->team);
-  if (weakest == nullptr)
-    text = system::formatted("stronger than `%s` and weaker than `%s`", below->team,
-                             (below + 1)->team);
-  else if (weakest != strongest)
-    text +=
-        system::formatted(", and probably between `%s` and `%s`", weakest->team, strongest->team);
+  std::string text = "about as strong as `" + std::string(like->team) + '`';
+  if (equal.empty())
+    text = system::formatted("stronger than `%s` and weaker than `%s`", below->team, below[1].team);
+  if (equal.size() > 1)
+    text += system::formatted(", and probably between `%s` and `%s`", equal.front()->team,
+                              equal.back()->team);
   return {.text = text, .is_below_keeper = lead_over(ladder[1], legs, league) < -likely};
 }
 

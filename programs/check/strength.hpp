@@ -6,10 +6,6 @@
 #include "core/field/league.hpp"
 #include "programs/check/leg_story.hpp"
 
-#include <array>
-#include <string>
-#include <vector>
-
 namespace mirocup::app {
 
 // A house team, and the goals a minute by which it wins against `striker` in the three leagues.

@@ -6,7 +6,6 @@
 #include "system/locations.hpp"
 
 #include <algorithm>
-#include <array>
 #include <ctime>
 #include <memory>
 #include <unistd.h>
@@ -104,7 +103,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
     const double used = own.playing_seconds();
     return used > may_use || (clock.now() - start > may_use && used + slept() > may_use);
   };
-  WatchedTeam watched(own, leg, terms.team, terms.swap);
+  WatchedTeam watched(own, leg, terms.team, terms.trick);
   match::Controller& other = *seats[1 - index_of(terms.team)];
   played.has_begun = !fault && terms.max_ticks > 0;
   while (!fault && !leg.is_over() && leg.tick() < terms.max_ticks && !is_over_time()) {

@@ -3,20 +3,13 @@
 // One leg that an entry plays in the sandbox so that `mirocup check` can look at it.
 #pragma once
 
-#include "core/match/leg.hpp"
 #include "core/replay/recording.hpp"
-#include "plugins/host/process_controller.hpp"
 #include "programs/check/check_plan.hpp"
 #include "programs/check/entry_advice.hpp"
 #include "programs/check/leg_story.hpp"
 
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace mirocup::app {
 
@@ -29,7 +22,7 @@ struct TrialTerms {
   // The entry's share of the processor time of the check, s, without loading. A leg of a team that
   // is quick enough does not stop there, see CheckPlan::most_use().
   double max_seconds = CheckPlan::longest;
-  Swap swap = Swap::none;
+  Trick trick = {};
   plugins::Isolation isolation = plugins::Isolation::T2;
   plugins::Surroundings surroundings = {};
   bool is_recorded = false;

@@ -55,8 +55,8 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
                       {"opponent", leg.opponent},
                       {"score", leg.score},
                       {"own_goals", static_cast<int>(leg.count(Habit::own_goal).sum)},
-                      {"standing", leg.of(Habit::standing)},
-                      {"turning", leg.of(Habit::turning)},
+                      {"standing", leg.of(Habit::stand)},
+                      {"turning", leg.of(Habit::turn)},
                       {"backwards", leg.of(Habit::backwards)}});
     }
     return rows;

@@ -125,21 +125,24 @@ struct Allowed {
 #define ALLOWED(kind, ...) (Allowed{Mistake::kind, #kind, __VA_ARGS__})
 
 class HarmlessTeams : public testing::TestWithParam<Allowed> {};
-INSTANTIATE_TEST_SUITE_P(Kinds, HarmlessTeams,
-                         testing::Values(ALLOWED(none, ""), ALLOWED(bad_values, "clamped"),
-                                         ALLOWED(not_finite, "left wheel of robot 1 in tick 20, "),
-                                         ALLOWED(wheels_exchanged, "wheel are exchanged", "60"),
-                                         ALLOWED(wrong_end, "you attack +x in both colours", "60"),
-                                         ALLOWED(targets_outside, "target is behind a wall", "120"),
-                                         ALLOWED(never_moves, "never turned a wheel"),
-                                         ALLOWED(illegal_places, "not legal"),
-                                         ALLOWED(one_robot_too_many, "robots are 0 to 2"),
-                                         ALLOWED(turns_in_degrees, "look at angles"),
-                                         ALLOWED(tries_a_file, "file notes.txt"),
-                                         ALLOWED(tries_a_thread, "asked for a thread"),
-                                         ALLOWED(measures_time, ""),
-                                         ALLOWED(chance_without_seed, "")),
-                         [](const auto& c) { return c.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, HarmlessTeams,
+    testing::Values(ALLOWED(none, ""), ALLOWED(bad_values, "clamped"),
+                    ALLOWED(not_finite, "left wheel of robot 1 in tick 20, "),
+                    ALLOWED(wheels_exchanged, "wheel are exchanged", "60"),
+                    ALLOWED(wrong_end, "you attack +x in both colours", "60"),
+                    ALLOWED(targets_outside, "target is behind a wall", "120"),
+                    ALLOWED(never_moves, "never turned a wheel"),
+                    ALLOWED(illegal_places, "not legal"),
+                    ALLOWED(one_robot_too_many, "robots are 0 to 2"),
+                    ALLOWED(turns_in_degrees, "look at angles"),
+                    ALLOWED(turns_unwrapped, "is not wrapped", "60"),
+                    ALLOWED(axes_exchanged, "x and y are exchanged, in", "60"),
+                    ALLOWED(robots_exchanged, "wheels of robot 2 follow robot 1", "60"),
+                    ALLOWED(tries_a_file, "file notes.txt"),
+                    ALLOWED(tries_a_thread, "asked for a thread"), ALLOWED(measures_time, ""),
+                    ALLOWED(chance_without_seed, "")),
+    [](const auto& c) { return c.param.name; });
 
 TEST_P(HarmlessTeams, AreAccepted) {
   const Answer examined = check_team_with(GetParam().mistake, GetParam().half);

@@ -166,19 +166,6 @@ TEST_F(PythonTeams, AreWarned) {
     EXPECT_NE(notes.find(part), std::string::npos) << part << " in " << notes;
 }
 
-// Both colours and both halves attack +x in the team's own frame.
-TEST_F(PythonTeams, AreToldThatTheyAttackTheirOwnGoal) {
-  const Outcome outcome = run_mirocup(
-      {"check",
-       file(team_that("return [kick_to(self.setup, now, r, (-self.setup.half_length, 0.0)) "
-                      "for r in now.own]")),
-       "--half", "60", "--json"});
-  const PythonJson report = PythonJson::parse(outcome.out, nullptr, false);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
-  EXPECT_NE(report["notes"].dump().find("you attack +x in both colours"), std::string::npos)
-      << report["legs"].dump() << report["notes"].dump();
-}
-
 // Catches a league that keeps or starts a team in Python as a library.
 TEST_F(PythonTeams, PlayInALeague) {
   const std::string league = folder_ / "league";

@@ -104,6 +104,7 @@ class Mistakes : public Team {
  private:
   void make_mistake(const Observation& now, Command& command);
   void use_memory(std::uint32_t tick);
+  void steer(const Observation& now, Command& command) const;
   void fail_at_a_restart(const Observation& now) const;
 
   Mistake mistake_;
@@ -112,6 +113,19 @@ class Mistakes : public Team {
   const Observation* last_ = nullptr;
   std::vector<int> marks_ = std::vector<int>(6, 1);
 };
+
+// Robot 0 keeps the goal, and the others steer to the ball.
+void Mistakes::steer(const Observation& now, Command& command) const {
+  command.wheels[0] = keep_goal(setup(), now, now.own[0]);
+  for (int i = 1; i < now.robots; ++i) {
+    const Robot& robot = now.own[mistake_ == Mistake::robots_exchanged ? now.robots - i : i];
+    Point to = ball(now) - position(robot) - Point{0.03, 0.0};
+    if (mistake_ == Mistake::axes_exchanged) to = {to.y, to.x};
+    const double change = math::atan2(to.y, to.x) - robot.heading;
+    const double error = mistake_ == Mistake::turns_unwrapped ? change : wrapped(change);
+    command.wheels[i] = wheels_for(setup(), math::cos(error), 8.0 * error);
+  }
+}
 
 void Mistakes::use_memory(std::uint32_t tick) {
   volatile std::size_t size = 24;
@@ -266,6 +280,11 @@ void Mistakes::make_mistake(const Observation& now, Command& command) {
         const double angle = atan2(now.ball_y - now.own[i].y, now.ball_x - now.own[i].x);
         command.wheels[i] = turn_to(setup(), now.own[i], angle * 180.0 / pi);
       }
+      return;
+    case Mistake::turns_unwrapped:
+    case Mistake::axes_exchanged:
+    case Mistake::robots_exchanged:
+      steer(now, command);
       return;
     case Mistake::chance_without_seed: {
       static std::mt19937 engine;

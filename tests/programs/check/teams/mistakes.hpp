@@ -67,6 +67,9 @@ enum class Mistake {
   chance_without_seed,
   one_robot_too_many,
   turns_in_degrees,
+  turns_unwrapped,
+  axes_exchanged,
+  robots_exchanged,
   a_little_slow,  // 1.5 ms in each tick
 };
 
