@@ -48,7 +48,10 @@ Result<coach::Cast> cast_of(const CoachOptions& options, const record::MatchReco
     const record::TeamInfo& info = record.teams[index_of(team)];
     const std::string& given = options.libraries[index_of(team)];
     if (given.empty() && info.kind != record::TeamKind::house) continue;
-    MIROCUP_TRY(cast.own[index_of(team)], choose(options, given.empty() ? info.name : given));
+    auto own = choose(options, given.empty() ? info.name : given);
+    if (given.empty() && !own) continue;  // a house team that played under another name
+    if (!own) return tl::unexpected(own.error());
+    cast.own[index_of(team)] = std::move(*own);
     cast.own[index_of(team)]->info.parameters = info.parameters;
   }
   MIROCUP_TRY(cast.stand_in, server::choose_team("navigator"));

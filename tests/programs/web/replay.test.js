@@ -93,9 +93,8 @@ test('keys, buttons and the time line move the time', async () => {
 // Catches a saved situation that is refused, is that of another tick, or has the wrong score, and a
 // command for another moment.
 test('a moment is played on from, by a command or by a saved situation', async () => {
-  const page = await openPage(address);
   for (const tick of [0, goal.tick - 20, goal.tick + 3, goal.tick + 60]) {
-    await page.goto(`${address}#t=${seconds(tick + 0.01)}`);
+    const page = await openPage(`${address}#t=${seconds(tick + 0.01)}`);
     await page.locator('#play-on').click();
     assert.match(await text(page, 'command'), new RegExp(`^mirocup match --from leg\\.json --tick ${tick} `));
     if (await page.locator('#hand').count() > 0) {  // the page plays on, too, and goes back
@@ -115,6 +114,7 @@ test('a moment is played on from, by a command or by a saved situation', async (
     const ball = /translate\((\S+) (\S+)\)/.exec(await page.locator('.ball').first().evaluate((ball) => ball.outerHTML));
     assert.ok(Math.hypot(situation.ball.position[0] * 1e3 - ball[1], situation.ball.position[1] * 1e3 + Number(ball[2])) < 1);
     assert.deepEqual(page.problems, []);
+    await page.close();
   }
 });
 
@@ -273,7 +273,7 @@ class Printer(Team):
 
 test('the page of the coach has each goal beside a future without it', async () => {
   const file = join(folder, 'goals.html');
-  run('coach', record, '--team', goal.team === 'blue' ? 'yellow' : 'blue', '--goal', '1', '-o', file);
+  run('coach', record, '--team', goal.team === 'blue' ? 'yellow' : 'blue', '--goal', '1', '--blue', 'striker', '-o', file);
   const page = await openPage(`file://${file}`);
   const place = async (film) => /\((\S+) /.exec(await page.locator(`.${film} .ball`).getAttribute('transform'))[1];
   const [{ marks }] = JSON.parse(await page.locator('#goals').textContent());
