@@ -122,9 +122,7 @@ class LegTimeline {
     show(match);
   }
 
-  Json track_json() const {
-    return {{"frames", track_.rows()}, {"packed", system::base64(track_.bytes())}};
-  }
+  Json track() const { return track_json(track_); }
   const Json& moments() const { return moments_; }
   const Json& keepers() const { return keepers_; }
   statistics::LegStatistics counted() const { return counter_.statistics(); }
@@ -260,7 +258,7 @@ tl::expected<ReplayData, replay::Divergence> play_again(const record::MatchRecor
             {"moments", timeline.moments()},
             {"keepers", timeline.keepers()},
             {"statistics", statistics},
-            {"track", timeline.track_json()}};
+            {"track", timeline.track()}};
   return ReplayData{std::move(json), counted, timeline.wheels()};
 }
 

@@ -96,6 +96,10 @@ std::string packed_text(std::string_view text) {
   return system::base64(bytes);
 }
 
+Json track_json(const ColumnEncoder& frames) {
+  return {{"frames", frames.rows()}, {"packed", system::base64(frames.bytes())}};
+}
+
 Json moment_json(const match::Snapshot& scene) {
   return {{"state", to_string(scene.state)},
           {"phase", to_string(scene.phase)},

@@ -64,6 +64,10 @@ struct ScriptFile {
 
 // Returns the module as a file for all pages of a site. The file's name has a hash of its content.
 ScriptFile module_file(const BrowserModule& module);
+
+// Returns frames in the form that Track.load() of page/track.js reads: {frames, packed}.
+Json track_json(const ColumnEncoder& frames);
+
 Json zones_json(const field::Field& field);
 
 // Returns the values of a scene that seldom change from tick to tick: {state, phase, left, score}.

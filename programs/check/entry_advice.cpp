@@ -3,6 +3,8 @@
 
 #include "system/text.hpp"
 
+#include <cstring>
+
 namespace mirocup::app {
 
 namespace {
@@ -20,6 +22,7 @@ bool has(const std::string& text, std::string_view part) {
 // The keys of the kinds of addresses, in their order.
 constexpr const char* key_of_address[] = {"crash bad_pointer", "null_pointer", "full_stack",
                                           "crash bad_pointer", "observation",  "lost_stack"};
+static_assert(std::size(key_of_address) == static_cast<std::size_t>(AddressKind::lost) + 1);
 
 std::string advice_on_crash(const FaultEvidence& evidence) {
   const LastWords words = evidence.words.value_or(LastWords());
@@ -40,7 +43,9 @@ std::string advice_on_crash(const FaultEvidence& evidence) {
            "; gdb stops at the throw with catch throw: " + std::string(in_a_debugger);
   }
   if (cause == "command" || cause == "memory" || words.signal == 0) return "";
-  const std::string of_signal = sentence("signal " + std::to_string(words.signal));
+  const char* const signal = sigabbrev_np(words.signal);  // null for a signal without a name
+  const std::string of_signal =
+      sentence(std::string("signal ") + (signal != nullptr ? signal : ""));
   return of_signal.empty() ? sentence(key_of_address[static_cast<std::size_t>(words.address)])
                            : of_signal;
 }

@@ -118,9 +118,10 @@ void note_use(Examination& e, const TrialLeg& leg, const TrialTerms& terms) {
   e.report.moved_placements += leg.moved_placements;
   for (const std::size_t kind : {0u, 1u}) {
     BadSpeeds& all = e.report.bad_speeds[kind];
-    BadSpeeds more = leg.story.bad_speeds[kind];
-    if (all.count == 0) std::swap(all, more);
-    all.count += more.count;
+    const BadSpeeds& more = leg.story.bad_speeds[kind];
+    const int count = all.count + more.count;
+    if (all.count == 0) all = more;
+    all.count = count;
   }
   if (leg.ticks() == 0 || terms.is_careful) return;  // a careful process takes longer
   e.report.slowest_tick_ms = std::max(e.report.slowest_tick_ms, leg.slowest_tick_ms);

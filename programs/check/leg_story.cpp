@@ -89,6 +89,7 @@ void WatchedTeam::look() {
     const bool is_held = told > least_push && 4.0 * std::abs(robot.twist.forward) < told;
     held_[i] = is_held ? held_[i] + 1 : 0;
     if (held_[i] > ticks_to_turn_round) {
+      // The sum is that of the robot that has pushed most.
       see(Habit::wall, ++pushes_[i] > story_.count(Habit::wall).sum ? 1.0 : 0.0);
     } else if (std::hypot(robot.twist.forward, robot.twist.left) < least_speed) {
       see(std::abs(robot.twist.omega) < least_turn ? Habit::stand : Habit::turn, 1.0 / robots);

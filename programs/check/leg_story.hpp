@@ -52,9 +52,9 @@ struct LegStory {
 
   const HabitCount& count(Habit habit) const { return habits[static_cast<std::size_t>(habit)]; }
   HabitCount& count(Habit habit) { return habits[static_cast<std::size_t>(habit)]; }
-  // Returns the number a minute of own goals and of fouls at kick-offs; of open goals, the part of
-  // all goals against the team; of others, the part of play_ticks: of the
-  // robot that pushed most for a wall, as a mean over the robots for others.
+  // Returns the number of own goals or of fouls at kick-offs in a minute; for open_goal, the part
+  // of the goals against the team that were open; for wall, the part of play_ticks in which the
+  // robot that pushed most did so; for others, the part of play_ticks, as a mean over the robots.
   double of(Habit habit) const;
   static bool is_counted(Habit habit) { return habit <= Habit::kick_off; }
   int lead() const { return score[0] - score[1]; }  // in goals

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Warnings from the whole legs of a team that has passed. If the team plays badly, its worst leg is
-// played again, each time with one thing swapped: the swap after which the team plays well names
-// the mistake.
+// Warnings from the whole legs of a team that has passed. A team that has not won its worst leg is
+// shown its first tick with small changes, which tell mistakes of steering. If it plays badly and
+// none was found, its worst leg is played again, each time with one thing swapped: the swap after
+// which the team plays well names the mistake.
 #include "core/base/math.hpp"
 #include "core/field/field.hpp"
 #include "programs/check/examination.hpp"

@@ -3,7 +3,6 @@
 
 #include "core/replay/playback.hpp"
 #include "programs/coach/process_copy.hpp"
-#include "system/digest.hpp"
 #include "system/printable.hpp"
 #include "web/design/template.hpp"
 #include "web/page_parts.hpp"
@@ -17,19 +16,13 @@ namespace {
 
 using record::Json;
 
-constexpr double shown_after_s = 1.0;  // the goal
-
-Json json_of(const web::ColumnEncoder& film) {
-  return {{"frames", film.rows()}, {"packed", system::base64(film.bytes())}};
-}
-
 // What the page shows of a goal. Films and marks begin at the first tick of the study.
 Result<Json> films_of(const record::MatchRecord& record, const Cast& cast, const GoalStudy& goal) {
   replay::Playback playback(record.recording);
   const match::Leg& leg = playback.leg();
   const int robots = leg.field().robots_per_team;
   const double period = leg.setup().control_period;
-  const auto end = goal.tick + static_cast<std::uint32_t>(shown_after_s / period);
+  const std::uint32_t end = goal.tick + ticks_of(after_goal_s, leg);
   while (leg.tick() < goal.first) playback.advance();
   Json json{{"period", period},
             {"robots", robots},
@@ -38,7 +31,7 @@ Result<Json> films_of(const record::MatchRecord& record, const Cast& cast, const
   web::ColumnEncoder played;
   do played.add(web::frame_of(leg.snapshot(), robots, played.last()));
   while (leg.tick() < end && playback.advance());
-  json["played"] = json_of(played);
+  json["played"] = web::track_json(played);
   if (!goal.prevention) return json;
 
   MIROCUP_TRY(const auto rehearsal, Rehearsal::begin(record, cast));
@@ -52,7 +45,7 @@ Result<Json> films_of(const record::MatchRecord& record, const Cast& cast, const
   int number = first_counted;  // most of the counted futures are without the goal
   while (!Copy([&] { return is_without_goal(number); }).wait().value_or(true)) ++number;
   is_without_goal(number);
-  json["other"] = json_of(other);
+  json["other"] = web::track_json(other);
   json["substituted"] = index_of(cast.team) * robots + goal.prevention->robot;
   json["marks"]["decides"] = goal.prevention->tick - goal.first;
   return json;

@@ -11,15 +11,10 @@ namespace mirocup::coach {
 
 namespace {
 
-constexpr double recorded_s = 0.3;    // that a team which is not at hand drives as recorded
-constexpr double after_goal_s = 1.0;  // that a future goes on at least
+constexpr double recorded_s = 0.3;  // that a team which is not at hand drives as recorded
 
 // Sets the draws of futures apart from the other uses of a leg's seed.
 constexpr std::uint64_t domain = 0x636f616368000000ULL;
-
-std::uint32_t ticks_of(double seconds, const match::Leg& leg) {
-  return static_cast<std::uint32_t>(std::ceil(seconds / leg.setup().control_period - 1e-9));
-}
 
 Result<server::TeamSeat> seat(const server::TeamChoice& choice, const match::Leg& leg, Team team) {
   MIROCUP_TRY(auto seat, server::TeamSeat::take_trusted(choice, leg.briefing(team)));
@@ -36,6 +31,10 @@ match::Answer ask(server::TeamSeat& seat, const match::Observation& observation)
 }
 
 }  // namespace
+
+std::uint32_t ticks_of(double seconds, const match::Leg& leg) {
+  return static_cast<std::uint32_t>(std::ceil(seconds / leg.setup().control_period - 1e-9));
+}
 
 Rehearsal::Rehearsal(const record::MatchRecord& record, Team team)
     : recording_(record.recording),

@@ -19,8 +19,13 @@
 
 namespace mirocup::coach {
 
-// How long before a goal its study begins, and how long a future is at least, s.
+// How long before a goal its study begins, how long a future is at least, and how long after the
+// goal it goes on at least, s.
 inline constexpr double studied_s = 3.0;
+inline constexpr double after_goal_s = 1.0;
+
+// Returns the number of ticks of a leg in a time, s; a part of a tick counts as a tick.
+std::uint32_t ticks_of(double seconds, const match::Leg& leg);
 
 // Who decides in the futures of a leg. All play in this process, without protection from them.
 struct Cast {

@@ -4,7 +4,6 @@
 #include "programs/coach/process_copy.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <tuple>
 #include <unistd.h>
@@ -16,11 +15,6 @@ namespace {
 constexpr double stride_s = 0.3;
 constexpr int counted_futures = 100;  // of a share that is told
 constexpr int at_once = 3;            // futures; a clear test needs 3 or 12
-
-// The step of the search back from a goal, in ticks.
-std::uint32_t stride_of(const match::Leg& leg) {
-  return static_cast<std::uint32_t>(std::ceil(stride_s / leg.setup().control_period - 1e-9));
-}
 
 // Runs `work` in a copy and waits. Of a copy's copies: without their answer it has none either.
 template <class Work>
@@ -114,7 +108,7 @@ class GoalSearch {
   // one with the lower number. A robot is asked about moments before its end. Goes back for all
   // robots together, so that none is asked about moments long before that of another.
   std::optional<Prevention> latest_yes(Question question, std::uint32_t first) {
-    const std::uint32_t stride = stride_of(rehearsal_.leg());
+    const std::uint32_t stride = ticks_of(stride_s, rehearsal_.leg());
     std::optional<Prevention> latest;
     if (first >= goal_) return latest;
     for (std::uint32_t from = goal_ - 1;; from -= std::min(stride, from - first)) {

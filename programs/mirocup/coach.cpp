@@ -50,8 +50,7 @@ Result<coach::Cast> cast_of(const CoachOptions& options, const record::MatchReco
     if (given.empty() && info.kind != record::TeamKind::house) continue;
     auto own = choose(options, given.empty() ? info.name : given);
     if (given.empty() && !own) continue;  // a house team that played under another name
-    if (!own) return tl::unexpected(own.error());
-    cast.own[index_of(team)] = std::move(*own);
+    MIROCUP_TRY(cast.own[index_of(team)], std::move(own));
     cast.own[index_of(team)]->info.parameters = info.parameters;
   }
   MIROCUP_TRY(cast.stand_in, server::choose_team("navigator"));

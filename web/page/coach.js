@@ -6,14 +6,14 @@
 import { FieldView } from './field.js';
 import { Player } from './player.js';
 import { by, element } from './text.js';
-import { Track, unpack } from './track.js';
+import { Track } from './track.js';
 
-const everySecond = { isOn: false, speedAt: () => 0.5 };  // half as fast as it was
+const halfSpeed = { isOn: false, speedAt: () => 0.5 };
 
-function filmIn(figure, { packed, frames }, { period, robots, left }) {
+function filmIn(figure, film, { period, robots, left }) {
   const view = new FieldView(figure.querySelector('svg'));
   const track = new Track(period);
-  unpack(packed, frames, 3 + 6 * robots).forEach((frame, tick) => track.add(tick, frame));
+  track.load(film, robots);
   return { track, show: (time) => view.show(track, time, left) };
 }
 
@@ -23,7 +23,7 @@ function showGoal(section, goal) {
   const { track } = films.reduce((a, b) => (b.track.lastTick > a.track.lastTick ? b : a));
   part('other')?.querySelectorAll('.robot')[goal.substituted].classList.add('substituted');
   const scrub = part('scrub');
-  const player = new Player(track, everySecond, () => {
+  const player = new Player(track, halfSpeed, () => {
     films.forEach((film) => film.show(player.time));
     scrub.value = Math.round(player.time / goal.period);
     const seconds = player.time - goal.marks.goal * goal.period;
@@ -31,10 +31,12 @@ function showGoal(section, goal) {
     part('play').textContent = player.isPlaying ? 'Pause' : 'Play';
   });
   scrub.max = track.lastTick;
-  for (const [name, tick] of Object.entries(goal.marks)) {
-    const mark = part('marks').appendChild(element('span', name, name === 'goal' ? 'goal' : 'substitute decides'));
-    mark.style[name === 'goal' ? 'left' : 'right'] = `${100 * (name === 'goal' ? tick / track.lastTick : 1 - tick / track.lastTick)}%`;
-  }
+  // The words stand on both sides of the two moments, which may be near to each other.
+  const mark = (name, words, side, share) => {
+    part('marks').appendChild(element('span', name, words)).style[side] = `${100 * share}%`;
+  };
+  mark('goal', 'goal', 'left', goal.marks.goal / track.lastTick);
+  if (goal.other) mark('decides', 'substitute decides', 'right', 1 - goal.marks.decides / track.lastTick);
   scrub.addEventListener('input', () => player.seek(scrub.value * goal.period));
   part('play').addEventListener('click', () => player.toggle());
   player.seek((goal.marks.decides ?? goal.marks.goal) * goal.period);

@@ -8,8 +8,8 @@ const clockUnit = 0.001;  // s
 const headingUnit = 360 / 2048;  // degrees
 const jump = 400;  // units: a body that moves further within a tick was lifted, not driven
 
-// Decodes a track of TrackEncoder: columns of zigzag numbers, each the change of a change.
-export function unpack(text, frameCount, columnCount) {
+// Decodes the rows of ColumnEncoder: columns of zigzag numbers, each the change of a change.
+function unpack(text, frameCount, columnCount) {
   return unpackBytesOf(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)), frameCount, columnCount);
 }
 
@@ -60,6 +60,11 @@ export class Track {
     if (this.ticks.length > 0 && tick <= this.lastTick) return;
     this.ticks.push(tick);
     this.frames.push(frame);
+  }
+
+  // Takes over a whole leg, or a part of it: a track as JSON of a page.
+  load({ packed, frames }, robots) {
+    unpack(packed, frames, 3 + 6 * robots).forEach((frame, tick) => this.add(tick, frame));
   }
 
   get isEmpty() { return this.ticks.length === 0; }

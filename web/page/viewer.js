@@ -4,7 +4,7 @@
 // (mirocup/page/1), and says which time to show; the player, lists and buttons around it are the page's.
 import { FieldView } from './field.js';
 import { Layers } from './layers.js';
-import { Track, unpack } from './track.js';
+import { Track } from './track.js';
 
 export class Viewer {
   // `svg`: the picture of the first moment; `leg`: {period, robots, zones}. `keepersNow()`: the keepers when the track does not
@@ -18,8 +18,8 @@ export class Viewer {
   }
 
   // Takes over a whole leg.
-  load({ track: { packed, frames }, moments, keepers }) {
-    unpack(packed, frames, 3 + 6 * this.robots).forEach((frame, tick) => this.track.add(tick, frame));
+  load({ track, moments, keepers }) {
+    this.track.load(track, this.robots);
     this.moments.push(...moments);
     this.keepers.push(...keepers);
   }

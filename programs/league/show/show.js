@@ -5,7 +5,7 @@
 // the page before its turn.
 import { FieldView } from '/page/field.js';
 import { by, element, minutes, words } from '/page/text.js';
-import { Track, unpack } from '/page/track.js';
+import { Track } from '/page/track.js';
 
 const announceSeconds = 5;
 const resultSeconds = 4;
@@ -116,7 +116,7 @@ class LegPanel {
     this.data = data;
     this.names = { blue: data.teams.blue.name, yellow: data.teams.yellow.name };
     this.track = new Track(data.period);
-    unpack(data.track.packed, data.track.frames, 3 + 6 * data.robots).forEach((frame, tick) => this.track.add(tick, frame));
+    this.track.load(data.track, data.robots);
     this.panel = by('panel').content.firstElementChild.cloneNode(true);
     this.panel.setAttribute('aria-label', `${this.names.blue} – ${this.names.yellow}`);
     this.part('picture').replaceChildren(...parsed(data.picture).childNodes);

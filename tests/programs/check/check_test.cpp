@@ -155,6 +155,10 @@ TEST(Check, RefusesMovesThatDependOnTheTimeOfDay) {
   for (int i = 0; i < 3; ++i) expect_rejected(hostile("clock_seed"), "repeatable", "tick 25");
 }
 
+TEST(Check, AcceptsATeamThatMeasuresTime) {
+  EXPECT_EQ(check(program("honest/clocks.so")).exit_code, 0);
+}
+
 TEST(Check, ReportsAnErrorForAMissingFile) {
   const Outcome outcome = run_mirocup({"check", "/no/such/file.so"});
   EXPECT_EQ(outcome.exit_code, 3);
