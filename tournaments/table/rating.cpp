@@ -31,6 +31,10 @@ constexpr double unit_of_log = 173.71779276130073;  // 400 / ln(10): strength pe
 // Wins and losses against the virtual team. With a half the intervals cover best: with a quarter
 // too seldom, with one they are drawn to the middle.
 constexpr double virtual_legs = 0.5;
+// The same of an entry that was replaced. With a half, many weak former entries would be
+// drawn to the middle, and with them whoever has beaten them would rise: of two equal entries, the
+// one that was handed in earlier.
+constexpr double virtual_legs_of_former = 0.01;
 // Half a draw and half a leg with a winner, between equal teams, keep v finite and above 0.
 constexpr double virtual_draws = 0.5;
 // How firmly an entry of a ladder leans on the former entry of its team: 1 over the variance of the
@@ -101,8 +105,10 @@ class Likelihood {
   Likelihood(const Players& players, const std::vector<FixtureResults>& fixtures)
       : players_(players),
         count_(players.count()),
-        losses_(VectorXd::Constant(count_, virtual_legs)),
+        virtual_(VectorXd::Constant(count_, virtual_legs)),
         meetings_(count_) {
+    virtual_.head(count_ - players.present).setConstant(virtual_legs_of_former);
+    losses_ = virtual_;
     for (const FixtureResults& fixture : fixtures) {
       for (const LegResult& leg : fixture) add(leg);
     }
@@ -154,8 +160,8 @@ class Likelihood {
     add(count_, count_, 2.0 * virtual_draws * level * (1.0 - level));
     for (int i = 0; i < count_; ++i) {
       const double win = logistic(x[i]);
-      gradient[i] += virtual_legs - (virtual_legs + losses_[i]) * win;
-      add(i, i, (virtual_legs + losses_[i]) * win * (1.0 - win));
+      gradient[i] += virtual_[i] - (virtual_[i] + losses_[i]) * win;
+      add(i, i, (virtual_[i] + losses_[i]) * win * (1.0 - win));
       const int former = players_.former[i];
       if (former == no_player) continue;
       gradient[i] -= lean * (x[i] - x[former]);
@@ -216,7 +222,7 @@ class Likelihood {
   double of_player_alone(int player, double value, const VectorXd& x) const {
     const int former = players_.former[player];
     const double apart = former == no_player ? 0.0 : value - x[former];
-    return virtual_legs * value - (virtual_legs + losses_[player]) * soft_plus(value) -
+    return virtual_[player] * value - (virtual_[player] + losses_[player]) * soft_plus(value) -
            0.5 * lean * apart * apart;
   }
 
@@ -248,6 +254,7 @@ class Likelihood {
 
   const Players& players_;
   int count_;
+  VectorXd virtual_;                                  // wins against the virtual team
   VectorXd losses_;                                   // against the virtual team
   std::map<std::pair<int, int>, PairResults> pairs_;  // by the two players, the lower number first
   std::vector<std::vector<Meeting>> meetings_;        // the same by player

@@ -9,7 +9,7 @@
 // numerator is v sqrt(g_i g_j). A strength is 400 log10(g): a team that is 400 stronger wins ten
 // times as often as it loses. The mean strength of all teams is 0. In the likelihood each team also
 // gets half a win and half a loss against a virtual team of strength 0, so that a team that won all
-// legs has a finite strength.
+// legs has a finite strength. An entry that its team has replaced gets a hundredth.
 //
 // An interval holds the strengths of one team that the results do not contradict: the strengths for
 // which twice the logarithm of the likelihood is at most 3.84 below its maximum, the 95 % point of
