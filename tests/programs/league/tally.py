@@ -13,6 +13,7 @@ import math
 import os
 import sys
 
+VIRTUAL_LEGS_OF_REPLACED = 0.01  # the same of an entry that its team has replaced
 VIRTUAL_LEGS = 0.5  # each player draws half a leg against the mean, and half a leg in the league is a draw
 NO_STRENGTH = -1e9  # of a team without a leg that counts
 
@@ -72,7 +73,7 @@ class Tally:
             del self.legs[key]
 
     def fit(self):
-        """Strengths after Bradley and Terry, draws after Davidson, by gradient ascent. Each entry is a player."""
+        """Strengths after Bradley and Terry, draws after Davidson, by steps along the gradient. Each entry is a player."""
         def player(leg, own):
             return leg[own], leg["entry"][own]
 
@@ -87,9 +88,11 @@ class Tally:
         present = {team: (team, self.entries.get(team)) for team in self.teams if self.players[team]["legs"] > 0}
         x = {name: 0.0 for pair in [present.values(), *pairs] for name in pair}
         v = 0.0
-        step = 1.0 / (1.0 + max([sum(n[2] for pair, n in pairs.items() if name in pair) for name in x] + [1]))
+        virtual = {name: VIRTUAL_LEGS if name in present.values() else VIRTUAL_LEGS_OF_REPLACED for name in x}
         for _ in range(20_000):
-            slope = {name: VIRTUAL_LEGS - 2.0 * VIRTUAL_LEGS / (1.0 + math.exp(-value)) for name, value in x.items()}
+            wins_of = {name: 1.0 / (1.0 + math.exp(-value)) for name, value in x.items()}
+            slope = {name: virtual[name] * (1.0 - 2.0 * wins_of[name]) for name in x}
+            bend = {name: 2.0 * virtual[name] * wins_of[name] * (1.0 - wins_of[name]) for name in x}
             slope_v = VIRTUAL_LEGS * (1.0 - 2.0 / (1.0 + math.exp(math.log(2.0) - v)))
             for (home, away), (wins, draws, legs) in pairs.items():
                 win, loss, draw = math.exp(x[home]), math.exp(x[away]), math.exp(v + 0.5 * (x[home] + x[away]))
@@ -97,11 +100,14 @@ class Tally:
                 surplus = wins + 0.5 * draws - legs * (win + 0.5 * draw) / whole
                 slope[home] += surplus
                 slope[away] -= surplus
+                score = (win + 0.5 * draw) / whole
+                for name in (home, away):
+                    bend[name] += legs * ((win + 0.25 * draw) / whole - score * score)
                 slope_v += draws - legs * draw / whole
             for name, value in slope.items():
-                x[name] += step * value
-            v += step * slope_v / max(1, len(pairs))
-            if max(map(abs, slope.values()), default=0.0) < 1e-5 and abs(slope_v) < 1e-3:
+                x[name] += max(-0.5, min(0.5, 0.5 * value / bend[name]))
+            v += slope_v / max(1, sum(legs for _, _, legs in pairs.values()))
+            if max(map(abs, slope.values()), default=0.0) < 1e-6 and abs(slope_v) < 1e-3:
                 break
         mean = sum(x[name] for name in present.values()) / max(1, len(present))
         for team, name in present.items():
