@@ -183,6 +183,8 @@ GradesLayout layout_of(const GradesOptions& options) {
 
 Result<int> run_grades(system::Files& files, const LeagueStore& store,
                        const GradesOptions& options) {
+  if (options.release && options.scale.empty() && options.drills.empty())
+    return fail(Errc::input, "--release needs --scale, --drills or both: what may teams see?");
   MIROCUP_TRY(const auto found, say_gaps(files, store));
   const int result = found.lost.empty() ? exit_yes : exit_no;
   std::string drills;
@@ -198,7 +200,11 @@ Result<int> run_grades(system::Files& files, const LeagueStore& store,
   if (!options.scale.empty()) {
     MIROCUP_TRY(marks, marking.marks());
   }
-  if (options.release) MIROCUP_TRY_VOID(marking.release(marks));
+  if (options.release && !drills.empty()) {
+    MIROCUP_TRY(const auto scores, scores_of_sheets(drills, options.drills));
+    MIROCUP_TRY_VOID(release_scores(files, store.folder(), store.state().file, scores));
+  }
+  if (options.release && !options.scale.empty()) MIROCUP_TRY_VOID(marking.release(marks));
   MIROCUP_TRY(const auto file,
               grades(league, people, drills, options.drills, layout_of(options), marks));
   if (options.output.empty()) {
@@ -248,11 +254,10 @@ void add_grades(system::Commands& commands) {
       .shows_default()
       .needs(decide);
   command.jobs(o.jobs, "legs of --decide played");
-  command
-      .flag("--release", o.release,
-            "Let each team see its mark, and the legs against the house teams of the scale, on "
-            "its page of serve --hand-in")
-      .needs(scale);
+  command.flag(
+      "--release", o.release,
+      "Let each team see on its page of serve --hand-in: its scores in the sheets of "
+      "--drills; with --scale its mark, and the legs against the house teams of the scale");
   command.option("-o,--output FILE", o.output,
                  "File to write to, which only you can then read (default: standard output)");
 }

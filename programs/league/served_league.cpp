@@ -444,6 +444,12 @@ std::string ServedLeague::time_in_words(const std::string& utc) {
   return shown_time(store_.state().file, utc);
 }
 
+Json ServedLeague::sheets_of(const std::string& team) {
+  const std::lock_guard lock(mutex_);
+  poll();
+  return sheets_of_team(files_, store_.folder(), store_.state().file, team).value_or(Json());
+}
+
 std::string ServedLeague::statistics_of(const std::string& team) {
   const std::lock_guard lock(mutex_);
   poll();

@@ -78,6 +78,9 @@ class ServedLeague {
   // Returns the football statistics of a team, HTML; "" if the team has no statistics.
   std::string statistics_of(const std::string& team);
 
+  // Returns sheets_of_team(); null if sheets.json cannot be read, which the staff page says.
+  Json sheets_of(const std::string& team);
+
   // Returns the page that replays the record at a path, with the thoughts and output of the teams
   // in `whose`; nothing if the page cannot be made. `root`: web::root_of() its address.
   std::optional<std::string> replay_of(const std::string& record, const record::Whose& whose,

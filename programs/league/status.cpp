@@ -8,6 +8,7 @@
 #include "tournaments/league/book.hpp"
 #include "tournaments/league/health.hpp"
 #include "tournaments/league/roster.hpp"
+#include "tournaments/league/sheets.hpp"
 #include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/league_statistics.hpp"
@@ -21,6 +22,7 @@ struct StatusOptions : LeagueOptions {
   bool entries = false;
   std::string until;                // a deadline; "": none
   std::vector<std::string> except;  // TEAM=TIME, other deadlines
+  std::string sheet;                // whose deadline holds if there is no `until`; "": none
   bool json = false;
 };
 
@@ -40,25 +42,36 @@ void print_last_leg(const LeagueFile& file, const std::string& at) {
   if (!at.empty()) std::cout << "the last leg was played at " << shown_time(file, at) << '\n';
 }
 
+// Returns the deadline for which the command asks; nothing if there is none.
+Result<std::optional<SheetDeadline>> deadline_of(system::Files& files, const LeagueStore& store,
+                                                 const StatusOptions& options) {
+  const LeagueFile& file = store.state().file;
+  if (options.until.empty()) {
+    MIROCUP_TRY(const auto sheets, read_sheet_deadlines(files, store.folder(), file));
+    const auto found = sheets.find(options.sheet);
+    return found == sheets.end() ? std::optional<SheetDeadline>() : found->second;
+  }
+  SheetDeadline deadline;
+  MIROCUP_TRY(deadline.grace, utc_of(options.until, file));
+  for (const std::string& one : options.except) {
+    const auto equals = one.find('=');
+    if (equals == std::string::npos) continue;
+    MIROCUP_TRY(deadline.extensions[one.substr(0, equals)], utc_of(one.substr(equals + 1), file));
+  }
+  return deadline;
+}
+
 // Adds to the JSON of each team but the house teams the number of the last accepted entry that was
 // handed in by the deadline, or null.
-Result<void> add_by_deadline(Json& teams, const StatusOptions& options, const LeagueState& state,
-                             const HandIns& hand_ins) {
-  MIROCUP_TRY(const auto until, utc_of(options.until, state.file));
+void add_by_deadline(Json& teams, const SheetDeadline& deadline, const HandIns& hand_ins) {
   for (Json& row : teams) {
     const std::string team = record::text_in(row, "team");
-    std::string deadline = until;
-    for (const std::string& one : options.except) {
-      if (!one.starts_with(team + "=")) continue;
-      MIROCUP_TRY(deadline, utc_of(one.substr(team.size() + 1), state.file));
-    }
     if (row["house"] == false) row["by_deadline"] = Json();
     for (const auto& [number, handed] : hand_ins.of_team(team)) {
-      const bool is_in_time = utc_text(handed.at) <= deadline;
+      const bool is_in_time = utc_text(handed.at) <= deadline.of(team);
       if (is_in_time && handed.state == HandInState::accepted) row["by_deadline"] = number;
     }
   }
-  return {};
 }
 
 Result<void> print_roster(system::Files& files, const LeagueStore& store,
@@ -69,8 +82,8 @@ Result<void> print_roster(system::Files& files, const LeagueStore& store,
   const std::string last = last_leg_at(store.journal());
   if (options.json) {
     Json teams = roster_json(rows);
-    if (!options.until.empty())
-      MIROCUP_TRY_VOID(add_by_deadline(teams, options, state, book.hand_ins()));
+    MIROCUP_TRY(const auto deadline, deadline_of(files, store, options));
+    if (deadline) add_by_deadline(teams, *deadline, book.hand_ins());
     print_json({{"title", state.file.title},
                 {"played", state.played()},
                 {"legs", state.legs()},
@@ -203,6 +216,7 @@ void add_status(system::Commands& commands) {
   command.flag("--json", o.json, "Print one JSON object");
   command.option("--until TIME", o.until).hidden();  // of mirocup grade, as --except
   command.option("--except TEAM=TIME", o.except).hidden();
+  command.option("--sheet NAME", o.sheet).hidden();
 }
 
 void add_health(system::Commands& commands) {

@@ -107,8 +107,8 @@ Result<TestedTeam> entry_of(const std::string& text) {
   return TestedTeam{text, split_team(text).first, team.error().what};
 }
 
-Result<std::vector<TestedTeam>> entries_of(const GradeOptions& options) {
-  std::vector<std::string> deadlines;
+Result<std::vector<TestedTeam>> entries_of(const GradeOptions& options, const std::string& sheet) {
+  std::vector<std::string> deadlines{"--sheet", sheet};
   if (!options.until.empty()) deadlines = {"--until", options.until};
   for (const std::string& one : options.except)
     deadlines.insert(deadlines.end(), {"--except", one});
@@ -175,7 +175,7 @@ Result<int> run_grade(const GradeOptions& options) {
                                  "all names of sheets");
   MIROCUP_TRY(const auto sheet, read_sheet(path));
   MIROCUP_TRY(const auto drills, read_drills_of(sheet, path));
-  MIROCUP_TRY(const auto entries, entries_of(options));
+  MIROCUP_TRY(const auto entries, entries_of(options, sheet.name));
   DrillTerms terms = options;
   MIROCUP_TRY(terms.first_seed, first_seed(options, sheet.name));
   MIROCUP_TRY(const auto scale, measured_scale(sheet, path, drills, terms));
@@ -209,7 +209,8 @@ void add_grade(system::Commands& commands) {
   const system::Option until =
       command.option("--until TIME", o.until,
                      "Grade the entries of a league that were handed in by this time, in the "
-                     "league's zone: \"2026-12-18 18:00\" (default: the present entries)");
+                     "league's zone: \"2026-12-18 18:00\" (default: the deadline of the sheet in "
+                     "the league's sheets.json; without one, the present entries)");
   command
       .option("--except TEAM=TIME", o.except,
               "Another deadline for one team; may be given several times")

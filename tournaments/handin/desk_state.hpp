@@ -56,6 +56,8 @@ struct PortalOptions {
   // Returns the football statistics of a team as part of a page, HTML; "" if the team has no
   // statistics.
   std::function<std::string(const std::string& team)> statistics;
+  // Returns sheets_of_team().
+  std::function<Json(const std::string& team)> sheets = {};
   // Returns the name by which people know a team.
   std::function<std::string(const std::string& team)> shown_name = [](const std::string& team) {
     return team;

@@ -335,6 +335,7 @@ web::Reply Portal::team_page(const std::string& team, int before) {
   }
   desk.mark = released_mark(team);
   desk.statistics = state_.options.statistics(team);
+  if (state_.options.sheets) desk.sheets = state_.options.sheets(team);
   desk.deadline = state_.terms_of(team).deadline;
   desk.time_in_words = state_.options.time_in_words;
   desk.shown_name = state_.options.shown_name;

@@ -94,11 +94,20 @@ Json forms_values(const LeagueState& state, const Form& given, const std::string
 }
 
 // What was played last, what comes, and until when entries are taken.
-void add_schedule(Json& values, const LeagueState& state) {
+void add_schedule(Json& values, const LeagueState& state, const SheetDeadlines& sheets) {
   const std::string& frozen = state.frozen_from();
   values["entries"] = frozen.empty()
                           ? "Entries are taken as the format allows"
                           : "From " + shown_time(state.file, frozen) + " on, no entry is taken";
+  values["sheets"] = Json::array();
+  for (const auto& [sheet, deadline] : sheets) {
+    std::string line = "Sheet " + sheet + ": until " + shown_time(state.file, deadline.until);
+    if (deadline.grace != deadline.until)
+      line += ", with grace until " + shown_time(state.file, deadline.grace);
+    for (const auto& [team, until] : deadline.extensions)
+      line += "; " + state.shown_name_of(team) + " until " + shown_time(state.file, until);
+    values["sheets"].push_back(line);
+  }
   if (!state.nights.empty())
     values["night"] = "Night " + std::to_string(state.nights.back().number) + " began at " +
                       shown_time(state.file, state.nights.back().at);
@@ -216,6 +225,8 @@ web::Reply StaffDesk::page(const Visitor& reader, const Shown& shown) const {
   if (!book) return broken(book.error());
   const auto rows = roster(files_, *store, book->hand_ins());
   if (!rows) return broken(rows.error());
+  const auto sheets = read_sheet_deadlines(files_, folder_, store->state().file);
+  if (!sheets) return broken(sheets.error());
   const auto health = league::health(files_, *store, book->hand_ins(), now_());
   if (!health) return broken(health.error());
   const LeagueState& state = store->state();
@@ -239,7 +250,7 @@ web::Reply StaffDesk::page(const Visitor& reader, const Shown& shown) const {
       {"teams", teams_values(state, *rows)},
       {"has_decisions", !decisions.empty()},
       {"decisions", decisions}};
-  add_schedule(values, state);
+  add_schedule(values, state, *sheets);
   return staff_reply(shown.status,
                      desk_page("Staff", filled_page("staff.html", values), shown.root));
 }

@@ -170,6 +170,8 @@ std::string team_desk_page(const TeamDesk& desk) {
                    {"older", desk.older},
                    {"deadline", desk.deadline.empty() ? "" : desk.time_in_words(desk.deadline)},
                    {"grade", desk.mark},
+                   {"has_sheets", !desk.sheets.empty()},
+                   {"sheets", desk.sheets},
                    {"digest", desk.digest},
                    {"progress", progress_values(desk.progress)},
                    {"may_play", desk.playing > 0},

@@ -30,6 +30,7 @@ struct TeamDesk {
   int playing = 0;                     // the entry that plays; 0: none yet
   bool is_pinned = false;              // that entry plays even if a later one is accepted
   Json mark;                           // Folder::released_mark(); null: none
+  Json sheets;                         // sheets_of_team(); empty: none
   std::string statistics;              // HTML
   std::string deadline;                // until when the team may hand in, UTC; "": no such time
   std::string digest;                  // HTML: the digest of the last night; "": none

@@ -64,6 +64,12 @@ struct Folder {
     return marks() + "/" + team + ".json";
   }
 
+  std::string sheets() const { return path + "/sheets.json"; }  // sheets.hpp
+  std::string released_scores() const { return marks() + "/sheets"; }
+  std::string released_scores(const std::string& team) const {
+    return released_scores() + "/" + team + ".json";
+  }
+
   // The league of the closing round, if the league has one.
   Folder closing_round() const { return Folder{path + "/final"}; }
 

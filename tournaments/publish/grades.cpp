@@ -220,6 +220,12 @@ Result<Scale> read_scale(std::string_view text, const std::string& path) {
   });
 }
 
+Result<SheetScores> scores_of_sheets(std::string_view text, const std::string& path) {
+  MIROCUP_TRY(auto marks, read_drill_marks(text, path));
+  for (auto& [team, scores] : marks.of_team) scores.erase("all");
+  return std::move(marks.of_team);
+}
+
 Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::string_view drills_csv,
                         const std::string& path, GradesLayout layout,
                         const MarksOfTeams& of_scale) {

@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "tournaments/league/people.hpp"
+#include "tournaments/league/sheets.hpp"
 #include "tournaments/publish/leg_view.hpp"
 #include "tournaments/publish/site_file.hpp"
 
@@ -52,6 +53,10 @@ using MarksOfTeams = std::vector<std::optional<ScaleMark>>;
 Result<SiteFile> grades(const Overview& overview, const PeopleOfTeams& people,
                         std::string_view drills_csv, const std::string& path,
                         GradesLayout layout = GradesLayout::teams, const MarksOfTeams& marks = {});
+
+// Reads the scores of all sheets from the output of `mirocup grade … --csv`, or of several joined,
+// by team and by sheet. Errors: Errc::input.
+Result<SheetScores> scores_of_sheets(std::string_view text, const std::string& path);
 
 // A step of a scale as its file names it.
 struct NamedStep {

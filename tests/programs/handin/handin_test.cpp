@@ -166,6 +166,29 @@ TEST_F(HandIn, KeepsWhatComesAfterTheDeadlineForTheHostToDecide) {
   EXPECT_NE(entries().find("entry 2 will play\n"), std::string::npos) << entries();
 }
 
+// Catches a deadline of a sheet that nobody is told, and a score that is not shown to its team, or
+// to another one.
+TEST_F(HandIn, ShowsDeadlinesAndScoresOfSheets) {
+  const std::string alpha = new_token("alpha");
+  const std::string beta = new_token("beta");
+  write_file(folder_ + "/sheets.json", R"({"driving": {"until": "2026-11-13 18:00",
+    "grace_days": 2, "extensions": {"beta": "2026-12-01 18:00"}}, "ball": {"until":
+    "2026-12-11 18:00"}})");
+  std::filesystem::create_directories(folder_ + "/marks/sheets");
+  write_file(folder_ + "/marks/sheets/alpha.json", R"({"driving": "83.5"})");
+  serve();
+  const std::string own = page("/hand-in", alpha);
+  for (const char* text : {">2026-11-13 18:00 UTC<", ">2026-11-15 18:00 UTC<", ">83.5<", ">ball<"})
+    EXPECT_NE(own.find(text), std::string::npos) << text << own;
+  const std::string other = page("/hand-in", beta);
+  EXPECT_NE(other.find(">2026-12-01 18:00 UTC<"), std::string::npos) << other;
+  EXPECT_EQ(other.find("83.5"), std::string::npos) << other;
+  EXPECT_NE(page("/hand-in", staff_token())
+                .find("Sheet driving: until 2026-11-13 18:00 UTC, with "
+                      "grace until 2026-11-15 18:00 UTC; beta until "),
+            std::string::npos);
+}
+
 // A faculty shows each league below a path of its server: a link that begins with "/" leaves it. A
 // proxy passes the whole path on, or cuts off the beginning.
 TEST_F(HandIn, LivesBelowAPath) {

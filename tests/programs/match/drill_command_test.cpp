@@ -148,6 +148,17 @@ TEST(DrillCommand, TriesTheEntriesOfALeague) {
                                 "2020-01-01 00:00", "--except", "b=2099-01-01 00:00"});
   EXPECT_NE(graded.out.find("\nb,s,100.0,"), std::string::npos) << graded.out << graded.err;
   EXPECT_NE(graded.out.find("no entry was accepted,0.0\nc,s,"), std::string::npos) << "of a";
+  // The same deadline in the league, where days of grace are not enough for team a.
+  write_file(folder + "/sheets.json", R"({"s": {"until": "2019-12-30", "grace_days": 2,
+    "extensions": {"b": "2099-01-01 00:00"}}})");
+  const Outcome refused = grade({temporary / "s.json", folder, "--csv"});
+  EXPECT_NE(refused.err.find("sheets.json: /s/until: "), std::string::npos) << refused.err;
+  write_file(folder + "/sheets.json", R"({"s": {"until": "2019-12-30 00:00", "grace_days": 2,
+    "extensions": {"b": "2099-01-01 00:00"}}})");
+  EXPECT_EQ(grade({temporary / "s.json", folder, "--csv"}).out, graded.out);
+  write_file(temporary / "s.csv", graded.out);
+  league({"grades", folder, "--drills", temporary / "s.csv", "--release"});
+  EXPECT_EQ(read_json(folder + "/marks/sheets/b.json")["s"], "100.0");
   const Outcome wrong = drill({"touch-the-ball", "--league", temporary / "x"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.err.find("is not a league"), std::string::npos) << wrong.err;
