@@ -459,7 +459,7 @@ std::string ServedLeague::statistics_of(const std::string& team) {
   if (!index) return "";
   const auto known = statistics_.find(*index);
   if (known != statistics_.end()) return known->second;
-  std::string html = team_statistics_html(site_->overview(), *index);
+  std::string html = team_statistics_html(site_->overview(), *index, "");
   return statistics_[*index] = std::move(html);
 }
 

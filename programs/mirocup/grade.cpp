@@ -139,6 +139,19 @@ Result<std::vector<TestedTeam>> entries_of(const GradeOptions& options, const st
   return entries;
 }
 
+// Returns what the source of an entry has that the sheet does not allow; "" if it has nothing, or
+// is not at hand: a file of Python is its own source, and a league keeps that of a library.
+std::string misuse(const drills::Sheet& sheet, const std::string& entry) {
+  const std::string path = split_team(entry).second;
+  const std::string beside_it = (fs::path(path).parent_path() / "source").string();
+  const bool is_kept =
+      fs::path(path).filename() == "strategy.so" && system::Disk().exists(beside_it);
+  const auto source =
+      system::Disk().read_named(is_kept ? beside_it : path, system::size_limit::note);
+  const std::string found = source ? drills::found_word(*source, sheet.not_allowed) : "";
+  return found.empty() ? "" : found + ", which the sheet does not allow";
+}
+
 Result<std::uint64_t> first_seed(const GradeOptions& options, const std::string& sheet) {
   if (options.seed_file.empty()) return options.first_seed;
   MIROCUP_TRY(const auto secret,
@@ -180,14 +193,18 @@ Result<int> run_grade(const GradeOptions& options) {
   MIROCUP_TRY(terms.first_seed, first_seed(options, sheet.name));
   MIROCUP_TRY(const auto scale, measured_scale(sheet, path, drills, terms));
   MIROCUP_TRY(const auto reports, try_drills(entries, drills, {}, {}, terms));
-  const record::Json json = sheet_json(sheet, terms.first_seed, scale, reports);
+  record::Json json = sheet_json(sheet, terms.first_seed, scale, reports);
+  bool has_notes = false;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    record::Json& note = json["teams"][i]["note"];
+    if (note.is_null()) note = record::or_null(misuse(sheet, entries[i].text));
+    has_notes = has_notes || !note.is_null();
+  }
   if (options.gradescope) return print_by_student(options.entries.front(), sheet_csv(json));
   std::cout << (options.csv    ? sheet_csv(json)
                 : options.json ? record::json_text(json) + "\n"
                                : sheet_text(json));
-  const bool all_played = std::all_of(reports.begin(), reports.end(),
-                                      [](const auto& report) { return faults_of(report).empty(); });
-  return all_played ? exit_yes : exit_no;
+  return has_notes ? exit_no : exit_yes;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "record/json_reader.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace mirocup::drills {
@@ -31,11 +32,16 @@ SheetDrill read_sheet_drill(const record::JsonReader& json) {
 
 Sheet read_sheet(const record::JsonReader& json) {
   Sheet sheet;
-  if (!json.expect_object({"schema", "title", "start", "reference", "drills"})) return sheet;
+  if (!json.expect_object({"schema", "title", "start", "reference", "drills", "not_allowed"}))
+    return sheet;
   json.expect_schema("mirocup/sheet/1");
   sheet.title = json.at("title").text();
   sheet.start = json.at("start").text();
   sheet.reference = json.at("reference").text();
+  if (json.has("not_allowed")) {
+    for (const record::JsonReader& word : json.at("not_allowed").elements(1, max_sheet_drills))
+      sheet.not_allowed.push_back(word.text());
+  }
   for (const record::JsonReader& one : json.at("drills").elements(1, max_sheet_drills)) {
     sheet.drills.push_back(read_sheet_drill(one));
     const std::string& name = sheet.drills.back().name;
@@ -47,6 +53,24 @@ Sheet read_sheet(const record::JsonReader& json) {
 }
 
 }  // namespace
+
+std::string found_word(std::string_view source, const std::vector<std::string>& words) {
+  const auto is_in_word = [&](std::size_t at) {
+    return at < source.size() && std::isalnum(static_cast<unsigned char>(source[at])) != 0;
+  };
+  for (const std::string& word : words) {
+    const bool is_name = std::isalnum(static_cast<unsigned char>(word.back())) != 0;
+    for (std::size_t at = source.find(word); at != std::string_view::npos;
+         at = source.find(word, at + 1)) {
+      const std::size_t end = at + word.size();
+      if (is_in_word(at - 1) || (is_name && (is_in_word(end) || source.substr(end, 1) == "_")))
+        continue;
+      const auto line = 1 + std::count(source.begin(), source.begin() + at, '\n');
+      return "line " + std::to_string(line) + " has " + word;
+    }
+  }
+  return "";
+}
 
 Result<Sheet> parse_sheet(std::string_view text, const std::string& path) {
   auto sheet = record::read_json<Sheet>(text, path, Errc::input, read_sheet);

@@ -25,7 +25,12 @@ struct Sheet {
   std::string start;      // the team that students begin with, as on the command line: score 0
   std::string reference;  // the team that solves the sheet: score 100
   std::vector<SheetDrill> drills;
+  std::vector<std::string> not_allowed = {};  // words that the source of an entry may not have
 };
+
+// Returns where a source has one of these words, "line 12 has drive_to"; "" if it has none. Letters
+// and digits around a word make it another word.
+std::string found_word(std::string_view source, const std::vector<std::string>& words);
 
 // Reads a sheet. An error is Errc::input and names file and key.
 Result<Sheet> parse_sheet(std::string_view text, const std::string& path);

@@ -31,10 +31,11 @@ Json timing_rows(const Json& entry) {
 
 }  // namespace
 
-std::string entry_page(const Json& entry, const TimeInWords& time_in_words,
-                       const std::string& root) {
+std::string entry_page(const Json& entry, const TimeInWords& time_in_words, const std::string& root,
+                       bool is_for_staff) {
   Json values = entry;
   values["root"] = root;
+  values["query"] = is_for_staff ? "?team=" + text_in(entry, "team") : "";
   if (entry.contains("replay")) values["replay"] = root + text_in(entry, "replay").substr(1);
   const std::string message = text_in(entry, "message");
   values["answer"] = message.empty() ? text_in(entry, "reason") : message;

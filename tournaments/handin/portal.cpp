@@ -82,8 +82,8 @@ std::span<const Portal::Route> Portal::routes() {
       Route{"GET", "/api/v1/friendlies/*/*/*", team, api, &Portal::show_friendly},
       Route{"GET", "/hand-in", known, page, &Portal::desk},
       Route{"GET", "/hand-in/", everybody, page, &Portal::lead_to_desk},
-      Route{"GET", "/hand-in/entries/*", team, page, &Portal::entry_page_of},
-      Route{"GET", "/hand-in/entries/*/replay", team, page, &Portal::entry_replay},
+      Route{"GET", "/hand-in/entries/*", known, page, &Portal::entry_page_of},
+      Route{"GET", "/hand-in/entries/*/replay", known, page, &Portal::entry_replay},
       Route{"GET", "/hand-in/friendlies/*/*/*", team, page, &Portal::show_friendly},
       Route{"GET", "/hand-in/mark/*/replay", team, page, &Portal::mark_replay},
       Route{"GET", "/hand-in/replays/**", known, api, &Portal::own_replay},
@@ -195,6 +195,7 @@ std::optional<web::Reply> Portal::admit(Call& call, bool is_page) {
 
 // The staff names the team; a team reads its own entries only.
 std::optional<web::Reply> Portal::name_team(Call& call, About about) {
+  if (about == About::page && call.visitor.sees_all()) call.team = call.request.asked("team");
   if (about != About::entries_of_team && about != About::team_of_token) return std::nullopt;
   const std::string asked = call.request.asked("team");
   if (!call.visitor.sees_all() && !asked.empty() && asked != call.team)
@@ -264,6 +265,7 @@ web::Reply Portal::own_replay(const Call& call) {
 // Returns the whole report of the entry whose number is the first part of the path, or the reply
 // that there is none.
 std::variant<Json, web::Reply> Portal::entry_of(const Call& call) {
+  if (!is_good_name(call.team)) return problem_reply(404, "?team=NAME is expected");
   const auto number = number_of(call.parts.front());
   auto known = number ? entries_.report(call.team, *number, true) : Json();
   if (!known) return host_failed(known.error());
@@ -275,7 +277,7 @@ web::Reply Portal::entry_page_of(const Call& call) {
   auto entry = entry_of(call);
   if (auto* refused = std::get_if<web::Reply>(&entry)) return std::move(*refused);
   return page_reply(200, entry_page(std::get<Json>(entry), state_.options.time_in_words,
-                                    web::root_of(call.request.path)));
+                                    web::root_of(call.request.path), call.visitor.sees_all()));
 }
 
 web::Reply Portal::entry_replay(const Call& call) {
@@ -336,7 +338,9 @@ web::Reply Portal::team_page(const std::string& team, int before) {
   desk.mark = released_mark(team);
   desk.statistics = state_.options.statistics(team);
   if (state_.options.sheets) desk.sheets = state_.options.sheets(team);
-  desk.deadline = state_.terms_of(team).deadline;
+  const HandInTerms terms = state_.terms_of(team);
+  desk.deadline = terms.deadline;
+  desk.is_late = terms.is_late;
   desk.time_in_words = state_.options.time_in_words;
   desk.shown_name = state_.options.shown_name;
   if (state_.options.digest) desk.digest = state_.options.digest(team);

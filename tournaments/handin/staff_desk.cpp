@@ -99,14 +99,19 @@ void add_schedule(Json& values, const LeagueState& state, const SheetDeadlines& 
   values["entries"] = frozen.empty()
                           ? "Entries are taken as the format allows"
                           : "From " + shown_time(state.file, frozen) + " on, no entry is taken";
-  values["sheets"] = Json::array();
+  values["deadlines"] = Json::array();
+  auto extensions = state.file.extensions;
+  for (const auto& [team, until] : state.extensions) extensions[team] = until;
+  for (const auto& [team, until] : extensions)
+    values["deadlines"].push_back(state.shown_name_of(team) + " may hand in until " +
+                                  shown_time(state.file, until));
   for (const auto& [sheet, deadline] : sheets) {
     std::string line = "Sheet " + sheet + ": until " + shown_time(state.file, deadline.until);
     if (deadline.grace != deadline.until)
       line += ", with grace until " + shown_time(state.file, deadline.grace);
     for (const auto& [team, until] : deadline.extensions)
       line += "; " + state.shown_name_of(team) + " until " + shown_time(state.file, until);
-    values["sheets"].push_back(line);
+    values["deadlines"].push_back(line);
   }
   if (!state.nights.empty())
     values["night"] = "Night " + std::to_string(state.nights.back().number) + " began at " +
@@ -282,8 +287,16 @@ web::Reply StaffDesk::legs_of(const Visitor& reader, const std::string& team,
     }
     rows.push_back(row);
   }
-  return staff_reply(200, desk_page("Legs of " + state.shown_name_of(team),
-                                    filled_page("staff_legs.html", {{"legs", rows}})));
+  const auto book = Book::open(files_, folder_);
+  if (!book) return broken(book.error());
+  Json entries = Json::array();
+  for (const auto& [number, handed] : book->hand_ins().of_team(team))
+    entries.push_back({{"number", number},
+                       {"team", team},
+                       {"state", handed.is_late ? "late" : to_string(handed.state)}});
+  return staff_reply(
+      200, desk_page("Legs of " + state.shown_name_of(team),
+                     filled_page("staff_legs.html", {{"entries", entries}, {"legs", rows}})));
 }
 
 web::Reply StaffDesk::act(const Visitor& visitor, const Form& values,

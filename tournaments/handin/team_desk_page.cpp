@@ -41,6 +41,9 @@ Json entries_values(const TeamDesk& desk) {
     entry["pin"] = may_play && !is_pinned ? entry["entry"] : Json();
     entry["answer"] = answer_in_words(entry);
     entry["when"] = desk.time_in_words(text_in(entry, "handed_in"));
+    if (!entry.contains("late") || text_in(entry, "state") != "accepted") continue;
+    entry["state"] = "late";
+    entry["plays"] = "plays only if the host takes it ";
   }
   return rows;
 }
@@ -168,6 +171,7 @@ std::string team_desk_page(const TeamDesk& desk) {
                   {{"has_entries", !desk.entries.empty()},
                    {"entries", entries_values(desk)},
                    {"older", desk.older},
+                   {"is_late", desk.is_late},
                    {"deadline", desk.deadline.empty() ? "" : desk.time_in_words(desk.deadline)},
                    {"grade", desk.mark},
                    {"has_sheets", !desk.sheets.empty()},

@@ -33,6 +33,7 @@ struct TeamDesk {
   Json sheets;                         // sheets_of_team(); empty: none
   std::string statistics;              // HTML
   std::string deadline;                // until when the team may hand in, UTC; "": no such time
+  bool is_late = false;                // that time is past
   std::string digest;                  // HTML: the digest of the last night; "": none
   TimeInWords time_in_words;
   std::function<std::string(const std::string& team)> shown_name;
@@ -43,8 +44,9 @@ std::string log_in_page(const std::string& why, const std::string& root);
 
 std::string team_desk_page(const TeamDesk& desk);
 
-// The page of one entry: its answer and the results of `mirocup check`, from entry_report().
-std::string entry_page(const Json& entry, const TimeInWords& time_in_words,
-                       const std::string& root);
+// The page of one entry: its answer and the results of `mirocup check`, from entry_report(). The
+// links of the staff name the team.
+std::string entry_page(const Json& entry, const TimeInWords& time_in_words, const std::string& root,
+                       bool is_for_staff);
 
 }  // namespace mirocup::league

@@ -243,7 +243,7 @@ class Deciding {
     event.why = "an extension; the reason is not published";
     MIROCUP_TRY_VOID(validate(state(), event));  // no reason is kept of what is refused
     if (!act_.is_dry_run) {
-      MIROCUP_TRY(event.reason_sha256, keep_private_reason(files_, store_.folder(), act_.reason));
+      MIROCUP_TRY(event.reason_sha256, keep_reason(line));
     }
     return write(event, line);
   }
@@ -258,6 +258,12 @@ class Deciding {
                                  otherwise);
   }
 
+  // Keeps who has decided what, and why, where only the host reads it. Returns the hash.
+  Result<std::string> keep_reason(const std::string& line) {
+    return keep_private_reason(files_, store_.folder(),
+                               utc_text(now_) + ", " + act_.by + ": " + line + ": " + act_.reason);
+  }
+
   // Before the start the journal has no line yet. Others may have written the file meanwhile.
   Result<Lines> change_file(const std::function<void(LeagueFile&)>& change,
                             const std::string& line) {
@@ -269,7 +275,8 @@ class Deciding {
     LeagueFile file = fresh.state().file;
     change(file);
     MIROCUP_TRY_VOID(files_.write(store_.folder().config(), print_league_file(file)));
-    return Lines{line};
+    MIROCUP_TRY_VOID(keep_reason(line));
+    return Lines{line + "; reasons.txt keeps who has decided it, and why"};
   }
 
   Result<Lines> freeze() {

@@ -110,7 +110,10 @@ void HandIns::apply(const Dropped& dropped) {
 }
 
 void HandIns::apply(const TakenLate& taken) {
-  if (HandedIn* handed = known(taken.team, taken.entry)) handed->is_late = false;
+  HandedIn* handed = known(taken.team, taken.entry);
+  if (handed == nullptr) return;
+  handed->is_late = false;
+  handed->message += "; the host has taken it";
 }
 
 void HandIns::apply(const Pinned& pinned) {

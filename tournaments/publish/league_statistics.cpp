@@ -121,7 +121,8 @@ bool fits(const LegReport& report, const PlayedLeg& leg) {
 }
 
 // Adds how goals fell against a team in a leg.
-void add_goals_against(const LeagueState& state, const LegView& leg, Team colour, Json& goals) {
+void add_goals_against(const LeagueState& state, const LegView& leg, Team colour,
+                       const std::string& root, Json& goals) {
   const LegReport& report = *leg.report;
   for (const statistics::Goal& goal : report.statistics.goals) {
     if (goal.team == colour) continue;
@@ -132,7 +133,7 @@ void add_goals_against(const LeagueState& state, const LegView& leg, Team colour
                      {"after", system::formatted("%.1f s", goal.since_restart)},
                      {"loss", loss_in_words(goal.loss, goal, report.control_period)},
                      {"tick", goal.tick},
-                     {"page", leg.page("../", goal.tick * report.control_period, 2)}});
+                     {"page", leg.page(root, goal.tick * report.control_period, 2)}});
   }
 }
 
@@ -220,7 +221,7 @@ std::string statistics_html(const Overview& o, const LegReports& reports) {
                      {{"numbers", numbers}, {"kinds", kinds}, {"legs", reports.size()}});
 }
 
-std::string team_statistics_html(const Overview& o, int team) {
+std::string team_statistics_html(const Overview& o, int team, const std::string& root) {
   TeamTotals all;
   match::ByTeam<TeamTotals> by_colour;
   Json goals = Json::array();
@@ -230,7 +231,7 @@ std::string team_statistics_html(const Overview& o, int team) {
     const Team colour = leg.is_blue(team) ? Team::blue : Team::yellow;
     all.add(leg.report->statistics, colour);
     by_colour[index_of(colour)].add(leg.report->statistics, colour);
-    add_goals_against(o.state, leg, colour, goals);
+    add_goals_against(o.state, leg, colour, root, goals);
   }
   if (all.legs == 0) return "";
   Json numbers = numbers_table("");

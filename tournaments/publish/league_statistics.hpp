@@ -34,8 +34,8 @@ Json best_goalkeeper(const Overview& overview, const LegReports& reports);
 std::string statistics_html(const Overview& overview, const LegReports& reports);
 
 // Returns the part of a team's page with its numbers, as blue and as yellow, and the kinds of goals
-// against the team.
-std::string team_statistics_html(const Overview& overview, int team);
+// against the team. `root` leads from the page to the front page: "../".
+std::string team_statistics_html(const Overview& overview, int team, const std::string& root);
 
 // Returns statistics.json, statistics.csv and goals.csv. The files refer to the reports, which must
 // outlive them.

@@ -150,7 +150,7 @@ std::string team_html(const SiteContent& c, int team) {
   values["best"] = extremes(o, team, legs, true);
   values["worst"] = extremes(o, team, legs, false);
   values["opponents"] = opponents_values(o, team, legs);
-  values["statistics"] = team_statistics_html(o, team);
+  values["statistics"] = team_statistics_html(o, team, "../");
   values["faults"] = faults_values(o, team, legs);
   add_fixtures(values, c, team);
   return filled_page("team.html", values);

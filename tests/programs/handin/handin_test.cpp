@@ -161,8 +161,17 @@ TEST_F(HandIn, KeepsWhatComesAfterTheDeadlineForTheHostToDecide) {
       << "a later file has removed it";
   EXPECT_NE(entries().find("entry 3 came after the deadline"), std::string::npos) << entries();
   EXPECT_EQ(page("/hand-in", alpha).find("data-pin=\"3\""), std::string::npos);
+  EXPECT_NE(page("/hand-in", alpha).find("plays only if the host takes it"), std::string::npos);
+  EXPECT_NE(page("/hand-in", alpha).find("<p>The deadline was "), std::string::npos);
+  const std::string staff = staff_token();
+  EXPECT_NE(page("/hand-in?team=alpha", staff).find("hand-in/entries/3?team=alpha"),
+            std::string::npos);
+  EXPECT_NE(page("/hand-in/entries/3?team=alpha", staff).find("came after the deadline"),
+            std::string::npos);
+  EXPECT_EQ(ask("GET", "/hand-in/entries/3", staff).status, 404) << "of no team";
   const Outcome taken = run(league("take", folder_, {"alpha", "2"}));
   EXPECT_EQ(taken.out, "alpha plays with entry 2\n") << taken.err;
+  EXPECT_NE(page("/hand-in/entries/2", alpha).find("; the host has taken it"), std::string::npos);
   EXPECT_NE(entries().find("entry 2 will play\n"), std::string::npos) << entries();
 }
 

@@ -207,11 +207,18 @@ TEST(Grade, GivesBothLanguagesOneScore) {
     EXPECT_NE(grade({"list"}).out.find("start in " + sources + "\n"), std::string::npos);
     Json few = read_json(sources + ".json");
     for (Json& one : few["drills"]) one["change"]["tries"] = 6;
+    if (sheet == "roles") few["not_allowed"] = {"irocup", "from mirocup.team"};
     write_file(folder / "few.json", few.dump());
     const Outcome outcome = grade({folder / "few.json", cpp + "-start", sources + "/start.py",
                                    cpp + "-reference", sources + "/reference.py", "--json"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+    ASSERT_EQ(outcome.exit_code, sheet == "roles" ? 1 : 0) << outcome.err << outcome.out;
     const Json teams = Json::parse(outcome.out)["teams"];
+    if (sheet == "roles") {
+      EXPECT_NE(outcome.out.find(" has from mirocup.team, which the sheet does not allow"),
+                std::string::npos)
+          << outcome.out;
+      EXPECT_TRUE(teams[0]["note"].is_null()) << "no source is at hand";
+    }
     for (const std::size_t i : {0u, 2u}) EXPECT_EQ(teams[i]["drills"], teams[i + 1]["drills"]);
     EXPECT_EQ(teams[3]["score"], 100.0);
   }
