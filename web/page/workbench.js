@@ -86,8 +86,10 @@ function makeEditor() {
   const editor = globalThis.ace.edit(by('editor'), {
     mode: 'ace/mode/c_cpp', theme: matchMedia('(prefers-color-scheme: dark)').matches ? 'ace/theme/one_dark' : 'ace/theme/chrome',
     fontSize: 14, tabSize: 2, useSoftTabs: true, useWorker: false, wrap: 'free', indentedSoftWrap: true, enableKeyboardAccessibility: true, showPrintMargin: false,
+    vScrollBarAlwaysVisible: true, customScrollbar: true,  // a bar that takes no place would cover the ends of lines
     value: localStorage.getItem(keptAs) ?? bench.team,
   });
+  editor.renderer.once('afterRender', () => editor.resize(true));  // its first lines took the place of the bar
   editor.textInput.getElement().setAttribute('aria-label', 'The source of your team');
   editor.commands.addCommand({ name: 'run', bindKey: { win: 'Ctrl-Enter', mac: 'Command-Enter' }, exec: () => by('run').click() });
   editor.session.on('change', () => localStorage.setItem(keptAs, editor.getValue()));

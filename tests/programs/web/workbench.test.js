@@ -28,6 +28,16 @@ async function runTyped(page, source) {
 
 const told = (page, text, id = 'code_told') => page.waitForFunction(([words, place]) => document.getElementById(place).textContent.includes(words), [text, id]);
 
+// The lines of the editor that end below its scroll bar.
+function hiddenLines() {
+  const end = document.querySelector('.ace_sb-v').getBoundingClientRect().left;
+  return [...document.querySelectorAll('.ace_text-layer .ace_line')].filter((line) => {
+    const range = document.createRange();
+    range.selectNodeContents(line);
+    return range.getBoundingClientRect().right > end;
+  }).map((line) => line.textContent);
+}
+
 // Plays a leg in the page, and by the program with the team's library.
 async function expectSameLeg(page, source, half, seed, opponent) {
   for (const [id, value] of [['half', half], ['seed', seed]]) await page.fill(`#${id}`, String(value));
@@ -48,6 +58,7 @@ test('a typed team plays the leg of its library, is stopped, and is told its mis
   const page = await openPage(address);
   await expectSameLeg(page, source.replace(' private:', '  void place(const Observation&, Placement& all) override { all.robots[2].y += 0.1; }\n private:'), 20, 3, 'tactician');
   await expectSameLeg(page, source, 60, 1, 'chaser');
+  assert.deepEqual(await violations(page), [], 'after a leg');
   await page.click('#why button');  // a drill against what cost the team most
   await told(page, 'Drill under way', 'hand_told');
 
@@ -85,9 +96,10 @@ test('the page of a league hands in, and its workers run under the policy of the
 
 test('everything can be read and reached, at 1280 and 390 px; from disk it says what it needs', options, async () => {
   await inAllViews(address, async (page, how) => {
-    await page.waitForSelector('.ace_content');
+    await page.waitForSelector('.ace_sb-v');
     assert.deepEqual(await violations(page), [], how);
     assert.equal(await sticksOut(page), false, how);
+    assert.deepEqual(await page.evaluate(hiddenLines), [], how);
     assert.deepEqual(page.problems, []);
   });
   await told(await openPage(`file://${join(folder, 'bench/index.html')}`), 'Run needs a web server');
