@@ -53,6 +53,7 @@ async function compile({ clang, source }) {
     files = await runClang(['clang++', ...options, 'team.cpp', 'seat.cpp', '-o', 'team.wasm'], { include, 'team.cpp': source, 'seat.cpp': seat },
       { stderr });
   } catch (error) {
+    if (error instanceof RangeError) throw new Error('the compiler needs a deeper stack than this browser has, so nest templates less deeply');
     if (!text) throw error;
   }
   return { wasm: files?.['team.wasm'], text, seconds: (performance.now() - begin) / 1000 };

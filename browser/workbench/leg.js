@@ -15,11 +15,10 @@ const looked = (act) => async (question) => {
 
 onmessage = answering({
   ...Object.fromEntries(Object.entries(acts).map(([name, act]) => [name, looked(act)])),
-  // Answers the name under which the team takes a seat.
-  async load({ team, parameters }) {
-    const game = fetch(new URL('mirocup.wasm', import.meta.url)).then((response) => response.arrayBuffer());
+  // Answers the name under which the team takes a seat. The page gives both modules, so this worker needs no network.
+  async load({ team, game, parameters }) {
     teams = new Teams(await WebAssembly.compile(team), parameters);
-    await acts.load({ wasm: await game });
+    await acts.load({ wasm: game });
     return teams.name;
   },
   // Plays a whole leg without drawing it. Returns the leg's status.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// node pack.mjs FOLDER HEADERS: makes what `mirocup workbench` copies, from the packages of npm in FOLDER/node_modules, the
-// headers of teams, and the files beside this script: FOLDER/clang, which changes with the compiler only, and FOLDER/parts.
+// node pack.mjs FOLDER HEADERS TUTORIAL: makes what `mirocup workbench` copies, from the packages of npm in FOLDER/node_modules, the
+// headers of teams, docs/first-goal.md, and the files beside this script: FOLDER/clang, which changes with the compiler only, and
+// FOLDER/parts.
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
-const [folder, headers] = process.argv.slice(2);
+const [folder, headers, tutorial] = process.argv.slice(2);
 const mostBytes = 1 << 20;  // of a file, so that a server need not hold much for a slow browser
 const here = dirname(fileURLToPath(import.meta.url));
 const [clang, ace] = [join(folder, 'node_modules/@yowasp/clang'), join(folder, 'node_modules/ace-builds')];
@@ -50,3 +51,19 @@ for (const text of texts(tree(headers))) {
   }
 }
 writeFileSync(join(folder, 'parts', 'functions.json'), JSON.stringify(functions));
+
+// The steps of the tutorial as whole teams, {title: source}. A step shows what changes in the class of the first step, and says in
+// which step another function stands.
+const steps = [...readFileSync(tutorial, 'utf8').matchAll(/^## ([0-9]) (.*)\n[^]*?```cpp\n([^]*?)```/gm)];
+const [head] = steps[0][3].split(/^.*decide\(/m);
+const [, tail] = steps[0][3].split(/(?=^};)/m);
+const functionOf = (name, step) => {
+  const lines = steps[step - 1][3].split('\n');
+  const first = lines.findIndex((line) => line.includes(` ${name}(`) && line.endsWith('{'));
+  return lines.slice(first, lines.findIndex((line, i) => i > first && line === '')).join('\n');
+};
+const beginnings = Object.fromEntries(steps.map(([, number, title, code]) => {
+  const own = code.replace(/^ *\/\/ (\w+)\(\) as in step ([0-9])$/gm, (_, name, step) => functionOf(name, Number(step)));
+  return [`${number} ${title}`, own.startsWith('#include') ? own : head + own + tail];
+}));
+writeFileSync(join(folder, 'parts', 'beginnings.json'), JSON.stringify(beginnings));

@@ -17,10 +17,12 @@ const reasons = [[/unreachable/, 'it called abort(), or reached code that must n
 class Team {
   constructor(module, parameters, said) {
     Object.assign(this, { parameters, said, tick: 0, time: 0, shapes: [], line: '' });
-    const known = { mirocup: this.#own(), wasi_snapshot_preview1: this.#system() };
-    const imports = {};
+    // A team may name an import as what each object inherits, such as 'constructor'.
+    const bare = (functions) => Object.assign(Object.create(null), functions);
+    const known = bare({ mirocup: bare(this.#own()), wasi_snapshot_preview1: bare(this.#system()) });
+    const imports = bare();
     for (const { module: from, name } of WebAssembly.Module.imports(module)) {
-      (imports[from] ??= {})[name] = known[from]?.[name] ?? (() => noFunction);
+      (imports[from] ??= bare())[name] = known[from]?.[name] ?? (() => noFunction);
     }
     this.exports = new WebAssembly.Instance(module, imports).exports;
     this.call('_initialize');
@@ -38,9 +40,12 @@ class Team {
   #own() {
     return {
       log: (text) => this.said(this.tick, this.#text(text)),
-      parameter: (name, fallback) => this.parameters[this.#text(name)] ?? fallback,
+      parameter: (name, fallback) => {
+        const text = this.#text(name);
+        return Object.hasOwn(this.parameters, text) ? this.parameters[text] : fallback;
+      },
       draw: (kind, layer, colour, numbers, count, text) => {
-        if (this.shapes.length >= maxShapes || count > 2 * maxCorners || (kind === 2 && count < 6) || numbers === 0) return;
+        if (!kinds[kind] || this.shapes.length >= maxShapes || count > 2 * maxCorners || (kind === 2 && count < 6) || numbers === 0) return;
         const all = Array.from({ length: count }, (_, i) => this.#view.getFloat64(numbers + 8 * i, true));
         if (!all.every(Number.isFinite)) return;
         const shape = kind === 3 ? [...all, this.#text(text)] : kind === 2 ? all.flatMap((x, i) => (i % 2 ? [] : [[x, all[i + 1]]])) : all;
@@ -60,7 +65,7 @@ class Team {
         for (let i = 0; i < count; ++i) {
           const length = this.#view.getUint32(parts + 8 * i + 4, true);
           const bytes = new Uint8Array(this.exports.memory.buffer, this.#view.getUint32(parts + 8 * i, true), length);
-          this.line += new TextDecoder().decode(bytes);
+          if (this.line.length < 2 * maxLog) this.line += new TextDecoder().decode(bytes.subarray(0, maxLog));
           size += length;
         }
         this.#view.setUint32(written, size, true);
@@ -77,6 +82,12 @@ class Team {
         return 0;
       },
       fd_prestat_get: () => noFile,
+      environ_sizes_get: (count, size) => {  // getenv() finds nothing
+        this.#view.setUint32(count, 0, true);
+        this.#view.setUint32(size, 0, true);
+        return 0;
+      },
+      environ_get: () => 0,
       clock_time_get: (_, precision, at) => {
         this.#view.setBigUint64(at, BigInt(Math.round(1e6 * (timeOfDay + this.time))) * 1000n, true);
         return 0;

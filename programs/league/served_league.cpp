@@ -32,7 +32,10 @@ constexpr std::chrono::nanoseconds longest_rest = 5s;
 constexpr const char* policy =
     "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'";
 
-constexpr const char* worker_policy =
+// Of the workers of the workbench. That which runs a team has no network.
+constexpr const char* team_policy =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'none'";
+constexpr const char* compiler_policy =
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'";
 
 std::string type_of(const std::string& path) {
@@ -307,7 +310,9 @@ std::optional<web::Page> ServedLeague::workbench_page(const std::string& name) {
   if (!bytes) return std::nullopt;
   const bool is_page = found == files.begin();
   return web::Page{.type = type_of(is_page ? "workbench.html" : name),
-                   .policy = is_page ? "frame-ancestors 'none'" : worker_policy,
+                   .policy = is_page                         ? "frame-ancestors 'none'"
+                             : name.ends_with("/compile.js") ? compiler_policy
+                                                             : team_policy,
                    .bytes = std::move(*bytes),
                    .is_for_ever = !is_page};
 }

@@ -82,6 +82,14 @@ async function compile(source) {
   }
 }
 
+const beginnings = { 'a whole team': bench.team };
+
+// Offers the texts with which a team can begin, of which the build has made some from the tutorial.
+async function offerBeginnings() {
+  if (!isOnDisk) Object.assign(beginnings, await (await fetch(addressOf(bench.parts, 'beginnings.json'))).json());
+  by('beginning').replaceChildren(...Object.keys(beginnings).map((name) => new Option(name)));
+}
+
 function makeEditor() {
   const editor = globalThis.ace.edit(by('editor'), {
     mode: 'ace/mode/c_cpp', theme: matchMedia('(prefers-color-scheme: dark)').matches ? 'ace/theme/one_dark' : 'ace/theme/chrome',
@@ -126,9 +134,11 @@ function showMessages(text) {
 }
 
 // The leg is played by leg.js, whose answers also have what the team printed.
+let game;  // the bytes of mirocup.wasm
 play.connect = async ({ wasm }) => {
+  game ??= await (await fetch(addressOf(bench.parts, 'mirocup.wasm'))).arrayBuffer();
   play.worker = new Worker(addressOf(bench.parts, 'leg.js'), { type: 'module' });
-  play.seatName = await play.ask({ act: 'load', team: wasm, parameters: {} });
+  play.seatName = await play.ask({ act: 'load', team: wasm, game, parameters: {} });
 };
 const { ask, shown } = play;
 play.ask = async (question) => {
@@ -278,13 +288,14 @@ by('source_file').addEventListener('change', async () => {
   if (chosen) editor.setValue(await chosen.text(), -1);
   by('source_file').value = '';
 });
-by('again').addEventListener('click', () => editor.setValue(bench.team, -1));  // the editor can undo it
+by('again').addEventListener('click', () => editor.setValue(beginnings[by('beginning').value], -1));  // the editor can undo it
 if (isOnDisk) {
   by('run').disabled = true;
   tell('Run needs a web server: a browser starts no compiler from a disk. Put this folder on any web server, or call “python3 -m http.server” in it. To play by hand, open playground.html.');
 } else {
   describeFunctions();
 }
+offerBeginnings();
 if (navigator.deviceMemory < leastMemory) {
   tell('This device has little memory, and the compiler may end before it is done. You can still read, change and export the team.');
 }
