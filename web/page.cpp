@@ -6,6 +6,7 @@
 #include "record/replay_file.hpp"
 #include "record/statistics/counter.hpp"
 #include "system/digest.hpp"
+#include "system/text.hpp"
 #include "web/design/template.hpp"
 #include "web/picture.hpp"
 
@@ -69,12 +70,18 @@ Json calls_as_text(const Json& decisions, const match::ByTeam<std::string>& name
   return calls;
 }
 
+std::string code_of_page(bool has_play) {
+  std::vector<std::string_view> parts(modules.begin(), modules.end());
+  if (!has_play) std::erase(parts, "play.js");
+  return page_script(parts);
+}
+
+// `files`: as in replay_page().
 std::string page(const match::Leg& first_moment, const match::ByTeam<std::string>& names,
                  const Json& data, const std::string& proof = "",
-                 ModulePlace module = ModulePlace::nowhere, const std::string& links = "") {
-  std::vector<std::string_view> parts(modules.begin(), modules.end());
-  if (proof.empty()) std::erase(parts, "play.js");
-  const std::string code = page_script(parts);
+                 ModulePlace module = ModulePlace::nowhere, const std::string& links = "",
+                 const std::optional<std::string>& files = {}) {
+  const std::string code = files ? "" : code_of_page(!proof.empty());
   Json values{{"title", names[0] + " – " + names[1]},
               {"blue", names[0]},
               {"yellow", names[1]},
@@ -82,12 +89,18 @@ std::string page(const match::Leg& first_moment, const match::ByTeam<std::string
               {"links", links},
               {"has_proof", !proof.empty()},
               {"proof", proof},
+              {"files", false},
               {"style", page_style()},
               {"picture", picture(first_moment)},
               {"data", embedded(data)},
               {"script", code},
               {"score", "0 : 0"},
               {"phase", "First half"}};
+  if (files) {
+    const std::string script = page_files().front().name;
+    values["files"] = *files + script.substr(0, script.rfind('.'));
+    values["picture"] = system::replaced(picture(first_moment), picture_style(), "");
+  }
   if (data.contains("result")) {
     values["score"] = score_text(data["result"]["score"]);
     values["phase"] = words(record::text_in(data["result"], "end"));
@@ -280,6 +293,14 @@ std::optional<Json> data_of_page(std::string_view html) {
   return is_data ? std::optional(std::move(parsed.value)) : std::nullopt;
 }
 
+std::vector<ScriptFile> page_files() {
+  constexpr std::size_t digits = 16;
+  std::string script = "(() => {\n'use strict';\n" + code_of_page(true) + "})();\n";
+  std::string style = page_style() + std::string(asset("picture.css"));
+  const std::string name = "module/" + system::sha256(script + style).substr(0, digits);
+  return {{name + ".js", std::move(script)}, {name + ".css", std::move(style)}};
+}
+
 std::string first_picture(const record::MatchRecord& record) {
   return picture(match::Leg(record.recording.setup));
 }
@@ -287,7 +308,8 @@ std::string first_picture(const record::MatchRecord& record) {
 tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
                                                          Times times, const record::OwnTexts& own,
                                                          const std::optional<Proof>& proof,
-                                                         Wheels wheels, const std::string& links) {
+                                                         Wheels wheels, const std::string& links,
+                                                         const std::optional<std::string>& files) {
   MIROCUP_TRY(auto data, play_again(record, times));
   add_own(data.json, own);
   if (wheels == Wheels::shown) data.json["wheels"] = std::move(data.wheels);
@@ -297,7 +319,7 @@ tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchReco
                                                           : ModulePlace::beside_it;
   return ReplayPage{
       page(match::Leg(record.recording.setup), {record.teams[0].name, record.teams[1].name},
-           data.json, text, module, links),
+           data.json, text, module, links, files),
       data.statistics, text.size()};
 }
 

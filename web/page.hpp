@@ -52,15 +52,19 @@ struct ReplayPage {
   std::size_t proof_size = 0;            // number of bytes in the page for the proof of the leg
 };
 
+// Returns script and style of replay pages as files for all pages of a site, NAME.js and NAME.css.
+// NAME has a hash of their content.
+std::vector<ScriptFile> page_files();
+
 // Returns the page of the leg, with its data. `links` is HTML for the top of the page, such as
 // links to the other pages of a league. `own` has thoughts and logs of the teams; leave it out for
-// a public page. Visitors can prove the leg only if `proof` has or names a module.
-tl::expected<ReplayPage, replay::Divergence> replay_page(const record::MatchRecord& record,
-                                                         Times times = Times::shown,
-                                                         const record::OwnTexts& own = {},
-                                                         const std::optional<Proof>& proof = {},
-                                                         Wheels wheels = Wheels::left_out,
-                                                         const std::string& links = "");
+// a public page. Visitors can prove the leg only if `proof` has or names a module. `files` is the
+// link from the page to the folder of page_files(); without it the page has script and style
+// inside.
+tl::expected<ReplayPage, replay::Divergence> replay_page(
+    const record::MatchRecord& record, Times times = Times::shown, const record::OwnTexts& own = {},
+    const std::optional<Proof>& proof = {}, Wheels wheels = Wheels::left_out,
+    const std::string& links = "", const std::optional<std::string>& files = {});
 
 // Returns the script file with the commands of both teams for a page of this record.
 std::string commands_script(const record::MatchRecord& record);

@@ -45,10 +45,12 @@ std::string page_style() {
 }
 
 std::string page_policy(const std::string& script, ModulePlace module) {
-  std::string policy =
-      "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'; script-src 'sha256-" +
-      system::sha256_base64(script) + "'";
-  if (module == ModulePlace::beside_it) policy += " 'self'";
+  // Not every browser counts files beside a page on a disk as its own.
+  std::string policy = "default-src 'none'; connect-src 'self'; ";
+  policy += script.empty() ? "style-src 'self' file:; script-src 'self' file:"
+                           : "style-src 'unsafe-inline'; script-src 'sha256-" +
+                                 system::sha256_base64(script) + "'";
+  if (module == ModulePlace::beside_it && !script.empty()) policy += " 'self'";
   return module == ModulePlace::nowhere ? policy : policy + " 'wasm-unsafe-eval'; worker-src blob:";
 }
 

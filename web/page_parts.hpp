@@ -43,7 +43,8 @@ enum class ModulePlace { nowhere, in_the_page, beside_it };
 
 // Returns the content security policy of a page with a script: the page loads nothing from
 // elsewhere, and runs only the script and, in a worker, the module if the page has a module. With
-// ModulePlace::beside_it, the page also runs script files of its own host.
+// ModulePlace::beside_it, the page also runs script files of its own host. If `script` is empty,
+// script and style are files beside the page.
 std::string page_policy(const std::string& script, ModulePlace module);
 
 // Returns a long text for the inside of a page, as gzip in base64, which has no characters of

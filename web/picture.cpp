@@ -62,6 +62,10 @@ std::string trail(const Moment& moment) {
 
 }  // namespace
 
+std::string picture_style() {
+  return "<style>\n" + std::string(asset("picture.css")) + "</style>\n";
+}
+
 std::string picture(const field::Field& field, const simulator::Parameters& parameters,
                     const Moment& moment) {
   const double width = 2.0 * (field.half_length + field.goal_depth + margin);
@@ -72,7 +76,7 @@ std::string picture(const field::Field& field, const simulator::Parameters& para
       attribute("class", "field") +
       attribute("viewBox", millimetres(-width / 2.0) + " " + millimetres(-height / 2.0) + " " +
                                millimetres(width) + " " + millimetres(height)) +
-      ">\n<style>\n" + std::string(asset("picture.css")) + "</style>\n";
+      ">\n" + picture_style();
   svg += "<rect class=\"wall\"" + attribute("x", millimetres(-width / 2.0)) +
          attribute("y", millimetres(-height / 2.0)) + attribute("width", millimetres(width)) +
          attribute("height", millimetres(height)) + "/>\n";

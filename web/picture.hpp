@@ -20,6 +20,9 @@ struct Moment {
 std::string picture(const field::Field& field, const simulator::Parameters& parameters,
                     const Moment& moment);
 
+// The style element in each picture.
+std::string picture_style();
+
 // The present moment of a leg.
 std::string picture(const match::Leg& leg);
 

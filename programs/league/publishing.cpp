@@ -7,6 +7,7 @@
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/site.hpp"
 #include "tournaments/publish/snapshot.hpp"
+#include "web/page.hpp"
 #include "web/playground.hpp"
 
 #include <iostream>
@@ -23,11 +24,15 @@ std::function<std::string()> playground_maker(system::Files& files) {
   };
 }
 
-std::optional<SiteFile> site_module(system::Files& files) {
+PageParts page_parts(system::Files& files) {
+  PageParts parts;
+  for (web::ScriptFile& file : web::page_files())
+    parts.page.push_back({std::move(file.name), std::move(file.text)});
   const auto module = web::browser_module(files).value_or(std::nullopt);
-  if (!module) return std::nullopt;
+  if (!module) return parts;
   web::ScriptFile script = web::module_file(*module);
-  return SiteFile{std::move(script.name), std::move(script.text)};
+  parts.module = {std::move(script.name), std::move(script.text)};
+  return parts;
 }
 
 Result<std::optional<Night>> night_for(const LeagueState& shown, const LeagueStore& store) {
@@ -84,8 +89,9 @@ Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState
   for (const std::string& path : {folder.path, folder.site()})
     MIROCUP_TRY_VOID(files.remove_unfinished(path));
   // First what takes long: the pages of league and teams show the statistics of every leg.
-  MIROCUP_TRY(auto legs, publish_legs(files, folder, shown, jobs,
-                                      shown.file.has_proofs ? site_module(files) : std::nullopt));
+  PageParts parts = page_parts(files);
+  if (!shown.file.has_proofs) parts.module.reset();
+  MIROCUP_TRY(auto legs, publish_legs(files, folder, shown, parts, jobs));
   const bool has_refused = !legs.refused.empty();
   const Site site({.state = std::move(shown),
                    .legs = std::move(legs.known),

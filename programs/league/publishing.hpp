@@ -22,9 +22,9 @@ Result<std::optional<Night>> night_for(const LeagueState& shown, const LeagueSto
 // browsers was not built. `files` must outlive the function.
 std::function<std::string()> playground_maker(system::Files& files);
 
-// Returns the module of this program with which browsers prove the legs of a league; nothing if it
-// was not built.
-std::optional<SiteFile> site_module(system::Files& files);
+// Returns the files beside the replay pages of this program. They lack the module if it was not
+// built.
+PageParts page_parts(system::Files& files);
 
 // Prints to standard error what journal and files of the league lack, and returns it.
 Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store);

@@ -249,9 +249,9 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
   return web::Page{type_of(path), "", std::move(*bytes)};
 }
 
-const std::optional<SiteFile>& ServedLeague::module() {
-  std::call_once(module_made_, [this] { module_ = site_module(files_); });
-  return module_;
+const PageParts& ServedLeague::parts() {
+  std::call_once(parts_made_, [this] { parts_ = page_parts(files_); });
+  return parts_;
 }
 
 // Returns how pages that are made now can be proved, by addresses below `root`; nothing if the host
@@ -262,11 +262,12 @@ std::optional<web::Proof> ServedLeague::proof(const std::string& root,
     const std::lock_guard lock(mutex_);
     if (!store_.state().file.has_proofs) return std::nullopt;
   }
-  if (!module()) return std::nullopt;
-  return web::Proof{.module_file = root + module()->name, .commands_file = commands_file};
+  if (!parts().module) return std::nullopt;
+  return web::Proof{.module_file = root + parts().module->name, .commands_file = commands_file};
 }
 
-// Returns a module as publish has written it, also that of a program of before, or this one's.
+// Returns a file beside pages as publish has written it, also that of a program of before, or this
+// one's.
 std::optional<web::Page> ServedLeague::module_page(const std::string& name) {
   if (std::filesystem::path(name).lexically_normal() != name ||
       std::count(name.begin(), name.end(), '/') != 1)
@@ -274,8 +275,10 @@ std::optional<web::Page> ServedLeague::module_page(const std::string& name) {
   auto kept =
       files_.read(store_.folder().site() + "/" + name, {.max_size = system::size_limit::page});
   if (kept) return web::Page{type_of(name), "", std::move(*kept)};
-  if (!module() || module()->name != name) return std::nullopt;
-  return web::Page{type_of(name), "", module()->bytes};
+  for (const SiteFile& file : parts().all()) {
+    if (file.name == name) return web::Page{type_of(name), "", file.bytes};
+  }
+  return std::nullopt;
 }
 
 // Returns a page of the closing round as it was published; links lead out of no folder.
@@ -346,7 +349,7 @@ std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   name_teams(*loaded, part);
   const std::string commands = std::filesystem::path(commands_file_of(record)).filename();
   auto page = web::replay_page(*loaded, web::Times::left_out, {}, proof("../", commands),
-                               web::Wheels::left_out, record::text_in(part, "links"));
+                               web::Wheels::left_out, record::text_in(part, "links"), "../");
   if (!page) return std::nullopt;
   return web::Page{type_of(html), "", std::move(page->html)};
 }
@@ -405,7 +408,7 @@ std::optional<std::string> ServedLeague::own_replay(const std::string& name,
   std::string& html = page->bytes;
   for (const std::string file : {"\"module_file\":\"", "\"commands_file\":\""})
     html = system::replaced(std::move(html), file, file + "../../replays/");
-  return std::move(html);
+  return system::replaced(std::move(html), "=\"../module/", "=\"../../module/");
 }
 
 std::map<std::string, int> ServedLeague::booked_entries() {
@@ -490,7 +493,7 @@ std::optional<std::string> ServedLeague::page_with_own(const std::string& record
   const auto proven = proof(root);
   auto page = web::replay_page(*loaded, web::Times::left_out, own.value_or(record::OwnTexts{}),
                                proven, proven ? web::Wheels::shown : web::Wheels::left_out,
-                               record::text_in(part, "links"));
+                               record::text_in(part, "links"), root);
   if (!page) return std::nullopt;
   return std::move(page->html);
 }

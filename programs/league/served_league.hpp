@@ -115,7 +115,7 @@ class ServedLeague {
   std::optional<web::Page> commands_page(const std::string& stem);
   std::optional<web::Page> page_of_closing_round(const std::string& name);
   std::optional<web::Proof> proof(const std::string& root, const std::string& commands_file = "");
-  const std::optional<SiteFile>& module();
+  const PageParts& parts();
 
   system::Files& files_;
   std::atomic<bool> has_written_{false};  // since the last look at the folder
@@ -141,8 +141,8 @@ class ServedLeague {
   std::vector<web::WorkbenchFile> workbench_;  // empty before the first request
 
   std::mutex replaying_;  // held while a replay page is made; pages are made one at a time
-  std::once_flag module_made_;
-  std::optional<SiteFile> module_;  // the module of this program; set by module()
+  std::once_flag parts_made_;
+  PageParts parts_;  // of the pages of this program; set by parts()
 };
 
 }  // namespace mirocup::league

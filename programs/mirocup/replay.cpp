@@ -32,10 +32,11 @@ struct ReplayOptions {
   bool public_page = false;  // without what only the teams may see
   bool no_proof = false;     // without what a browser needs to simulate the leg again
   std::string proof_module;  // address of the module, seen from the page; "": it is in the page
-  std::string statistics;    // file for the statistics of the leg; "": none
-  std::string links;         // HTML for the page, of a league
-  std::vector<std::string> names;  // of the teams on the page; none: those of the record
-  bool open = false;               // in a browser
+  std::optional<std::string> page_files;  // address of the folder of web::page_files()
+  std::string statistics;                 // file for the statistics of the leg; "": none
+  std::string links;                      // HTML for the page, of a league
+  std::vector<std::string> names;         // of the teams on the page; none: those of the record
+  bool open = false;                      // in a browser
 };
 
 constexpr double trail_seconds = 1.0;
@@ -182,15 +183,15 @@ Result<int> run_replay(const ReplayOptions& options) {
   record::MatchRecord named = record;
   for (std::size_t i = 0; i < options.names.size(); ++i) named.teams[i].name = options.names[i];
   web::ReplayPage shown;
-  const auto made =
-      options.svg
-          ? picture_at(record.recording, moment)
-          : web::replay_page(named, times, own, proof,
-                             shows_own ? web::Wheels::shown : web::Wheels::left_out, options.links)
-                .map([&shown](web::ReplayPage page) {
-                  shown = std::move(page);
-                  return shown.html;
-                });
+  const auto made = options.svg
+                        ? picture_at(record.recording, moment)
+                        : web::replay_page(named, times, own, proof,
+                                           shows_own ? web::Wheels::shown : web::Wheels::left_out,
+                                           options.links, options.page_files)
+                              .map([&shown](web::ReplayPage page) {
+                                shown = std::move(page);
+                                return shown.html;
+                              });
   if (!made) return not_reproduced(options.record, record, made.error(), "shown");
   MIROCUP_TRY_VOID(disk.write(output, *made));
   std::string beside;
@@ -245,6 +246,7 @@ void add_replay(system::Commands& commands) {
       "Leave out the data that only the teams may see: their thoughts and logs, and the commands "
       "with which a browser can simulate the leg again");
   command.option("--links", o.links).hidden();
+  command.option("--page-files", o.page_files).hidden();
   command.option("--names", o.names).takes(2, 2).hidden();
   command.flag("--no-proof", o.no_proof,
                "Leave out the module and the commands with which a visitor's browser can simulate "

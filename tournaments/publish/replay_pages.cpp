@@ -34,17 +34,19 @@ bool has_changed(const Folder& folder, const std::string& record) {
   return time_of(path) > made || time_of(record::replay_path_of(path)) > made;
 }
 
-// Returns what the league has put on a page, with the name of the page's module; null if there is
-// no such file, or it cannot be read.
+// Returns what the league has put on a page, with the names of the page's module and of its script;
+// null if there is no such file, or it cannot be read.
 Json kept_part(system::Files& files, const Folder& folder, const std::string& record) {
   const auto text = files.read(folder.site() + "/" + part_file_of(record),
                                {.max_size = system::size_limit::note});
   return text ? record::parse_json(*text).value : Json();
 }
 
-// What the league's part has besides the module.
+// What the league's part has besides the files beside the page.
 bool is_same_part(Json kept, const Json& part) {
-  if (kept.is_object()) kept.erase("module");
+  for (const char* file : {"module", "script"}) {
+    if (kept.is_object()) kept.erase(file);
+  }
   return kept == part;
 }
 
@@ -66,6 +68,7 @@ std::vector<std::string> command_for(const Folder& folder, const NewPage& page,
   words.insert(words.end(),
                {"--statistics", folder.site() + "/" + statistics_file_of(page.record)});
   words.push_back("--links=" + record::text_in(page.part, "links"));
+  words.insert(words.end(), {"--page-files", "../"});
   if (!page.part["names"].empty()) words.emplace_back("--names");
   for (const Json& name : page.part["names"]) {
     if (const auto* text = name.get_ptr<const std::string*>()) words.push_back(*text);
@@ -91,9 +94,9 @@ struct Attempt {
 
 class ReplayPages {
  public:
-  ReplayPages(system::Files& files, const Folder& folder, LeagueState& state, int jobs,
-              const std::optional<SiteFile>& module)
-      : files_(files), folder_(folder), state_(state), jobs_(jobs), module_(module) {}
+  ReplayPages(system::Files& files, const Folder& folder, LeagueState& state,
+              const PageParts& parts, int jobs)
+      : files_(files), folder_(folder), state_(state), parts_(parts), jobs_(jobs) {}
 
   Result<PublishedLegs> make() {
     MIROCUP_TRY_VOID(remove_other_pages());
@@ -108,8 +111,12 @@ class ReplayPages {
     // Statistics of pruned nights that were missing came with their pages.
     MIROCUP_TRY_VOID(remove_other_pages());
     std::set<std::string> modules;
-    for (const Attempt& attempt : attempts())
-      modules.insert(record::text_in(pages_[attempt.record].part, "module"));
+    for (const Attempt& attempt : attempts()) {
+      const Json& part = pages_[attempt.record].part;
+      const std::string script = record::text_in(part, "script");
+      modules.insert(
+          {record::text_in(part, "module"), script, script.substr(0, script.rfind('.')) + ".css"});
+    }
     MIROCUP_TRY_VOID(remove_former_pages(files_, folder_.site(), "module/", modules));
     return std::move(legs_);
   }
@@ -192,12 +199,11 @@ class ReplayPages {
   Result<void> make_missing(bool compares_parts) {
     MIROCUP_TRY(auto missing, this->missing(compares_parts));
     if (missing.empty()) return {};
-    std::vector<std::string> folders{"/replays", "/statistics"};
-    if (module_) folders.push_back("/module");
-    for (const std::string& name : folders)
+    for (const char* name : {"/replays", "/statistics", "/module"})
       MIROCUP_TRY_VOID(files_.make_folder(folder_.site() + name));
-    const std::string module = module_ ? module_->name : "";
-    if (module_) MIROCUP_TRY_VOID(files_.update(folder_.site() + "/" + module, module_->bytes));
+    const std::string module = parts_.module ? parts_.module->name : "";
+    for (const SiteFile& file : parts_.all())
+      MIROCUP_TRY_VOID(files_.update(folder_.site() + "/" + file.name, file.bytes));
     const std::size_t at_once =
         jobs_ > 0 ? static_cast<std::size_t>(jobs_) : system::processors().size();
     system::ProcessSet processes;
@@ -214,6 +220,7 @@ class ReplayPages {
       if (!exit) return fail(Errc::interrupted, "interrupted while making replay pages");
       NewPage& page = missing[static_cast<std::size_t>(exit->tag)];
       page.part["module"] = module;
+      page.part["script"] = parts_.page.front().name;
       MIROCUP_TRY_VOID(note_end(page, exit->signal == 0 ? exit->code : exit_code(Errc::host)));
     }
     return {};
@@ -256,8 +263,8 @@ class ReplayPages {
   system::Files& files_;
   const Folder& folder_;
   LeagueState& state_;
+  const PageParts& parts_;
   const int jobs_;
-  const std::optional<SiteFile>& module_;
   PublishedLegs legs_;
   std::map<std::string, KeptPage> pages_;  // by record
 };
@@ -314,9 +321,15 @@ std::string nav(const Overview& o, const std::string& record) {
 
 }  // namespace
 
+std::vector<SiteFile> PageParts::all() const {
+  std::vector<SiteFile> files = page;
+  if (module) files.push_back(*module);
+  return files;
+}
+
 Result<PublishedLegs> publish_legs(system::Files& files, const Folder& folder, LeagueState& state,
-                                   int jobs, const std::optional<SiteFile>& module) {
-  return ReplayPages(files, folder, state, jobs, module).make();
+                                   const PageParts& parts, int jobs) {
+  return ReplayPages(files, folder, state, parts, jobs).make();
 }
 
 Json league_part(const Overview& o, const std::string& record) {

@@ -27,12 +27,20 @@ struct PublishedLegs {
   std::set<std::string> refused;  // the records of the legs that were taken out
 };
 
+// The files beside replay pages, which all pages of a program share.
+struct PageParts {
+  std::vector<SiteFile> page;           // their script and style
+  std::optional<SiteFile> module = {};  // with which browsers prove legs; nothing: without proofs
+
+  std::vector<SiteFile> all() const;
+};
+
 // Makes the missing pages, `jobs` at once (0: one for each processor), and removes pages of pruned
-// nights and of legs that the state lacks. The statistics of pruned nights stay. A page gets a
-// proof by `module`, the file with which browsers prove legs, if there is one. Takes each leg whose
-// record differs from its replay out of the state; if a person decided the leg, only the record.
+// nights and of legs that the state lacks. The statistics of pruned nights stay. Takes each leg
+// whose record differs from its replay out of the state; if a person decided the leg, only the
+// record.
 Result<PublishedLegs> publish_legs(system::Files& files, const Folder& folder, LeagueState& state,
-                                   int jobs, const std::optional<SiteFile>& module = {});
+                                   const PageParts& parts, int jobs);
 
 // Returns what the league puts on the replay page of a record: {"links": HTML with links to the
 // front page, the round, both teams and the legs before and after, and with a note if the leg does

@@ -18,6 +18,7 @@ bool is_name_of(std::string_view part, std::string_view name) {
   if (part.empty()) return name == "night.html" || name == "feed.xml" || name == playground_name;
   const bool is_module = part == "module/";
   std::string_view end = is_module ? ".js" : part == "statistics/" ? ".json" : ".html";
+  if (is_module && name.ends_with(".css")) end = ".css";
   for (const std::string_view beside : {".proof.js", ".league.json"}) {
     if (part == "replays/" && name.ends_with(beside)) end = beside;
   }

@@ -21,7 +21,8 @@ export class Inspector {
   // {shapes, lines} of the team in that tick, or null; `changed()` is called when another robot or tick is to be shown.
   constructor({ place, body, names }, viewer, wheels, own, changed) {
     Object.assign(this, { place, body, names, viewer, own, changed, index: -1, kept: null, rows: null });
-    this.ring = shape('circle', { class: 'inspected', r: ringRadius, style: 'display: none' });
+    this.ring = shape('circle', { class: 'inspected', r: ringRadius });
+    this.ring.style.display = 'none';
     viewer.svg.append(this.ring);
     body.append(new Option('no robot', -1));
     for (let i = 0; i < 2 * viewer.robots; ++i) body.append(new Option(`${this.nameOf(i)}`, i));

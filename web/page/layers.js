@@ -28,7 +28,8 @@ export class Layers {
     this.trails = Array.from({ length: 2 * robots }, (_, i) => shape('path', { class: `robot_trail ${team(i)}` }));
     below.before(...this.trails);
     this.actions = new Actions(below);
-    this.keepers = ['blue', 'yellow'].map((name) => shape('circle', { class: `keeper ${name}`, r: keeperRadius, style: 'display: none' }));
+    this.keepers = ['blue', 'yellow'].map((name) => shape('circle', { class: `keeper ${name}`, r: keeperRadius }));
+    for (const ring of this.keepers) ring.style.display = 'none';
     svg.append(...this.keepers);
     this.velocities = Array.from({ length: 2 * robots + 1 }, (_, i) =>
       shape('path', { class: i === 0 ? 'velocity of_ball' : 'velocity' }));

@@ -399,6 +399,7 @@ function linkReplay() {
   by('about').before(link);
 }
 
+by('waiting').remove();
 by('about').textContent = leg.about;
 connectControls();
 if (leg.live) followMatch();

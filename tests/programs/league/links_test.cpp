@@ -169,13 +169,14 @@ TEST_F(LeagueOfAStranger, MayBeReachedByALink) {
 
 TEST_F(LeagueOfAStranger, LosesOnlyPagesThatPublishingMakes) {
   const std::vector<std::string> kept{
-      "replays/holiday.html", "replays/.ssh/id",  "replays/r9-f9-1-1.html/thesis.tex",
-      "statistics/x.json",    "rounds/plan.html", "module/app.js",
-      "digests/notes.txt",    "teams/notes.txt",  "thesis/feed.xml"};
-  const std::vector<std::string> gone{"replays/r9-f9-1-2.html",       "replays/r9-f9-1-2.proof.js",
-                                      "statistics/g1-r9-f9-1-2.json", "rounds/k9.html",
-                                      "module/0123456789abcdef.js",   "teams/omega.html",
-                                      "digests/omega.html",           "feed.xml"};
+      "replays/holiday.html", "replays/.ssh/id",   "replays/r9-f9-1-1.html/thesis.tex",
+      "statistics/x.json",    "rounds/plan.html",  "module/app.js",
+      "module/app.css",       "digests/notes.txt", "teams/notes.txt",
+      "thesis/feed.xml"};
+  const std::vector<std::string> gone{
+      "replays/r9-f9-1-2.html", "replays/r9-f9-1-2.proof.js", "statistics/g1-r9-f9-1-2.json",
+      "rounds/k9.html",         "module/0123456789abcdef.js", "module/0123456789abcdef.css",
+      "teams/omega.html",       "digests/omega.html",         "feed.xml"};
   for (const auto* names : {&kept, &gone}) {
     for (const std::string& name : *names) {
       const fs::path path = league_ + "/site/" + name;

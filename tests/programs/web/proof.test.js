@@ -93,10 +93,11 @@ test('pages of a league are proved by files beside them, from disk and from a se
   const site = join(place, 'site');
   assert.deepEqual(names(join(site, 'replays')), legs.flatMap((leg) => [`${leg}.html`, `${leg}.league.json`, `${leg}.proof.js`]));
   const modules = names(join(site, 'module'));
-  assert.equal(modules.length, 1);
+  assert.equal(modules.length, 3);
+  const wasm = /module\/([0-9a-f]{16}\.js)"/.exec(/"module_file":"[^"]*"/.exec(readFileSync(join(site, `replays/${legs[0]}.html`), 'utf8'))[0])[1];
   const html = statSync(join(site, `replays/${legs[0]}.html`)).size;
   const commands = statSync(join(site, `replays/${legs[0]}.proof.js`)).size;
-  console.log(`page ${html} B, its commands ${commands} B, the module ${statSync(join(site, 'module', modules[0])).size} B`);
+  console.log(`page ${html} B, its commands ${commands} B, the module ${statSync(join(site, 'module', wasm)).size} B`);
   assert.ok(html < 300_000, `${html}`);
   const hash = readJson(join(place, `records/${legs[1]}.json`)).state_hash;
   const expectProof = async (url) => {
@@ -135,7 +136,7 @@ test('pages of a league are proved by files beside them, from disk and from a se
   await page.close();
 
   // Files go with their pages: a leg that is void keeps its page as evidence, and a module that no page names is removed.
-  writeFileSync(join(site, 'module/feedfeedfeedfeed.js'), '');
+  for (const end of ['js', 'css']) writeFileSync(join(site, `module/feedfeedfeedfeed.${end}`), '');
   writeFileSync(join(site, 'replays/r9-f1-1-1.proof.js'), '');
   run('league', 'publish', place);
   assert.deepEqual(names(join(site, 'module')), modules);
@@ -145,7 +146,7 @@ test('pages of a league are proved by files beside them, from disk and from a se
 test('a host who says no has pages without a proof', options, async () => {
   const place = playLeague('private', { proofs: false });
   assert.deepEqual(names(join(place, 'site/replays')), legs.flatMap((leg) => [`${leg}.html`, `${leg}.league.json`]));
-  assert.deepEqual(names(join(place, 'site/module')), []);
+  assert.equal(names(join(place, 'site/module')).length, 2, 'script and style of the pages');
   const host = await serve(place);
   assert.equal((await fetch(`${host.place}replays/${legs[0]}.proof.js`)).status, 404);
   assert.equal((await (await fetch(`${host.place}replays/${legs[0]}.html`)).text()).includes('id="prove"'), false);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Uses the published pages of leagues as their readers do, from disk. Catches pages that do not fit a phone, that a screen
-// reader or a keyboard cannot use, links that lead nowhere, and results without a replay.
+// reader or a keyboard cannot use, links that lead nowhere, results without a replay, and replays that the policy of a strict server
+// makes black.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { dirname, join, resolve } from 'node:path';
+import { createServer } from 'node:http';
+import { dirname, extname, join, resolve } from 'node:path';
 import { closeBrowser, folder, inAllViews, openPage, readJson, run, violations } from './support.js';
 
 const names = ['Lions', 'Rovers', 'a-name-of-forty-letters-that-never-ends_', 'Orbit', 'Comets'];
@@ -151,4 +153,29 @@ test('from a replay the league, both teams and the next leg are one click away',
   for (const link of ['../index.html', `../teams/${home}.html`, `../teams/${away}.html`, '../rounds/r2.html#r2-f1', '../replays/r2-f1-2-1.html']) {
     assert.ok(links.includes(link), `${link} in ${links}`);
   }
+});
+
+// The policies of faculties' servers, of Jenkins and the like.
+test('a replay is right where a server forbids what is not in files, and says so where it forbids scripts', async () => {
+  const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css' };
+  let policy;
+  const strict = createServer(({ url }, answer) => {
+    answer.writeHead(200, { 'content-type': types[extname(url)] ?? 'text/plain', 'content-security-policy': policy });
+    answer.end(readFileSync(join(league, 'site', url)));
+  });
+  await new Promise((listening) => { strict.listen(0, '127.0.0.1', listening); });
+  const url = `http://127.0.0.1:${strict.address().port}/replays/r2-f1-1-1.html`;
+  const ground = (shown) => shown.locator('.field .ground').first().evaluate((one) => getComputedStyle(one).fill);
+  policy = "default-src 'self'";
+  let shown = await openPage(url);
+  await shown.click('#play');
+  await shown.waitForFunction(() => !document.getElementById('time').textContent.startsWith('tick 0'));
+  assert.equal(await shown.locator('#waiting').count(), 0);
+  assert.equal(await ground(shown), 'rgb(44, 122, 87)');
+  assert.deepEqual(shown.problems, []);
+  policy = "sandbox; default-src 'none'; img-src 'self'; style-src 'self';";
+  shown = await openPage(url);
+  assert.match(await shown.locator('#waiting').innerText(), /forbids scripts/);
+  assert.equal(await ground(shown), 'rgb(44, 122, 87)');
+  strict.close();
 });
