@@ -9,6 +9,7 @@
 #include "web/design/template.hpp"
 #include "web/picture.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
@@ -83,6 +84,8 @@ Result<std::pair<std::string, std::size_t>> move_to_hashed_folder(system::Files&
                                                                   std::vector<WorkbenchFile> from,
                                                                   std::vector<WorkbenchFile>& to) {
   constexpr std::size_t digits = 16;
+  std::sort(from.begin(), from.end(),
+            [](const WorkbenchFile& a, const WorkbenchFile& b) { return a.name < b.name; });
   system::Sha256 digest;
   std::size_t size = 0;
   for (const WorkbenchFile& file : from) {
@@ -114,6 +117,17 @@ Result<std::optional<std::string>> playground_page(system::Files& files) {
 Result<std::string> bytes_of(system::Files& files, const WorkbenchFile& file) {
   if (file.source.empty()) return file.text;
   return files.read_named(file.source, system::size_limit::page);
+}
+
+bool is_workbench_folder(system::Files& files, const std::string& path) {
+  const std::string name = path.substr(path.rfind('/') + 1);
+  const std::string kind = name.substr(0, name.find('-'));
+  if (kind != "clang" && kind != "parts") return false;
+  auto present = files_of(files, path);
+  std::vector<WorkbenchFile> named;
+  if (!present) return false;
+  const auto made = move_to_hashed_folder(files, kind, std::move(*present), named);
+  return made && made->first == name;
 }
 
 Result<std::vector<WorkbenchFile>> workbench_files(system::Files& files, const std::string& folder,

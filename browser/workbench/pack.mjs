@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// node pack.mjs FOLDER HEADERS TUTORIAL: makes what `mirocup workbench` copies, from the packages of npm in FOLDER/node_modules, the
-// headers of teams, docs/first-goal.md, and the files beside this script: FOLDER/clang, which changes with the compiler only, and
-// FOLDER/parts.
+// node pack.mjs FOLDER HEADERS TUTORIAL ADVICE: makes what `mirocup workbench` copies, from the packages of npm in
+// FOLDER/node_modules, the headers of teams, docs/first-goal.md, plugins/host/compile_advice.txt, and the files beside this script:
+// FOLDER/clang, which changes with the compiler only, and FOLDER/parts.
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
-const [folder, headers, tutorial] = process.argv.slice(2);
+const [folder, headers, tutorial, advice] = process.argv.slice(2);
 const mostBytes = 1 << 20;  // of a file, so that a server need not hold much for a slow browser
 const here = dirname(fileURLToPath(import.meta.url));
 const [clang, ace] = [join(folder, 'node_modules/@yowasp/clang'), join(folder, 'node_modules/ace-builds')];
@@ -67,3 +67,7 @@ const beginnings = Object.fromEntries(steps.map(([, number, title, code]) => {
   return [`${number} ${title}`, own.startsWith('#include') ? own : head + own + tail];
 }));
 writeFileSync(join(folder, 'parts', 'beginnings.json'), JSON.stringify(beginnings));
+
+// The compiler's words for a mistake, and what to do about it: [[words, advice]…].
+const rows = readFileSync(advice, 'utf8').split('\n').filter((line) => line && !line.startsWith('#')).map((line) => line.split(' | '));
+writeFileSync(join(folder, 'parts', 'advice.json'), JSON.stringify(rows));

@@ -20,6 +20,7 @@
 #include <filesystem>
 #include <poll.h>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <sys/mman.h>
@@ -332,34 +333,12 @@ std::string advice_on(std::string_view words) {
   const std::size_t first = std::min(words.find(": error: "), words.find(": fatal error: "));
   words.remove_prefix(std::min(first, words.size()));
   words = words.substr(0, words.find(": error: ", 1));
-  constexpr const char* the_macro =
-      ": the macro is MIROCUP_EXPORT_TEAM(YourClass, \"name\"), once, after the class";
-  constexpr const char* look_alike =
-      ": a character only looks like a blank, a quote or a sign: type that line again";
-  constexpr const char* decide =
-      ": a team has void decide(const Observation& now, Command& command) override";
-  constexpr std::pair<std::string_view, const char*> usual[] = {
-      {"No such file or directory",
-       ": the compiler finds only mirocup's headers, the standard library and an archive's files"},
-      {"-fmodules-ts", ": modules of C++20 are not taken, so write headers"},
-      {"stray '\\", look_alike},
-      {"extended character", look_alike},
-      {"'mirocup'", ": write #include \"mirocup/strategy.hpp\" at the top"},  // is not known
-      {"unknown type name 'mirocup_", ": write #include \"mirocup/strategy.h\" at the top"},
-      {"expected ';' before", ": the line before lacks its semicolon"},
-      {"redefinition of 'const mirocup_strategy* mirocup_entry",
-       ": a library has one team, so write MIROCUP_EXPORT_TEAM() once"},
-      {"identifier before string constant", the_macro},
-      {"expected constructor, destructor, or type conversion before", the_macro},
-      {"implicit declaration of function",
-       ": its name is misspelt, or an include is missing: \"mirocup/skills.h\", <math.h>"},
-      {"was not declared in this scope",
-       ": the name is misspelt, or an include is missing, such as \"mirocup/skills/attack.hpp\", "
-       "or using namespace mirocup::strategy is missing"},
-      {"are pure within", decide},
-      {"but does not override", decide}};
-  for (const auto& [part, advice] : usual) {
-    if (words.find(part) != std::string_view::npos) return advice;
+  std::istringstream table{std::string(compile_advice("compile_advice.txt"))};
+  for (std::string line; std::getline(table, line);) {
+    const std::size_t bar = line.find(" | ");
+    const bool is_row = bar != std::string::npos && !line.starts_with('#');
+    if (is_row && words.find(line.substr(0, bar)) != std::string_view::npos)
+      return ": " + line.substr(bar + 3);
   }
   return "";
 }

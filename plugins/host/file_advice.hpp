@@ -35,6 +35,9 @@ std::string objection_to_source(std::string_view bytes);
 // C++.
 std::string advice_on_no_source(std::string_view bytes);
 
+// Returns compile_advice.txt: advice by the words of compilers.
+std::string_view compile_advice(std::string_view file);
+
 // Returns advice about a library that exports no mirocup_entry(). Such a library may export the
 // function under a C++ name.
 std::string advice_on_missing_entry(std::string_view bytes);

@@ -107,6 +107,7 @@ const editor = makeEditor();
 
 // Completion and hints for the functions that a team may call, with their comments.
 async function describeFunctions() {
+  advice = await (await fetch(addressOf(bench.parts, 'advice.json'))).json();
   const functions = await (await fetch(addressOf(bench.parts, 'functions.json'))).json();
   const rows = Object.entries(functions).map(([name, docText]) => ({ value: name, meta: 'mirocup', docText }));
   editor.setOptions({
@@ -123,12 +124,15 @@ async function describeFunctions() {
   hint.addToEditor(editor);
 }
 
-// Shows what the compiler says, each message at its line.
+let advice = [];  // [[words of the compiler, what to do]…]
+
+// Shows what the compiler says, each message at its line, and what to do about the mistakes that are usual.
 function showMessages(text) {
   const found = [...text.matchAll(/^team\.cpp:([0-9]+):([0-9]+): (?:fatal )?(error|warning): (.*)$/gm)];
-  editor.session.setAnnotations(found.map(([, row, column, type, said]) => ({ row: row - 1, column: column - 1, type, text: said })));
+  const cure = (said) => advice.filter(([words]) => said.includes(words)).slice(0, 1).map(([, what]) => `\ndo: ${what}`).join('');
+  editor.session.setAnnotations(found.map(([, row, column, type, said]) => ({ row: row - 1, column: column - 1, type, text: said + cure(said) })));
   by('errors').hidden = text === '';
-  by('errors').textContent = text;
+  by('errors').textContent = text.replace(/^team\.cpp:.*: (?:fatal )?error: (.*)$/gm, (line, said) => line + cure(said));
   const first = found.find(([, , , type]) => type === 'error');
   if (first) editor.gotoLine(Number(first[1]), Number(first[2]) - 1, false);
 }
