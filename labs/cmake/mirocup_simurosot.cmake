@@ -150,5 +150,6 @@ function(mirocup_simurosot_team)
       rewind fprintf vfprintf fscanf __isoc99_fscanf)
     target_link_options(${team_NAME} PRIVATE LINKER:--wrap=${name})
   endforeach()
-  set_target_properties(${team_NAME} PROPERTIES PREFIX "" CXX_STANDARD 20 UNITY_BUILD OFF MIROCUP_NOT_SANITIZED ON)
+  set_target_properties(${team_NAME} PROPERTIES PREFIX "" CXX_STANDARD 20 UNITY_BUILD OFF MIROCUP_NOT_SANITIZED ON
+    CXX_LINKER_LAUNCHER ${kit}/compile.sh)
 endfunction()

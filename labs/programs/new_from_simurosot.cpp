@@ -62,6 +62,10 @@ Result<void> adopt(system::Disk& disk, const system::TeamKit& kit, const NewOpti
   std::cout << "style " << old.style << ", header " << system::printable(old.header) << ", "
             << old.sources.size() << (old.sources.size() == 1 ? " source" : " sources") << ", "
             << old.standard << '\n';
+  if (!old.lost_entry.empty()) {
+    std::cout << "no source here seems to define " << old.lost_entry
+              << ", which the platform calls: are these the sources of a team?\n";
+  }
   return {};
 }
 

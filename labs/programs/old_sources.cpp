@@ -326,7 +326,8 @@ std::string without_blanks(const std::string& code) {
 // others are copies of it; or that of the folder in which all sources are.
 Result<std::string> header_of(const std::string& folder, const Folder& all,
                               const std::vector<std::string>& headers,
-                              const std::vector<std::string>& sources) {
+                              const std::vector<std::string>& sources,
+                              const std::vector<std::string>& entries) {
   const std::string& first = headers.front();
   const std::string first_code = without_blanks(all.code.at(first));
   std::vector<std::string> others;
@@ -351,15 +352,18 @@ Result<std::string> header_of(const std::string& folder, const Folder& all,
                                   [&](const std::string& other) { return beside(other) == 0; });
   if (is_one && beside(first) > 0) return first;
   return fail(Errc::input, folder + ": more than one team, with " + first + " and " +
-                               others.front() + "; name the folder of one of them");
+                               others.front() + "; name the folder of one of them" +
+                               (entries.size() == 1 ? ", such as that of " + entries[0] : ""));
 }
 
-// The sources that define the function which the platform calls in every tick.
+// The function that the platform calls in every tick.
+std::string entry_of(const std::string& style) {
+  return style == "v5" ? "GetInstruction" : style == "restart" ? "RunStrategy" : "Strategy";
+}
+
+// The sources that define it.
 std::vector<std::string> with_entry(const std::map<std::string, std::string>& sources,
-                                    const std::string& style) {
-  const std::string name = style == "v5"        ? "GetInstruction"
-                           : style == "restart" ? "RunStrategy"
-                                                : "Strategy";
+                                    const std::string& name) {
   std::vector<std::string> paths;
   for (const auto& [path, code] : sources) {
     if (has(code, name, "_(`;{()`)_{")) paths.push_back(path);
@@ -407,7 +411,8 @@ Result<OldSources> find_old_sources(const std::string& folder) {
   team.style = any_has("GetInstruction")    ? "v5"
                : any_has("SetFormerRobots") ? "restart"
                                             : "classic";
-  const auto entries = with_entry(compiled, team.style);
+  const auto entries = with_entry(compiled, entry_of(team.style));
+  if (entries.empty()) team.lost_entry = entry_of(team.style);
   for (const auto& [path, code] : all.code) {
     if (is_header(path)) compiled.emplace(path, code);
   }
@@ -419,7 +424,7 @@ Result<OldSources> find_old_sources(const std::string& folder) {
     };
     return uses(a) != uses(b) ? uses(a) > uses(b) : depth(a) < depth(b);
   });
-  MIROCUP_TRY(auto header, header_of(folder, all, headers, team.sources));
+  MIROCUP_TRY(auto header, header_of(folder, all, headers, team.sources, entries));
   if (entries.size() > 1) {
     return fail(Errc::input, folder + ": " + entries[0] + " and " + entries[1] +
                                  " both define the functions that the platform calls; remove one "

@@ -17,6 +17,7 @@ struct OldSources {
   std::vector<std::string> sources;  // to be compiled
   std::string style;                 // "classic", "restart", "v5"
   std::string standard;              // standard of C++, as g++ names it
+  std::string lost_entry;            // the platform calls this function, and no source has it
 };
 
 // Returns paths relative to `folder`. Errc::input if the folder holds no team, or several teams.

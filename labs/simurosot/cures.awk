@@ -123,3 +123,19 @@ is_error && /error: / {
   }
   is_error = 0
 }
+
+/undefined reference to [`']/ {
+  sub(/.*undefined reference to [`']/, "")
+  sub(/'$/, "")
+  if (is_lost[$0]++) next
+  if (++lost == 1) first_lost = $0
+}
+
+END {
+  if (lost > 0) {
+    printf "%d %s used that no source in CMakeLists.txt defines, such as \"%s\".\n  Cure: %s\n", lost,
+      lost == 1 ? "name is" : "names are", first_lost,
+      "give after SOURCES the team's file that defines it; for a library of others, write target_link_libraries(team PRIVATE LIBRARY) at " \
+      "the end of CMakeLists.txt. If no file here defines a function that the platform calls, this is no team."
+  }
+}

@@ -23,10 +23,10 @@ for team in "$teams"/*/; do
   elif (cmake -S "$made" -B "$made/build" -DCMAKE_PREFIX_PATH="$build" && cmake --build "$made/build" -- -k) >"$log" 2>&1; then
     result=$("$build/mirocup" check "$made/build/team.so" --league middle --rules simurosot 2>&1 | tail -n 1)
     [[ $result == *": accepted" ]] || bad=1
-  elif grep -q '^  Cure: ' "$log"; then
-    result="needs $(grep -c '^  Cure: ' "$log") cures, which are named"
   elif grep -q 'undefined reference' "$log"; then
     result="needs a library: $(grep -m 1 -o 'undefined reference to .*' "$log")"
+  elif grep -q '^  Cure: ' "$log"; then
+    result="needs $(grep -c '^  Cure: ' "$log") cures, which are named"
   else
     result="does not build, and no cure is named"
     bad=1

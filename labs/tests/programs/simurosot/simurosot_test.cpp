@@ -556,6 +556,31 @@ TEST(Simurosot, SaysThatAHeaderDoesNotCompileAlone) {
   ASSERT_NO_FATAL_FAILURE(build_project(project, build));
 }
 
+// Catches sources that only declare what the platform calls, as a referee's do, and are taken for a
+// team without a word, and names that nothing defines, of which only the linker spoke.
+TEST(Simurosot, SaysThatNoSourceDefinesWhatIsCalled) {
+  const TemporaryFolder folder;
+  copy_classic(folder / "old", {"Strategy.h", "StdAfx.h", "StdAfx.cpp"});
+  write_file(folder / "old/Watch.cpp",
+             "#include \"StdAfx.h\"\n#include \"Strategy.h\"\nint judge(int);\n"
+             "int watch() { return judge(1) + judge(2); }\n");
+  const std::string project = folder / "made", build = folder / "build";
+  const Outcome made =
+      run({program("mirocup"), "new", project, "--from-simurosot", folder / "old"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.out.find("no source here seems to define Strategy,"), std::string::npos)
+      << made.out;
+  const Outcome configured = run(
+      {"/usr/bin/env", "cmake", "-S", project, "-B", build, "-DCMAKE_PREFIX_PATH=" + program("")});
+  ASSERT_EQ(configured.exit_code, 0) << configured.err;
+  const Outcome built = run({"/usr/bin/env", "cmake", "--build", build});
+  EXPECT_NE(built.exit_code, 0);
+  EXPECT_NE(built.err.find("1 name is used that no source in CMakeLists.txt defines, such as "
+                           "\"judge(int)\".\n  Cure: give after SOURCES"),
+            std::string::npos)
+      << built.err;
+}
+
 // Catches a backup that is taken for a second team, and a project that is left over: what neither
 // names is compiled.
 TEST(Simurosot, CompilesWhatTheProjectNamesThatCounts) {
@@ -676,6 +701,12 @@ TEST(Simurosot, SaysWhichOfTwoTeamsItCannotTell) {
       run({program("mirocup"), "new", folder / "x", "--from-simurosot", folder / "old"});
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_NE(both.err.find("more than one team"), std::string::npos) << both.err;
+  const std::string of_blue = read_file(folder / "old/blue/Strategy.cpp");
+  write_file(folder / "old/blue/Strategy.cpp", "#include \"Strategy.h\"\n");
+  const Outcome one =
+      run({program("mirocup"), "new", folder / "x", "--from-simurosot", folder / "old"});
+  EXPECT_NE(one.err.find("such as that of yellow/Strategy.cpp"), std::string::npos) << one.err;
+  write_file(folder / "old/blue/Strategy.cpp", of_blue);
   write_file(folder / "old/blue/Copy of Strategy.cpp", read_file(folder / "old/blue/Strategy.cpp"));
   const Outcome copy =
       run({program("mirocup"), "new", folder / "x", "--from-simurosot", folder / "old/blue"});
