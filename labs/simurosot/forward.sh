@@ -13,7 +13,7 @@ set -eu
 forward=$1 stand_in=$2 skip=$3 root=$4
 shift 4
 files=$(mktemp) || exit 1
-trap 'rm -f "$files" "$files.wanted"' EXIT
+trap 'rm -f "$files" "$files.includes" "$files.wanted"' EXIT
 system=" assert.h ctype.h errno.h float.h limits.h math.h memory.h malloc.h signal.h stdarg.h stddef.h stdint.h stdio.h stdlib.h string.h time.h \
 algorithm cmath cstdio cstdlib cstring ctime deque fstream functional iomanip iostream limits list map numeric queue set sstream stack \
 string utility vector "
@@ -40,7 +40,8 @@ lower() {
 find "$root" -maxdepth 6 -path "$skip" -prune -o -type f -print | LC_ALL=C grep -aiE '\.(h|hpp|hh|inl|c|cpp|cc|cxx)$' >"$files" || exit 0
 # What a line of the sources includes, as it is written there. The last line of a file may have no end, which awk gives it.
 tr '\n' '\0' <"$files" | LC_ALL=C xargs -0 awk 1 | LC_ALL=C tr '\r' '\n' |
-  LC_ALL=C sed -nE 's/^[ \t]*#[ \t]*(include|import)[ \t]*["<]([^">]*)[">].*/\2/p' | LC_ALL=C sort -u >"$files.wanted"
+  LC_ALL=C sed -nE 's/^[ \t]*#[ \t]*(include|import)[ \t]*(["<][^">]*)[">].*/\2/p' | LC_ALL=C sort -u >"$files.includes"
+cut -c 2- "$files.includes" | LC_ALL=C sort -u >"$files.wanted"
 
 # Headers of Microsoft's that one of the stand-ins is enough for.
 stand_in_for() {
@@ -78,8 +79,14 @@ while IFS= read -r wanted; do
   case $system in
   *" $wanted "*) continue ;;
   esac
+  real=
+  # In < > a name of Windows' own means Windows' header, and not a file of a library that the team ships.
+  case $small in
+  stdafx.h | targetver.h) ;;
+  *) ! LC_ALL=C grep -qxF "<$wanted" "$files.includes" || [ ! -f "$stand_in/$small" ] || real=$stand_in/$small ;;
+  esac
   # Where several files have one name, the one in folders of the same names is meant.
-  real=$(lower "$plain" | LC_ALL=C awk '
+  [ -n "$real" ] || real=$(lower "$plain" | LC_ALL=C awk '
     NR == FNR { name = wanted = $0; sub(/.*\//, "", name); sub(/^(\.*\/)*/, "/", wanted); next }
     { n = tolower($0); end = substr(n, length(n) - length(wanted) + 1); sub(/.*\//, "", n) }
     n == name && (first == "" || (end == wanted && !is_best)) { first = $0; is_best = end == wanted }

@@ -31,6 +31,12 @@ struct sockaddr_in {
 typedef struct sockaddr SOCKADDR, *LPSOCKADDR, *PSOCKADDR;
 typedef struct sockaddr_in SOCKADDR_IN, *PSOCKADDR_IN;
 typedef struct in_addr IN_ADDR;
+typedef struct hostent {
+  char *h_name, **h_aliases;
+  SHORT h_addrtype, h_length;
+  char** h_addr_list;
+#define h_addr h_addr_list[0]
+} HOSTENT, *LPHOSTENT, *PHOSTENT;
 
 #define INVALID_SOCKET ((SOCKET)-1)
 #define SOCKET_ERROR (-1)
@@ -74,7 +80,8 @@ MIROCUP_DOES_NOTHING(int, ioctlsocket, 0)
 MIROCUP_DOES_NOTHING(int, setsockopt, 0)
 MIROCUP_DOES_NOTHING(int, bind, 0)
 MIROCUP_DOES_NOTHING(int, listen, 0)
-MIROCUP_DOES_NOTHING(int, connect, SOCKET_ERROR)
+// A team that shows what it thinks to a program of its own ends if nobody hears it.
+MIROCUP_DOES_NOTHING(int, connect, 0)
 MIROCUP_DOES_NOTHING(SOCKET, accept, INVALID_SOCKET)
 MIROCUP_DOES_NOTHING(int, shutdown, 0)
 MIROCUP_DOES_NOTHING(int, send, SOCKET_ERROR)
@@ -83,6 +90,12 @@ MIROCUP_DOES_NOTHING(int, recv, SOCKET_ERROR)
 MIROCUP_DOES_NOTHING(int, recvfrom, SOCKET_ERROR)
 MIROCUP_DOES_NOTHING(DWORD, inet_addr, 0)
 #undef MIROCUP_DOES_NOTHING
+static inline struct hostent* gethostbyname(const char*) {
+  static char address[8] = {127, 0, 0, 1};
+  static char* addresses[] = {address, NULL};
+  static struct hostent host = {address, addresses + 1, AF_INET, 4, addresses};
+  return &host;
+}
 static inline char* inet_ntoa(in_addr) {
   static char text[] = "127.0.0.1";
   return text;

@@ -275,7 +275,8 @@ Outcome compiled(const std::string& path, const std::vector<std::string>& option
   return run(words);
 }
 
-// Catches a folder that only a file system blind to case, where \\ parts folders, could compile.
+// Catches a folder that only a file system blind to case, where \\ parts folders, could compile, and a
+// library's own windows.h that is taken for that of Windows.
 TEST(Simurosot, FindsIncludesAsWindowsDoes) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "old/Include");
@@ -283,8 +284,10 @@ TEST(Simurosot, FindsIncludesAsWindowsDoes) {
   std::filesystem::create_directories(folder / "forward/of/the/team");
   write_file(folder / "old/Include/Strategy.h", "int strategy();\r\n// the end");
   write_file(folder / "old/src/tools/move.h", "int move();");
+  write_file(folder / "old/src/tools/windows.h", "#error this is not the one of Windows");
   write_file(folder / "old/src/main.cpp",
              "#include \"StdAfx.h\"\r\n#include <Math.h>\r\n#include <vector>\r\n"
+             "#include <Windows.h>\r\n#include <windows.h>\r\nDWORD of_windows;\r\n"
              "\t#\tinclude \"..\\Include\\STRATEGY.H\"\r\n#include \"Tools/Move.h\"\r\n"
              "double all() { return strategy() + move() + sqrt(4.0); }");
   const std::string forward = folder / "forward/of/the/team";
@@ -431,11 +434,14 @@ void make_old_folder(const std::string& folder) {
                                                        read_file(classic + "Strategy.cpp")) +
                                        "\x1a");
   write_file(folder + "/Tools/Log.h", "void note(int value);\r\r\n#include <stdio.h>\r\r\n");
-  write_file(folder + "/Tools/log.cxx",
-             in_utf16("#include \"stdafx.h\"\n#include \"..\\INCLUDE\\strategy.h\"\n"
-                      "#include \"log.H\"\n"
-                      "void note(int value) { char b[9]; fprintf(fopen(\"C:\\\\x\", \"r\"), "
-                      "\"%s\", itoa(value, b, 10)); }\n"));
+  write_file(
+      folder + "/Tools/log.cxx",
+      in_utf16("#include \"stdafx.h\"\n#include \"..\\INCLUDE\\strategy.h\"\n"
+               "#include \"log.H\"\n"
+               "void note(int value) { char b[9]; fprintf(fopen(\"C:\\\\x\", \"r\"), "
+               "\"%s\", itoa(value, b, 10)); }\n"
+               "#include <winsock2.h>\nstatic SOCKET shown = socket(AF_INET, SOCK_STREAM, 0);\n"
+               "static int state = connect(shown, 0, 0) == 0 ? 0 : (exit(1), 1);\n"));
   write_file(folder + "/test.cpp", "this is broken\nvoid main() {}\n");
   write_file(folder + "/Team.dsp",
              "SOURCE=.\\Team.cpp\r\n# End\r\nSOURCE=.\\tools\\Log.cxx\r\nSOURCE=.\\Strategy.h\r\n");
@@ -450,7 +456,8 @@ void build_project(const std::string& project, const std::string& build) {
   ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
 }
 
-// Catches a folder of an old disk that has to be tidied up by hand before it builds.
+// Catches a folder of an old disk that has to be tidied up by hand before it builds, and a network
+// on which a team ends that shows a program of its own what it thinks.
 TEST(Simurosot, BuildsAnUntidyFolder) {
   const TemporaryFolder folder;
   make_old_folder(folder / "old");
