@@ -49,9 +49,12 @@ Result<void> adopt(system::Disk& disk, const system::TeamKit& kit, const NewOpti
   }
   std::string sources;
   for (const std::string& path : old.sources) sources += "\n    \"src/" + path + '"';
+  std::string macros;
+  for (const std::string& macro : old.macros) macros += ' ' + macro;
   app::Words words = app::template_words(kit, options.folder);
   words.insert(words.end(), {{"@HEADER@", "src/" + old.header},
                              {"@SOURCES@", sources},
+                             {"@DEFINITIONS@", macros.empty() ? "" : "\n  DEFINITIONS" + macros},
                              {"@STYLE@", old.style},
                              {"@STANDARD@", old.standard}});
   const fs::path templates = fs::path(kit.prefix) / "share" / "mirocup" / "simurosot" / "template";
@@ -61,7 +64,7 @@ Result<void> adopt(system::Disk& disk, const system::TeamKit& kit, const NewOpti
   }
   std::cout << "style " << old.style << ", header " << system::printable(old.header) << ", "
             << old.sources.size() << (old.sources.size() == 1 ? " source" : " sources") << ", "
-            << old.standard << '\n';
+            << old.standard << (macros.empty() ? "" : ", macros" + macros) << '\n';
   if (!old.lost_entry.empty()) {
     std::cout << "no source here seems to define " << old.lost_entry
               << ", which the platform calls: are these the sources of a team?\n";

@@ -152,6 +152,33 @@ std::vector<std::string> files_of_project(const std::string& text) {
   return files;
 }
 
+// Returns the macros of the project that are the team's own, such as BLUE or SIDE=1: not those of
+// Windows and of Visual C++, and none of a build for its debugger only.
+// <PreprocessorDefinitions>WIN32;BLUE</…, PreprocessorDefinitions="WIN32;BLUE", /D "BLUE"
+std::vector<std::string> macros_of_project(const std::string& text) {
+  static const std::set<std::string> of_windows{"WIN32", "WIN64", "NDEBUG", "UNICODE"};
+  std::vector<std::string> macros;
+  const auto add = [&macros](std::string_view list, auto...) {
+    if (has_word(list, "_DEBUG")) return false;
+    for (std::string_view rest = list; !rest.empty(); rest.remove_prefix(!rest.empty())) {
+      const std::string macro(*take(rest, "`;`"));
+      const std::string name = macro.substr(0, macro.find('='));
+      const bool is_plain = std::all_of(macro.begin(), macro.end(), [](char c) {
+        return is_part(c) || c == '=' || c == '.' || c == '-';
+      });
+      const bool is_own = !name.empty() && name.front() != '_' && !name.ends_with("_EXPORTS") &&
+                          !of_windows.contains(name);
+      if (is_plain && is_own && std::find(macros.begin(), macros.end(), macro) == macros.end())
+        macros.push_back(macro);
+    }
+    return false;
+  };
+  has(text, "<PreprocessorDefinitions", "`<>`>`<`", add);
+  has(text, "PreprocessorDefinitions", "_=_\"`\"<`", add);
+  has(text, "/D", " \"`\"\n`", add);
+  return macros;
+}
+
 // The names in the #include lines of the code, in lower case and without their folders.
 std::vector<std::string> included_by(const std::string& code) {
   std::vector<std::string> names;
@@ -165,9 +192,13 @@ std::vector<std::string> included_by(const std::string& code) {
   return names;
 }
 
+struct Project {
+  std::vector<std::string> files, macros;
+};
+
 struct Folder {
   std::map<std::string, std::string> code;  // of sources and headers, by their paths
-  std::map<std::string, std::vector<std::string>> projects;  // what they name, by their paths
+  std::map<std::string, Project> projects;  // by their paths
 };
 
 // CMake and make take these characters, and control characters, for signs of their language.
@@ -217,7 +248,7 @@ Result<Folder> read_all(const std::string& folder) {
                                    " sources; name the folder of one team");
     }
     if (is_project) {
-      all.projects.emplace(path, files_of_project(text));
+      all.projects.emplace(path, Project{files_of_project(text), macros_of_project(text)});
     } else {
       code.emplace(path, code_of(text));
     }
@@ -289,23 +320,21 @@ std::string project_of(const Folder& folder, const std::vector<std::string>& hea
     return std::tuple(!has_header, std::count(path.begin(), path.end(), '/'), age);
   };
   std::vector<std::string> paths;
-  for (const auto& [path, files] : folder.projects) paths.push_back(path);
+  for (const auto& [path, parts] : folder.projects) paths.push_back(path);
   std::stable_sort(paths.begin(), paths.end(),
                    [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   const bool are_two = paths.size() > 1 && rank(paths[0]) == rank(paths[1]);
   return paths.empty() || are_two ? "" : paths[0];
 }
 
-// The sources that the folder's project compiles; all of them if none counts, or if it names none
-// of them.
-std::vector<std::string> compiled_of(const Folder& folder, const std::vector<std::string>& headers,
+// The sources that the project compiles; all of them if there is none, or if it names none of them.
+std::vector<std::string> compiled_of(const Folder& folder, const std::string& project,
                                      std::vector<std::string> sources) {
-  const std::string project = project_of(folder, headers);
   if (project.empty()) return sources;
   // The case of a name does not count, as on Windows.
   const fs::path at = system::lower_case(fs::path(project).parent_path().string());
   std::set<std::string> names;
-  for (const std::string& file : folder.projects.at(project))
+  for (const std::string& file : folder.projects.at(project).files)
     names.insert((at / file).lexically_normal().string());
   std::vector<std::string> compiled;
   for (const std::string& source : sources) {
@@ -394,7 +423,9 @@ Result<OldSources> find_old_sources(const std::string& folder) {
     if (defines(path, code)) headers.push_back(path);
     if (is_source(path) && uses(path) == 0) sources.push_back(path);
   }
-  team.sources = compiled_of(all, headers, std::move(sources));
+  const std::string project = project_of(all, headers);
+  team.sources = compiled_of(all, project, std::move(sources));
+  if (!project.empty()) team.macros = all.projects.at(project).macros;
   if (headers.empty() || team.sources.empty()) {
     return fail(Errc::input,
                 folder +

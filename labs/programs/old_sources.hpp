@@ -15,6 +15,7 @@ struct OldSources {
   std::vector<std::string> files;    // all files to keep: sources and included files
   std::string header;                // defines the structures of the platform
   std::vector<std::string> sources;  // to be compiled
+  std::vector<std::string> macros;   // of the project, for the preprocessor
   std::string style;                 // "classic", "restart", "v5"
   std::string standard;              // standard of C++, as g++ names it
   std::string lost_entry;            // the platform calls this function, and no source has it

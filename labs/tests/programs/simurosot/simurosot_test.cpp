@@ -588,27 +588,34 @@ TEST(Simurosot, SaysThatNoSourceDefinesWhatIsCalled) {
       << built.err;
 }
 
-// Catches a backup that is taken for a second team, and a project that is left over: what neither
-// names is compiled.
+// Catches a backup that is taken for a second team, a project that is left over, of which what it
+// does not name is compiled, and macros of the project that are lost.
 TEST(Simurosot, CompilesWhatTheProjectNamesThatCounts) {
   const TemporaryFolder folder;
   for (const char* where : {"old", "old/Backup"}) {
     copy_classic(folder / where, {"Strategy.h", "Strategy.cpp", "StdAfx.h", "StdAfx.cpp"});
     write_file(folder / where + "/Team.dsp",
-               "SOURCE=.\\Strategy.cpp\n# End\nSOURCE=.\\Notes.cpp\n");
+               "/D \"WIN32\" /D \"YELLOW\"\nSOURCE=.\\Strategy.cpp\n# End\nSOURCE=.\\Notes.cpp\n");
   }
   write_file(folder / "old/Notes.cpp", "these are notes");
-  write_file(folder / "old/Team.vcxproj",
-             "<ClCompile Include=\"Strategy.cpp\" /><ClCompile Include=\"StdAfx.cpp\" />");
+  write_file(
+      folder / "old/Team.vcxproj",
+      "<ClCompile Include=\"Strategy.cpp\" /><ClCompile Include=\"StdAfx.cpp\" />"
+      "<PreprocessorDefinitions>WIN32;_DEBUG;SLOW;%(PreprocessorDefinitions)"
+      "</PreprocessorDefinitions><PreprocessorDefinitions Condition=\"x\">WIN32;NDEBUG;_USRDLL;"
+      "TEAM_EXPORTS;SIDE=1;$(x);BLUE</PreprocessorDefinitions>");
   const Outcome made =
       run({program("mirocup"), "new", folder / "made", "--from-simurosot", folder / "old"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_NE(made.out.find("2 sources"), std::string::npos) << made.out;
+  EXPECT_NE(made.out.find("2 sources, gnu++98, macros SIDE=1 BLUE\n"), std::string::npos)
+      << made.out;
+  EXPECT_NE(read_file(folder / "made/CMakeLists.txt").find("\n  DEFINITIONS SIDE=1 BLUE\n"),
+            std::string::npos);
   std::filesystem::remove(folder / "old/Team.vcxproj");
   const Outcome older =
       run({program("mirocup"), "new", folder / "older", "--from-simurosot", folder / "old"});
   ASSERT_EQ(older.exit_code, 0) << older.err;
-  EXPECT_NE(older.out.find("2 sources"), std::string::npos) << older.out;
+  EXPECT_NE(older.out.find("2 sources, gnu++98, macros YELLOW"), std::string::npos) << older.out;
   // A tool with a project of its own lies beside the team's folder.
   std::filesystem::create_directories(folder / "both/tool");
   std::filesystem::rename(folder / "old", folder / "both/game");
