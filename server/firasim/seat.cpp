@@ -219,9 +219,10 @@ match::Fault Seat::disconnected(const std::string& commands_at) const {
 }
 
 match::Fault Seat::too_slow() const {
-  return {match::FaultCode::disconnected, "the match has waited " +
-                                              std::to_string(static_cast<int>(terms_.longest)) +
-                                              " s for the team in all"};
+  return {match::FaultCode::disconnected,
+          "the match has waited " + std::to_string(static_cast<int>(terms_.longest)) +
+              " s for the team in all, which gave " + std::to_string(counts_.in_time) +
+              " answers; without lock-step a match does not wait"};
 }
 
 match::Answer Seat::collect() {
