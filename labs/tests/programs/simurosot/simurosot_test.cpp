@@ -275,8 +275,8 @@ Outcome compiled(const std::string& path, const std::vector<std::string>& option
   return run(words);
 }
 
-// Catches a folder that only a file system blind to case, where \\ parts folders, could compile, and
-// a library's own windows.h that is taken for that of Windows.
+// Catches a folder that only a file system blind to case, where \\ parts folders, could compile,
+// and a library's own windows.h that is taken for that of Windows.
 TEST(Simurosot, FindsIncludesAsWindowsDoes) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "old/Include");

