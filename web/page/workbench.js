@@ -185,7 +185,8 @@ async function tellEnd({ slowest, status }) {
     return row;
   }));
   by('why_title').hidden = advice.length === 0;
-  tell(`The leg is over. Its state hash: ${hash}. Your slowest tick took about ${slowest.toFixed(1)} ms here; the computer of a league is another one.`);
+  const end = status.drill ? `The drill is over: ${Math.round(100 * status.drill.marks)} of 100 marks` : 'The leg is over';
+  tell(`${end}. Its state hash: ${hash}. Your slowest tick took about ${slowest.toFixed(1)} ms here, with the pauses of the browser; a league measures the processor time on its own computer.`);
 }
 
 // Compiles the team and gives it to a new worker. Returns the options of a leg, or null if the compiler refuses the team.
@@ -201,6 +202,8 @@ async function prepare() {
     by('log').replaceChildren();
     by('why').replaceChildren();
     by('why_title').hidden = true;
+    by('seeds').replaceChildren();  // of the text before
+    by('seeds_told').textContent = '';
     await play.connect({ wasm });
   }
   tell(wasm ? `Compiled in ${seconds.toFixed(1)} s.` : 'The compiler refused the team: its words are below, and in the editor at their lines.');
@@ -292,7 +295,11 @@ by('source_file').addEventListener('change', async () => {
   if (chosen) editor.setValue(await chosen.text(), -1);
   by('source_file').value = '';
 });
-by('again').addEventListener('click', () => editor.setValue(beginnings[by('beginning').value], -1));  // the editor can undo it
+by('again').addEventListener('click', () => {
+  const text = editor.getValue();
+  const isOwn = text.trim() !== '' && !Object.values(beginnings).includes(text);
+  if (!isOwn || window.confirm('Replace your text? Export saves it as a file.')) editor.setValue(beginnings[by('beginning').value], -1);
+});
 if (isOnDisk) {
   by('run').disabled = true;
   tell('Run needs a web server: a browser starts no compiler from a disk. Put this folder on any web server, or call “python3 -m http.server” in it. To play by hand, open playground.html.');
