@@ -2,16 +2,12 @@
 //
 // The worker that compiles a team, by clang as WebAssembly. It is asked {clang: the folder of the compiler, source}, and answers
 // {loaded: bytes} for each loaded piece, then {wasm, text, seconds}; without `wasm` the text has the compiler's errors.
-
-// As a league compiles (plugins/host/project/compiler_command.hpp), with as much stack and memory as a team has there.
-const options = ['-std=c++20', '-O2', '-DNDEBUG', '-ffp-contract=off', '-fno-exceptions', '-ftemplate-depth=900', '-Woverloaded-virtual',
-  '-fno-color-diagnostics', '-ferror-limit=20', '-Iinclude', '-mexec-model=reactor',
-  '-Wl,-z,stack-size=8388608', '-Wl,--stack-first', '-Wl,--strip-all', '-Wl,--max-memory=1073741824'];
+import { compiling, linking } from './options.js';
 
 let ready;  // {runClang, include, seat}
 
 const fetchFile = self.fetch.bind(self);
-const ownFile = async (name) => (await fetchFile(new URL(name, import.meta.url))).text();
+const ownFile = (name) => fetchFile(new URL(name, import.meta.url));
 
 // The bytes of a part of the compiler, from its pieces.
 function bytesOf(address, count) {
@@ -38,7 +34,7 @@ async function load(clang) {
   };
   const { runClang } = await import(new URL('bundle.js', clang));
   await runClang(null, {}, { fetchProgress: () => {} });
-  return { runClang, include: JSON.parse(await ownFile('headers.json')), seat: await ownFile('seat.cpp') };
+  return { runClang, include: await (await ownFile('headers.json')).json(), seat: new Uint8Array(await (await ownFile('seat.o')).arrayBuffer()) };
 }
 
 async function compile({ clang, source }) {
@@ -50,8 +46,8 @@ async function compile({ clang, source }) {
   const stderr = (bytes) => { text += bytes ? decoder.decode(bytes, { stream: true }) : ''; };
   let files = {};
   try {
-    files = await runClang(['clang++', ...options, 'team.cpp', 'seat.cpp', '-o', 'team.wasm'], { include, 'team.cpp': source, 'seat.cpp': seat },
-      { stderr });
+    files = await runClang(['clang++', ...compiling, ...linking, 'team.cpp', 'seat.o', '-o', 'team.wasm'],
+      { include, 'team.cpp': source, 'seat.o': seat }, { stderr });
   } catch (error) {
     if (error instanceof RangeError) throw new Error('the compiler needs a deeper stack than this browser has, so nest templates less deeply');
     if (!text) throw error;

@@ -5,8 +5,9 @@
 // FOLDER/clang, which changes with the compiler only, and FOLDER/parts.
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
+import { compiling } from './options.js';
 
 const [folder, headers, tutorial, advice] = process.argv.slice(2);
 const mostBytes = 1 << 20;  // of a file, so that a server need not hold much for a slow browser
@@ -39,8 +40,15 @@ for (const name of ['ace', 'mode-c_cpp', 'theme-chrome', 'theme-one_dark', 'ext-
   copyFileSync(join(ace, 'src-min-noconflict', `${name}.js`), join(folder, 'parts', `${name}.js`));
 }
 copyFileSync(join(ace, 'LICENSE'), join(folder, 'parts', 'LICENSE.ace'));
-for (const name of ['compile.js', 'leg.js', 'teams.js', 'seat.cpp']) copyFileSync(join(here, name), join(folder, 'parts', name));
+for (const name of ['compile.js', 'options.js', 'leg.js', 'teams.js']) copyFileSync(join(here, name), join(folder, 'parts', name));
 writeFileSync(join(folder, 'parts', 'headers.json'), JSON.stringify(tree(headers)));
+
+// What each team is linked to, so that a page compiles the team alone.
+const { runClang } = await import(pathToFileURL(join(clang, 'gen/bundle.js')));
+await runClang(null, {}, { fetchProgress: () => {} });
+const { 'seat.o': seat } = await runClang(['clang++', ...compiling, '-c', 'seat.cpp', '-o', 'seat.o'],
+  { include: tree(headers), 'seat.cpp': readFileSync(join(here, 'seat.cpp'), 'utf8') });
+writeFileSync(join(folder, 'parts', 'seat.o'), seat);
 
 // The functions of the headers in C++ with their comments, which the editor shows: {name: text}.
 const texts = (inside) => Object.entries(inside).flatMap(([name, one]) => (typeof one !== 'string' ? texts(one) : name.endsWith('.hpp') ? [one] : []));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The page's compiler links this to a team, which is a WebAssembly module of its own. teams.js
-// copies the structures of strategy.h into and out of the module's memory, and answers its calls.
+// The build compiles this, and the page links it to a team, which is a WebAssembly module of its
+// own. teams.js copies the structures of strategy.h into and out of the module's memory, and
+// answers its calls.
 #include "mirocup/strategy.h"
 
 #include <cstddef>
