@@ -145,11 +145,12 @@ play.connect = async ({ wasm }) => {
   play.seatName = await play.ask({ act: 'load', team: wasm, game, parameters: {} });
 };
 const { ask, shown } = play;
+const askInTime = (question) => limited(answerLimit, 'your team', (resolve, reject) => ask.call(play, question).then(resolve, reject));
 play.ask = async (question) => {
   if (!play.worker) throw new Error('press Run to begin a leg');
   let answer;
   try {
-    answer = await limited(answerLimit, 'your team', (resolve, reject) => ask.call(play, question).then(resolve, reject));
+    answer = await askInTime(question);
   } catch (error) {
     tell(`The leg ended: ${error.message}.`);
     throw error;
@@ -171,8 +172,8 @@ play.shown = (left) => {
 };
 
 async function tellEnd({ slowest, status }) {
-  const hash = await ask.call(play, { act: 'hash' });
-  const advice = status.result ? await ask.call(play, { act: 'advice', team: 'blue' }) : [];
+  const hash = await askInTime({ act: 'hash' });
+  const advice = status.result ? await askInTime({ act: 'advice', team: 'blue' }) : [];
   by('why').replaceChildren(...advice.map(({ drill, why }) => {
     const row = element('li', '', `${why}: `);
     const button = element('button', 'text', `try the drill ${drill}`);
