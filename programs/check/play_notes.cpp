@@ -30,6 +30,8 @@ constexpr HabitRow habit_rows[] = {
     {Habit::backwards, "backwards", 0.8, 0.6}, {Habit::kick_off, "kick_offs", 0.9, 1e9},
     {Habit::open_goal, "open_goal", 1e9, 0.8}, {Habit::far, "far", 1e9, 0.4}};
 
+// A team for one colour alone has scored this share of the goals of its opponent.
+constexpr double told_of_one_colour = 0.3;
 // No command turned a wheel faster: it is in m/s and not in rad/s.
 constexpr double told_wheel = 5.0;
 // Headings as a robot is seen, rad, and a change of its turn, as a difference of wheels, rad/s.
@@ -214,12 +216,7 @@ Result<void> note_weak(Examination& e, const LegStory& worst) {
   return {};
 }
 
-}  // namespace
-
-Result<void> note_play(Examination& e) {
-  const std::vector<LegStory>& legs = e.report.legs;
-  if (legs.empty() || e.report.failure() != nullptr || !note_commands(e)) return {};
-  const LegStory& worst = *std::ranges::min_element(legs, {}, &LegStory::lead);
+Result<void> note_worst(Examination& e, const LegStory& worst) {
   const bool is_weak =
       e.report.strength.is_below_idle || strength_of({worst}, e.setup.league).is_below_idle;
   const std::size_t before = e.report.notes.size();
@@ -229,6 +226,18 @@ Result<void> note_play(Examination& e) {
   if (e.report.notes.size() > before) return {};
   if (is_weak) return note_weak(e, worst);
   for (Note& told : habits_of(worst, false)) e.report.notes.push_back(std::move(told));
+  return {};
+}
+
+}  // namespace
+
+Result<void> note_play(Examination& e) {
+  const std::vector<LegStory>& legs = e.report.legs;
+  if (legs.empty() || e.report.failure() != nullptr || !note_commands(e)) return {};
+  const LegStory& worst = *std::ranges::min_element(legs, {}, &LegStory::lead);
+  MIROCUP_TRY_VOID(note_worst(e, worst));
+  const bool is_of_simurosot = e.setup.rules.preset == referee::Preset::simurosot;
+  if (is_of_simurosot && worst.of(Habit::own_goal) >= told_of_one_colour) note(e, "one_colour");
   return {};
 }
 

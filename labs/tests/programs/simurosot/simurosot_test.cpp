@@ -521,6 +521,10 @@ TEST(Simurosot, TakesThePlatformsStructuresInANamespaceAndByTheirOlderNames) {
     EXPECT_EQ(record["state_hash"] == hash, team != turned)
         << (team == turned ? "SIDE has no effect" : "a function of the team was not called");
   }
+  // It now plays the wrong way, for which the check names the cure.
+  const Outcome checked = run({program("mirocup"), "check", turned, "--league", "middle", "--rules",
+                               "simurosot", "--half", "100"});
+  EXPECT_NE(checked.out.find("write SIDE blue or SIDE yellow"), std::string::npos) << checked.out;
 }
 
 // The platform's last header: the opponents are called "opp", and the lines of the field are gone.
