@@ -214,7 +214,7 @@ Result<std::vector<RosterRow>> roster(system::Files& files, const LeagueStore& s
     }
     if (const int late = last_late(hand_ins, row.team); late > 0)
       row.notes.push_back("entry " + std::to_string(late) +
-                          " came after the deadline: league take lets it play");
+                          " came after the deadline: the host decides about it");
     const HandedIn* last = hand_ins.last_try(row.team);
     if (last == nullptr) continue;
     row.handed_in = utc_text(last->at);

@@ -15,10 +15,14 @@ namespace {
 
 constexpr const char* closing_words = "A closing round of the last entries decides the season";
 
-// "3 (yesterday 5)", or "3 (new)".
-std::string rank_in_words(const TeamDigest& d) {
+bool is_first(const Night& night) {
+  return night.number == 1;
+}
+
+// "3 (yesterday 5)", or "3 (new)". In the first night everything is new.
+std::string rank_in_words(const Night& night, const TeamDigest& d) {
   if (d.rank == 0) return "has not played";
-  if (d.rank_before == 0) return std::to_string(d.rank) + " (new)";
+  if (d.rank_before == 0) return std::to_string(d.rank) + (is_first(night) ? "" : " (new)");
   return std::to_string(d.rank) + " (yesterday " + std::to_string(d.rank_before) + ")";
 }
 
@@ -33,6 +37,7 @@ std::string strength_in_words(const TeamDigest& d) {
 }
 
 std::string legs_in_words(const TeamDigest& d) {
+  if (d.legs.legs == 0) return "none";
   return std::to_string(d.legs.won) + " won, " + std::to_string(d.legs.drawn) + " drawn, " +
          std::to_string(d.legs.lost) + " lost";
 }
@@ -67,19 +72,20 @@ std::string night_page(const Overview& o, const Night& night, const std::vector<
          {"legs", legs_in_words(d)},
          {"strength", d.strength ? std::to_string(std::lround(d.strength->value)) : "–"},
          {"change", !d.strength          ? "–"
-                    : !d.strength_before ? "new"
+                    : !d.strength_before ? (is_first(night) ? "–" : "new")
                                          : (change >= 0 ? "+" : "") + std::to_string(change)},
          {"digest", page_of_digest(o.state, d.team)},
-         {"is_new", d.has_new_entry}});
+         {"is_new", d.has_new_entry && !is_first(night)}});
     teams.push_back(row);
   }
   return plain_page(o, "", title_of(night), shown_time(o.state.file, night.at),
                     filled_page("night.html", {{"teams", teams}}));
 }
 
-std::string entry_in_words(const TeamDigest& d) {
+std::string entry_in_words(const Night& night, const TeamDigest& d) {
   if (d.entry == 0) return "";
-  return std::to_string(d.entry) + (d.has_new_entry ? ", new since yesterday" : "");
+  const bool is_new = d.has_new_entry && !is_first(night);
+  return std::to_string(d.entry) + (is_new ? ", new since yesterday" : "");
 }
 
 }  // namespace
@@ -99,11 +105,12 @@ static Json digest_values(const Overview& o, const Night& night, const TeamDiges
     moments.push_back({{"page", moment.leg->page(root, moment.at)},
                        {"what", (moment.when.empty() ? "" : moment.when + ": ") + moment.what}});
   return {{"title", title_of(night)},
-          {"rank", rank_in_words(d)},
+          {"rank", rank_in_words(night, d)},
           {"strength", strength_in_words(d)},
           {"legs", legs_in_words(d)},
-          {"entry", entry_in_words(d)},
+          {"entry", entry_in_words(night, d)},
           {"closing", o.state.closing_round.empty() ? "" : closing_words},
+          {"has_played", d.legs.legs > 0},
           {"losses", losses},
           {"moments", moments}};
 }

@@ -586,7 +586,10 @@ TEST(Nights, TellTeamsWhatBecameOfTheirHandIns) {
   EXPECT_NE(digest("c").find("Note:     entry 1 was not accepted: "), std::string::npos)
       << digest("c");
   EXPECT_NE(digest("d").find("Note:     nothing was handed in"), std::string::npos) << digest("d");
+  EXPECT_EQ(digest("d").find("Lost to:"), std::string::npos) << "it played no leg";
+  EXPECT_NE(digest("d").find("Legs:     none\n"), std::string::npos) << digest("d");
   EXPECT_EQ(digest("a").find("Note:"), std::string::npos) << digest("a");
+  EXPECT_EQ(digest("a").find("yesterday"), std::string::npos) << "it was the first night";
 }
 
 // One team hands in after the deadline. Why is its business: neither journal nor pages have it.
