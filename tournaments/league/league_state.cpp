@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace mirocup::league {
 
@@ -167,8 +168,14 @@ std::vector<TableRow> LeagueState::table(const Ratings& ratings) const {
   }
   for (const TeamState& team : teams)
     rules.has_left.push_back(team.status == TeamStatus::withdrawn);
-  return make_table(all_teams(static_cast<int>(file.teams.size())), results(), rules,
-                    stage_reached(*this));
+  std::vector<TableRow> rows = make_table(all_teams(static_cast<int>(file.teams.size())), results(),
+                                          rules, stage_reached(*this));
+  // The absent come last, and have no rank that lots could decide: Gruppe 2 before Gruppe 10.
+  std::stable_sort(std::ranges::find(rows, 0, &TableRow::rank), rows.end(),
+                   [this](const TableRow& a, const TableRow& b) {
+                     return strverscmp(shown_name(a.team).c_str(), shown_name(b.team).c_str()) < 0;
+                   });
+  return rows;
 }
 
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {

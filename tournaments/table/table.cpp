@@ -130,7 +130,10 @@ class Ranking {
           const TableRow& row = total_[team];
           return mean && row.played > 0 ? double(row.points) / row.played : double(row.points);
         },
-        [this](const std::vector<int>& rest, bool) { break_tie(rest, 0, false); });
+        [this](const std::vector<int>& rest, bool) {
+          // Lots are for teams that have played.
+          break_tie(rest, is_absent(rest[0]) ? rules_.tie_breaks.size() : 0, false);
+        });
   }
 
   // Orders level teams by a value (higher is better), and calls next() for each group of teams that

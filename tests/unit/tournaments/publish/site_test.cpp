@@ -350,6 +350,15 @@ TEST(LegFacts, AreThoseOfTheRecordAsTheHomeTeamSeesThem) {
     EXPECT_FALSE(facts_of(other, true)) << other;
 }
 
+// Catches a table before the first night that lots have ordered.
+TEST(LeagueState, ListsTeamsThatHaveNotPlayedByName) {
+  const LeagueState state =
+      started_league(league_file_of({"t10", "t3", "a", "t2", "t1"}, {.kind = FormatKind::nightly}));
+  std::string names;
+  for (const TableRow& row : state.table()) names += state.name(row.team) + row.separated_by + " ";
+  EXPECT_EQ(names, "a t1 t2 t3 t10 ");
+}
+
 TEST(LeagueState, BooksColoursForTheirTeams) {
   // Leg 2: the away team is blue.
   const LeagueState state = state_after({{0, 1}, {0, 2}});
