@@ -82,6 +82,7 @@ std::span<const Portal::Route> Portal::routes() {
       Route{"GET", "/api/v1/friendlies/*/*/*", team, api, &Portal::show_friendly},
       Route{"GET", "/hand-in", known, page, &Portal::desk},
       Route{"GET", "/hand-in/", everybody, page, &Portal::lead_to_desk},
+      Route{"GET", "/hand-in/staff", known, page, &Portal::lead_to_desk},
       Route{"GET", "/hand-in/entries/*", known, page, &Portal::entry_page_of},
       Route{"GET", "/hand-in/entries/*/replay", known, page, &Portal::entry_replay},
       Route{"GET", "/hand-in/friendlies/*/*/*", team, page, &Portal::show_friendly},

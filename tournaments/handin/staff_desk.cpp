@@ -50,11 +50,12 @@ std::optional<Act> act_of(const Form& form) {
              .is_dry_run = value_of(form, "go") == "try"};
 }
 
-// The values of the forms of the acts. `given` is what a form had before it was sent, so that
-// nobody types it again, or the leg from whose replay a person comes; each act on legs means it.
-Json forms_values(const LeagueState& state, const Form& given, const std::string& root,
+// The values of the forms of the acts. A form shows again what it had before it was sent, and the
+// answer; each act on legs means the leg from whose replay a person comes.
+Json forms_values(const LeagueState& state, const StaffDesk::Shown& shown,
                   const std::string& person) {
-  Json values{{"root", root},
+  const Form& given = shown.given;
+  Json values{{"root", shown.root},
               {"person", person},
               {"max_notice", max_notice},
               {"notice", state.notice},
@@ -77,6 +78,8 @@ Json forms_values(const LeagueState& state, const Form& given, const std::string
     Json form{{"act", act},
               {"is_open", is_open},
               {"is_private", act == "extend"},
+              {"said", sent == act ? shown.said : ""},
+              {"role", shown.status < 400 ? "status" : "alert"},
               {"given", Json::object()}};
     for (const auto& [name, value] : is_meant ? given : Form()) {
       if (form["given"].contains(name)) continue;
@@ -238,23 +241,21 @@ web::Reply StaffDesk::page(const Visitor& reader, const Shown& shown) const {
   const std::string last = last_leg_at(store->journal());
   Json decisions = decisions_values(state);
   for (Json& one : decisions) one["is_new"] = one["number"] == shown.done;
-  Json values{
-      {"has_forms", has_forms},
-      {"root", shown.root},
-      {"sees_grades", sees_grades(reader.role)},
-      {"said", shown.said},
-      {"done", shown.done > 0 ? Json(shown.done) : Json()},
-      {"played", state.played()},
-      {"legs", state.legs()},
-      {"last_leg", last.empty() ? "" : shown_time(state.file, last)},
-      {"problems", health->problems},
-      {"attention", attention_values(*rows)},
-      {"forms", has_forms ? filled_page("staff_forms.html",
-                                        forms_values(state, shown.given, shown.root, reader.person))
-                          : ""},
-      {"teams", teams_values(state, *rows)},
-      {"has_decisions", !decisions.empty()},
-      {"decisions", decisions}};
+  const Json forms = forms_values(state, shown, reader.person);
+  const auto sent = forms.find(value_of(shown.given, "act"));
+  Json values{{"has_forms", has_forms},
+              {"root", shown.root},
+              {"sees_grades", sees_grades(reader.role)},
+              {"said", sent != forms.end() && sent->is_object() ? "" : shown.said},
+              {"done", shown.done > 0 ? Json(shown.done) : Json()},
+              {"played", state.played()},
+              {"legs", state.legs()},
+              {"last_leg", last.empty() ? "" : shown_time(state.file, last)},
+              {"problems", health->problems},
+              {"attention", attention_values(*rows)},
+              {"forms", has_forms ? filled_page("staff_forms.html", forms) : ""},
+              {"teams", teams_values(state, *rows)},
+              {"decisions", decisions}};
   add_schedule(values, state, *sheets);
   return staff_reply(shown.status,
                      desk_page("Staff", filled_page("staff.html", values), shown.root));
@@ -325,7 +326,8 @@ web::Reply StaffDesk::act(const Visitor& visitor, const Form& values,
   return {.status = 303,
           .bytes = "",
           .headers = {{"Location",
-                       root + "hand-in?done=" + std::to_string(store->state().decisions.size())}}};
+                       root + "hand-in?done=" + std::to_string(store->state().decisions.size()) +
+                           "#decisions"}}};
 }
 
 web::Reply StaffDesk::grades() const {

@@ -30,7 +30,7 @@ class StaffDesk {
 
   struct Shown {
     int done = 0;           // the number of the decision just written; 0: none
-    std::string said = {};  // a sentence for the top of the page
+    std::string said = {};  // the answer to the sent form
     int status = 200;       // status of the reply
     Form given = {};        // the values that the forms show at first: of a sent form, or a leg
     std::string root = {};  // web::root_of() the address of the page

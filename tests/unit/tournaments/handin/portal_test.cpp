@@ -231,6 +231,7 @@ const std::vector<Route> private_routes{
     {"DELETE", "/api/v1/entries/1"},
     {"HEAD", "/api/v1/entries/1"},
     {"GET", "/hand-in", {}, true},
+    {"GET", "/hand-in/staff", {}, true},
     {"GET", "/hand-in/entries/1", {}, true},
     {"GET", "/hand-in/entries/1/replay", {}, true},
     {"GET", "/hand-in/friendlies/alpha/1/replay", {}, true},

@@ -113,6 +113,8 @@ TEST_F(StaffPage, DecidesWithAReasonAndTakesBack) {
   EXPECT_EQ(tried.status, 200);
   EXPECT_NE(tried.bytes.find("2 : 1"), std::string::npos);
   EXPECT_NE(tried.bytes.find("(was not decided)"), std::string::npos);
+  EXPECT_NE(tried.bytes.find("#rule-form\"><p role=\"status\">"), std::string::npos)
+      << "the answer stands in its form, and is no error";
   EXPECT_TRUE(decisions().empty()) << "it was only tried";
   EXPECT_EQ(act(rule + "it+was+valid&go=do").status, 303);
   ASSERT_EQ(decisions().size(), 1u);
@@ -122,7 +124,12 @@ TEST_F(StaffPage, DecidesWithAReasonAndTakesBack) {
   EXPECT_NE(text_of_page(staff_).find("Not handed in: alpha · beta"), std::string::npos);
   EXPECT_EQ(act("act=undo&decision=1&reason=the+wrong+leg&go=do").status, 303);
   EXPECT_EQ(decisions()[0].undone_by, 1u);
-  EXPECT_EQ(act("act=undo&decision=1&reason=again&go=do").status, 400);
+  const web::Reply again = act("act=undo&decision=1&reason=again&go=do");
+  EXPECT_EQ(again.status, 400);
+  EXPECT_NE(again.bytes.find("#undo-form\"><p role=\"alert\">"), std::string::npos);
+  const web::Reply opened = ask("GET", "/hand-in/staff", staff_);
+  ASSERT_EQ(opened.status, 308) << "the address of an answer, opened again";
+  EXPECT_EQ(opened.headers.front().second, "../hand-in");
   const auto state = LeagueStore::open(disk_, folder_).value().state();
   EXPECT_FALSE(state.fixtures[0].legs[0].played);
 }
