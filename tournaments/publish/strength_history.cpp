@@ -51,7 +51,7 @@ class Chart {
 
   std::string draw() {
     std::string svg = formatted(R"(<svg class="chart" viewBox="0 0 %d %d" role="img" aria-label=")",
-                                width, height) +
+                                highlighted_ < 0 ? width : width - right + left, height) +
                       label() + "\">\n";
     svg += scale();
     if (highlighted_ >= 0) {
