@@ -99,9 +99,8 @@ Json forms_values(const LeagueState& state, const StaffDesk::Shown& shown,
 // What was played last, what comes, and until when entries are taken.
 void add_schedule(Json& values, const LeagueState& state, const SheetDeadlines& sheets) {
   const std::string& frozen = state.frozen_from();
-  values["entries"] = frozen.empty()
-                          ? "Entries are taken as the format allows"
-                          : "From " + shown_time(state.file, frozen) + " on, no entry is taken";
+  values["entries"] = frozen.empty() ? "Entries are taken as the format allows"
+                                     : "Deadline for entries: " + shown_time(state.file, frozen);
   values["deadlines"] = Json::array();
   auto extensions = state.file.extensions;
   for (const auto& [team, until] : state.extensions) extensions[team] = until;

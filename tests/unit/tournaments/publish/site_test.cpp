@@ -287,8 +287,10 @@ TEST(Site, SaysWhoWonALevelTie) {
 // Catches a term whose crosstable has a line for each leg, and a table that is ordered by a number
 // that it does not show.
 TEST(Site, SumsTheNightsOfATerm) {
-  LeagueState state = started_league(
-      league_file_of({"ada", "bob", "eve"}, {.kind = FormatKind::nightly}, "submitted"));
+  LeagueFile file =
+      league_file_of({"ada", "bob", "eve"}, {.kind = FormatKind::nightly}, "submitted");
+  file.freeze = "2020-11-30T18:00:00Z";
+  LeagueState state = started_league(file);
   for (int night = 1; night <= 4; ++night) {
     NightBegan begun;
     begun.number = night;
@@ -306,6 +308,8 @@ TEST(Site, SumsTheNightsOfATerm) {
   const std::string front = page(site, "index.html");
   EXPECT_NE(front.find("<span>8–0–0</span>"), std::string::npos) << front;
   EXPECT_NE(front.find("<span>16:0</span>"), std::string::npos);
+  EXPECT_NE(front.find("Deadline for entries: 2020-11-30 18:00 UTC."), std::string::npos)
+      << "true before it and after it";
   const TableRow first = state.table()[0];
   const long strength = std::lround(state.ratings().strengths[first.team].value);
   EXPECT_GT(strength, 0);
