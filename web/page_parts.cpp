@@ -45,12 +45,13 @@ std::string page_style() {
 }
 
 std::string page_policy(const std::string& script, ModulePlace module) {
+  const bool is_beside = script.empty();
   // Not every browser counts files beside a page on a disk as its own.
-  std::string policy = "default-src 'none'; connect-src 'self'; ";
-  policy += script.empty() ? "style-src 'self' file:; script-src 'self' file:"
-                           : "style-src 'unsafe-inline'; script-src 'sha256-" +
-                                 system::sha256_base64(script) + "'";
-  if (module == ModulePlace::beside_it && !script.empty()) policy += " 'self'";
+  std::string policy = is_beside ? "default-src 'none'; style-src 'self' file:; "
+                                 : "default-src 'none'; style-src 'unsafe-inline'; ";
+  policy += "connect-src 'self'; script-src ";
+  policy += is_beside ? "'self' file:" : "'sha256-" + system::sha256_base64(script) + "'";
+  if (module == ModulePlace::beside_it && !is_beside) policy += " 'self'";
   return module == ModulePlace::nowhere ? policy : policy + " 'wasm-unsafe-eval'; worker-src blob:";
 }
 

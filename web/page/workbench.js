@@ -126,13 +126,14 @@ async function describeFunctions() {
 
 let advice = [];  // [[words of the compiler, what to do]…]
 
-// Shows what the compiler says, each message at its line, and what to do about the mistakes that are usual.
+// Shows what the compiler says, each message at its line, with what to do about a usual mistake. Below the first error the others
+// often follow from it.
 function showMessages(text) {
   const found = [...text.matchAll(/^team\.cpp:([0-9]+):([0-9]+): (?:fatal )?(error|warning): (.*)$/gm)];
   const cure = (said) => advice.filter(([words]) => said.includes(words)).slice(0, 1).map(([, what]) => `\ndo: ${what}`).join('');
   editor.session.setAnnotations(found.map(([, row, column, type, said]) => ({ row: row - 1, column: column - 1, type, text: said + cure(said) })));
   by('errors').hidden = text === '';
-  by('errors').textContent = text.replace(/^team\.cpp:.*: (?:fatal )?error: (.*)$/gm, (line, said) => line + cure(said));
+  by('errors').textContent = text.replace(/^team\.cpp:.*: (?:fatal )?error: (.*)$/m, (line, said) => line + cure(said));
   const first = found.find(([, , , type]) => type === 'error');
   if (first) editor.gotoLine(Number(first[1]), Number(first[2]) - 1, false);
 }
