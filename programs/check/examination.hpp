@@ -46,6 +46,9 @@ void note(Examination& e, const char* code, const std::string& first = "",
           const std::string& second = "");
 // Adds notes about the play of an entry that has passed.
 Result<void> note_play(Examination& e);
+// Add a note about a mistake of steering, or about a wrong end, and return true if there is one.
+Result<bool> tell_steering(Examination& e, bool is_at_wall);
+Result<bool> tell_end(Examination& e);
 
 // Calls on_step for the next check.
 void tell_next(const Examination& e);

@@ -5,6 +5,7 @@
 
 #include "core/match/leg.hpp"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <string>
@@ -12,12 +13,21 @@
 
 namespace mirocup::app {
 
-// The habits of a team that may be mistakes. play_notes.cpp has a row for each. A goal is open if
-// no robot is near the own goal when a goal falls. The first two are counted.
-enum class Habit { own_goal, kick_off, open_goal, wall, stand, turn, backwards, far };
+// The habits of a team that may be mistakes, as shares of play. play_notes.cpp has a row for each.
+// How a robot drives is the mean over all robots but robot 0, which keeps the goal.
+enum class Habit {
+  wall,       // the robot that pushed most pushes against a wall
+  stand,      // robots stand
+  turn,       // robots turn in place
+  backwards,  // robots drive backwards
+  far,        // no robot is near the ball
+  open_goal,  // of the ticks with the ball far from the own goal: no robot is near the own goal
+  own_goal,   // a number, of all goals against the team
+  kick_off    // a number of fouls, of all own kick-offs
+};
 
 struct HabitCount {
-  double sum = 0.0;                  // LegStory::of() says of what
+  double sum = 0.0, all = 0.0;
   std::vector<std::uint32_t> begun;  // the ticks in which the first three times began
   std::uint32_t last = 0;            // the last tick
 
@@ -43,20 +53,16 @@ struct LegStory {
   std::string opponent{};      // a house team
   std::array<int, 2> score{};  // goals for the entry, and against it
   double minutes = 0.0;        // simulated time
-  int play_ticks = 0;          // ticks in which the ball was in play
   std::array<HabitCount, 8> habits{};
-  double fastest_wheel = 0.0;  // the fastest command of the entry, rad/s
-  // Left and right; bit i: a command turned that wheel of robot i.
-  std::array<unsigned, 2> told_wheels{};
+  // In how many ticks of play each robot was told to turn its left and its right wheel, and fast.
+  std::array<std::array<int, 2>, max_robots_per_team> turned{};
+  std::array<int, max_robots_per_team> turned_fast{};
   std::array<BadSpeeds, 2> bad_speeds{};  // not finite; too large
 
   const HabitCount& count(Habit habit) const { return habits[static_cast<std::size_t>(habit)]; }
   HabitCount& count(Habit habit) { return habits[static_cast<std::size_t>(habit)]; }
-  // Returns the number of own goals or of fouls at kick-offs in a minute; for open_goal, the part
-  // of the goals against the team that were open; for wall, the part of play_ticks in which the
-  // robot that pushed most did so; for others, the part of play_ticks, as a mean over the robots.
-  double of(Habit habit) const;
-  static bool is_counted(Habit habit) { return habit <= Habit::kick_off; }
+  double of(Habit habit) const { return count(habit).sum / std::max(count(habit).all, 1.0); }
+  static bool is_counted(Habit habit) { return habit >= Habit::own_goal; }
   int lead() const { return score[0] - score[1]; }  // in goals
 };
 
@@ -84,8 +90,6 @@ class WatchedTeam final : public match::Controller {
   Trick trick_;
   // Ticks for which something has held each robot now, and for which it has pushed in all.
   std::array<int, max_robots_per_team> held_{}, pushes_{};
-  int goals_against_ = 0;
-  bool has_keeper_ = true;  // a robot is near the own goal
   LegStory story_;
 };
 

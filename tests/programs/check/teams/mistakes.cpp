@@ -104,26 +104,34 @@ class Mistakes : public Team {
  private:
   void make_mistake(const Observation& now, Command& command);
   void use_memory(std::uint32_t tick);
-  void steer(const Observation& now, Command& command) const;
+  void steer(const Observation& now, Command& command);
   void fail_at_a_restart(const Observation& now) const;
 
   Mistake mistake_;
   std::optional<std::uintptr_t> chance_;
   std::vector<char*> leaked_;
   const Observation* last_ = nullptr;
+  Point first_ball_;
   std::vector<int> marks_ = std::vector<int>(6, 1);
 };
 
 // Robot 0 keeps the goal, and the others steer to the ball.
-void Mistakes::steer(const Observation& now, Command& command) const {
+void Mistakes::steer(const Observation& now, Command& command) {
+  if (now.tick == 0) first_ball_ = ball(now);
   command.wheels[0] = keep_goal(setup(), now, now.own[0]);
   for (int i = 1; i < now.robots; ++i) {
-    const Robot& robot = now.own[mistake_ == Mistake::robots_exchanged ? now.robots - i : i];
-    Point to = ball(now) - position(robot) - Point{0.03, 0.0};
+    const Robot& robot = mistake_ == Mistake::drives_opponents
+                             ? now.opponent[i]
+                             : now.own[mistake_ == Mistake::robots_exchanged ? now.robots - i : i];
+    Point at = mistake_ == Mistake::keeps_the_first_ball ? first_ball_ : ball(now);
+    if (mistake_ == Mistake::ball_in_ticks) at = at + 15.0 * ball_velocity(now);
+    Point to = at - position(robot) - Point{0.03, 0.0};
     if (mistake_ == Mistake::axes_exchanged) to = {to.y, to.x};
-    const double change = math::atan2(to.y, to.x) - robot.heading;
+    double change = math::atan2(to.y, to.x) - robot.heading;
+    if (mistake_ == Mistake::heading_offset) change -= pi / 2.0;
     const double error = mistake_ == Mistake::turns_unwrapped ? change : wrapped(change);
-    command.wheels[i] = wheels_for(setup(), math::cos(error), 8.0 * error);
+    const double sign = mistake_ == Mistake::wheels_negated ? -1.0 : 1.0;
+    command.wheels[i] = wheels_for(setup(), sign * math::cos(error), 8.0 * sign * error);
   }
 }
 
@@ -212,11 +220,13 @@ void Mistakes::make_mistake(const Observation& now, Command& command) {
       if (now.tick >= 20) command.wheels[1].left = std::sqrt(-1.0 - zero);
       return;
     case Mistake::wheels_exchanged:
+    case Mistake::end_by_colour:
     case Mistake::wrong_end:
       for (int i = 0; i < now.robots; ++i) {
-        const double end = mistake_ == Mistake::wrong_end ? -1.0 : 1.0;
+        const bool is_wrong = mistake_ == Mistake::wrong_end || setup().team == MIROCUP_YELLOW;
+        const double end = is_wrong && mistake_ != Mistake::wheels_exchanged ? -1.0 : 1.0;
         const Wheels w = kick_to(setup(), now, now.own[i], {end * setup().half_length, 0.0});
-        command.wheels[i] = end < 0.0 ? w : Wheels{w.right, w.left};
+        command.wheels[i] = mistake_ == Mistake::wheels_exchanged ? Wheels{w.right, w.left} : w;
       }
       return;
     case Mistake::targets_outside:
@@ -284,6 +294,11 @@ void Mistakes::make_mistake(const Observation& now, Command& command) {
     case Mistake::turns_unwrapped:
     case Mistake::axes_exchanged:
     case Mistake::robots_exchanged:
+    case Mistake::wheels_negated:
+    case Mistake::heading_offset:
+    case Mistake::ball_in_ticks:
+    case Mistake::keeps_the_first_ball:
+    case Mistake::drives_opponents:
       steer(now, command);
       return;
     case Mistake::chance_without_seed: {

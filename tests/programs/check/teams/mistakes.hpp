@@ -70,6 +70,12 @@ enum class Mistake {
   turns_unwrapped,
   axes_exchanged,
   robots_exchanged,
+  wheels_negated,
+  heading_offset,
+  ball_in_ticks,
+  end_by_colour,
+  keeps_the_first_ball,
+  drives_opponents,
   a_little_slow,  // 1.5 ms in each tick
 };
 
