@@ -364,7 +364,11 @@ export class Play {
     if (isPlaying) this.toggle();
   }
 
-  step(ticks) { return this.act(ticks < 0 ? { act: 'back', ticks: -ticks } : { act: 'play', ticks, hand: this.#hand() }); }
+  // Behind all earlier moves.
+  step(ticks) {
+    this.moved = this.moved.then(() => this.act(ticks < 0 ? { act: 'back', ticks: -ticks } : { act: 'play', ticks, hand: this.#hand() }));
+    return this.moved;
+  }
 
   // Moves a body: `change(body)` returns what is other, seen from where all earlier moves have put it.
   move(index, change) {
