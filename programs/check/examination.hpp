@@ -47,7 +47,8 @@ void note(Examination& e, const char* code, const std::string& first = "",
 // Adds notes about the play of an entry that has passed.
 Result<void> note_play(Examination& e);
 // Add a note about a mistake of steering, or about a wrong end, and return true if there is one.
-Result<bool> tell_steering(Examination& e, bool is_at_wall);
+// A team whose wheels turn slowly, though it drives to a ball, has their speeds in m/s.
+Result<bool> tell_steering(Examination& e, bool is_slow, bool is_at_wall);
 Result<bool> tell_end(Examination& e);
 
 // Calls on_step for the next check.

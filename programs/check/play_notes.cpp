@@ -23,9 +23,9 @@ struct HabitRow {
   double suspected;
   bool is_alone = false;
 };
-constexpr double told_wall = 0.6;
+constexpr double told_wall = 0.6, told_stand = 0.9;
 constexpr HabitRow habit_rows[] = {{Habit::wall, "wall", told_wall, 0.45},
-                                   {Habit::stand, "stands", 0.9, 0.6},
+                                   {Habit::stand, "stands", told_stand, 0.6},
                                    {Habit::turn, "turns", 0.6, 0.4},
                                    {Habit::backwards, "backwards", 0.8, 0.6},
                                    {Habit::open_goal, "open_goal", 1e9, 0.4},
@@ -74,10 +74,10 @@ bool note_commands(Examination& e, bool& is_slow) {
     for (const std::size_t side : {0u, 1u}) any[side] += turned[side];
     const auto [less, more] = std::minmax(turned[0], turned[1]);
     told += i > 0 ? more : 0;
-    if (less > silent_share * more && more > silent_share * ticks) continue;
-    const char* const wheel = more <= silent_share * ticks ? "a"
-                              : turned[0] < turned[1]      ? "its left"
-                                                           : "its right";
+    // A keeper may stand.
+    const bool has_stood = more <= silent_share * ticks;
+    if (has_stood ? i == 0 : less > silent_share * more) continue;
+    const char* const wheel = has_stood ? "a" : turned[0] < turned[1] ? "its left" : "its right";
     silent.push_back({"silent_robot", sentence("silent_robot", std::to_string(i), wheel)});
   }
   const char* const code = any[0] == 0 && any[1] == 0 ? "never_moved"
@@ -85,12 +85,12 @@ bool note_commands(Examination& e, bool& is_slow) {
                            : any[1] == 0              ? "silent_right"
                                                       : nullptr;
   if (code != nullptr) return note(e, code), true;
-  is_slow = silent.empty() && told_fast <= silent_share * told;
+  is_slow = told_fast <= silent_share * told;
   // Where all others stand, the reason is not the number of a robot.
   if (std::ssize(silent) >= robots - 1) silent.clear();
   std::ranges::move(silent, std::back_inserter(e.report.notes));
-  return !silent.empty() || e.report.bad_speeds[0].count > 0 ||
-         e.report.bad_speeds[1].count > few_bad_speeds;
+  if (!silent.empty() && is_slow) note(e, "slow_wheels");
+  return !silent.empty() || e.report.bad_speeds[0].count > 0;
 }
 
 // Returns a note for each habit that the leg shows. A weak team is suspected earlier.
@@ -144,11 +144,13 @@ Result<void> note_play(Examination& e) {
     calm = leg.story;
   }
   const bool is_at_wall = std::max(worst.of(Habit::wall), calm.of(Habit::wall)) > told_wall;
-  MIROCUP_TRY(const bool is_steering, tell_steering(e, is_at_wall));
-  if (is_steering) return {};
-  if (is_slow) return note(e, "slow_wheels"), Result<void>();
-  // What a team does at a wall shows no end.
-  if (!is_at_wall) {
+  MIROCUP_TRY(const bool is_steering, tell_steering(e, is_slow, is_at_wall));
+  // Speeds that are too large may follow from a turn that is too large.
+  if (is_steering)
+    std::erase_if(e.report.notes, [](auto& told) { return told.code == "too_large"; });
+  if (is_steering || e.report.bad_speeds[1].count > few_bad_speeds) return {};
+  // A team at a wall, or one that stands, shows no end.
+  if (!is_at_wall && worst.of(Habit::stand) < told_stand) {
     MIROCUP_TRY(const bool is_end, tell_end(e));
     if (is_end) return {};
   }

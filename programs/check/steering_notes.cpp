@@ -71,13 +71,14 @@ Result<TrialLeg> play_scene(Examination& e, std::uint32_t ticks, const Change& c
   return play(e, terms);
 }
 
-// Returns the answer to the first tick of a leg in which the ball is seen at that place, and each
-// own robot at an odd place, and then `change` is made.
+// Returns the answer to the first tick of a leg in which the ball is seen at that place, and the
+// own robots at odd places, whose order differs from ball to ball, and then `change` is made.
 template <class Change>
 Result<match::DrivenCommand> answer_to(Examination& e, Vec2 ball, const Change& change) {
   MIROCUP_TRY(const auto leg, play_scene(e, 1, [&](match::Observation& scene) {
                 scene.ball = ball;
-                for (match::ObservedRobot& robot : scene.own) robot.position += Vec2(0.013, 0.021);
+                for (std::size_t i = 0; i < scene.own.size(); ++i)
+                  scene.own[i].position += Vec2(0.013, ball.x() < 0.0 ? 0.021 : -0.1 * (i % 3));
                 change(scene);
               }));
   return leg.log.empty() ? match::DrivenCommand() : leg.log[0].commands[index_of(Team::blue)];
@@ -205,7 +206,7 @@ Result<std::array<double, 2>> pushes_of(Examination& e, Team team, std::size_t h
 
 }  // namespace
 
-Result<bool> tell_steering(Examination& e, bool is_at_wall) {
+Result<bool> tell_steering(Examination& e, bool is_slow, bool is_at_wall) {
   const int robots = field::make_field(e.setup.league).robots_per_team;
   int away = 0, followers = 0, degrees = 0, ticks = 0, opponents = 0;
   std::array<int, max_robots_per_team> jumps{};
@@ -228,7 +229,7 @@ Result<bool> tell_steering(Examination& e, bool is_at_wall) {
       if (j == 0) continue;
       followers += turned.wheels[j] != plain.wheels[j] ? 1 : 0;
       const double turn = turn_of(turned, j) - turn_of(plain, j);
-      away += turn < 0.0 ? 1 : 0;
+      away += ball.x() < 0.0 && turn < 0.0 ? 1 : 0;
       if (j > driving_robots || turn == 0.0) continue;
       const double usual = std::abs(turn) / small_turn;
       MIROCUP_TRY(const double beside, change_of(j, [j](auto& scene) {
@@ -263,13 +264,14 @@ Result<bool> tell_steering(Examination& e, bool is_at_wall) {
   constexpr int all = static_cast<int>(std::size(seen_balls));
   MIROCUP_TRY(const Ways ways, ways_to_ball(e));
   const bool is_away =
-      away == all * (robots - 1) || (ways.is_away && ways.code == nullptr && !ways.is_right);
+      !ways.is_right && (away == robots - 1 || (ways.is_away && ways.code == nullptr));
   const char* code = followers == 0 && opponents > 0          ? "opponents"
                      : degrees == all                         ? "degrees"
                      : is_away && ways.forward < 0.0          ? "backwards_all"
                      : is_away                                ? "wrong_turn"
                      : std::ranges::count(jumps, all) > 0     ? "unwrapped"
                      : !ways.is_right && ways.code != nullptr ? ways.code
+                     : is_slow && ways.forward != 0.0         ? "slow_wheels"
                      : ticks == all                           ? "ticks"
                                                               : nullptr;
   if (code == nullptr && !is_at_wall) {
@@ -291,7 +293,8 @@ Result<bool> tell_end(Examination& e) {
   }
   unsigned wrong = 0;
   for (std::size_t i = 0; i < behind.size(); ++i) {
-    const bool is_worse = behind[i][0] < best - told_difference;
+    const bool has_played = before[i][0] + before[i][1] + behind[i][0] + behind[i][1] > pushed;
+    const bool is_worse = has_played && behind[i][0] < best - told_difference;
     const bool is_backwards = behind[i][0] < pushed && before[i][1] > pushed;
     wrong |= (is_worse || is_backwards ? 1U : 0U) << i;
   }
