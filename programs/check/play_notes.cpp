@@ -130,7 +130,7 @@ Result<void> note_play(Examination& e) {
   const LegStory& worst = *std::ranges::min_element(legs, {}, &LegStory::lead);
   if (worst.lead() > 0) return {};
   const bool is_of_simurosot = e.setup.rules.preset == referee::Preset::simurosot;
-  if (is_of_simurosot && worst.of(Habit::own_goal) >= told_of_one_colour) note(e, "one_colour");
+  if (is_of_simurosot && worst.of(Habit::own_goal) >= told_of_one_colour) note(e, "simurosot_side");
   bool is_slow = false;
   if (note_commands(e, is_slow)) return {};
   const LegStory& other = worst.team == legs.front().team ? legs.back() : legs.front();
