@@ -33,8 +33,6 @@ constexpr HabitRow habit_rows[] = {{Habit::wall, "wall", told_wall, 0.45},
                                    {Habit::kick_off, "kick_offs", 0.5, 0.5, true},
                                    {Habit::far, "far", 1e9, 0.5, true}};
 
-// A team for one colour alone has scored this share of the goals of its opponent.
-constexpr double told_of_one_colour = 0.3;
 // A wheel that turns in a smaller share of play is silent, and so are fast wheels.
 constexpr double silent_share = 0.03;
 // More speeds beyond the limit explain all that a leg shows.
@@ -129,8 +127,6 @@ Result<void> note_play(Examination& e) {
   if (legs.empty() || e.report.failure() != nullptr) return {};
   const LegStory& worst = *std::ranges::min_element(legs, {}, &LegStory::lead);
   if (worst.lead() > 0) return {};
-  const bool is_of_simurosot = e.setup.rules.preset == referee::Preset::simurosot;
-  if (is_of_simurosot && worst.of(Habit::own_goal) >= told_of_one_colour) note(e, "simurosot_side");
   bool is_slow = false;
   if (note_commands(e, is_slow)) return {};
   const LegStory& other = worst.team == legs.front().team ? legs.back() : legs.front();
@@ -152,6 +148,7 @@ Result<void> note_play(Examination& e) {
   // A team at a wall, or one that stands, shows no end.
   if (!is_at_wall && worst.of(Habit::stand) < told_stand) {
     MIROCUP_TRY(const bool is_end, tell_end(e));
+    if (is_end && e.setup.rules.preset == referee::Preset::simurosot) note(e, "simurosot_side");
     if (is_end) return {};
   }
   if (is_weak) return note_weak(e, worst, other, calm), Result<void>();

@@ -78,7 +78,8 @@ Result<match::DrivenCommand> answer_to(Examination& e, Vec2 ball, const Change& 
   MIROCUP_TRY(const auto leg, play_scene(e, 1, [&](match::Observation& scene) {
                 scene.ball = ball;
                 for (std::size_t i = 0; i < scene.own.size(); ++i)
-                  scene.own[i].position += Vec2(0.013, ball.x() < 0.0 ? 0.021 : -0.1 * (i % 3));
+                  scene.own[i].position +=
+                      Vec2(0.013, ball.x() < 0.0 ? 0.021 : -0.1 * static_cast<double>(i % 3));
                 change(scene);
               }));
   return leg.log.empty() ? match::DrivenCommand() : leg.log[0].commands[index_of(Team::blue)];

@@ -20,9 +20,7 @@ namespace {
 
 struct StatusOptions : LeagueOptions {
   bool entries = false;
-  std::string until;                // a deadline; "": none
-  std::vector<std::string> except;  // TEAM=TIME, other deadlines
-  std::string sheet;                // whose deadline holds if there is no `until`; "": none
+  std::string sheet;  // whose deadline holds; "": none
   bool json = false;
 };
 
@@ -40,25 +38,6 @@ void print_row(const LeagueFile& file, const RosterRow& row) {
 
 void print_last_leg(const LeagueFile& file, const std::string& at) {
   if (!at.empty()) std::cout << "the last leg was played at " << shown_time(file, at) << '\n';
-}
-
-// Returns the deadline for which the command asks; nothing if there is none.
-Result<std::optional<SheetDeadline>> deadline_of(system::Files& files, const LeagueStore& store,
-                                                 const StatusOptions& options) {
-  const LeagueFile& file = store.state().file;
-  if (options.until.empty()) {
-    MIROCUP_TRY(const auto sheets, read_sheet_deadlines(files, store.folder(), file));
-    const auto found = sheets.find(options.sheet);
-    return found == sheets.end() ? std::optional<SheetDeadline>() : found->second;
-  }
-  SheetDeadline deadline;
-  MIROCUP_TRY(deadline.grace, utc_of(options.until, file));
-  for (const std::string& one : options.except) {
-    const auto equals = one.find('=');
-    if (equals == std::string::npos) continue;
-    MIROCUP_TRY(deadline.extensions[one.substr(0, equals)], utc_of(one.substr(equals + 1), file));
-  }
-  return deadline;
 }
 
 // Adds to the JSON of each team but the house teams the number of the last accepted entry that was
@@ -82,8 +61,9 @@ Result<void> print_roster(system::Files& files, const LeagueStore& store,
   const std::string last = last_leg_at(store.journal());
   if (options.json) {
     Json teams = roster_json(rows);
-    MIROCUP_TRY(const auto deadline, deadline_of(files, store, options));
-    if (deadline) add_by_deadline(teams, *deadline, book.hand_ins());
+    MIROCUP_TRY(const auto sheets, read_sheet_deadlines(files, store.folder(), state.file));
+    const auto sheet = sheets.find(options.sheet);
+    if (sheet != sheets.end()) add_by_deadline(teams, sheet->second, book.hand_ins());
     print_json({{"title", state.file.title},
                 {"played", state.played()},
                 {"legs", state.legs()},
@@ -214,9 +194,7 @@ void add_status(system::Commands& commands) {
   command.flag("--entries", o.entries,
                "Print each team's hand-ins and their answers; this does not change the exit code");
   command.flag("--json", o.json, "Print one JSON object");
-  command.option("--until TIME", o.until).hidden();  // of mirocup grade, as --except
-  command.option("--except TEAM=TIME", o.except).hidden();
-  command.option("--sheet NAME", o.sheet).hidden();
+  command.option("--sheet NAME", o.sheet).hidden();  // of mirocup grade
 }
 
 void add_health(system::Commands& commands) {

@@ -22,8 +22,6 @@ struct GradeOptions : DrillTerms {
   std::string sheet;                 // "list", a name, or a path
   std::vector<std::string> entries;  // teams, and folders of leagues
   std::string seed_file;             // "": the public tries
-  std::string until;                 // the deadline of leagues; "": none
-  std::vector<std::string> except;   // TEAM=TIME, other deadlines
   bool json = false;
   bool csv = false;
   bool gradescope = false;
@@ -108,10 +106,6 @@ Result<TestedTeam> entry_of(const std::string& text) {
 }
 
 Result<std::vector<TestedTeam>> entries_of(const GradeOptions& options, const std::string& sheet) {
-  std::vector<std::string> deadlines{"--sheet", sheet};
-  if (!options.until.empty()) deadlines = {"--until", options.until};
-  for (const std::string& one : options.except)
-    deadlines.insert(deadlines.end(), {"--except", one});
   std::vector<TestedTeam> entries;
   for (const std::string& word : options.entries) {
     if (!is_league(word)) {
@@ -119,7 +113,7 @@ Result<std::vector<TestedTeam>> entries_of(const GradeOptions& options, const st
       entries.push_back(std::move(entry));
       continue;
     }
-    MIROCUP_TRY(const auto of_league, entries_of_league(word, deadlines));
+    MIROCUP_TRY(const auto of_league, entries_of_league(word, sheet));
     for (const auto& [team, path] : of_league) {
       entries.push_back({"", team, "no entry was accepted"});
       if (path.empty()) continue;
@@ -131,10 +125,6 @@ Result<std::vector<TestedTeam>> entries_of(const GradeOptions& options, const st
     if (!names.insert(entry.name).second)
       return fail(Errc::input, "two entries are called \"" + entry.name +
                                    "\": NAME=ENTRY gives an entry another name");
-  }
-  for (const std::string& one : options.except) {
-    if (!names.contains(one.substr(0, one.find('='))))
-      return fail(Errc::input, "--except " + one + ": there is no such team");
   }
   return entries;
 }
@@ -223,15 +213,6 @@ void add_grade(system::Commands& commands) {
   command.option("--seed-file FILE", o.seed_file,
                  "File from whose bytes the seeds of the tries are drawn, which students must not "
                  "know (default: the public tries, the seeds from 1)");
-  const system::Option until =
-      command.option("--until TIME", o.until,
-                     "Grade the entries of a league that were handed in by this time, in the "
-                     "league's zone: \"2026-12-18 18:00\" (default: the deadline of the sheet in "
-                     "the league's sheets.json; without one, the present entries)");
-  command
-      .option("--except TEAM=TIME", o.except,
-              "Another deadline for one team; may be given several times")
-      .needs(until);
   command.jobs(o.jobs, "tries");
   command.option("--replay DIR", o.replay_folder,
                  "Folder to write files to: a record and a page of each failed try, and "

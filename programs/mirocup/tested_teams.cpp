@@ -101,10 +101,14 @@ Result<TestedTeam> tested_team(const std::string& text, NamedAfter named_after) 
 
 // Only mirocup-league can read a league.
 Result<std::vector<LeagueEntry>> entries_of_league(const std::string& league,
-                                                   const std::vector<std::string>& deadlines) {
-  std::vector<std::string> words{system::sibling_program("mirocup-league"), "status", league,
-                                 "--entries", "--json"};
-  words.insert(words.end(), deadlines.begin(), deadlines.end());
+                                                   const std::string& sheet) {
+  const std::vector<std::string> words{system::sibling_program("mirocup-league"),
+                                       "status",
+                                       league,
+                                       "--entries",
+                                       "--json",
+                                       "--sheet",
+                                       sheet};
   MIROCUP_TRY(const auto answer, system::ask(words, {.seconds = 60.0}));
   const std::string last = system::last_line(answer.output);
   if (answer.code > exit_no) return fail(Errc::input, system::replaced(last, "mirocup: ", ""));

@@ -35,11 +35,10 @@ struct LeagueEntry {
   std::string path;  // of its library; "": the team has no entry
 };
 
-// Returns the present entries of a league, in the order of its teams. `deadlines` are the options
-// --until and --except of `mirocup grade`: with them the entries are the last accepted ones that
-// were handed in by the deadlines.
+// Returns the present entries of a league, in the order of its teams. If the league has a deadline
+// for the sheet of this name, the entries are the last accepted ones that were handed in by it.
 Result<std::vector<LeagueEntry>> entries_of_league(const std::string& league,
-                                                   const std::vector<std::string>& deadlines = {});
+                                                   const std::string& sheet = "");
 
 // Tries all drills with each team, and returns a report for each. A team with a fault has this
 // fault in each try, and is not started. On a terminal, a line counts the tries. With a folder for

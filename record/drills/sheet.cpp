@@ -39,8 +39,10 @@ Sheet read_sheet(const record::JsonReader& json) {
   sheet.start = json.at("start").text();
   sheet.reference = json.at("reference").text();
   if (json.has("not_allowed")) {
-    for (const record::JsonReader& word : json.at("not_allowed").elements(1, max_sheet_drills))
+    for (const record::JsonReader& word : json.at("not_allowed").elements(1, max_sheet_drills)) {
       sheet.not_allowed.push_back(word.text());
+      if (sheet.not_allowed.back().empty()) word.complain("a word is expected");
+    }
   }
   for (const record::JsonReader& one : json.at("drills").elements(1, max_sheet_drills)) {
     sheet.drills.push_back(read_sheet_drill(one));
@@ -58,7 +60,7 @@ std::string found_word(std::string_view source, const std::vector<std::string>& 
   const auto is_in_word = [&](std::size_t at) {
     return at < source.size() && std::isalnum(static_cast<unsigned char>(source[at])) != 0;
   };
-  for (const std::string& word : words) {
+  for (const std::string& word : words) {  // none is empty
     const bool is_name = std::isalnum(static_cast<unsigned char>(word.back())) != 0;
     for (std::size_t at = source.find(word); at != std::string_view::npos;
          at = source.find(word, at + 1)) {

@@ -144,18 +144,14 @@ TEST(DrillCommand, TriesTheEntriesOfALeague) {
   EXPECT_EQ(tried.err, "mirocup: c has no entry\n");
   write_file(temporary / "s.json", R"({"schema": "mirocup/sheet/1", "title": "S", "start": "idle",
     "reference": "striker", "drills": [{"drill": "touch-the-ball", "change": {"tries": 4}}]})");
-  const Outcome graded = grade({temporary / "s.json", folder, "--csv", "--until",
-                                "2020-01-01 00:00", "--except", "b=2099-01-01 00:00"});
-  EXPECT_NE(graded.out.find("\nb,s,100.0,"), std::string::npos) << graded.out << graded.err;
-  EXPECT_NE(graded.out.find("no entry was accepted,0.0\nc,s,"), std::string::npos) << "of a";
-  // The same deadline in the league, where days of grace are not enough for team a.
-  write_file(folder + "/sheets.json", R"({"s": {"until": "2019-12-30", "grace_days": 2,
-    "extensions": {"b": "2099-01-01 00:00"}}})");
+  write_file(folder + "/sheets.json", R"({"s": {"until": "2019-12-30"}})");
   const Outcome refused = grade({temporary / "s.json", folder, "--csv"});
   EXPECT_NE(refused.err.find("sheets.json: /s/until: "), std::string::npos) << refused.err;
   write_file(folder + "/sheets.json", R"({"s": {"until": "2019-12-30 00:00", "grace_days": 2,
     "extensions": {"b": "2099-01-01 00:00"}}})");
-  EXPECT_EQ(grade({temporary / "s.json", folder, "--csv"}).out, graded.out);
+  const Outcome graded = grade({temporary / "s.json", folder, "--csv"});
+  EXPECT_NE(graded.out.find("\nb,s,100.0,"), std::string::npos) << graded.out << graded.err;
+  EXPECT_NE(graded.out.find("no entry was accepted,0.0\nc,s,"), std::string::npos) << "of a";
   write_file(temporary / "s.csv", graded.out);
   league({"grades", folder, "--drills", temporary / "s.csv", "--release"});
   EXPECT_EQ(read_json(folder + "/marks/sheets/b.json")["s"], "100.0");
