@@ -65,9 +65,12 @@ std::string page_of(const Parts& parts, Json values) {
   return filled(asset, "playground.html", values);
 }
 
-constexpr std::array<std::string_view, 12> page_modules{
-    "text.js", "track.js",    "field.js", "actions.js", "layers.js",     "situation.js",
-    "log.js",  "thoughts.js", "proof.js", "play.js",    "playground.js", "workbench.js"};
+// The last ones are those of the workbench alone.
+constexpr std::array<std::string_view, 14> page_modules{
+    "text.js",       "track.js",     "field.js",    "actions.js",  "layers.js",
+    "situation.js",  "log.js",       "thoughts.js", "proof.js",    "play.js",
+    "playground.js", "inspector.js", "momentum.js", "workbench.js"};
+constexpr std::size_t modules_of_workbench = 3;
 
 // Returns the files of a folder of the build, without their bytes; none if there is no such folder.
 Result<std::vector<WorkbenchFile>> files_of(system::Files& files, const std::string& folder) {
@@ -108,7 +111,8 @@ Result<std::optional<std::string>> playground_page(system::Files& files) {
   if (!module) return std::nullopt;
   MIROCUP_TRY(auto parts, common_parts(files));
   parts.data["module"] = module_json(*module);
-  const std::string code = page_script(std::span(page_modules).first(page_modules.size() - 1));
+  const std::string code =
+      page_script(std::span(page_modules).first(page_modules.size() - modules_of_workbench));
   return page_of(parts, {{"title", "Playground"},
                          {"policy", page_policy(code, ModulePlace::in_the_page)},
                          {"script", code}});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The workbench: a team in C++, which the page compiles and plays. Compiler and leg have a worker each; Stop ends them.
+import { Inspector } from './inspector.js';
+import { momentum, MomentumView } from './momentum.js';
 import { houseTeams } from './play.js';
 import { acts, given, optionsOf, play } from './playground.js';
 import { download } from './situation.js';
@@ -156,7 +158,10 @@ play.ask = async (question) => {
     tell(`The leg ended: ${error.message}.`);
     throw error;
   }
+  for (const { decision, gainer } of answer?.status?.decisions ?? [])
+    if (decision === 'GOAL') goals.push({ tick: answer.status.tick, team: gainer });
   for (const { tick, text } of answer?.log ?? []) {
+    printed.set(tick, [...(printed.get(tick) ?? []), text]);
     const row = element('li');
     row.append(element('span', 'when', tick), ` ${text}`);
     if (by('log').childElementCount < mostLines) by('log').append(row);
@@ -164,8 +169,46 @@ play.ask = async (question) => {
   if (answer?.status?.over && !answer.isBack) await tellEnd(answer);
   return answer;
 };
+// The numbers of a robot beside the code, as on the page of a replay, and the momentum of the leg.
+const printed = new Map();  // lines of the team, by tick
+let ends = [];  // from a tick on, which team defends the left end
+let goals = [];
+let inspector = null;
+const curve = new MomentumView(by('momentum'), (share) => {
+  play.time = share * play.lastTime;
+  play.show();
+});
+const endsAt = (tick) => ends.findLast((end) => end.tick <= tick) ?? ends[0];
+
+function forgetLeg() {
+  inspector = null;
+  printed.clear();
+  goals = [];
+  ends = [];
+}
+
+function inspect() {
+  for (const old of document.querySelectorAll('.inspected')) old.remove();
+  const fresh = by('inspected').cloneNode();  // without the former leg's choice
+  by('inspected').replaceWith(fresh);
+  by('inspector').replaceChildren();
+  const viewer = { svg: play.view.svg, robots: play.robots, track: play.track, momentAt: endsAt };
+  inspector = new Inspector({ place: by('inspector'), body: fresh, names: { blue: play.seatName, yellow: by('opponent').value } }, viewer, null,
+    (team, tick) => (team === 'blue' ? { shapes: [], lines: printed.get(tick) ?? [] } : null), () => play.show());
+}
+
+function drawMomentum() {
+  const { track } = play;
+  const far = Math.max(...track.frames.map((frame) => Math.abs(frame[1])), 1);
+  const ballX = (tick) => (track.frames[track.indexAt(tick)][1] / far) * (endsAt(tick).left === 'blue' ? 1 : -1);
+  curve.draw(momentum(track.firstTick, track.lastTick, track.period, ballX), goals.map(({ tick, team }) => ({ share: tick / track.lastTick, team })));
+}
+
 play.shown = (left) => {
   shown.call(play, left);
+  if (endsAt(play.status.tick)?.left !== left) ends.push({ tick: play.status.tick, left });
+  inspector?.show(play.time);
+  curve.show(play.time / play.lastTime || 0);
   by('scrub').max = play.track.lastTick;
   by('scrub').value = play.time / play.track.period;
   by('scrub').disabled = play.isPlaying;
@@ -187,6 +230,7 @@ async function tellEnd({ slowest, status }) {
     return row;
   }));
   by('why_title').hidden = advice.length === 0;
+  drawMomentum();
   const end = status.drill ? `The drill is over: ${Math.round(100 * status.drill.marks)} of 100 marks` : 'The leg is over';
   tell(`${end}. Its state hash: ${hash}. Your slowest tick took about ${slowest.toFixed(1)} ms here, with the pauses of the browser; a league measures the processor time on its own computer.`);
 }
@@ -224,7 +268,9 @@ async function withTeam(act) {
 }
 
 const run = () => withTeam(async (options) => {
+  forgetLeg();
   await play.begin(null, { options });
+  inspect();
   play.toggle();
 });
 

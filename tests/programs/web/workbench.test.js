@@ -67,6 +67,10 @@ test('a typed team plays the leg of its library, is stopped, and is told its mis
   await expectSameLeg(page, 20, 3, 'tactician');
   await type(page, source);
   await expectSameLeg(page, 60, 1, 'chaser');
+  await page.selectOption('#inspected', '1');
+  await page.fill('#scrub', '300');
+  assert.match(await page.textContent('#inspector'), /mine 1 \(blue\).*tick 300.*x, y/, 'the numbers of a robot');
+  assert.ok(await page.isVisible('#momentum path.yellow'));
   assert.deepEqual(await violations(page), [], 'after a leg');
   await page.click('#why button');  // a drill against what cost the team most
   await told(page, 'Drill under way', 'hand_told');
