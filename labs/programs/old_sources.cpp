@@ -152,8 +152,8 @@ std::vector<std::string> files_of_project(const std::string& text) {
   return files;
 }
 
-// Returns the macros of the project that are the team's own, such as BLUE or SIDE=1: not those of
-// Windows and of Visual C++, and none of a build for its debugger only.
+// Returns the team's own macros in the project, such as BLUE or SIDE=1, without the macros of
+// Windows, of Visual C++ and of a build for the debugger.
 // <PreprocessorDefinitions>WIN32;BLUE</…, PreprocessorDefinitions="WIN32;BLUE", /D "BLUE"
 std::vector<std::string> macros_of_project(const std::string& text) {
   static const std::set<std::string> of_windows{"WIN32", "WIN64", "NDEBUG", "UNICODE"};

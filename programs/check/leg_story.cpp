@@ -87,7 +87,7 @@ void WatchedTeam::look() {
         is_at_wall && told > least_push && 4.0 * std::abs(robot.twist.forward) < told;
     held_[i] = is_held ? held_[i] + 1 : 0;
     to_goal = std::min(to_goal, (own_goal - robot.position).norm());
-    // The sum is that of the robot that has pushed most.
+    // Only the robot that has pushed most counts.
     if (held_[i] > ticks_to_turn_round && ++pushes_[i] > story_.count(Habit::wall).sum)
       pushes = 1.0;
     if (i == 0) continue;

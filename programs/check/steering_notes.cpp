@@ -40,8 +40,8 @@ constexpr double beside_ball = 0.25, pushed = 0.08;
 constexpr double told_difference = 0.15;
 constexpr std::uint32_t pushing_ticks = 75;
 
-// The direction in which a robot drives is this multiple of that of the ball, and so much more,
-// rad. The first row is right.
+// A robot drives in the direction of the ball times `slope`, plus `offset`, rad. The first row is
+// right.
 struct WayRow {
   double slope, offset;
   const char* code;
@@ -50,7 +50,7 @@ constexpr WayRow way_rows[] = {{1.0, 0.0, nullptr},        {-1.0, pi / 2.0, "axe
                                {-1.0, 0.0, "mirrored"},    {-1.0, pi, "mirrored"},
                                {1.0, pi / 2.0, "heading"}, {1.0, -pi / 2.0, "heading"},
                                {1.0, pi, "drives_away"},   {-1.0, -pi / 2.0, "axes"}};
-// The mean error of a row that fits, rad. A robot that goes to a place of its own fits none.
+// The mean error of a row that fits, rad. A robot that ignores the ball fits none.
 constexpr double fitting = 0.4;
 
 // What the robots near a resting ball did.

@@ -200,13 +200,13 @@ Result<int> run_grades(system::Files& files, const LeagueStore& store,
   if (!options.scale.empty()) {
     MIROCUP_TRY(marks, marking.marks());
   }
+  MIROCUP_TRY(const auto file,
+              grades(league, people, drills, options.drills, layout_of(options), marks));
   if (options.release && !drills.empty()) {
     MIROCUP_TRY(const auto scores, scores_of_sheets(drills, options.drills));
     MIROCUP_TRY_VOID(release_scores(files, store.folder(), store.state().file, scores));
   }
   if (options.release && !options.scale.empty()) MIROCUP_TRY_VOID(marking.release(marks));
-  MIROCUP_TRY(const auto file,
-              grades(league, people, drills, options.drills, layout_of(options), marks));
   if (options.output.empty()) {
     std::cout << file.bytes;
     return result;

@@ -140,12 +140,8 @@ void read_zone(const JsonReader& json, LeagueFile& file) {
   }
 }
 
-std::string read_time(const JsonReader& json, const LeagueFile& file) {
-  const std::string text = json.text();
-  if (text.empty()) return text;
-  const auto time = utc_of(text, file);
-  if (!time) json.complain(time.error().what);
-  return time.value_or("");
+std::string read_time_or_none(const JsonReader& json, const LeagueFile& file) {
+  return json.text().empty() ? "" : read_time(json, file);
 }
 
 // A leg without a time to play would never end, and one of no time has no football.
@@ -188,10 +184,10 @@ LeagueFile read_league(const JsonReader& json) {
     file.tie_breaks.insert(file.tie_breaks.begin(), TieBreak::opponents_points);
   }
   if (json.has("zone")) read_zone(json.at("zone"), file);
-  if (json.has("freeze")) file.freeze = read_time(json.at("freeze"), file);
+  if (json.has("freeze")) file.freeze = read_time_or_none(json.at("freeze"), file);
   if (json.has("extensions")) {
     for (const auto& [team, until] : json.at("extensions").members())
-      file.extensions[team] = read_time(until, file);
+      file.extensions[team] = read_time_or_none(until, file);
   }
   json.read_if_present("anonymous", file.is_anonymous);
   json.read_if_present("thoughts", file.keeps_thoughts);
@@ -253,6 +249,12 @@ Result<std::string> utc_of(const std::string& text, const LeagueFile& file) {
                                  in_words(gap->second) + "\"; choose one of the two");
   }
   return utc_text(time->is_local ? file.time_zone.from_local(time->at) : time->at);
+}
+
+std::string read_time(const JsonReader& json, const LeagueFile& file) {
+  const auto time = utc_of(json.text(), file);
+  if (!time) json.complain(time.error().what);
+  return time.value_or("");
 }
 
 std::string shown_time(const LeagueFile& file, const std::string& utc) {

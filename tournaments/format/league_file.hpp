@@ -20,6 +20,10 @@
 #include <string>
 #include <vector>
 
+namespace mirocup::record {
+class JsonReader;
+}
+
 namespace mirocup::league {
 
 // How a team that speaks FIRASim's protocol takes part (docs/firasim.md).
@@ -139,6 +143,9 @@ bool is_time(const std::string& text);
 // or seconds. It has a Z or an offset (+01:00, +0100), or is in the league's zone. Errors:
 // Errc::input.
 Result<std::string> utc_of(const std::string& text, const LeagueFile& file);
+
+// Reads the same from a file. A text in another form is a complaint.
+std::string read_time(const record::JsonReader& json, const LeagueFile& file);
 
 // Returns a time of the journal as people read it: "2026-11-30 19:00 CET (18:00 UTC)".
 std::string shown_time(const LeagueFile& file, const std::string& utc);

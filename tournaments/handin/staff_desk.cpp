@@ -291,9 +291,10 @@ web::Reply StaffDesk::legs_of(const Visitor& reader, const std::string& team,
   if (!book) return broken(book.error());
   Json entries = Json::array();
   for (const auto& [number, handed] : book->hand_ins().of_team(team))
-    entries.push_back({{"number", number},
-                       {"team", team},
-                       {"state", handed.is_late ? "late" : to_string(handed.state)}});
+    entries.push_back(
+        {{"number", number},
+         {"team", team},
+         {"state", handed.is_late && handed.is_accepted() ? "late" : to_string(handed.state)}});
   return staff_reply(
       200, desk_page("Legs of " + state.shown_name_of(team),
                      filled_page("staff_legs.html", {{"entries", entries}, {"legs", rows}})));

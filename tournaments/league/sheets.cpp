@@ -13,12 +13,6 @@ using Json = nlohmann::ordered_json;
 constexpr int most_grace = 60;  // days
 constexpr std::int64_t day_s = 86400;
 
-std::string read_time(const record::JsonReader& json, const LeagueFile& file) {
-  const auto time = utc_of(json.text(), file);
-  if (!time) json.complain(time.error().what);
-  return time.value_or("");
-}
-
 SheetDeadlines read_deadlines(const record::JsonReader& json, const LeagueFile& file) {
   SheetDeadlines deadlines;
   for (const auto& [sheet, one] : json.members()) {
@@ -80,19 +74,19 @@ Result<Json> sheets_of_team(system::Files& files, const Folder& folder, const Le
                             *text, path, Errc::damaged, read_scores)));
   }
   std::map<std::string, Json> rows;
+  const auto row_of = [&rows](const std::string& sheet) -> Json& {
+    const Json empty{{"sheet", sheet}, {"until", ""}, {"own", ""}, {"score", ""}};
+    return rows.try_emplace(sheet, empty).first->second;
+  };
   for (const auto& [sheet, deadline] : deadlines) {
     const std::string& own = deadline.of(team);
-    rows[sheet].update({{"until", shown_time(file, deadline.until)},
-                        {"own", own == deadline.until ? "" : shown_time(file, own)}});
+    Json& row = row_of(sheet);
+    row["until"] = shown_time(file, deadline.until);
+    if (own != deadline.until) row["own"] = shown_time(file, own);
   }
-  for (const auto& [sheet, score] : scores) rows[sheet]["score"] = score;
+  for (const auto& [sheet, score] : scores) row_of(sheet)["score"] = score;
   Json all = Json::array();
-  for (auto& [sheet, row] : rows) {
-    row["sheet"] = sheet;
-    for (const char* key : {"until", "own", "score"})
-      if (!row.contains(key)) row[key] = "";
-    all.push_back(row);
-  }
+  for (const auto& [sheet, row] : rows) all.push_back(row);
   return all;
 }
 

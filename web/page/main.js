@@ -104,13 +104,8 @@ function fitTimeline() {
 }
 
 function drawMomentum() {
-  const half = leg.half_length / 0.0005;
-  const ballX = (tick) => {
-    const x = track.frames[track.indexAt(tick)][1] / half;
-    return viewer.momentAt(tick).left === 'blue' ? x : -x;
-  };
   const goals = calls.goals.map((call) => ({ share: viewer.shareOf(call.tick), team: calls.colour(call) }));
-  curve.draw(momentum(track.firstTick, track.lastTick, leg.period, ballX), goals);
+  curve.draw(momentum(track, leg.half_length / 0.0005, (tick) => viewer.momentAt(tick).left), goals);
 }
 
 // Fills the choice of the ball and robots, and draws the heat map of the chosen one.

@@ -8,12 +8,16 @@ const span = 6;  // s to each side over which it is smoothed
 const most = 240;  // points of the curve
 const height = 60;
 
-// Returns a number from -1 (at the line of blue's goal) to 1 (at yellow's) for each point.
-// `ballX(tick)`: the ball's x in the frame in which blue attacks to the right, of -1 to 1.
-export function momentum(firstTick, lastTick, period, ballX) {
+// Returns a number from -1 (at the line of blue's goal) to 1 (at yellow's) for each point of a leg. `half`: from the middle to a goal
+// line, in units of a frame; `leftAt(tick)`: the team that defends the left end.
+export function momentum(track, half, leftAt) {
+  const { firstTick, lastTick, period } = track;
   const step = Math.max(1, Math.ceil((lastTick - firstTick) / most));
   const raw = [];
-  for (let tick = firstTick; tick <= lastTick; tick += step) raw.push(ballX(tick));
+  for (let tick = firstTick; tick <= lastTick; tick += step) {
+    const x = track.frames[track.indexAt(tick)][1] / half;
+    raw.push(leftAt(tick) === 'blue' ? x : -x);
+  }
   const reach = Math.max(1, Math.round(span / (step * period)));
   return raw.map((_, i) => {
     let sum = 0;

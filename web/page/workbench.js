@@ -158,8 +158,8 @@ play.ask = async (question) => {
     tell(`The leg ended: ${error.message}.`);
     throw error;
   }
-  for (const { decision, gainer } of answer?.status?.decisions ?? [])
-    if (decision === 'GOAL') goals.push({ tick: answer.status.tick, team: gainer });
+  if (answer?.isNew) goals = [];  // its decisions are those of the whole leg
+  for (const { decision, tick, gainer } of answer?.status?.decisions ?? []) if (decision === 'GOAL') goals.push({ tick, team: gainer });
   for (const { tick, text } of answer?.log ?? []) {
     printed.set(tick, [...(printed.get(tick) ?? []), text]);
     const row = element('li');
@@ -183,7 +183,6 @@ const endsAt = (tick) => ends.findLast((end) => end.tick <= tick) ?? ends[0];
 function forgetLeg() {
   inspector = null;
   printed.clear();
-  goals = [];
   ends = [];
 }
 
@@ -199,9 +198,8 @@ function inspect() {
 
 function drawMomentum() {
   const { track } = play;
-  const far = Math.max(...track.frames.map((frame) => Math.abs(frame[1])), 1);
-  const ballX = (tick) => (track.frames[track.indexAt(tick)][1] / far) * (endsAt(tick).left === 'blue' ? 1 : -1);
-  curve.draw(momentum(track.firstTick, track.lastTick, track.period, ballX), goals.map(({ tick, team }) => ({ share: tick / track.lastTick, team })));
+  const farthest = Math.max(...track.frames.map((frame) => Math.abs(frame[1])), 1);
+  curve.draw(momentum(track, farthest, (tick) => endsAt(tick).left), goals.map(({ tick, team }) => ({ share: tick / track.lastTick, team })));
 }
 
 play.shown = (left) => {

@@ -80,7 +80,7 @@ MIROCUP_DOES_NOTHING(int, ioctlsocket, 0)
 MIROCUP_DOES_NOTHING(int, setsockopt, 0)
 MIROCUP_DOES_NOTHING(int, bind, 0)
 MIROCUP_DOES_NOTHING(int, listen, 0)
-// A team that shows what it thinks to a program of its own ends if nobody hears it.
+// Some teams send their thoughts to a debugging program, and end if they cannot connect.
 MIROCUP_DOES_NOTHING(int, connect, 0)
 MIROCUP_DOES_NOTHING(SOCKET, accept, INVALID_SOCKET)
 MIROCUP_DOES_NOTHING(int, shutdown, 0)

@@ -457,7 +457,7 @@ void build_project(const std::string& project, const std::string& build) {
 }
 
 // Catches a folder of an old disk that has to be tidied up by hand before it builds, and a network
-// on which a team ends that shows a program of its own what it thinks.
+// on which a team ends if it sends its thoughts to a debugging program.
 TEST(Simurosot, BuildsAnUntidyFolder) {
   const TemporaryFolder folder;
   make_old_folder(folder / "old");
