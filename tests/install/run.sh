@@ -3,22 +3,22 @@
 #
 # Makes the packages and tries them in a Debian 12 that has nothing else: install, play, check, teams in three languages, a
 # league with its units, uninstall. Needs root, mmdebstrap, lintian, dpkg-dev and a mirror of Debian.
-# Usage: tests/install/run.sh [--mirror URL] [--build DIR] [--debian TAR]
-#   --debian TAR  a Debian that mmdebstrap has made before
-#   --build DIR   a tree that is built already, with MIROCUP_PYTHON_DIR as in the preset packages
+# Usage: tests/install/run.sh [--mirror URL] [--packages FOLDER] [--debian TAR]
+#   --debian TAR       a Debian that mmdebstrap has made before
+#   --packages FOLDER  tries the packages in there, and builds none: those of tests/release/reproducible.sh -o FOLDER
 #
 # Catches a package that forgets a file or a dependency, one that works only beside the sources or only if it can write below
 # /usr, a package that lintian complains of, a unit that systemd does not take, and a removal that takes a league with it.
 set -euo pipefail
 root=$(realpath "$(dirname "$0")/../..")
 mirror=
-build=
+folder=
 archive=
 arguments=("$@")
 while [[ $# -gt 0 ]]; do
   case $1 in
     --mirror) mirror=$2; shift 2 ;;
-    --build) build=$(realpath "$2"); shift 2 ;;
+    --packages) folder=$(realpath "$2"); shift 2 ;;
     --debian) archive=$(realpath "$2"); shift 2 ;;
     *) echo "usage: $0 [--mirror URL] [--build DIR] [--debian TAR]" >&2; exit 2 ;;
   esac
@@ -33,14 +33,14 @@ step() { echo "== $*"; }
 
 step "packages"
 cd "$root"
-if [[ -z $build ]]; then
-  build=$root/build/packages
+if [[ -z $folder ]]; then
+  folder=$root/build/packages
   cmake --preset packages >/dev/null
   cmake --build --preset packages
+  rm -f "$folder"/*.deb
+  (cd "$folder" && cpack -G DEB)
 fi
-rm -f "$build"/*.deb
-(cd "$build" && cpack -G DEB)
-packages=("$build"/*.deb)
+packages=("$folder"/*.deb)
 [[ ${#packages[@]} -eq 5 ]]
 
 step "lintian"

@@ -19,6 +19,11 @@ std::string in_words(const std::string& version, const std::string& game) {
   return "mirocup " + version + (game.empty() ? "" : " (game " + game + ")");
 }
 
+// Returns the minor version, "0.1" of "0.1.7". Its releases play the same legs: docs/interfaces.md.
+std::string series_of(const std::string& version) {
+  return version.substr(0, version.rfind('.'));
+}
+
 // What is needed of a record before it is verified.
 struct RecordedLeg {
   std::string path;  // inside the league
@@ -62,14 +67,15 @@ Result<void> expect_program(const LeagueStore& store, const record::Software& pr
   const LeagueState& state = store.state();
   const record::Software& before = state.program;
   if (!state.is_started) return {};
-  if (before.version == program.version && before.behaviour_hash == program.behaviour_hash)
+  if (series_of(before.version) == series_of(program.version) &&
+      before.behaviour_hash == program.behaviour_hash)
     return {};
   return fail(Errc::input,
               store.folder().path + " is played with " +
                   in_words(before.version, before.behaviour_hash) + "; this program is " +
                   in_words(program.version, program.behaviour_hash) +
                   ", which may play other legs from the same seeds. Continue with mirocup " +
-                  before.version + ", which played before");
+                  series_of(before.version) + ", which played before");
 }
 
 namespace {

@@ -12,8 +12,8 @@
 
 namespace mirocup::league {
 
-// Refuses to play a league that another program has begun to play: a program with another version
-// or another behaviour hash (`game`). Errors: Errc::input.
+// Refuses to play a league that another program has begun to play: a program of another minor
+// version (0.2 after 0.1), or with another behaviour hash (`game`). Errors: Errc::input.
 Result<void> expect_program(const LeagueStore& store, const record::Software& program);
 
 // The result of verifying the records of a league.

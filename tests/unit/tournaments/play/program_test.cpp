@@ -26,19 +26,20 @@ std::string refusal(const std::string& version, const std::string& game) {
   start.game = game;
   EXPECT_TRUE(store->write(start));
   const auto same =
-      expect_program(*store, {.version = "0", .build = "g++", .behaviour_hash = "beef"});
+      expect_program(*store, {.version = "0.1.2", .build = "g++", .behaviour_hash = "beef"});
   return same ? "" : same.error().what;
 }
 
-TEST(Program, IsTheOneOfTheJournal) {
-  EXPECT_EQ(refusal("0", "beef"), "");
-  const std::string other_game = refusal("0", "f00d");
-  EXPECT_NE(other_game.find("is played with mirocup 0 (game f00d); this program is mirocup 0 (game "
-                            "beef)"),
+TEST(Program, IsOfTheVersionInTheJournal) {
+  EXPECT_EQ(refusal("0.1.2", "beef"), "");
+  EXPECT_EQ(refusal("0.1.0", "beef"), "") << "a fix of the same minor version plays the same legs";
+  const std::string other_game = refusal("0.1.2", "f00d");
+  EXPECT_NE(other_game.find("is played with mirocup 0.1.2 (game f00d); this program is mirocup "
+                            "0.1.2 (game beef)"),
             std::string::npos)
       << other_game;
-  const std::string other_version = refusal("0.0.7", "beef");
-  EXPECT_NE(other_version.find("Continue with mirocup 0.0.7"), std::string::npos) << other_version;
+  const std::string other_version = refusal("0.2.0", "beef");
+  EXPECT_NE(other_version.find("Continue with mirocup 0.2,"), std::string::npos) << other_version;
 }
 
 }  // namespace
